@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+#
+# A thin face on the CMake presets and scripts/.
+
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+.PHONY: help build demo test examples bench lint format sanitize clean
+.SILENT: help
+
+configure := cmake --log-level=WARNING
+
+help: ## list the targets
+	awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+# An existing configuration is kept, so that `make build` does not undo what `make test` set up.
+build: ## install what is missing, build the release; leaves the program at build/taut
+	scripts/install_dependencies.sh build
+	test -f build/release/build.ninja || $(configure) --preset release -DTAUT_BUILD_TESTS=OFF
+	cmake --build --preset release --target taut_app
+	ln -sfn release/apps/taut/taut build/taut
+
+demo: build ## run the paper's experiment on the built-in net, report in build/demo
+	build/taut reproduce -o build/demo
+
+test: ## install what is missing, build, run every test
+	scripts/install_dependencies.sh test
+	$(configure) --preset release -DTAUT_BUILD_TESTS=ON
+	cmake --build --preset release
+	ln -sfn release/apps/taut/taut build/taut
+	ctest --preset release
+
+examples: ## build and run the examples
+	scripts/install_dependencies.sh build
+	test -f build/release/build.ninja || $(configure) --preset release -DTAUT_BUILD_TESTS=OFF
+	cmake --build --preset release --target taut_examples
+	ctest --preset examples
+
+bench: ## run the benchmarks
+	scripts/install_dependencies.sh bench
+	scripts/bench.sh
+
+lint: ## check format, names, rooms and licence lines
+	scripts/install_dependencies.sh lint
+	scripts/lint.sh
+
+format: ## format all C++ sources in place
+	scripts/install_dependencies.sh lint
+	scripts/format.sh
+
+sanitize: ## run the tests with the address and undefined behaviour sanitizers
+	scripts/install_dependencies.sh test
+	$(configure) --preset asan
+	cmake --build --preset asan
+	ctest --preset asan
+
+clean: ## remove the build folder
+	rm -rf build

@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+
+include(GoogleTest)
+
+# taut_add_tests(<room> <file>...) makes the program test_<room> and one ctest test for each of its
+# tests. Includes: public headers, private ones as "<room>/name.hpp", helpers as "support/name.hpp".
+function(taut_add_tests room)
+    if(NOT ARGN)
+        return()
+    endif()
+    set(target test_${room})
+    add_executable(${target} ${ARGN})
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(${target} PRIVATE TAUT_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/tests/data")
+    target_link_libraries(${target} PRIVATE
+        taut::taut taut_warnings
+        GTest::gmock_main rapidcheck rapidcheck_gtest
+        nlohmann_json::nlohmann_json fmt::fmt
+        PkgConfig::TAUT_HDF5)
+    gtest_discover_tests(${target}
+        TEST_PREFIX "${room}."
+        DISCOVERY_TIMEOUT 60
+        PROPERTIES TIMEOUT 300 LABELS ${room})
+endfunction()

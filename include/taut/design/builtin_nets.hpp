@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// A net with the counts of the paper's prototype (section 5): 300 free nodes, 536 interior and 128
+/// adjustable edges. A square lattice of 132 mm, turned by 45 degrees, in a rectangle of 4.26 m x
+/// 1.96 m from which five circles are cut: the touch-downs, where the net sinks to the ground.
+/// EA = 200 kN; form-found with equal force densities, at a mean strain of some 2 %.
+[[nodiscard]] CableNet hilo_quarter();
+
+/// A hyperbolic paraboloid of rows x columns free nodes, 132 mm apart in plan, with straight
+/// borders: corners alternately high and low. EA = 200 kN.
+/// @param rows, columns 1 to 300 each
+/// @throws std::invalid_argument outside that range
+[[nodiscard]] CableNet hypar(int rows, int columns);
+
+/// The built-in net of a name: "hilo-quarter", or "hypar:RxC".
+/// @throws std::invalid_argument that lists the names, for any other
+[[nodiscard]] CableNet builtin_net(std::string_view name);
+
+}  // namespace taut

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "taut/gp/kernel.hpp"
+#include "taut/gp/likelihood.hpp"
+#include "taut/gp/spectrum.hpp"
+
+namespace taut::gp {
+
+enum class FitStatus {
+    fitted,
+    constant_output,    ///< the same number throughout: nothing to learn
+    non_finite_output,  ///< holds a NaN or an infinity
+};
+
+/// "fitted", "constant output", "non-finite output".
+[[nodiscard]] std::string_view to_string(FitStatus status);
+
+/// One process, trained.
+struct Process {
+    FitStatus status = FitStatus::fitted;
+    Hyperparameters hyperparameters;  ///< zero where not fitted, as the numbers below
+    double negative_log_likelihood = 0.0;
+    double leave_one_out_rmse = 0.0;  ///< of the mean at each training input, trained without it
+    int spectrum = -1;                ///< which of FittedProcesses::spectra it uses
+};
+
+/// Mean and variance at k inputs of m processes.
+struct Prediction {
+    Eigen::MatrixXd mean;  ///< m(x_*), eq. mx_* (m x k); 0 for a process that is not fitted
+    Eigen::MatrixXd std;   ///< sigma(x_*), eq. sigmax_*, of the latent function (m x k); 0 likewise
+};
+
+/// m processes with zero mean and an isotropic squared exponential kernel each, trained on the same
+/// n inputs. Made by fit().
+struct FittedProcesses {
+    Eigen::MatrixXd inputs;               ///< d x n
+    std::vector<KernelSpectrum> spectra;  ///< one for each lambda in use
+    std::vector<Process> processes;       ///< m
+    Eigen::MatrixXd weights;  ///< (R + eta I)^-1 y of each output (n x m); 0 if not fitted
+
+    /// Eqs. mx_* and sigmax_* at new inputs (d x k).
+    /// @throws std::invalid_argument for another dimension, or an input that is not finite
+    [[nodiscard]] Prediction predict(const Eigen::Ref<const Eigen::MatrixXd>& at) const;
+};
+
+struct FitSettings {
+    /// The feasible set Theta: lambda times the median distance of two training inputs. Towards the
+    /// lower end the kernel is a polynomial of low degree, and longer length scales change nothing.
+    double smallest_scaled_lambda = 3e-3;
+    double largest_scaled_lambda = 3.0;
+    std::optional<NoiseRatioBounds> noise_ratio;  ///< default_noise_ratio_bounds(n) if not given
+    /// The search for lambda ends when no output is expected to gain more than this, relative to
+    /// its negative log likelihood, or after so many decompositions.
+    double relative_tolerance = 1e-6;
+    int max_spectra = 12;
+    /// Called before each decomposition with how many were made; may throw to give up.
+    std::function<void(int)> progress;
+};
+
+/// Algorithm 1 of the paper: estimates each output's hyperparameters by maximum marginal likelihood
+/// (eq. max_marginal_likelihood) and conditions its process on the data.
+/// @param inputs d x n, finite, not all the same; n >= 2
+/// @param outputs n x m; an output that cannot be fitted is marked and leaves the others standing
+/// @throws std::invalid_argument for sizes that differ, and for inputs as excluded above
+[[nodiscard]] FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
+                                  const Eigen::Ref<const Eigen::MatrixXd>& outputs,
+                                  const FitSettings& settings = {});
+
+}  // namespace taut::gp

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+namespace taut::gp {
+
+/// The eigendecomposition R = Q diag(d) Q' of the correlation matrix of the training inputs. All
+/// that a Gaussian process needs of K = sigma_f^2 R, for any sigma_f, sigma_w and any output,
+/// follows from it in O(n^2): this is why one decomposition serves hundreds of outputs.
+struct KernelSpectrum {
+    double inverse_length_scale = 0.0;  ///< lambda
+    Eigen::VectorXd eigenvalues;   ///< d (n), ascending; rounding errors below zero set to zero
+    Eigen::MatrixXd eigenvectors;  ///< Q (n x n)
+};
+
+/// @param squared_distances of all pairs of training inputs (n x n), symmetric
+/// @throws std::invalid_argument where lambda is not positive and finite, or a distance not finite
+[[nodiscard]] KernelSpectrum kernel_spectrum(
+    const Eigen::Ref<const Eigen::MatrixXd>& squared_distances, double inverse_length_scale);
+
+}  // namespace taut::gp

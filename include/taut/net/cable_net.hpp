@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace taut {
+
+/// Coordinates of all nodes of a net, one column a node [m].
+using Points = Eigen::Matrix3Xd;
+
+/// The two nodes (s, t) that an edge connects.
+using Edge = std::array<int, 2>;
+
+/// A rule of a cable net that is broken, and where: a JSON pointer into the native net file.
+class NetError : public std::invalid_argument {
+public:
+    NetError(std::string where, const std::string& what);
+
+    /// JSON pointer to the offending value, "/edges/12" say.
+    [[nodiscard]] const std::string& where() const { return m_where; }
+
+private:
+    std::string m_where;
+};
+
+/// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
+struct CableNetData {
+    std::string name;
+    Points nodes;                        ///< 3 x n, the nominal form [m]
+    std::vector<int> supports;           ///< nodes on the rigid frame
+    std::vector<Edge> edges;             ///< m pairs of nodes
+    Eigen::VectorXd axial_stiffness;     ///< m, EA > 0 [N]
+    Eigen::VectorXd unstressed_lengths;  ///< m, l_0 > 0 [m]
+    std::vector<int> adjustable;         ///< edges with a turnbuckle: length known and set
+    Points loads;                        ///< 3 x n external forces [N]; 3 x 0 means none
+    std::vector<std::string> node_ids;   ///< n names, or none
+    std::vector<std::string> edge_ids;   ///< m names, or none
+};
+
+/// The edges with at least one support as an end: the default of CableNetData::adjustable.
+[[nodiscard]] std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
+                                                 const std::vector<int>& supports);
+
+/// A tensioned cable net: the graph G = (V, E) of the paper (section 3.1) with its parameters EA,
+/// l_0 and r_B. Immutable, and valid by construction.
+class CableNet {
+public:
+    /// Checks every rule of a net.
+    /// @throws NetError naming the place, the value and the rule: sizes that differ, an index out
+    /// of
+    ///   range or listed twice, a self-loop, a duplicate edge, an edge between two supports, a free
+    ///   node without edges or in a part of the net without support, a stiffness or unstressed
+    ///   length that is not positive and finite, an edge of zero length, a coordinate or load that
+    ///   is not finite, no free node, names that are empty or doubled.
+    explicit CableNet(CableNetData data);
+
+    [[nodiscard]] const std::string& name() const { return m_data.name; }
+    [[nodiscard]] const Points& nodes() const { return m_data.nodes; }
+    [[nodiscard]] const std::vector<Edge>& edges() const { return m_data.edges; }
+    [[nodiscard]] const Eigen::VectorXd& axial_stiffness() const { return m_data.axial_stiffness; }
+    [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const {
+        return m_data.unstressed_lengths;
+    }
+    /// 3 x n; zero where no load acts [N].
+    [[nodiscard]] const Points& loads() const { return m_data.loads; }
+    /// Everything that the net was made from, defaults filled in.
+    [[nodiscard]] const CableNetData& data() const { return m_data; }
+
+    [[nodiscard]] int node_count() const { return static_cast<int>(m_data.nodes.cols()); }
+    [[nodiscard]] int edge_count() const { return static_cast<int>(m_data.edges.size()); }
+    [[nodiscard]] int free_node_count() const { return static_cast<int>(m_free_nodes.size()); }
+    [[nodiscard]] int interior_edge_count() const { return static_cast<int>(m_interior.size()); }
+
+    /// Free nodes in ascending order: the order of the coordinates in r_I.
+    [[nodiscard]] const std::vector<int>& free_nodes() const { return m_free_nodes; }
+    [[nodiscard]] const std::vector<int>& supports() const { return m_data.supports; }
+    /// Position of a node in free_nodes(), or -1 for a support.
+    [[nodiscard]] int free_index(int node) const { return m_free_index[static_cast<size_t>(node)]; }
+
+    /// Edges of uncertain unstressed length, ascending: the order of l_0,I (eq. l0I).
+    [[nodiscard]] const std::vector<int>& interior_edges() const { return m_interior; }
+    /// Edges whose unstressed length is known and set, ascending: the order of l_0,B.
+    [[nodiscard]] const std::vector<int>& adjustable_edges() const { return m_data.adjustable; }
+
+    /// The node's name, or its index as text where the net names no nodes.
+    [[nodiscard]] std::string node_id(int node) const;
+    /// The edge's name, or its index as text where the net names no edges.
+    [[nodiscard]] std::string edge_id(int edge) const;
+
+    /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges and
+    /// loads: two nets with the same fingerprint behave alike, whatever their names.
+    [[nodiscard]] const std::string& fingerprint() const { return m_fingerprint; }
+
+private:
+    CableNetData m_data;
+    std::vector<int> m_free_nodes;
+    std::vector<int> m_free_index;
+    std::vector<int> m_interior;
+    std::string m_fingerprint;
+};
+
+/// r_I, the 3 n_I coordinates x1, y1, z1, x2, ... of the free nodes, out of all nodes' (3 x n) [m].
+[[nodiscard]] Eigen::VectorXd free_coordinates(const CableNet& net,
+                                               const Eigen::Ref<const Points>& form);
+
+/// All nodes' coordinates (3 x n) from r_I (3 n_I); supports from the net [m].
+[[nodiscard]] Points with_free_coordinates(const CableNet& net,
+                                           const Eigen::Ref<const Eigen::VectorXd>& coordinates);
+
+/// l_0 of all edges (m) from the length deviations (m_I) of the interior ones (eq. data) [m].
+[[nodiscard]] Eigen::VectorXd with_length_deviations(
+    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& deviations);
+
+}  // namespace taut

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// How a search for equilibrium ended.
+enum class EquilibriumStatus {
+    converged,        ///< all forces balance, and the form is the only one that does this
+    slack_mechanism,  ///< all forces balance, but slack edges leave some nodes loose
+    iteration_limit,  ///< forces do not balance within the tolerance
+};
+
+/// "converged", "slack mechanism", "iteration limit".
+[[nodiscard]] std::string_view to_string(EquilibriumStatus status);
+
+struct EquilibriumSettings {
+    int max_iterations = 500;
+    /// Largest out-of-balance force at a node that counts as balanced, in mean tensions of the taut
+    /// edges (in mean loads where all are slack). The solver goes on below it until rounding errors
+    /// stop it or a hundredth is reached.
+    double relative_tolerance = 1e-10;
+};
+
+/// The form a net takes: the minimiser of its energy.
+struct Equilibrium {
+    Points form;  ///< 3 x n, supports included [m]
+    EquilibriumStatus status = EquilibriumStatus::iteration_limit;
+    int iterations = 0;            ///< Newton steps taken
+    double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
+    double mean_tension = 0.0;     ///< over the taut edges [N]
+    std::vector<int> slack_edges;  ///< ascending
+    std::vector<double>
+        energy_decreases;  ///< of each step, summed edge by edge; never negative [J]
+
+    /// Forces balance: status is not iteration_limit.
+    [[nodiscard]] bool balanced() const { return status != EquilibriumStatus::iteration_limit; }
+};
+
+/// Solves for the equilibrium of one net with many sets of unstressed lengths. Does the symbolic
+/// work once; the iteration allocates nothing. One object a thread.
+class EquilibriumSolver {
+public:
+    explicit EquilibriumSolver(const CableNet& net, EquilibriumSettings settings = {});
+    ~EquilibriumSolver();
+    EquilibriumSolver(EquilibriumSolver&&) noexcept;
+    EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
+    EquilibriumSolver(const EquilibriumSolver&) = delete;
+    EquilibriumSolver& operator=(const EquilibriumSolver&) = delete;
+
+    /// The form r_I = f^-1(l_0) of the paper (eqs. finv, SOCP): Newton's method on the convex
+    /// energy, with a line search and a diagonal shift where slack edges make the stiffness
+    /// singular.
+    /// @param unstressed_lengths l_0 of all edges (m), positive [m]
+    /// @param start where to begin (3 x n); supports are taken from the net [m]
+    /// @throws std::invalid_argument for wrong sizes, a length that is not positive and finite, or
+    /// a
+    ///   start that is not finite.
+    [[nodiscard]] Equilibrium solve(const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                                    const Eigen::Ref<const Points>& start);
+
+private:
+    struct Workspace;
+    std::unique_ptr<Workspace> m_workspace;
+};
+
+/// Equilibrium of the net with its own unstressed lengths, from its own nodes: the nominal form.
+[[nodiscard]] Equilibrium solve_equilibrium(const CableNet& net, EquilibriumSettings settings = {});
+
+}  // namespace taut

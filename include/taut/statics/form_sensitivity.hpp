@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// First derivative of the equilibrium form with respect to unstressed lengths. By the implicit
+/// function theorem on h(r_I, l_0) = 0 (eq. h), with the stiffness H = dh/dr_I:
+///
+///   dr_I/dl_0 = -H^-1 dh/dl_0,   dh_s/dl_0(s,t) = -EA (r_s - r_t) / l_0^2   (0 for a slack edge)
+///
+/// H is factorised once, on construction; each derivative is then a pair of triangular solves.
+class FormSensitivity {
+public:
+    /// @param unstressed_lengths l_0 of all edges (m) [m]
+    /// @param form an equilibrium form for them (3 x n) [m]
+    /// Where H is singular (a slack mechanism) it is shifted by 1e-12 of the nodes' axial
+    /// stiffness, so that loose nodes stay where they are.
+    FormSensitivity(const CableNet& net,
+                    const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                    const Eigen::Ref<const Points>& form);
+    ~FormSensitivity();
+    FormSensitivity(FormSensitivity&&) noexcept;
+    FormSensitivity& operator=(FormSensitivity&&) noexcept;
+    FormSensitivity(const FormSensitivity&) = delete;
+    FormSensitivity& operator=(const FormSensitivity&) = delete;
+
+    /// (dr_I/dl_0) dl_0: change of the free coordinates (3 n_I) [m] to first order, for changes of
+    /// all unstressed lengths (m) [m].
+    [[nodiscard]] Eigen::VectorXd apply(
+        const Eigen::Ref<const Eigen::VectorXd>& length_changes) const;
+
+    /// The columns of dr_I/dl_0 for the given edges (3 n_I x edges.size()) [m/m].
+    [[nodiscard]] Eigen::MatrixXd columns(std::span<const int> edges) const;
+
+private:
+    struct Factor;
+    std::unique_ptr<Factor> m_factor;
+};
+
+}  // namespace taut

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/design/force_density.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <stdexcept>
+
+namespace taut {
+
+Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
+                                 const std::vector<int>& supports, const std::vector<Edge>& edges,
+                                 const Eigen::Ref<const Eigen::VectorXd>& force_densities,
+                                 const Eigen::Ref<const Points>& loads) {
+    if (force_densities.size() != static_cast<Eigen::Index>(edges.size())) {
+        throw std::invalid_argument(fmt::format("force_densities has {} entries, expected {}",
+                                                force_densities.size(), edges.size()));
+    }
+    if (loads.cols() != 0 && loads.cols() != nodes.cols()) {
+        throw std::invalid_argument(
+            fmt::format("loads has {} columns, expected {} or none", loads.cols(), nodes.cols()));
+    }
+    std::vector<int> row(static_cast<size_t>(nodes.cols()), 0);
+    for (const int support : supports) {
+        row[static_cast<size_t>(support)] = -1;
+    }
+    int free_count = 0;
+    for (int& r : row) {
+        if (r == 0) {
+            r = free_count++;
+        }
+    }
+
+    // D r_free = p - D_support r_support, with D the Laplacian weighted by force densities.
+    Eigen::MatrixX3d rhs = Eigen::MatrixX3d::Zero(free_count, 3);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * edges.size());
+    for (size_t e = 0; e < edges.size(); ++e) {
+        const double q = force_densities(static_cast<Eigen::Index>(e));
+        if (!std::isfinite(q) || q <= 0.0) {
+            throw std::invalid_argument(
+                fmt::format("force density {} is {}, expected a positive and finite number", e, q));
+        }
+        for (const auto [from, to] : {edges[e], Edge{edges[e][1], edges[e][0]}}) {
+            const int i = row[static_cast<size_t>(from)];
+            const int j = row[static_cast<size_t>(to)];
+            if (i < 0) {
+                continue;
+            }
+            entries.emplace_back(i, i, q);
+            if (j >= 0) {
+                entries.emplace_back(i, j, -q);
+            } else {
+                rhs.row(i) += q * nodes.col(to).transpose();
+            }
+        }
+    }
+    if (loads.cols() != 0) {
+        for (Eigen::Index node = 0; node < nodes.cols(); ++node) {
+            if (const int i = row[static_cast<size_t>(node)]; i >= 0) {
+                rhs.row(i) += loads.col(node).transpose();
+            }
+        }
+    }
+
+    Eigen::SparseMatrix<double> laplacian(free_count, free_count);
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(laplacian);
+    if (factor.info() != Eigen::Success) {
+        throw std::invalid_argument("some free node is joined to no support by edges");
+    }
+    const Eigen::MatrixX3d solution = factor.solve(rhs);
+    Points form = nodes;
+    for (Eigen::Index node = 0; node < nodes.cols(); ++node) {
+        if (const int i = row[static_cast<size_t>(node)]; i >= 0) {
+            form.col(node) = solution.row(i).transpose();
+        }
+    }
+    return form;
+}
+
+}  // namespace taut

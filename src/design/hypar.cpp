@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "design/form_found_net.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double spacing = 0.132;                // m, in plan
+constexpr double rise = 0.25;                    // height between corners, of the shorter side
+constexpr double axial_stiffness = 200e3;        // N
+constexpr double force_density = 4e3 / spacing;  // N/m: 4 kN in an edge as long as the spacing
+constexpr int largest_side = 300;
+
+}  // namespace
+
+CableNet hypar(int rows, int columns) {
+    if (rows < 1 || rows > largest_side || columns < 1 || columns > largest_side) {
+        throw std::invalid_argument(
+            fmt::format("hypar of {} x {} free nodes: expected 1 to {} rows "
+                        "and columns",
+                        rows, columns, largest_side));
+    }
+    // Grid points (i, j) of a frame one spacing around the free nodes; its corners hold no edge.
+    const auto is_free = [&](int i, int j) {
+        return i >= 1 && i <= rows && j >= 1 && j <= columns;
+    };
+    const double height = rise * spacing * std::min(rows + 1, columns + 1);
+    std::vector<Eigen::Vector3d> nodes;
+    std::vector<int> supports;
+    std::vector<int> node_at(static_cast<size_t>((rows + 2) * (columns + 2)), -1);
+    const auto at = [&](int i, int j) -> int& {
+        return node_at[static_cast<size_t>(i * (columns + 2) + j)];
+    };
+    for (int i = 0; i <= rows + 1; ++i) {
+        for (int j = 0; j <= columns + 1; ++j) {
+            const bool inner_row = i >= 1 && i <= rows;
+            const bool inner_column = j >= 1 && j <= columns;
+            if (!inner_row && !inner_column) {
+                continue;
+            }
+            at(i, j) = static_cast<int>(nodes.size());
+            if (!is_free(i, j)) {
+                supports.push_back(at(i, j));
+            }
+            const double u = 2.0 * j / (columns + 1) - 1.0;
+            const double v = 2.0 * i / (rows + 1) - 1.0;
+            nodes.emplace_back(spacing * j, spacing * i, 0.5 * height * (1.0 + u * v));
+        }
+    }
+    std::vector<Edge> edges;
+    for (int i = 0; i <= rows; ++i) {
+        for (int j = 0; j <= columns; ++j) {
+            if (is_free(i, j) || is_free(i, j + 1)) {
+                edges.push_back({at(i, j), at(i, j + 1)});
+            }
+            if (is_free(i, j) || is_free(i + 1, j)) {
+                edges.push_back({at(i, j), at(i + 1, j)});
+            }
+        }
+    }
+    const Points points =
+        Eigen::Map<const Points>(nodes.front().data(), 3, static_cast<Eigen::Index>(nodes.size()));
+    return form_found_net(fmt::format("hypar:{}x{}", rows, columns), points, supports, edges,
+                          force_density, axial_stiffness);
+}
+
+}  // namespace taut

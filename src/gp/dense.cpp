@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "gp/dense.hpp"
+
+#include <cblas.h>
+#include <fmt/core.h>
+#include <lapacke.h>
+
+#include <stdexcept>
+
+namespace taut::gp {
+namespace {
+
+Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
+                         const Eigen::MatrixXd& b) {
+    const Eigen::Index rows = transpose == CblasTrans ? a.cols() : a.rows();
+    const Eigen::Index inner = transpose == CblasTrans ? a.rows() : a.cols();
+    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(rows, b.cols());
+    if (c.size() == 0 || inner == 0) {
+        return c;
+    }
+    cblas_dgemm(CblasColMajor, transpose, CblasNoTrans, static_cast<int>(rows),
+                static_cast<int>(b.cols()), static_cast<int>(inner), 1.0, a.data(),
+                static_cast<int>(a.rows()), b.data(), static_cast<int>(b.rows()), 0.0, c.data(),
+                static_cast<int>(rows));
+    return c;
+}
+
+}  // namespace
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return multiply(CblasNoTrans, a, b);
+}
+
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return multiply(CblasTrans, a, b);
+}
+
+SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix) {
+    SymmetricEigen result;
+    const auto n = static_cast<lapack_int>(matrix.rows());
+    result.values.resize(n);
+    const lapack_int info =
+        LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', n, matrix.data(), n, result.values.data());
+    if (info != 0) {
+        throw std::runtime_error(fmt::format("eigendecomposition failed (dsyevd: {})", info));
+    }
+    result.vectors = std::move(matrix);
+    return result;
+}
+
+}  // namespace taut::gp

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+/// The few dense operations that are worth the library of the machine: BLAS and LAPACK.
+namespace taut::gp {
+
+/// a * b
+[[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// a' * b
+[[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
+                                                 const Eigen::MatrixXd& b);
+
+struct SymmetricEigen {
+    Eigen::VectorXd values;   ///< ascending
+    Eigen::MatrixXd vectors;  ///< columns, orthonormal
+};
+
+/// All eigenvalues and eigenvectors of a symmetric matrix.
+/// @throws std::runtime_error where LAPACK does not converge (an entry that is not finite, say)
+[[nodiscard]] SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix);
+
+}  // namespace taut::gp

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/gp/kernel.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include "gp/dense.hpp"
+
+namespace taut::gp {
+
+Eigen::MatrixXd squared_distances(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                  const Eigen::Ref<const Eigen::MatrixXd>& z) {
+    // |x - z|^2 = |x|^2 + |z|^2 - 2 x.z loses digits where the inputs lie far from the origin.
+    const Eigen::VectorXd centre = x.rowwise().mean();
+    const Eigen::MatrixXd a = x.colwise() - centre;
+    const Eigen::MatrixXd b = z.colwise() - centre;
+    Eigen::MatrixXd distances = -2.0 * transposed_product(a, b);
+    distances.colwise() += a.colwise().squaredNorm().transpose();
+    distances.rowwise() += b.colwise().squaredNorm();
+    return distances.cwiseMax(0.0);
+}
+
+Eigen::MatrixXd correlation(const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
+                            double inverse_length_scale) {
+    const double factor = -0.5 * inverse_length_scale * inverse_length_scale;
+    Eigen::MatrixXd result(squared_distances.rows(), squared_distances.cols());
+    tbb::parallel_for(Eigen::Index{0}, result.cols(), [&](Eigen::Index j) {
+        result.col(j) = (factor * squared_distances.col(j).array()).exp();
+    });
+    return result;
+}
+
+}  // namespace taut::gp

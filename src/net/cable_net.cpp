@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/net/cable_net.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+#include "net/fingerprint.hpp"
+#include "net/validation.hpp"
+
+namespace taut {
+
+NetError::NetError(std::string where, const std::string& what)
+    : std::invalid_argument(fmt::format("{}: {}", where, what)), m_where(std::move(where)) {}
+
+std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
+                                   const std::vector<int>& supports) {
+    const std::set<int> support_set(supports.begin(), supports.end());
+    std::vector<int> result;
+    for (size_t e = 0; e < edges.size(); ++e) {
+        if (support_set.contains(edges[e][0]) || support_set.contains(edges[e][1])) {
+            result.push_back(static_cast<int>(e));
+        }
+    }
+    return result;
+}
+
+CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
+    if (m_data.loads.cols() == 0) {
+        m_data.loads = Points::Zero(3, m_data.nodes.cols());
+    }
+    validate(m_data);
+    std::ranges::sort(m_data.adjustable);
+
+    m_free_index.assign(static_cast<size_t>(node_count()), 0);
+    for (const int support : m_data.supports) {
+        m_free_index[static_cast<size_t>(support)] = -1;
+    }
+    for (int node = 0; node < node_count(); ++node) {
+        int& index = m_free_index[static_cast<size_t>(node)];
+        if (index == 0) {
+            index = free_node_count();
+            m_free_nodes.push_back(node);
+        }
+    }
+    for (int edge = 0; edge < edge_count(); ++edge) {
+        if (!std::ranges::binary_search(m_data.adjustable, edge)) {
+            m_interior.push_back(edge);
+        }
+    }
+    m_fingerprint = compute_fingerprint(m_data);
+}
+
+std::string CableNet::node_id(int node) const {
+    return m_data.node_ids.empty() ? std::to_string(node)
+                                   : m_data.node_ids[static_cast<size_t>(node)];
+}
+
+std::string CableNet::edge_id(int edge) const {
+    return m_data.edge_ids.empty() ? std::to_string(edge)
+                                   : m_data.edge_ids[static_cast<size_t>(edge)];
+}
+
+Eigen::VectorXd free_coordinates(const CableNet& net, const Eigen::Ref<const Points>& form) {
+    Eigen::VectorXd coordinates(3 * net.free_node_count());
+    for (int i = 0; i < net.free_node_count(); ++i) {
+        coordinates.segment<3>(3 * i) = form.col(net.free_nodes()[static_cast<size_t>(i)]);
+    }
+    return coordinates;
+}
+
+Points with_free_coordinates(const CableNet& net,
+                             const Eigen::Ref<const Eigen::VectorXd>& coordinates) {
+    Points form = net.nodes();
+    for (int i = 0; i < net.free_node_count(); ++i) {
+        form.col(net.free_nodes()[static_cast<size_t>(i)]) = coordinates.segment<3>(3 * i);
+    }
+    return form;
+}
+
+Eigen::VectorXd with_length_deviations(const CableNet& net,
+                                       const Eigen::Ref<const Eigen::VectorXd>& deviations) {
+    Eigen::VectorXd lengths = net.unstressed_lengths();
+    lengths(net.interior_edges()) += deviations;
+    return lengths;
+}
+
+}  // namespace taut

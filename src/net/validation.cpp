@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "net/validation.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace taut {
+namespace {
+
+void check_size(const std::string& key, Eigen::Index size, Eigen::Index expected,
+                const std::string& of_what) {
+    if (size != expected) {
+        throw NetError("/" + key, fmt::format("has {} entries, expected {}, one for each {}", size,
+                                              expected, of_what));
+    }
+}
+
+void check_sizes(const CableNetData& data) {
+    const Eigen::Index n = data.nodes.cols();
+    const auto m = static_cast<Eigen::Index>(data.edges.size());
+    if (n == 0) {
+        throw NetError("/nodes", "is empty, expected at least two nodes");
+    }
+    if (m == 0) {
+        throw NetError("/edges", "is empty, expected at least one edge");
+    }
+    check_size("axial_stiffness", data.axial_stiffness.size(), m, "edge");
+    check_size("unstressed_lengths", data.unstressed_lengths.size(), m, "edge");
+    check_size("loads", data.loads.cols(), n, "node");
+    if (!data.node_ids.empty()) {
+        check_size("node_ids", static_cast<Eigen::Index>(data.node_ids.size()), n, "node");
+    }
+    if (!data.edge_ids.empty()) {
+        check_size("edge_ids", static_cast<Eigen::Index>(data.edge_ids.size()), m, "edge");
+    }
+}
+
+void check_finite(const std::string& key, const Points& points) {
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            if (!std::isfinite(points(k, i))) {
+                throw NetError(fmt::format("/{}/{}/{}", key, i, k),
+                               fmt::format("is {}, expected a finite number", points(k, i)));
+            }
+        }
+    }
+}
+
+void check_positive(const std::string& key, const Eigen::VectorXd& values) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values(i)) || values(i) <= 0.0) {
+            throw NetError(fmt::format("/{}/{}", key, i),
+                           fmt::format("is {}, expected a positive and finite number", values(i)));
+        }
+    }
+}
+
+/// Every index of the list lies in [0, count) and stands there once. Gives a mask of length count.
+std::vector<bool> check_indices(const std::string& key, const std::vector<int>& indices, int count,
+                                const std::string& of_what) {
+    std::vector<bool> listed(static_cast<size_t>(count), false);
+    for (size_t i = 0; i < indices.size(); ++i) {
+        const std::string where = fmt::format("/{}/{}", key, i);
+        if (indices[i] < 0 || indices[i] >= count) {
+            throw NetError(where, fmt::format("is {}, expected the index of one of the {} {}s",
+                                              indices[i], count, of_what));
+        }
+        if (listed[static_cast<size_t>(indices[i])]) {
+            throw NetError(where, fmt::format("lists {} {} a second time", of_what, indices[i]));
+        }
+        listed[static_cast<size_t>(indices[i])] = true;
+    }
+    return listed;
+}
+
+void check_edges(const CableNetData& data, const std::vector<bool>& is_support) {
+    const auto n = static_cast<int>(data.nodes.cols());
+    std::map<Edge, size_t> seen;
+    for (size_t e = 0; e < data.edges.size(); ++e) {
+        const auto [s, t] = data.edges[e];
+        const std::string where = fmt::format("/edges/{}", e);
+        for (const int node : {s, t}) {
+            if (node < 0 || node >= n) {
+                throw NetError(where,
+                               fmt::format("names node {}, expected one of the {} nodes", node, n));
+            }
+        }
+        if (s == t) {
+            throw NetError(where, fmt::format("connects node {} to itself", s));
+        }
+        if (is_support[static_cast<size_t>(s)] && is_support[static_cast<size_t>(t)]) {
+            throw NetError(where, fmt::format("connects the supports {} and {}; an edge needs at "
+                                              "least one free node",
+                                              s, t));
+        }
+        const auto [first, inserted] = seen.emplace(Edge{std::min(s, t), std::max(s, t)}, e);
+        if (!inserted) {
+            throw NetError(where, fmt::format("connects nodes {} and {} as edge {} already does", s,
+                                              t, first->second));
+        }
+        if (data.nodes.col(s) == data.nodes.col(t)) {
+            throw NetError(where, fmt::format("has zero length: nodes {} and {} are at the same "
+                                              "place",
+                                              s, t));
+        }
+    }
+}
+
+/// Root of a node's part in a union-find forest, with path halving.
+int find_root(std::vector<int>& parent, int node) {
+    while (parent[static_cast<size_t>(node)] != node) {
+        int& up = parent[static_cast<size_t>(node)];
+        up = parent[static_cast<size_t>(up)];
+        node = up;
+    }
+    return node;
+}
+
+void check_connected(const CableNetData& data, const std::vector<bool>& is_support) {
+    const size_t n = is_support.size();
+    std::vector<int> parent(n);
+    std::iota(parent.begin(), parent.end(), 0);
+    std::vector<bool> has_edge(n, false);
+    for (const auto& [s, t] : data.edges) {
+        has_edge[static_cast<size_t>(s)] = has_edge[static_cast<size_t>(t)] = true;
+        parent[static_cast<size_t>(find_root(parent, s))] = find_root(parent, t);
+    }
+    std::vector<bool> supported(n, false);
+    for (const int support : data.supports) {
+        supported[static_cast<size_t>(find_root(parent, support))] = true;
+    }
+    bool any_free = false;
+    for (size_t i = 0; i < n; ++i) {
+        if (is_support[i]) {
+            continue;
+        }
+        any_free = true;
+        const std::string where = fmt::format("/nodes/{}", i);
+        if (!has_edge[i]) {
+            throw NetError(where, "is a free node without edges");
+        }
+        if (!supported[static_cast<size_t>(find_root(parent, static_cast<int>(i)))]) {
+            throw NetError(where, "is a free node in a part of the net that reaches no support");
+        }
+    }
+    if (!any_free) {
+        throw NetError("/supports", "holds every node, expected at least one free node");
+    }
+}
+
+void check_ids(const std::string& key, const std::vector<std::string>& ids) {
+    std::set<std::string> seen;
+    for (size_t i = 0; i < ids.size(); ++i) {
+        const std::string where = fmt::format("/{}/{}", key, i);
+        if (ids[i].empty()) {
+            throw NetError(where, "is empty, expected a name");
+        }
+        if (!seen.insert(ids[i]).second) {
+            throw NetError(where, fmt::format("gives the name '{}' a second time", ids[i]));
+        }
+    }
+}
+
+}  // namespace
+
+void validate(const CableNetData& data) {
+    check_sizes(data);
+    check_finite("nodes", data.nodes);
+    check_finite("loads", data.loads);
+    check_positive("axial_stiffness", data.axial_stiffness);
+    check_positive("unstressed_lengths", data.unstressed_lengths);
+    const auto is_support =
+        check_indices("supports", data.supports, static_cast<int>(data.nodes.cols()), "node");
+    check_edges(data, is_support);
+    check_indices("adjustable", data.adjustable, static_cast<int>(data.edges.size()), "edge");
+    check_connected(data, is_support);
+    check_ids("node_ids", data.node_ids);
+    check_ids("edge_ids", data.edge_ids);
+}
+
+}  // namespace taut

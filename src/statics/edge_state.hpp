@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// One edge at given ends: everything that the energy and its derivatives need.
+struct EdgeState {
+    Eigen::Vector3d direction;  ///< u = (r_s - r_t) / l; zero where both ends meet
+    double length;              ///< l [m]
+    double extension;           ///< max(0, l - l_0) [m]
+    double axial;               ///< EA / l_0, stiffness along the edge [N/m]
+
+    [[nodiscard]] bool taut() const { return extension > 0.0; }
+    [[nodiscard]] double tension() const { return axial * extension; }
+    [[nodiscard]] double energy() const { return 0.5 * axial * extension * extension; }
+    /// T / l, stiffness across the edge [N/m].
+    [[nodiscard]] double force_density() const { return taut() ? tension() / length : 0.0; }
+};
+
+inline EdgeState edge_state(const Eigen::Vector3d& source, const Eigen::Vector3d& target,
+                            double axial_stiffness, double unstressed_length) {
+    const Eigen::Vector3d vector = source - target;
+    const double length = vector.norm();
+    return {.direction = length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(),
+            .length = length,
+            .extension = std::max(0.0, length - unstressed_length),
+            .axial = axial_stiffness / unstressed_length};
+}
+
+/// The states of all edges of a net at a form (3 x n) [m].
+inline std::vector<EdgeState> edge_states(
+    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+    const Eigen::Ref<const Points>& form) {
+    std::vector<EdgeState> states;
+    states.reserve(net.edges().size());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        states.push_back(
+            edge_state(form.col(s), form.col(t), net.axial_stiffness()(e), unstressed_lengths(e)));
+    }
+    return states;
+}
+
+}  // namespace taut

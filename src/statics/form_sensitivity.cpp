@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/statics/form_sensitivity.hpp"
+
+#include "statics/edge_state.hpp"
+#include "statics/stiffness_matrix.hpp"
+
+namespace taut {
+
+struct FormSensitivity::Factor {
+    LocalNet net;
+    StiffnessMatrix matrix;
+    StiffnessFactor factor;
+    Eigen::Matrix3Xd force_rates;  ///< 3 x m, -dh_s/dl_0 = dh_t/dl_0 of each edge (s, t) [N/m]
+    std::vector<int> row_of;       ///< local free node -> its place in r_I
+
+    explicit Factor(const CableNet& cable_net)
+        : net(number_for_elimination(cable_net)), matrix(net) {}
+
+    /// Adds -dh/dl_0 of an edge, times its change of length, to a right-hand side.
+    void add_force(int edge, double change, Eigen::Ref<Eigen::VectorXd> rhs) const {
+        const auto [s, t] = net.edges[static_cast<size_t>(edge)];
+        const Eigen::Vector3d force = change * force_rates.col(edge);
+        if (s < net.free_count) {
+            rhs.segment<3>(Eigen::Index{3} * s) += force;
+        }
+        if (t < net.free_count) {
+            rhs.segment<3>(Eigen::Index{3} * t) -= force;
+        }
+    }
+
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
+        const Eigen::VectorXd local = factor.solve(rhs);
+        Eigen::VectorXd result(local.size());
+        for (int i = 0; i < net.free_count; ++i) {
+            result.segment<3>(Eigen::Index{3} * row_of[static_cast<size_t>(i)]) =
+                local.segment<3>(Eigen::Index{3} * i);
+        }
+        return result;
+    }
+};
+
+FormSensitivity::FormSensitivity(const CableNet& net,
+                                 const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                                 const Eigen::Ref<const Points>& form)
+    : m_factor(std::make_unique<Factor>(net)) {
+    Factor& f = *m_factor;
+    for (int i = 0; i < f.net.free_count; ++i) {
+        f.row_of.push_back(net.free_index(f.net.node_of[static_cast<size_t>(i)]));
+    }
+    const auto states = edge_states(net, unstressed_lengths, form);
+    f.force_rates.setZero(3, net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const EdgeState& state = states[static_cast<size_t>(e)];
+        if (state.taut()) {
+            f.force_rates.col(e) =
+                state.axial * state.length / unstressed_lengths(e) * state.direction;
+        }
+    }
+    f.factor.analyzePattern(f.matrix.upper());
+    f.matrix.assemble(f.net, states);
+    f.factor.factorize(f.matrix.upper());
+    if (!f.factor.positive_definite()) {
+        f.matrix.add_shift(1e-12);
+        f.factor.factorize(f.matrix.upper());
+    }
+}
+FormSensitivity::~FormSensitivity() = default;
+FormSensitivity::FormSensitivity(FormSensitivity&&) noexcept = default;
+FormSensitivity& FormSensitivity::operator=(FormSensitivity&&) noexcept = default;
+
+Eigen::VectorXd FormSensitivity::apply(
+    const Eigen::Ref<const Eigen::VectorXd>& length_changes) const {
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(m_factor->net.loads.size());
+    for (int e = 0; e < length_changes.size(); ++e) {
+        if (length_changes(e) != 0.0) {
+            m_factor->add_force(e, length_changes(e), rhs);
+        }
+    }
+    return m_factor->solve(rhs);
+}
+
+Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
+    Eigen::MatrixXd result(m_factor->net.loads.size(), static_cast<Eigen::Index>(edges.size()));
+    for (size_t k = 0; k < edges.size(); ++k) {
+        Eigen::VectorXd rhs = Eigen::VectorXd::Zero(result.rows());
+        m_factor->add_force(edges[k], 1.0, rhs);
+        result.col(static_cast<Eigen::Index>(k)) = m_factor->solve(rhs);
+    }
+    return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "statics/local_net.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <numeric>
+
+namespace taut {
+namespace {
+
+LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
+    LocalNet local;
+    local.free_count = net.free_node_count();
+    local.node_of = free_order;
+    local.node_of.insert(local.node_of.end(), net.supports().begin(), net.supports().end());
+
+    std::vector<int> local_of(local.node_of.size());
+    for (size_t i = 0; i < local.node_of.size(); ++i) {
+        local_of[static_cast<size_t>(local.node_of[i])] = static_cast<int>(i);
+    }
+    local.edges.reserve(net.edges().size());
+    for (const auto& [s, t] : net.edges()) {
+        local.edges.push_back({local_of[static_cast<size_t>(s)], local_of[static_cast<size_t>(t)]});
+    }
+    local.axial_stiffness = net.axial_stiffness();
+    local.nodes.resize(3, net.node_count());
+    local.loads.resize(Eigen::Index{3} * local.free_count);
+    for (int i = 0; i < net.node_count(); ++i) {
+        const int node = local.node_of[static_cast<size_t>(i)];
+        local.nodes.col(i) = net.nodes().col(node);
+        if (i < local.free_count) {
+            local.loads.segment<3>(Eigen::Index{3} * i) = net.loads().col(node);
+        }
+    }
+    return local;
+}
+
+/// Which free nodes an edge connects, as the pattern of a symmetric matrix.
+Eigen::SparseMatrix<double> free_node_graph(const CableNet& net) {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(2 * net.edges().size());
+    for (const auto& [s, t] : net.edges()) {
+        const int i = net.free_index(s);
+        const int j = net.free_index(t);
+        if (i >= 0 && j >= 0) {
+            entries.emplace_back(i, j, 1.0);
+            entries.emplace_back(j, i, 1.0);
+        }
+    }
+    for (int i = 0; i < net.free_node_count(); ++i) {
+        entries.emplace_back(i, i,
+                             1.0);  // AMDOrdering leaves rows without a diagonal entry for last
+    }
+    Eigen::SparseMatrix<double> graph(net.free_node_count(), net.free_node_count());
+    graph.setFromTriplets(entries.begin(), entries.end());
+    return graph;
+}
+
+}  // namespace
+
+void LocalNet::gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const {
+    local = nodes;
+    for (int i = 0; i < free_count; ++i) {
+        local.col(i) = form.col(node_of[static_cast<size_t>(i)]);
+    }
+}
+
+Points LocalNet::scatter(const Eigen::Matrix3Xd& local) const {
+    Points form(3, local.cols());
+    for (Eigen::Index i = 0; i < local.cols(); ++i) {
+        form.col(node_of[static_cast<size_t>(i)]) = local.col(i);
+    }
+    return form;
+}
+
+LocalNet number_naturally(const CableNet& net) {
+    return number(net, net.free_nodes());
+}
+
+LocalNet number_for_elimination(const CableNet& net) {
+    // Nodes, not coordinates, are ordered: the three rows of a node share their pattern.
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::AMDOrdering<int>()(free_node_graph(net), order);
+    std::vector<int> free_order(static_cast<size_t>(net.free_node_count()));
+    for (Eigen::Index i = 0; i < order.size(); ++i) {
+        free_order[static_cast<size_t>(i)] =
+            net.free_nodes()[static_cast<size_t>(order.indices()(i))];
+    }
+    return number(net, free_order);
+}
+
+}  // namespace taut

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// A net renumbered for the solvers: free nodes first, in the order in which their rows are
+/// eliminated, supports behind them.
+struct LocalNet {
+    int free_count = 0;
+    std::vector<int> node_of;         ///< local index -> node of the net
+    std::vector<Edge> edges;          ///< in local indices, order of the net's edges
+    Eigen::VectorXd axial_stiffness;  ///< m [N]
+    Eigen::VectorXd loads;            ///< 3 free_count [N]
+    Eigen::Matrix3Xd nodes;           ///< 3 x n, nominal coordinates [m]
+
+    /// Coordinates of all nodes from the net's numbering to this one; supports from the net.
+    void gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const;
+    /// The way back.
+    [[nodiscard]] Points scatter(const Eigen::Matrix3Xd& local) const;
+};
+
+/// Free nodes in their own order: the numbering of r_I.
+[[nodiscard]] LocalNet number_naturally(const CableNet& net);
+
+/// Free nodes in an order that keeps the Cholesky factor of the stiffness sparse.
+[[nodiscard]] LocalNet number_for_elimination(const CableNet& net);
+
+}  // namespace taut

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "statics/net_state.hpp"
+
+namespace taut {
+
+NetState::NetState(const LocalNet& net)
+    : m_unstressed_lengths(net.axial_stiffness.size()),
+      m_form(net.nodes),
+      m_edges(net.edges.size()),
+      m_forces(net.loads.size()),
+      m_mean_load(net.loads.reshaped(3, net.free_count).colwise().norm().mean()) {}
+
+void NetState::update(const LocalNet& net) {
+    m_forces = -net.loads;
+    m_tension_sum = 0.0;
+    m_slack_count = 0;
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const auto [s, t] = net.edges[e];
+        const auto edge = static_cast<Eigen::Index>(e);
+        m_edges[e] = edge_state(m_form.col(s), m_form.col(t), net.axial_stiffness(edge),
+                                m_unstressed_lengths(edge));
+        if (!m_edges[e].taut()) {
+            ++m_slack_count;
+            continue;
+        }
+        const double tension = m_edges[e].tension();
+        m_tension_sum += tension;
+        const Eigen::Vector3d force = tension * m_edges[e].direction;
+        if (s < net.free_count) {
+            m_forces.segment<3>(Eigen::Index{3} * s) += force;
+        }
+        if (t < net.free_count) {
+            m_forces.segment<3>(Eigen::Index{3} * t) -= force;
+        }
+    }
+}
+
+double NetState::largest_force() const {
+    return m_forces.reshaped(3, m_forces.size() / 3).colwise().norm().maxCoeff();
+}
+
+std::vector<int> NetState::slack_edges() const {
+    std::vector<int> slack;
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        if (!m_edges[e].taut()) {
+            slack.push_back(static_cast<int>(e));
+        }
+    }
+    return slack;
+}
+
+double NetState::mean_tension() const {
+    const auto taut_count = static_cast<double>(m_edges.size()) - m_slack_count;
+    return taut_count > 0.0 ? m_tension_sum / taut_count : 0.0;
+}
+
+double NetState::force_scale() const {
+    if (const double tension = mean_tension(); tension > 0.0) {
+        return tension;
+    }
+    return m_mean_load > 0.0 ? m_mean_load : 1.0;
+}
+
+double NetState::energy_above(const NetState& other, const LocalNet& net) const {
+    double difference = 0.0;
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const EdgeState& a = m_edges[e];
+        const EdgeState& b = other.m_edges[e];
+        difference += 0.5 * a.axial * (a.extension - b.extension) * (a.extension + b.extension);
+    }
+    const Eigen::Index n = net.loads.size();
+    difference -= net.loads.dot(m_form.reshaped().head(n) - other.m_form.reshaped().head(n));
+    return difference;
+}
+
+}  // namespace taut

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "statics/edge_state.hpp"
+#include "statics/local_net.hpp"
+
+namespace taut {
+
+/// A net at one form: its edges' states and nodal forces. All memory is taken on construction.
+class NetState {
+public:
+    explicit NetState(const LocalNet& net);
+
+    void set_unstressed_lengths(const Eigen::Ref<const Eigen::VectorXd>& lengths) {
+        m_unstressed_lengths = lengths;
+    }
+    /// Coordinates of all nodes (3 x n); call update() after a change.
+    [[nodiscard]] Eigen::Matrix3Xd& form() { return m_form; }
+    [[nodiscard]] const Eigen::Matrix3Xd& form() const { return m_form; }
+    void update(const LocalNet& net);
+
+    [[nodiscard]] const std::vector<EdgeState>& edges() const { return m_edges; }
+    /// h (3 n_I) [N].
+    [[nodiscard]] const Eigen::VectorXd& forces() const { return m_forces; }
+    /// Largest norm of the forces h_s over the free nodes [N].
+    [[nodiscard]] double largest_force() const;
+    [[nodiscard]] int slack_count() const { return m_slack_count; }
+    [[nodiscard]] std::vector<int> slack_edges() const;
+    /// Over the taut edges; 0 where all are slack [N].
+    [[nodiscard]] double mean_tension() const;
+    /// What out-of-balance forces are judged by: the mean tension, or the mean load where all edges
+    /// are slack, or any positive number where no force acts at all [N].
+    [[nodiscard]] double force_scale() const;
+
+    /// V(this) - V(other), summed edge by edge so that it stays exact where the two almost agree
+    /// [J].
+    [[nodiscard]] double energy_above(const NetState& other, const LocalNet& net) const;
+
+private:
+    Eigen::VectorXd m_unstressed_lengths;
+    Eigen::Matrix3Xd m_form;
+    std::vector<EdgeState> m_edges;
+    Eigen::VectorXd m_forces;
+    double m_tension_sum = 0.0;
+    double m_mean_load = 0.0;
+    int m_slack_count = 0;
+};
+
+}  // namespace taut

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/statics/tensions.hpp"
+
+#include "statics/edge_state.hpp"
+
+namespace taut {
+
+Eigen::VectorXd edge_lengths(const CableNet& net, const Eigen::Ref<const Points>& form) {
+    Eigen::VectorXd lengths(net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        lengths(e) = (form.col(s) - form.col(t)).norm();
+    }
+    return lengths;
+}
+
+Eigen::VectorXd tensions(const CableNet& net,
+                         const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                         const Eigen::Ref<const Points>& form) {
+    const auto states = edge_states(net, unstressed_lengths, form);
+    Eigen::VectorXd result(net.edge_count());
+    std::ranges::transform(states, result.begin(), &EdgeState::tension);
+    return result;
+}
+
+std::vector<int> slack_edges(const CableNet& net,
+                             const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                             const Eigen::Ref<const Points>& form) {
+    const auto states = edge_states(net, unstressed_lengths, form);
+    std::vector<int> result;
+    for (size_t e = 0; e < states.size(); ++e) {
+        if (!states[e].taut()) {
+            result.push_back(static_cast<int>(e));
+        }
+    }
+    return result;
+}
+
+}  // namespace taut
