@@ -4,6 +4,6 @@
 add_library(taut_warnings INTERFACE)
 # No -Wsign-conversion: Eigen counts with signed indices and the standard library does not.
 target_compile_options(taut_warnings INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    -Wall -Wextra -Wno-missing-field-initializers -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     -Wcast-qual -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
     $<$<BOOL:${TAUT_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -1,15 +1,76 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
+#include <fmt/core.h>
 
-#include "taut/version.hpp"
-
-#include <CLI/CLI.hpp>
-
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <stdexcept>
 #include <string>
 
-int main(int argc, char** argv) {
-    CLI::App app{"The unstressed lengths of a tensioned cable net, from one survey of its form."};
-    app.set_version_flag("--version", "taut " + std::string{taut::version()});
-    CLI11_PARSE(app, argc, argv);
+#include "command.hpp"
+#include "interruption.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/input_error.hpp"
+#include "taut/study/study.hpp"
+#include "taut/version.hpp"
+
+namespace {
+
+constexpr int wrong_input = 2;
+constexpr int numerical_failure = 1;
+constexpr int interrupted = 130;
+
+/// The one line that tells a failure.
+int fail(int code, std::string message) {
+    std::ranges::replace(message, '\n', ' ');
+    fmt::print(stderr, "taut: error: {}\n", message);
+    return code;
+}
+
+int run(int argc, char** argv) {
+    CLI::App program{
+        "How long each cable of a tensioned net really is, from one survey of its form."};
+    program.set_version_flag("--version", "taut " + std::string{taut::version()});
+    program.require_subcommand(1);
+    program.footer("taut COMMAND --help shows a command's options and an example.");
+    taut::app::add_example(program);
+    taut::app::add_inspect(program);
+    taut::app::add_form(program);
+    taut::app::add_sample(program);
+    taut::app::add_train(program);
+    taut::app::add_identify(program);
+    taut::app::add_reproduce(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            return program.exit(error);  // --help, --version
+        }
+        return fail(wrong_input, error.what());
+    }
     return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    taut::app::Interruption::watch();
+    try {
+        return run(argc, argv);
+    } catch (const taut::Interrupted&) {
+        return fail(interrupted, "interrupted, nothing was written");
+    } catch (const taut::app::SampleInterrupted& interruption) {
+        return fail(interrupted, interruption.what());
+    } catch (const taut::InputError& error) {
+        return fail(wrong_input, error.what());
+    } catch (const taut::OutputError& error) {
+        return fail(wrong_input, error.what());
+    } catch (const std::invalid_argument& error) {
+        return fail(wrong_input, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(numerical_failure, "not enough memory");
+    } catch (const std::exception& error) {
+        return fail(numerical_failure, error.what());
+    }
 }

@@ -5,10 +5,40 @@
 #include <fmt/core.h>
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace taut {
+namespace {
+
+void check_node(Eigen::Index node, Eigen::Index count, const char* where) {
+    if (node < 0 || node >= count) {
+        throw std::invalid_argument(
+            fmt::format("{} names node {}, expected one of the {} nodes", where, node, count));
+    }
+}
+
+/// Rows that no path through the matrix joins to one of the given rows: -1, or the first of them.
+int first_row_not_joined(const Eigen::SparseMatrix<double>& matrix, std::vector<int> joined) {
+    std::vector<bool> seen(static_cast<size_t>(matrix.rows()), false);
+    while (!joined.empty()) {
+        const int row = joined.back();
+        joined.pop_back();
+        if (seen[static_cast<size_t>(row)]) {
+            continue;
+        }
+        seen[static_cast<size_t>(row)] = true;
+        for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, row); it; ++it) {
+            joined.push_back(static_cast<int>(it.index()));
+        }
+    }
+    const auto missing = std::ranges::find(seen, false);
+    return missing == seen.end() ? -1 : static_cast<int>(missing - seen.begin());
+}
+
+}  // namespace
 
 Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
                                  const std::vector<int>& supports, const std::vector<Edge>& edges,
@@ -24,6 +54,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
     }
     std::vector<int> row(static_cast<size_t>(nodes.cols()), 0);
     for (const int support : supports) {
+        check_node(support, nodes.cols(), "supports");
         row[static_cast<size_t>(support)] = -1;
     }
     int free_count = 0;
@@ -35,6 +66,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
 
     // D r_free = p - D_support r_support, with D the Laplacian weighted by force densities.
     Eigen::MatrixX3d rhs = Eigen::MatrixX3d::Zero(free_count, 3);
+    std::vector<int> held_rows;  // of free nodes with an edge to a support
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * edges.size());
     for (size_t e = 0; e < edges.size(); ++e) {
@@ -43,6 +75,8 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
             throw std::invalid_argument(
                 fmt::format("force density {} is {}, expected a positive and finite number", e, q));
         }
+        check_node(edges[e][0], nodes.cols(), "edges");
+        check_node(edges[e][1], nodes.cols(), "edges");
         for (const auto [from, to] : {edges[e], Edge{edges[e][1], edges[e][0]}}) {
             const int i = row[static_cast<size_t>(from)];
             const int j = row[static_cast<size_t>(to)];
@@ -54,6 +88,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
                 entries.emplace_back(i, j, -q);
             } else {
                 rhs.row(i) += q * nodes.col(to).transpose();
+                held_rows.push_back(i);
             }
         }
     }
@@ -67,9 +102,16 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
 
     Eigen::SparseMatrix<double> laplacian(free_count, free_count);
     laplacian.setFromTriplets(entries.begin(), entries.end());
+    if (const int i = first_row_not_joined(laplacian, std::move(held_rows)); i >= 0) {
+        throw std::invalid_argument(fmt::format("free node {} is joined to no support by edges",
+                                                std::ranges::find(row, i) - row.begin()));
+    }
+    if (free_count == 0) {
+        return nodes;
+    }
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(laplacian);
     if (factor.info() != Eigen::Success) {
-        throw std::invalid_argument("some free node is joined to no support by edges");
+        throw std::invalid_argument("force densities differ by too many orders of magnitude");
     }
     const Eigen::MatrixX3d solution = factor.solve(rhs);
     Points form = nodes;

@@ -36,6 +36,18 @@ Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::Matrix
     return multiply(CblasTrans, a, b);
 }
 
+Eigen::VectorXd quadratic_forms(Eigen::MatrixXd lower, const Eigen::MatrixXd& b) {
+    // x'Ax = 2 x'Lx, where L is the lower triangle with half the diagonal: half the work of A b.
+    lower.diagonal() *= 0.5;
+    Eigen::MatrixXd product = 2.0 * b;
+    if (product.size() > 0) {
+        cblas_dtrmm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
+                    static_cast<int>(b.rows()), static_cast<int>(b.cols()), 1.0, lower.data(),
+                    static_cast<int>(lower.rows()), product.data(), static_cast<int>(b.rows()));
+    }
+    return product.cwiseProduct(b).colwise().sum().transpose();
+}
+
 SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix) {
     SymmetricEigen result;
     const auto n = static_cast<lapack_int>(matrix.rows());

@@ -14,6 +14,9 @@ namespace taut::gp {
 [[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
                                                  const Eigen::MatrixXd& b);
 
+/// x' A x of every column x of b (n x k), for a symmetric A (n x n). Reads the lower triangle of A.
+[[nodiscard]] Eigen::VectorXd quadratic_forms(Eigen::MatrixXd lower, const Eigen::MatrixXd& b);
+
 struct SymmetricEigen {
     Eigen::VectorXd values;   ///< ascending
     Eigen::MatrixXd vectors;  ///< columns, orthonormal

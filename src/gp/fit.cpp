@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <numbers>
 #include <stdexcept>
 
 #include "gp/dense.hpp"
@@ -16,17 +16,40 @@
 namespace taut::gp {
 namespace {
 
-double median_distance(const Eigen::MatrixXd& squared_distances) {
-    std::vector<double> values;
-    values.reserve(static_cast<size_t>(squared_distances.size() / 2));
-    for (Eigen::Index j = 0; j < squared_distances.cols(); ++j) {
-        for (Eigen::Index i = 0; i < j; ++i) {
-            values.push_back(squared_distances(i, j));
-        }
-    }
+double median(std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, middle);
-    return std::sqrt(*middle);
+    return *middle;
+}
+
+/// How far apart the training inputs are, where they differ at all.
+struct Spread {
+    double distance = 0.0;             ///< median of all pairs; 0 if all inputs are the same
+    double distance_to_nearest = 0.0;  ///< median over the inputs
+};
+
+Spread spread_of(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& squared_distances) {
+    // Inputs that should be the same can differ by rounding, and their distance by that of squares.
+    const double rounding = 1e-14 * inputs.cwiseAbs().maxCoeff();
+    const double same = std::max(rounding * rounding, 1e-14 * squared_distances.maxCoeff());
+    std::vector<double> all;
+    std::vector<double> nearest;
+    for (Eigen::Index j = 0; j < squared_distances.cols(); ++j) {
+        double smallest = std::numeric_limits<double>::infinity();
+        for (Eigen::Index i = 0; i < squared_distances.rows(); ++i) {
+            if (const double value = squared_distances(i, j); value > same) {
+                all.push_back(value);
+                smallest = std::min(smallest, value);
+            }
+        }
+        if (std::isfinite(smallest)) {
+            nearest.push_back(smallest);
+        }
+    }
+    if (all.empty()) {
+        return {};
+    }
+    return {.distance = std::sqrt(median(all)), .distance_to_nearest = std::sqrt(median(nearest))};
 }
 
 FitStatus status_of(const Eigen::Ref<const Eigen::VectorXd>& output) {
@@ -48,6 +71,28 @@ void check_arguments(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     }
     if (!inputs.allFinite()) {
         throw std::invalid_argument("the training inputs hold a number that is not finite");
+    }
+}
+
+void check_settings(const FitSettings& settings) {
+    const auto check = [](bool holds, std::string_view field, double value, std::string_view rule) {
+        if (!holds) {
+            throw std::invalid_argument(fmt::format("{} is {}, expected {}", field, value, rule));
+        }
+    };
+    const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+    check(positive(settings.smallest_scaled_lambda), "smallest_scaled_lambda",
+          settings.smallest_scaled_lambda, "a positive and finite number");
+    check(positive(settings.largest_scaled_lambda), "largest_scaled_lambda",
+          settings.largest_scaled_lambda, "a positive and finite number");
+    check(settings.relative_tolerance >= 0.0, "relative_tolerance", settings.relative_tolerance,
+          "zero or more");
+    check(settings.max_spectra >= 1, "max_spectra", settings.max_spectra, "at least 1");
+    if (settings.noise_ratio) {
+        const auto [lower, upper] = *settings.noise_ratio;
+        check(positive(lower), "noise_ratio.lower", lower, "a positive and finite number");
+        check(positive(upper) && upper >= lower, "noise_ratio.upper", upper,
+              "a finite number not below noise_ratio.lower");
     }
 }
 
@@ -118,10 +163,12 @@ std::string_view to_string(FitStatus status) {
 FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                     const Eigen::Ref<const Eigen::MatrixXd>& outputs, const FitSettings& settings) {
     check_arguments(inputs, outputs);
+    check_settings(settings);
     const Eigen::MatrixXd distances = squared_distances(inputs, inputs);
-    const double median = median_distance(distances);
-    if (median <= 0.0) {
-        throw std::invalid_argument("most training inputs are the same, expected different ones");
+    const Spread spread = spread_of(inputs, distances);
+    if (spread.distance <= 0.0) {
+        throw std::invalid_argument(
+            "the training inputs are all the same, expected different ones");
     }
     FittedProcesses result;
     result.inputs = inputs;
@@ -142,10 +189,10 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     const NoiseRatioBounds bounds =
         settings.noise_ratio.value_or(default_noise_ratio_bounds(inputs.cols()));
 
-    Search search{
-        .points = {std::log(settings.smallest_scaled_lambda / median),
-                   std::log(settings.largest_scaled_lambda / median), settings.relative_tolerance},
-        .spectra = {}};
+    const double lower = std::log(settings.smallest_scaled_lambda / spread.distance);
+    const double upper = std::log(settings.largest_scaled_lambda / spread.distance_to_nearest);
+    Search search{.points = {lower, std::max(lower, upper), settings.relative_tolerance},
+                  .spectra = {}};
     for (int made = 0; made < settings.max_spectra; ++made) {
         const auto log_lambda = search.points.next();
         if (!log_lambda) {

@@ -3,46 +3,130 @@
 #include "gp/length_scale_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace taut::gp {
 namespace {
 
-/// Looked at first, evenly spread over the range of log lambda.
-constexpr int first_points = 4;
+/// Valleys over log lambda narrower than this, a factor of 3.3 in the length scale, have not been
+/// seen, and two points closer than it hide none.
+constexpr double narrowest_valley = 1.2;
+
+/// However wide the range, looking for valleys takes no more intervals than this.
+constexpr int most_first_intervals = 8;
 
 /// Points closer than this in log lambda tell nothing new.
 constexpr double closest = 1e-3;
 
-struct Minimum {
+struct Point {
     double at;
     double value;
+    double slope;
 };
 
-/// Smallest value of the cubic with given values and slopes at both ends of [a, b].
-Minimum cubic_minimum(double a, double b, double value_a, double value_b, double slope_a,
-                      double slope_b) {
-    Minimum best = value_a <= value_b ? Minimum{a, value_a} : Minimum{b, value_b};
-    // p(t) = value_a + c1 t + c2 t^2 + c3 t^3 with t = (x - a) / h; p' = 0 is quadratic.
-    const double h = b - a;
-    const double c1 = h * slope_a;
-    const double c2 = 3.0 * (value_b - value_a) - h * (2.0 * slope_a + slope_b);
-    const double c3 = 2.0 * (value_a - value_b) + h * (slope_a + slope_b);
-    const double discriminant = c2 * c2 - 3.0 * c1 * c3;
-    if (discriminant < 0.0) {
-        return best;
+struct Minimum {
+    double at = 0.0;
+    double value = std::numeric_limits<double>::infinity();
+};
+
+/// The cubic with the values and slopes of two points: value + t (c1 + t (c2 + t c3)), t = 0 to 1.
+class Cubic {
+public:
+    Cubic(const Point& a, const Point& b) : m_origin(a), m_width(b.at - a.at) {
+        m_c1 = m_width * a.slope;
+        m_c2 = 3.0 * (b.value - a.value) - m_width * (2.0 * a.slope + b.slope);
+        m_c3 = 2.0 * (a.value - b.value) + m_width * (a.slope + b.slope);
     }
-    // The root with p'' > 0, written without cancellation.
-    const double root = std::sqrt(discriminant);
-    const double t = c2 >= 0.0 ? -c1 / (c2 + root) : (root - c2) / (3.0 * c3);
-    if (std::isfinite(t) && t > 0.0 && t < 1.0) {
-        const double value = value_a + t * (c1 + t * (c2 + t * c3));
-        if (value < best.value) {
-            best = {a + t * h, value};
+
+    /// Where it is smallest between lower and upper, ends left out; an infinite value if at an end.
+    [[nodiscard]] Minimum minimum(double lower, double upper) const {
+        const double discriminant = m_c2 * m_c2 - 3.0 * m_c1 * m_c3;
+        if (discriminant < 0.0) {
+            return {};
+        }
+        // The root of the derivative where it rises, written without cancellation.
+        const double root = std::sqrt(discriminant);
+        const double t = m_c2 >= 0.0 ? -m_c1 / (m_c2 + root) : (root - m_c2) / (3.0 * m_c3);
+        const double at = m_origin.at + t * m_width;
+        if (!(at > lower && at < upper)) {
+            return {};
+        }
+        return {.at = at, .value = m_origin.value + t * (m_c1 + t * (m_c2 + t * m_c3))};
+    }
+
+private:
+    Point m_origin;
+    double m_width;
+    double m_c1;
+    double m_c2;
+    double m_c3;
+};
+
+using Points = std::vector<Point>;  // of one output, in ascending order
+
+double best_value(const Points& points) {
+    return std::ranges::min_element(points, {}, &Point::value)->value;
+}
+
+/// Whether the interval from point i on may hide a valley: the tangent at one of its ends reaches
+/// below the best value within it.
+bool may_hide_valley(const Points& points, size_t i, double best) {
+    const Point& a = points[i];
+    const Point& b = points[i + 1];
+    const double width = b.at - a.at;
+    return a.value + a.slope * width < best || b.value - b.slope * width < best;
+}
+
+/// Where the points let the smallest value be expected.
+Minimum expected_minimum(const Points& points) {
+    Minimum result;
+    const auto offer = [&](const Minimum& found) {
+        if (found.value < result.value) {
+            result = found;
+        }
+    };
+    for (size_t i = 0; i + 1 < points.size(); ++i) {
+        offer(Cubic(points[i], points[i + 1]).minimum(points[i].at, points[i + 1].at));
+    }
+    // Where the interval downhill of the best point is much the longer one, the cubic across it is
+    // the poorer guide, and would creep: the cubic of the shorter one is followed beyond its end,
+    // half the way at most.
+    const auto best = std::ranges::min_element(points, {}, &Point::value);
+    if (best == points.begin() || std::next(best) == points.end()) {
+        return result;
+    }
+    const Point& before = best->slope < 0.0 ? *std::prev(best) : *std::next(best);
+    const Point& ahead = best->slope < 0.0 ? *std::next(best) : *std::prev(best);
+    if (std::abs(ahead.at - best->at) > 2.0 * std::abs(best->at - before.at)) {
+        const double half_way = 0.5 * (best->at + ahead.at);
+        const Minimum beyond =
+            Cubic(before, *best)
+                .minimum(std::min(best->at, half_way), std::max(best->at, half_way));
+        if (std::isfinite(beyond.value)) {
+            return beyond;
         }
     }
-    return best;
+    return result;
+}
+
+/// Where an output would like to look next.
+struct Wish {
+    double at;
+    double gain;   ///< expected there
+    double reach;  ///< distance from its best point so far
+};
+
+/// What all outputs together expect to gain at a point: each a parabola that is zero at its best
+/// point so far and highest at its wish.
+double expected_gain(const std::vector<Wish>& wishes, double at) {
+    double sum = 0.0;
+    for (const Wish& wish : wishes) {
+        const double t = (at - wish.at) / wish.reach;
+        sum += wish.gain * std::max(0.0, 1.0 - t * t);
+    }
+    return sum;
 }
 
 }  // namespace
@@ -68,55 +152,49 @@ std::vector<double> LengthScaleSearch::best() const {
 }
 
 std::optional<double> LengthScaleSearch::next() const {
-    if (m_profiles.size() < first_points) {
-        return m_lower +
-               (m_upper - m_lower) * static_cast<double>(m_profiles.size()) / (first_points - 1);
+    const double range = m_upper - m_lower;
+    const double first_step = std::max(narrowest_valley, range / most_first_intervals);
+    const auto intervals = static_cast<int>(std::ceil(0.5 * range / first_step));
+    const auto count = static_cast<int>(m_profiles.size());
+    if (count <= intervals) {
+        return count == 0 ? m_lower : m_lower + range * count / intervals;
     }
-    // For each output, the best point of its interpolant beside its best point so far.
-    const std::vector<double> best_so_far = best();
-    std::vector<Minimum> wishes;  // where, and how much is gained (as a negative value)
-    for (size_t output = 0; output < best_so_far.size(); ++output) {
-        const auto j = static_cast<Eigen::Index>(output);
-        const auto here = m_profiles.find(best_so_far[output]);
-        const double value = here->second.value(j);
-        Minimum wish{here->first, value};
-        const auto look_between = [&](auto left, auto right) {
-            const Minimum found = cubic_minimum(left->first, right->first, left->second.value(j),
-                                                right->second.value(j), left->second.slope(j),
-                                                right->second.slope(j));
-            if (found.value < wish.value) {
-                wish = found;
-            }
-        };
-        if (here != m_profiles.begin()) {
-            look_between(std::prev(here), here);
+
+    std::vector<Points> outputs(static_cast<size_t>(m_profiles.begin()->second.value.size()));
+    for (const auto& [at, profile] : m_profiles) {
+        for (size_t j = 0; j < outputs.size(); ++j) {
+            const auto column = static_cast<Eigen::Index>(j);
+            outputs[j].push_back(
+                {.at = at, .value = profile.value(column), .slope = profile.slope(column)});
         }
-        if (std::next(here) != m_profiles.end()) {
-            look_between(here, std::next(here));
+    }
+    const Points& any = outputs.front();
+    for (size_t i = 0; i + 1 < any.size(); ++i) {
+        if (any[i + 1].at - any[i].at > first_step &&
+            std::ranges::any_of(outputs, [i](const Points& points) {
+                return may_hide_valley(points, i, best_value(points));
+            })) {
+            return 0.5 * (any[i].at + any[i + 1].at);
         }
+    }
+
+    std::vector<Wish> wishes;
+    for (const Points& points : outputs) {
+        const Point best = *std::ranges::min_element(points, {}, &Point::value);
+        const Minimum found = expected_minimum(points);
         const bool is_new = std::ranges::all_of(
-            m_profiles, [&](const auto& p) { return std::abs(p.first - wish.at) > closest; });
-        if (is_new && value - wish.value > m_tolerance * std::max(1.0, std::abs(value))) {
-            wishes.push_back({wish.at, wish.value - value});
+            points, [&](const Point& p) { return std::abs(p.at - found.at) > closest; });
+        const double gain = best.value - found.value;
+        if (is_new && gain > m_tolerance * std::max(1.0, std::abs(best.value))) {
+            wishes.push_back({.at = found.at, .gain = gain, .reach = std::abs(found.at - best.at)});
         }
     }
     if (wishes.empty()) {
         return std::nullopt;
     }
-    // The wish at the middle of all gains: half of what can be gained lies on either side.
-    std::ranges::sort(wishes, {}, &Minimum::at);
-    double total = 0.0;
-    for (const Minimum& wish : wishes) {
-        total += wish.value;
-    }
-    double sum = 0.0;
-    for (const Minimum& wish : wishes) {
-        sum += wish.value;
-        if (sum <= 0.5 * total) {
-            return wish.at;
-        }
-    }
-    return wishes.back().at;
+    return std::ranges::max_element(
+               wishes, {}, [&](const Wish& wish) { return expected_gain(wishes, wish.at); })
+        ->at;
 }
 
 }  // namespace taut::gp

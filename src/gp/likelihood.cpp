@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
@@ -35,55 +36,96 @@ double best_signal_variance(const Eigen::VectorXd& eigenvalues,
     return (squared_z.array() / (eigenvalues.array() + noise_ratio)).mean();
 }
 
-/// The negative log likelihood at the best sigma_f for eta.
-double profile_value(const Eigen::VectorXd& eigenvalues,
-                     const Eigen::Ref<const Eigen::VectorXd>& squared_z, double noise_ratio) {
-    const auto n = static_cast<double>(eigenvalues.size());
-    return 0.5 * n * std::log(best_signal_variance(eigenvalues, squared_z, noise_ratio)) +
-           0.5 * log_determinant(eigenvalues, noise_ratio) +
-           0.5 * n * (1.0 + std::log(2.0 * std::numbers::pi));
+/// The negative log likelihood of n outputs at the best sigma_f for some eta.
+double profile_value(Eigen::Index n, double signal_variance, double log_determinant) {
+    const auto count = static_cast<double>(n);
+    return 0.5 * (count * std::log(signal_variance) + log_determinant +
+                  count * (1.0 + std::log(2.0 * std::numbers::pi)));
 }
 
-/// The best eta: a scan finds the right valley, Brent's method its bottom. There can be two
-/// valleys, one that explains the output by the inputs and one that takes it for noise.
-double best_noise_ratio(const Eigen::VectorXd& eigenvalues,
-                        const Eigen::Ref<const Eigen::VectorXd>& squared_z,
-                        const NoiseRatioBounds& bounds) {
-    constexpr int scan_points = 12;
-    const double lower = std::log(bounds.lower);
-    const double step = (std::log(bounds.upper) - lower) / (scan_points - 1);
-    const auto value = [&](double log_ratio) {
-        return profile_value(eigenvalues, squared_z, std::exp(log_ratio));
-    };
-    int best = 0;
-    double best_value = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < scan_points; ++k) {
-        if (const double v = value(lower + k * step); v < best_value) {
-            best = k;
-            best_value = v;
+/// The profile over log eta of every output at evenly spread points: a row of values each.
+struct NoiseScan {
+    double lower;
+    double step;
+    Eigen::MatrixXd values;
+};
+
+/// Steps of at most 2 in log eta: an eigenvalue's term turns within about 4, so that no valley
+/// hides between two points.
+NoiseScan scan_noise_ratios(const Eigen::VectorXd& eigenvalues, const Eigen::MatrixXd& squared_z,
+                            const NoiseRatioBounds& bounds) {
+    const double range = std::log(bounds.upper / bounds.lower);
+    const auto intervals = static_cast<Eigen::Index>(std::ceil(range / 2.0));
+    NoiseScan scan{.lower = std::log(bounds.lower),
+                   .step = intervals > 0 ? range / static_cast<double>(intervals) : 0.0,
+                   .values = Eigen::MatrixXd(intervals + 1, squared_z.cols())};
+    Eigen::MatrixXd inverse(eigenvalues.size(), intervals + 1);
+    Eigen::VectorXd log_determinants(intervals + 1);
+    for (Eigen::Index k = 0; k <= intervals; ++k) {
+        const double ratio = std::exp(scan.lower + static_cast<double>(k) * scan.step);
+        inverse.col(k) = (eigenvalues.array() + ratio).inverse();
+        log_determinants(k) = log_determinant(eigenvalues, ratio);
+    }
+    const Eigen::Index n = eigenvalues.size();
+    const Eigen::MatrixXd sums = transposed_product(inverse, squared_z);
+    for (Eigen::Index j = 0; j < sums.cols(); ++j) {
+        for (Eigen::Index k = 0; k <= intervals; ++k) {
+            scan.values(k, j) =
+                profile_value(n, sums(k, j) / static_cast<double>(n), log_determinants(k));
         }
     }
-    constexpr int bits = 20;  // the value is then exact to rounding: it is flat at its minimum
-    const auto [argument, minimum] = boost::math::tools::brent_find_minima(
-        value, lower + std::max(0, best - 1) * step,
-        lower + std::min(scan_points - 1, best + 1) * step, bits);
-    return minimum < best_value ? std::exp(argument) : std::exp(lower + best * step);
+    return scan;
 }
 
-/// dR / d log lambda = -lambda^2 S o R.
+/// The best eta of one output: Brent's method from each of the scan's valleys. There can be
+/// several, such as one that explains the output by the inputs and one that takes it for noise.
+double best_noise_ratio(const Eigen::VectorXd& eigenvalues,
+                        const Eigen::Ref<const Eigen::VectorXd>& squared_z, const NoiseScan& scan,
+                        const Eigen::Ref<const Eigen::VectorXd>& scanned) {
+    const auto value = [&](double log_ratio) {
+        const double ratio = std::exp(log_ratio);
+        return profile_value(eigenvalues.size(),
+                             best_signal_variance(eigenvalues, squared_z, ratio),
+                             log_determinant(eigenvalues, ratio));
+    };
+    const auto at = [&](Eigen::Index k) { return scan.lower + static_cast<double>(k) * scan.step; };
+    double best = scan.lower;
+    double best_value = std::numeric_limits<double>::infinity();
+    const auto offer = [&](double log_ratio, double its_value) {
+        if (its_value < best_value) {
+            best = log_ratio;
+            best_value = its_value;
+        }
+    };
+    const Eigen::Index last = scanned.size() - 1;
+    for (Eigen::Index k = 0; k <= last; ++k) {
+        const Eigen::Index left = std::max<Eigen::Index>(0, k - 1);
+        const Eigen::Index right = std::min(last, k + 1);
+        if (scanned(k) > scanned(left) || scanned(k) > scanned(right)) {
+            continue;
+        }
+        offer(at(k), scanned(k));
+        if (left < right) {
+            constexpr int bits = 20;  // the value is then exact to rounding: it is flat there
+            const auto [argument, minimum] =
+                boost::math::tools::brent_find_minima(value, at(left), at(right), bits);
+            offer(argument, minimum);
+        }
+    }
+    return std::exp(best);
+}
+
+/// dR / d log lambda = -lambda^2 S o R, its lower triangle.
 Eigen::MatrixXd correlation_rate(const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
                                  double inverse_length_scale) {
-    const double factor = -inverse_length_scale * inverse_length_scale;
-    Eigen::MatrixXd rate = correlation(squared_distances, inverse_length_scale);
-    tbb::parallel_for(Eigen::Index{0}, rate.cols(), [&](Eigen::Index j) {
-        rate.col(j).array() *= factor * squared_distances.col(j).array();
+    const double square = inverse_length_scale * inverse_length_scale;
+    const Eigen::Index n = squared_distances.rows();
+    Eigen::MatrixXd rate(n, n);
+    tbb::parallel_for(Eigen::Index{0}, n, [&](Eigen::Index j) {
+        const auto scaled = square * squared_distances.col(j).tail(n - j).array();
+        rate.col(j).tail(n - j) = -scaled * (-0.5 * scaled).exp();
     });
     return rate;
-}
-
-/// The diagonal of Q' M Q.
-Eigen::VectorXd diagonal_in_basis(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& basis) {
-    return product(matrix, basis).cwiseProduct(basis).colwise().sum().transpose();
 }
 
 }  // namespace
@@ -103,11 +145,11 @@ Likelihood negative_log_likelihood(const KernelSpectrum& spectrum,
     Likelihood result;
     result.value = 0.5 * (z.array().square() / variances).sum() + 0.5 * variances.log().sum() +
                    0.5 * n * std::log(2.0 * std::numbers::pi);
-    const Eigen::MatrixXd rate =
-        signal * correlation_rate(squared_distances, spectrum.inverse_length_scale);
+    const Eigen::MatrixXd rate = correlation_rate(squared_distances, spectrum.inverse_length_scale);
     const Eigen::ArrayXd squared_weights_in_basis = (z.array() / variances).square();
-    result.gradient << 0.5 * (diagonal_in_basis(rate, basis).array() / variances).sum() -
-                           0.5 * weights.dot(rate * weights),
+    result.gradient << 0.5 * signal *
+                           ((quadratic_forms(rate, basis).array() / variances).sum() -
+                            quadratic_forms(rate, weights)(0)),
         (signal * spectrum.eigenvalues.array() * (1.0 / variances - squared_weights_in_basis))
             .sum(),
         (noise * (1.0 / variances - squared_weights_in_basis)).sum();
@@ -126,8 +168,11 @@ LikelihoodProfile profile_likelihood(const KernelSpectrum& spectrum,
     const Eigen::Index m = outputs.cols();
     const Eigen::VectorXd& d = spectrum.eigenvalues;
     const Eigen::MatrixXd rate = correlation_rate(squared_distances, spectrum.inverse_length_scale);
-    const Eigen::VectorXd rate_diagonal = diagonal_in_basis(rate, spectrum.eigenvectors);
+    const Eigen::VectorXd rate_diagonal =
+        quadratic_forms(rate, spectrum.eigenvectors);  // of Q' dR Q
     const Eigen::MatrixXd z = transposed_product(spectrum.eigenvectors, outputs);
+    const Eigen::MatrixXd squared_z = z.cwiseAbs2();
+    const NoiseScan scan = scan_noise_ratios(d, squared_z, bounds);
 
     LikelihoodProfile profile{.value = Eigen::VectorXd(m),
                               .slope = Eigen::VectorXd(m),
@@ -135,19 +180,18 @@ LikelihoodProfile profile_likelihood(const KernelSpectrum& spectrum,
                               .signal_variance = Eigen::VectorXd(m)};
     Eigen::MatrixXd weights_in_basis(z.rows(), m);  // (d + eta)^-1 z
     tbb::parallel_for(Eigen::Index{0}, m, [&](Eigen::Index j) {
-        const Eigen::VectorXd squared_z = z.col(j).array().square();
-        const double ratio = best_noise_ratio(d, squared_z, bounds);
+        const double ratio = best_noise_ratio(d, squared_z.col(j), scan, scan.values.col(j));
         profile.noise_ratio(j) = ratio;
-        profile.value(j) = profile_value(d, squared_z, ratio);
-        profile.signal_variance(j) = best_signal_variance(d, squared_z, ratio);
+        profile.signal_variance(j) = best_signal_variance(d, squared_z.col(j), ratio);
+        profile.value(j) =
+            profile_value(d.size(), profile.signal_variance(j), log_determinant(d, ratio));
         profile.slope(j) = 0.5 * (rate_diagonal.array() / (d.array() + ratio)).sum();
         weights_in_basis.col(j) = z.col(j).array() / (d.array() + ratio);
     });
     // By the envelope theorem the slope of the profile is the partial derivative at its minimiser.
     const Eigen::MatrixXd weights = product(spectrum.eigenvectors, weights_in_basis);
-    const Eigen::VectorXd quadratic =
-        weights.cwiseProduct(product(rate, weights)).colwise().sum().transpose();
-    profile.slope.array() -= 0.5 * quadratic.array() / profile.signal_variance.array();
+    profile.slope.array() -=
+        0.5 * quadratic_forms(rate, weights).array() / profile.signal_variance.array();
     return profile;
 }
 

@@ -11,6 +11,16 @@
 #include "net/validation.hpp"
 
 namespace taut {
+namespace {
+
+void check_size(const char* what_has, Eigen::Index size, int expected, const char* of_what) {
+    if (size != expected) {
+        throw std::invalid_argument(
+            fmt::format("{} {} {}, expected {}", what_has, size, of_what, expected));
+    }
+}
+
+}  // namespace
 
 NetError::NetError(std::string where, const std::string& what)
     : std::invalid_argument(fmt::format("{}: {}", where, what)), m_where(std::move(where)) {}
@@ -64,6 +74,7 @@ std::string CableNet::edge_id(int edge) const {
 }
 
 Eigen::VectorXd free_coordinates(const CableNet& net, const Eigen::Ref<const Points>& form) {
+    check_size("form has", form.cols(), net.node_count(), "points");
     Eigen::VectorXd coordinates(3 * net.free_node_count());
     for (int i = 0; i < net.free_node_count(); ++i) {
         coordinates.segment<3>(3 * i) = form.col(net.free_nodes()[static_cast<size_t>(i)]);
@@ -73,6 +84,7 @@ Eigen::VectorXd free_coordinates(const CableNet& net, const Eigen::Ref<const Poi
 
 Points with_free_coordinates(const CableNet& net,
                              const Eigen::Ref<const Eigen::VectorXd>& coordinates) {
+    check_size("coordinates has", coordinates.size(), 3 * net.free_node_count(), "entries");
     Points form = net.nodes();
     for (int i = 0; i < net.free_node_count(); ++i) {
         form.col(net.free_nodes()[static_cast<size_t>(i)]) = coordinates.segment<3>(3 * i);
@@ -82,6 +94,7 @@ Points with_free_coordinates(const CableNet& net,
 
 Eigen::VectorXd with_length_deviations(const CableNet& net,
                                        const Eigen::Ref<const Eigen::VectorXd>& deviations) {
+    check_size("deviations has", deviations.size(), net.interior_edge_count(), "entries");
     Eigen::VectorXd lengths = net.unstressed_lengths();
     lengths(net.interior_edges()) += deviations;
     return lengths;

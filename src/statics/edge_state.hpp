@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "statics/arguments.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -35,9 +36,12 @@ inline EdgeState edge_state(const Eigen::Vector3d& source, const Eigen::Vector3d
 }
 
 /// The states of all edges of a net at a form (3 x n) [m].
+/// @throws std::invalid_argument for wrong sizes and values
 inline std::vector<EdgeState> edge_states(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form) {
+    check_unstressed_lengths(net.edge_count(), unstressed_lengths);
+    check_form("form", net.node_count(), form);
     std::vector<EdgeState> states;
     states.reserve(net.edges().size());
     for (int e = 0; e < net.edge_count(); ++e) {

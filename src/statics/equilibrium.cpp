@@ -2,56 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/equilibrium.hpp"
 
-#include <fmt/core.h>
+#include <algorithm>
 
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
-#include "statics/line_search.hpp"
-#include "statics/net_state.hpp"
-#include "statics/stiffness_matrix.hpp"
+#include "statics/arguments.hpp"
+#include "statics/descent.hpp"
 
 namespace taut {
 namespace {
 
-/// Smallest shift that is tried once the stiffness was not positive definite, in axial stiffnesses.
-constexpr double smallest_shift = 1e-12;
+/// More Newton steps than nets under tension need from a fair start. Who is not done by then most
+/// likely moves along a curved valley of the energy.
+constexpr int plain_steps = 30;
 
-/// A shift above this makes steps so short that nothing is left of Newton's method.
-constexpr double largest_shift = 1e3;
-
-void check_arguments(const LocalNet& net, const Eigen::Ref<const Eigen::VectorXd>& lengths,
-                     const Eigen::Ref<const Points>& start) {
-    if (lengths.size() != net.axial_stiffness.size()) {
-        throw std::invalid_argument(fmt::format("unstressed_lengths has {} entries, expected {}",
-                                                lengths.size(), net.axial_stiffness.size()));
-    }
-    for (Eigen::Index e = 0; e < lengths.size(); ++e) {
-        if (!(std::isfinite(lengths(e)) && lengths(e) > 0.0)) {
-            throw std::invalid_argument(
-                fmt::format("unstressed length {} is {}, expected a positive and finite number", e,
-                            lengths(e)));
-        }
-    }
-    if (start.cols() != net.nodes.cols() || !start.allFinite()) {
-        throw std::invalid_argument(
-            fmt::format("start must hold {} finite points", net.nodes.cols()));
-    }
-}
-
-/// Whether slack edges leave nodes loose: the stiffness is singular to rounding.
-bool has_loose_nodes(const StiffnessFactor& factor, const Eigen::VectorXd& axial_at_nodes) {
-    if (factor.info() != Eigen::Success) {
-        return true;
-    }
-    for (Eigen::Index i = 0; i < factor.pivots().size(); ++i) {
-        if (factor.pivots()(i) <= smallest_shift * axial_at_nodes(i / 3)) {
-            return true;
-        }
-    }
-    return false;
-}
+/// How far forces must balance under one load before the approach goes on to the next, lighter one.
+constexpr double approach_tolerance = 1e-2;
 
 }  // namespace
 
@@ -70,54 +34,54 @@ std::string_view to_string(EquilibriumStatus status) {
 struct EquilibriumSolver::Workspace {
     EquilibriumSettings settings;
     LocalNet net;
-    NetState state;  ///< at the current form
-    NetState trial;  ///< at the form that the line search looks at
-    StiffnessMatrix matrix;
-    StiffnessFactor factor;
-    Eigen::VectorXd residual;
-    Eigen::VectorXd direction;
+    Eigen::VectorXd loads;     ///< 3 n_I, the true ones: approach() changes net.loads [N]
+    double heavy_loads = 0.0;  ///< factor on the loads that stretches edges to twice their length
+    Descent descent;
+    NetState before;  ///< where an approach began
 
     Workspace(const CableNet& cable_net, EquilibriumSettings with)
         : settings(with),
           net(number_for_elimination(cable_net)),
-          state(net),
-          trial(net),
-          matrix(net),
-          residual(net.loads.size()),
-          direction(net.loads.size()) {
-        factor.analyzePattern(matrix.upper());
+          loads(net.loads),
+          descent(net),
+          before(net) {
+        // The edges at supports carry the sum of the loads. A guess: only its magnitude matters.
+        const double total = loads.reshaped(3, net.free_count).colwise().norm().sum();
+        const auto at_supports = std::ranges::count_if(
+            net.edges, [&](const Edge& e) { return std::ranges::max(e) >= net.free_count; });
+        if (total > 0.0) {
+            heavy_loads = net.axial_stiffness.mean() * static_cast<double>(at_supports) / total;
+        }
     }
 
-    /// Solves (H + shift D) d = -h. The shift grows until the matrix is positive definite.
-    bool newton_direction(double& shift) {
-        while (shift <= largest_shift) {
-            matrix.assemble(net, state.edges());
-            if (shift > 0.0) {
-                matrix.add_shift(shift);
-            }
-            factor.factorize(matrix.upper());
-            if (factor.positive_definite()) {
-                residual = -state.forces();
-                direction = factor.solve(residual);
-                if (direction.allFinite() && direction.dot(state.forces()) <= 0.0) {
-                    return true;
-                }
-            }
-            shift = std::max(smallest_shift, 10.0 * shift);
-        }
-        return false;
+    void set_loads(double factor) {
+        net.loads = factor * loads;
+        descent.state().update(net);
     }
 
-    /// Whether the equilibrium that was reached is the only one. Where every edge is taut the
-    /// stiffness is positive definite: each part of the net hangs on a support.
-    EquilibriumStatus status_of_balanced() {
-        if (state.slack_count() == 0) {
-            return EquilibriumStatus::converged;
+    /// Takes a slack net under light loads near its equilibrium. There the energy is a curved
+    /// valley, steep across (edges that stretch) and flat along (slack edges that swing): a step
+    /// can be no longer than some (load / EA)^(1/3) of an edge. Heavier loads open the valley. So
+    /// this goes to the equilibrium under very heavy loads, and back through ever lighter ones.
+    /// Counts as one step, taken only if it lowers the energy.
+    /// @return Newton steps used
+    int approach(int max_steps, std::vector<double>& energy_decreases) {
+        before = descent.state();
+        const size_t steps_before = energy_decreases.size();
+        int steps = 0;
+        for (double factor = heavy_loads; factor > 1.0 && steps < max_steps; factor *= 0.1) {
+            set_loads(factor);
+            steps +=
+                descent.run(net, approach_tolerance, max_steps - steps, energy_decreases).steps;
         }
-        matrix.assemble(net, state.edges());
-        factor.factorize(matrix.upper());
-        return has_loose_nodes(factor, matrix.axial_at_nodes()) ? EquilibriumStatus::slack_mechanism
-                                                                : EquilibriumStatus::converged;
+        set_loads(1.0);
+        energy_decreases.resize(steps_before);
+        if (const double decrease = before.energy_above(descent.state(), net); decrease > 0.0) {
+            energy_decreases.push_back(decrease);
+        } else {
+            descent.state() = before;
+        }
+        return steps;
     }
 };
 
@@ -130,60 +94,36 @@ EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = 
 Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                      const Eigen::Ref<const Points>& start) {
     Workspace& w = *m_workspace;
-    check_arguments(w.net, unstressed_lengths, start);
-    const double tolerance = w.settings.relative_tolerance;
+    check_unstressed_lengths(w.net.axial_stiffness.size(), unstressed_lengths);
+    check_form("start", w.net.nodes.cols(), start);
     Equilibrium result;
     result.energy_decreases.reserve(static_cast<size_t>(std::max(0, w.settings.max_iterations)));
 
-    w.state.set_unstressed_lengths(unstressed_lengths);
-    w.trial.set_unstressed_lengths(unstressed_lengths);
-    w.net.gather(start, w.state.form());
-    w.state.update(w.net);
+    NetState& state = w.descent.state();
+    state.set_unstressed_lengths(w.net, unstressed_lengths);
+    w.net.gather(start, state.form());
+    state.update(w.net);
 
-    double shift = 0.0;
-    double previous = std::numeric_limits<double>::infinity();
-    while (true) {
-        const double imbalance = w.state.largest_force();
-        const double scale = w.state.force_scale();
-        // Balanced, and either far below the tolerance or no longer getting better: rounding
-        // errors.
-        const bool balanced = imbalance <= tolerance * scale;
-        if (balanced && (imbalance <= 0.01 * tolerance * scale || imbalance > 0.5 * previous)) {
-            break;
-        }
-        if (result.iterations >= w.settings.max_iterations || !w.newton_direction(shift)) {
-            break;
-        }
-        const LineSearchStep step = search_line(w.net, w.state, w.direction, w.trial);
-        if (!step.accepted) {
-            if (balanced) {
-                break;
-            }
-            shift = std::max(smallest_shift, 100.0 * shift);
-            if (shift > largest_shift) {
-                break;
-            }
-            continue;
-        }
-        std::swap(w.state, w.trial);
-        previous = imbalance;
-        ++result.iterations;
-        result.energy_decreases.push_back(step.energy_decrease);
-        // A full step shows that the model holds: back towards the pure Newton step. A short one
-        // that the slack edges were not foreseen.
-        if (step.length == 1.0) {
-            shift = shift > 10.0 * smallest_shift ? 0.1 * shift : shift;
-        } else if (step.length < 0.05) {
-            shift = std::max(1e-6, 10.0 * shift);
-        }
+    const auto descend = [&](int max_steps) {
+        const auto [balanced, steps] =
+            w.descent.run(w.net, w.settings.relative_tolerance, max_steps, result.energy_decreases);
+        result.iterations += steps;
+        return balanced;
+    };
+    const int limit = w.settings.max_iterations;
+    bool balanced = descend(std::min(plain_steps, limit));
+    if (!balanced && result.iterations < limit) {
+        result.iterations += w.approach(limit - result.iterations, result.energy_decreases);
+        balanced = descend(limit - result.iterations);
     }
 
-    result.out_of_balance = w.state.largest_force();
-    result.mean_tension = w.state.mean_tension();
-    result.form = w.net.scatter(w.state.form());
-    result.slack_edges = w.state.slack_edges();
-    if (result.out_of_balance <= tolerance * w.state.force_scale()) {
-        result.status = w.status_of_balanced();
+    result.out_of_balance = state.largest_force();
+    result.mean_tension = state.mean_tension();
+    result.form = w.net.scatter(state.form());
+    result.slack_edges = state.slack_edges();
+    if (balanced) {
+        result.status = w.descent.has_loose_nodes(w.net) ? EquilibriumStatus::slack_mechanism
+                                                         : EquilibriumStatus::converged;
     }
     return result;
 }

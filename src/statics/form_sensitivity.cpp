@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/form_sensitivity.hpp"
 
+#include <fmt/core.h>
+
+#include <stdexcept>
+
 #include "statics/edge_state.hpp"
 #include "statics/stiffness_matrix.hpp"
 
@@ -60,8 +64,8 @@ FormSensitivity::FormSensitivity(const CableNet& net,
     f.factor.analyzePattern(f.matrix.upper());
     f.matrix.assemble(f.net, states);
     f.factor.factorize(f.matrix.upper());
-    if (!f.factor.positive_definite()) {
-        f.matrix.add_shift(1e-12);
+    if (has_loose_nodes(f.matrix, f.factor)) {
+        f.matrix.add_shift(smallest_relative_stiffness);
         f.factor.factorize(f.matrix.upper());
     }
 }
@@ -71,6 +75,11 @@ FormSensitivity& FormSensitivity::operator=(FormSensitivity&&) noexcept = defaul
 
 Eigen::VectorXd FormSensitivity::apply(
     const Eigen::Ref<const Eigen::VectorXd>& length_changes) const {
+    if (length_changes.size() != m_factor->force_rates.cols()) {
+        throw std::invalid_argument(fmt::format("length_changes has {} entries, expected {}",
+                                                length_changes.size(),
+                                                m_factor->force_rates.cols()));
+    }
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(m_factor->net.loads.size());
     for (int e = 0; e < length_changes.size(); ++e) {
         if (length_changes(e) != 0.0) {
@@ -83,6 +92,10 @@ Eigen::VectorXd FormSensitivity::apply(
 Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
     Eigen::MatrixXd result(m_factor->net.loads.size(), static_cast<Eigen::Index>(edges.size()));
     for (size_t k = 0; k < edges.size(); ++k) {
+        if (edges[k] < 0 || edges[k] >= m_factor->force_rates.cols()) {
+            throw std::invalid_argument(fmt::format("edges names edge {}, expected one of the {}",
+                                                    edges[k], m_factor->force_rates.cols()));
+        }
         Eigen::VectorXd rhs = Eigen::VectorXd::Zero(result.rows());
         m_factor->add_force(edges[k], 1.0, rhs);
         result.col(static_cast<Eigen::Index>(k)) = m_factor->solve(rhs);

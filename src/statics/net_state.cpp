@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "statics/net_state.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace taut {
 
 NetState::NetState(const LocalNet& net)
@@ -9,7 +12,25 @@ NetState::NetState(const LocalNet& net)
       m_form(net.nodes),
       m_edges(net.edges.size()),
       m_forces(net.loads.size()),
-      m_mean_load(net.loads.reshaped(3, net.free_count).colwise().norm().mean()) {}
+      m_rounding(net.free_count) {}
+
+void NetState::set_unstressed_lengths(const LocalNet& net,
+                                      const Eigen::Ref<const Eigen::VectorXd>& lengths) {
+    m_unstressed_lengths = lengths;
+    // The last place of a coordinate, times EA/l_0 of all edges at the node. A few of these, since
+    // the neighbours are rounded too: 0.2 to 0.6 is what the solver was seen to reach.
+    const double last_place =
+        4.0 * std::numeric_limits<double>::epsilon() * net.nodes.cwiseAbs().maxCoeff();
+    m_rounding.setZero();
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const auto edge = static_cast<Eigen::Index>(e);
+        for (const int node : net.edges[e]) {
+            if (node < net.free_count) {
+                m_rounding(node) += last_place * net.axial_stiffness(edge) / lengths(edge);
+            }
+        }
+    }
+}
 
 void NetState::update(const LocalNet& net) {
     m_forces = -net.loads;
@@ -55,11 +76,16 @@ double NetState::mean_tension() const {
     return taut_count > 0.0 ? m_tension_sum / taut_count : 0.0;
 }
 
-double NetState::force_scale() const {
-    if (const double tension = mean_tension(); tension > 0.0) {
-        return tension;
+double NetState::imbalance(const LocalNet& net, double relative_tolerance) const {
+    const double tension = mean_tension();
+    const double scale =
+        tension > 0.0 ? tension : net.loads.reshaped(3, net.free_count).colwise().norm().mean();
+    double largest = 0.0;
+    for (int i = 0; i < net.free_count; ++i) {
+        largest = std::max(largest, m_forces.segment<3>(Eigen::Index{3} * i).norm() /
+                                        (relative_tolerance * scale + m_rounding(i)));
     }
-    return m_mean_load > 0.0 ? m_mean_load : 1.0;
+    return largest;
 }
 
 double NetState::energy_above(const NetState& other, const LocalNet& net) const {

@@ -15,9 +15,9 @@ class NetState {
 public:
     explicit NetState(const LocalNet& net);
 
-    void set_unstressed_lengths(const Eigen::Ref<const Eigen::VectorXd>& lengths) {
-        m_unstressed_lengths = lengths;
-    }
+    void set_unstressed_lengths(const LocalNet& net,
+                                const Eigen::Ref<const Eigen::VectorXd>& lengths);
+    [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const { return m_unstressed_lengths; }
     /// Coordinates of all nodes (3 x n); call update() after a change.
     [[nodiscard]] Eigen::Matrix3Xd& form() { return m_form; }
     [[nodiscard]] const Eigen::Matrix3Xd& form() const { return m_form; }
@@ -32,9 +32,10 @@ public:
     [[nodiscard]] std::vector<int> slack_edges() const;
     /// Over the taut edges; 0 where all are slack [N].
     [[nodiscard]] double mean_tension() const;
-    /// What out-of-balance forces are judged by: the mean tension, or the mean load where all edges
-    /// are slack, or any positive number where no force acts at all [N].
-    [[nodiscard]] double force_scale() const;
+    /// Largest force h_s, in units of what counts as balanced at its node: the tolerance times the
+    /// mean tension (where all edges are slack, times the mean load), and what rounding errors of
+    /// the coordinates make of the node's axial stiffness.
+    [[nodiscard]] double imbalance(const LocalNet& net, double relative_tolerance) const;
 
     /// V(this) - V(other), summed edge by edge so that it stays exact where the two almost agree
     /// [J].
@@ -45,8 +46,8 @@ private:
     Eigen::Matrix3Xd m_form;
     std::vector<EdgeState> m_edges;
     Eigen::VectorXd m_forces;
+    Eigen::VectorXd m_rounding;  ///< n_I, forces that rounding errors leave [N]
     double m_tension_sum = 0.0;
-    double m_mean_load = 0.0;
     int m_slack_count = 0;
 };
 

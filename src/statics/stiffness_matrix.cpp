@@ -98,4 +98,14 @@ void StiffnessMatrix::add_shift(double shift) {
     }
 }
 
+bool has_loose_nodes(const StiffnessMatrix& matrix, const StiffnessFactor& factor) {
+    if (factor.info() != Eigen::Success) {
+        return true;
+    }
+    const auto pivots = factor.pivots().reshaped(3, matrix.axial_at_nodes().size());
+    return (pivots.colwise().minCoeff().transpose().array() <=
+            smallest_relative_stiffness * matrix.axial_at_nodes().array())
+        .any();
+}
+
 }  // namespace taut

@@ -39,6 +39,9 @@ private:
     Eigen::VectorXd m_axial_at_nodes;
 };
 
+/// Below this part of a node's axial stiffness, stiffness is rounding error.
+constexpr double smallest_relative_stiffness = 1e-12;
+
 /// LDL' for matrices that are ordered already: works in place on the pattern, without copies.
 class StiffnessFactor : public Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper,
                                                      Eigen::NaturalOrdering<int>> {
@@ -50,5 +53,9 @@ public:
         return info() == Eigen::Success && m_diag.minCoeff() > 0.0;
     }
 };
+
+/// Whether the factor of this matrix tells that some node is loose: it is not positive definite, or
+/// only by rounding errors.
+[[nodiscard]] bool has_loose_nodes(const StiffnessMatrix& matrix, const StiffnessFactor& factor);
 
 }  // namespace taut

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/tensions.hpp"
 
+#include "statics/arguments.hpp"
 #include "statics/edge_state.hpp"
 
 namespace taut {
 
 Eigen::VectorXd edge_lengths(const CableNet& net, const Eigen::Ref<const Points>& form) {
+    check_form("form", net.node_count(), form);
     Eigen::VectorXd lengths(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[static_cast<size_t>(e)];

@@ -16,8 +16,8 @@ namespace taut {
 /// @param force_densities q of every edge (m), positive [N/m]
 /// @param loads 3 x n, or 3 x 0 for none [N]
 /// @return 3 x n, supports included [m]
-/// @throws std::invalid_argument for sizes that differ, a force density that is not positive and
-///   finite, or a free node that no path of edges joins to a support.
+/// @throws std::invalid_argument for sizes that differ, a node out of range, a force density that
+///   is not positive and finite, or a free node that no path of edges joins to a support.
 [[nodiscard]] Points form_from_force_densities(
     const Eigen::Ref<const Points>& nodes, const std::vector<int>& supports,
     const std::vector<Edge>& edges, const Eigen::Ref<const Eigen::VectorXd>& force_densities,

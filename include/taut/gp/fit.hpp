@@ -52,9 +52,11 @@ struct FittedProcesses {
 };
 
 struct FitSettings {
-    /// The feasible set Theta: lambda times the median distance of two training inputs. Towards the
-    /// lower end the kernel is a polynomial of low degree, and longer length scales change nothing.
+    /// The feasible set Theta. Lower end: lambda times the median distance of two training inputs;
+    /// there the kernel is a polynomial of low degree, and longer length scales change nothing.
     double smallest_scaled_lambda = 3e-3;
+    /// Upper end: lambda times the median distance of an input to its nearest neighbour; there they
+    /// are all but independent, and shorter length scales change nothing either.
     double largest_scaled_lambda = 3.0;
     std::optional<NoiseRatioBounds> noise_ratio;  ///< default_noise_ratio_bounds(n) if not given
     /// The search for lambda ends when no output is expected to gain more than this, relative to

@@ -107,14 +107,17 @@ private:
 };
 
 /// r_I, the 3 n_I coordinates x1, y1, z1, x2, ... of the free nodes, out of all nodes' (3 x n) [m].
+/// @throws std::invalid_argument for a wrong number of points
 [[nodiscard]] Eigen::VectorXd free_coordinates(const CableNet& net,
                                                const Eigen::Ref<const Points>& form);
 
 /// All nodes' coordinates (3 x n) from r_I (3 n_I); supports from the net [m].
+/// @throws std::invalid_argument for a wrong size
 [[nodiscard]] Points with_free_coordinates(const CableNet& net,
                                            const Eigen::Ref<const Eigen::VectorXd>& coordinates);
 
 /// l_0 of all edges (m) from the length deviations (m_I) of the interior ones (eq. data) [m].
+/// @throws std::invalid_argument for a wrong size
 [[nodiscard]] Eigen::VectorXd with_length_deviations(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& deviations);
 

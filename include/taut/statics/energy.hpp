@@ -14,6 +14,9 @@
 ///   V(r) = sum_(s,t) EA / (2 l_0) max(0, l - l_0)^2  -  sum_s p_s . r_s
 ///
 /// V is convex in r, and once continuously differentiable.
+///
+/// All three throw std::invalid_argument for wrong sizes, unstressed lengths that are not positive
+/// and finite, and coordinates that are not finite.
 namespace taut {
 
 /// V [J], elastic energy less the work of the loads: half the objective v of the paper's SOCP where

@@ -25,7 +25,10 @@ struct EquilibriumSettings {
     int max_iterations = 500;
     /// Largest out-of-balance force at a node that counts as balanced, in mean tensions of the taut
     /// edges (in mean loads where all are slack). The solver goes on below it until rounding errors
-    /// stop it or a hundredth is reached.
+    /// stop it or a hundredth is reached. Forces that are but the rounding error of the coordinates
+    /// (some 1e-15 times the largest coordinate times EA/l_0) count as balanced, too: they exceed
+    /// the tolerance in a net that is barely tense, or whose stiffnesses differ by orders of
+    /// magnitude.
     double relative_tolerance = 1e-10;
 };
 
@@ -33,12 +36,13 @@ struct EquilibriumSettings {
 struct Equilibrium {
     Points form;  ///< 3 x n, supports included [m]
     EquilibriumStatus status = EquilibriumStatus::iteration_limit;
-    int iterations = 0;            ///< Newton steps taken
+    int iterations = 0;            ///< Newton steps taken, those under heavier loads included
     double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
     double mean_tension = 0.0;     ///< over the taut edges [N]
     std::vector<int> slack_edges;  ///< ascending
-    std::vector<double>
-        energy_decreases;  ///< of each step, summed edge by edge; never negative [J]
+    /// Of each step, summed edge by edge; never negative. All steps under heavier loads together
+    /// make one entry [J].
+    std::vector<double> energy_decreases;
 
     /// Forces balance: status is not iteration_limit.
     [[nodiscard]] bool balanced() const { return status != EquilibriumStatus::iteration_limit; }
@@ -57,7 +61,8 @@ public:
 
     /// The form r_I = f^-1(l_0) of the paper (eqs. finv, SOCP): Newton's method on the convex
     /// energy, with a line search and a diagonal shift where slack edges make the stiffness
-    /// singular.
+    /// singular. A net that does not come to rest so, slack under light loads, is first brought
+    /// near its form under heavier loads.
     /// @param unstressed_lengths l_0 of all edges (m), positive [m]
     /// @param start where to begin (3 x n); supports are taken from the net [m]
     /// @throws std::invalid_argument for wrong sizes, a length that is not positive and finite, or

@@ -22,6 +22,8 @@ public:
     /// @param form an equilibrium form for them (3 x n) [m]
     /// Where H is singular (a slack mechanism) it is shifted by 1e-12 of the nodes' axial
     /// stiffness, so that loose nodes stay where they are.
+    /// @throws std::invalid_argument for wrong sizes, lengths that are not positive and finite,
+    ///   coordinates that are not finite
     FormSensitivity(const CableNet& net,
                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                     const Eigen::Ref<const Points>& form);
@@ -33,10 +35,12 @@ public:
 
     /// (dr_I/dl_0) dl_0: change of the free coordinates (3 n_I) [m] to first order, for changes of
     /// all unstressed lengths (m) [m].
+    /// @throws std::invalid_argument for a wrong size
     [[nodiscard]] Eigen::VectorXd apply(
         const Eigen::Ref<const Eigen::VectorXd>& length_changes) const;
 
     /// The columns of dr_I/dl_0 for the given edges (3 n_I x edges.size()) [m/m].
+    /// @throws std::invalid_argument for an edge that the net does not have
     [[nodiscard]] Eigen::MatrixXd columns(std::span<const int> edges) const;
 
 private:

@@ -6,6 +6,8 @@
 
 #include "taut/net/cable_net.hpp"
 
+/// All three throw std::invalid_argument for wrong sizes, unstressed lengths that are not positive
+/// and finite, and coordinates that are not finite.
 namespace taut {
 
 /// Lengths l_(s,t) = |r_s - r_t| of all edges (m) at a form (3 x n) [m].

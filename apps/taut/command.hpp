@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "taut/threads.hpp"
+
+/// One file a subcommand: each adds itself to the program, with its options and what it runs.
+namespace taut::app {
+
+/// An outcome of the numbers that is not what was asked for: exit code 1.
+class NumericalFailure : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Options that every subcommand has.
+struct CommonOptions {
+    int threads = 0;  ///< 0: all
+    bool quiet = false;
+    bool json = false;
+
+    /// Keeps to the number of threads asked for while it lives.
+    [[nodiscard]] std::unique_ptr<ThreadLimit> limit_threads() const {
+        return threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr;
+    }
+};
+
+/// Adds a subcommand with the common options and a worked example under its help.
+CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description,
+                      const std::string& example, CommonOptions& options);
+
+void add_example(CLI::App& program);
+void add_inspect(CLI::App& program);
+void add_form(CLI::App& program);
+void add_sample(CLI::App& program);
+void add_train(CLI::App& program);
+void add_identify(CLI::App& program);
+void add_reproduce(CLI::App& program);
+
+}  // namespace taut::app

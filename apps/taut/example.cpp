@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include "command.hpp"
+#include "net_summary.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/net_json.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Options : CommonOptions {
+    std::string name;
+    std::string output;
+};
+
+void run(const Options& options) {
+    const CableNet net = builtin_net(options.name);
+    write_file(options.output, net_to_json(net));
+    if (options.json) {
+        fmt::print("{}\n", counts_json(net).dump(2));
+    } else {
+        fmt::print("{}\nwritten to {}\n", counts_text(net), options.output);
+    }
+}
+
+}  // namespace
+
+void add_example(CLI::App& program) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = add_command(
+        program, "example", "Write a built-in net",
+        "  taut example hilo-quarter -o net.json\n  taut example hypar:20x30 -o hypar.json",
+        *options);
+    command
+        .add_option("NAME", options->name,
+                    "hilo-quarter, or hypar:RxC with R rows and C columns of free nodes (1 to 300)")
+        ->required();
+    command.add_option("-o,--output", options->output, "Net file to write")->required();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <stop_token>
+
+namespace taut::app {
+
+/// What SIGINT, SIGTERM and SIGHUP do. A command that says nothing is ended at once with exit code 130;
+/// its outputs appear in one piece or not at all, so nothing is left half done. A command that asks
+/// for a stop token is told through it, and ended at once by a second signal.
+class Interruption {
+public:
+    /// Call once, before any other thread starts.
+    static void watch();
+
+    /// From now on the first signal requests a stop here.
+    [[nodiscard]] static std::stop_token stop_token();
+};
+
+/// Sampling was interrupted and what is done was kept: the message tells where.
+class SampleInterrupted : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace taut::app

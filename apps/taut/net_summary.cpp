@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "net_summary.hpp"
+
+#include <fmt/core.h>
+
+namespace taut::app {
+
+std::string counts_text(const CableNet& net) {
+    return fmt::format(
+        "net {}: {} free nodes, {} supports, {} interior and {} adjustable edges", net.name(),
+        net.free_node_count(), net.supports().size(), net.interior_edge_count(),
+        net.adjustable_edges().size());
+}
+
+nlohmann::ordered_json counts_json(const CableNet& net) {
+    return {{"name", net.name()},
+            {"free_nodes", net.free_node_count()},
+            {"supports", net.supports().size()},
+            {"interior_edges", net.interior_edge_count()},
+            {"adjustable_edges", net.adjustable_edges().size()},
+            {"fingerprint", net.fingerprint()}};
+}
+
+std::string equilibrium_text(const Equilibrium& equilibrium) {
+    std::string text =
+        fmt::format("{} after {} iterations, {:.2g} N out of balance", to_string(equilibrium.status),
+                    equilibrium.iterations, equilibrium.out_of_balance);
+    if (equilibrium.mean_tension > 0.0) {
+        text += fmt::format(" ({:.1g} of the mean tension, {:.4g} N)",
+                            equilibrium.out_of_balance / equilibrium.mean_tension,
+                            equilibrium.mean_tension);
+    }
+    return text;
+}
+
+std::string edges_text(const CableNet& net, const std::vector<int>& edges) {
+    constexpr size_t most = 12;
+    std::string text = std::to_string(edges.size());
+    for (size_t i = 0; i < std::min(most, edges.size()); ++i) {
+        text += (i == 0 ? ": " : ", ") + net.edge_id(edges[i]);
+    }
+    return edges.size() > most ? text + ", ..." : text;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut::app {
+
+/// "net hilo-quarter: 300 free nodes, 128 supports, 536 interior and 128 adjustable edges"
+[[nodiscard]] std::string counts_text(const CableNet& net);
+
+/// The same numbers, keyed as in results.json.
+[[nodiscard]] nlohmann::ordered_json counts_json(const CableNet& net);
+
+/// "converged after 4 iterations, 3e-09 N out of balance (7e-13 of the mean tension, 4466 N)"
+[[nodiscard]] std::string equilibrium_text(const Equilibrium& equilibrium);
+
+/// "0", or "3: 17, 20, 21" with the edges' names, the first twelve of them.
+[[nodiscard]] std::string edges_text(const CableNet& net, const std::vector<int>& edges);
+
+}  // namespace taut::app

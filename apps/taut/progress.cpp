@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "progress.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace taut::app {
+
+Progress::Progress(bool quiet) : m_active(!quiet && isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    clear();
+}
+
+void Progress::clear() {
+    if (m_shown) {
+        fmt::print(stderr, "\r\033[K");
+        std::fflush(stderr);
+    }
+}
+
+void Progress::show(std::string_view stage, int done, int total) {
+    if (!m_active) {
+        return;
+    }
+    const auto now = Clock::now();
+    if (m_stage != stage) {
+        m_stage = stage;
+        m_first = done;
+        m_start = now;
+    } else if (done < total && now - m_last < std::chrono::milliseconds(100)) {
+        return;
+    }
+    m_last = now;
+    const double seconds = std::chrono::duration<double>(now - m_start).count();
+    std::string line = fmt::format("{}: {} of {}", stage, done, total);
+    if (done > m_first && seconds > 0.0) {
+        const double rate = (done - m_first) / seconds;
+        line += fmt::format(", {:.4g} a second, {:.0f} s left", rate, (total - done) / rate);
+    }
+    fmt::print(stderr, "\r\033[K{}", line);
+    std::fflush(stderr);
+    m_shown = true;
+}
+
+}  // namespace taut::app

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "command.hpp"
+#include "interruption.hpp"
+#include "net_summary.hpp"
+#include "progress.hpp"
+#include "taut/io/data_set_h5.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/input_error.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace taut::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A killed run loses no more than this.
+constexpr std::chrono::seconds checkpoint_interval{30};
+
+struct Options : CommonOptions {
+    std::string net;
+    std::string output;
+    std::string law = "uniform:5mm";
+    std::uint64_t seed = 1;
+    int count = 0;
+    bool resume = false;
+
+    /// Where finished samples are kept while the data set is not complete: a data set of its own.
+    [[nodiscard]] std::string partial() const { return output + ".partial"; }
+};
+
+/// The samples of an earlier run, from the larger of its finished and its unfinished data set.
+std::optional<DataSet> earlier_samples(const Options& options, const DataSet& wanted) {
+    std::optional<DataSet> found;
+    for (const std::string& file : {options.output, options.partial()}) {
+        if (!std::filesystem::exists(file)) {
+            continue;
+        }
+        DataSet data = read_data_set(file).data;
+        const auto require = [&](bool same, std::string_view what, const std::string& has,
+                                 const std::string& asked) {
+            if (!same) {
+                throw InputError(file, "", fmt::format("was made with the {} {}, expected {} to resume",
+                                                       what, has, asked));
+            }
+        };
+        require(data.net_fingerprint == wanted.net_fingerprint, "net", data.net_fingerprint,
+                wanted.net_fingerprint);
+        require(data.law == wanted.law, "law", data.law.to_string(), wanted.law.to_string());
+        require(data.seed == wanted.seed, "seed", std::to_string(data.seed),
+                std::to_string(wanted.seed));
+        if (data.size() > options.count) {
+            throw InputError(file, "", fmt::format("holds {} samples, more than the {} asked for",
+                                                   data.size(), options.count));
+        }
+        if (!found || data.size() > found->size()) {
+            found = std::move(data);
+        }
+    }
+    return found;
+}
+
+/// Draws until the data set is complete; keeps what is done from time to time, and when interrupted.
+void draw(const Options& options, const NetFile& net, const Sampler& sampler, DataSet& data) {
+    const std::stop_token stop = Interruption::stop_token();
+    Progress progress(options.quiet);
+    const auto keep = [&] { write_data_set(options.partial(), data, net); };
+    auto last_kept = Clock::now();
+    int block = 16;
+    while (data.size() < options.count) {
+        progress.show("sampling", data.size(), options.count);
+        const auto start = Clock::now();
+        const int next = std::min(options.count, data.size() + block);
+        if (!sampler.extend(data, next, stop)) {
+            if (data.size() == 0) {
+                throw SampleInterrupted("interrupted, nothing was written");
+            }
+            keep();
+            throw SampleInterrupted(
+                fmt::format("interrupted: {} of {} samples are kept in {}; the same command with "
+                            "--resume goes on from there",
+                            data.size(), options.count, options.partial()));
+        }
+        // Blocks of about a second: long enough to copy little, short enough to keep often.
+        const std::chrono::duration<double> took = Clock::now() - start;
+        block = std::max(block, took.count() < 0.5 ? 2 * block : block);
+        if (Clock::now() - last_kept > checkpoint_interval) {
+            keep();
+            last_kept = Clock::now();
+        }
+    }
+    progress.show("sampling", options.count, options.count);
+}
+
+void tell(const Options& options, const CableNet& net, const DataSet& data, int resumed_from) {
+    if (options.json) {
+        const nlohmann::ordered_json document{{"format", "taut-sampling"},
+                                              {"version", 1},
+                                              {"net", counts_json(net)},
+                                              {"law", data.law.to_string()},
+                                              {"seed", data.seed},
+                                              {"samples", data.size()},
+                                              {"resumed_from", resumed_from},
+                                              {"with_slack", data.with_slack()},
+                                              {"not_converged", data.not_converged()},
+                                              {"output", options.output}};
+        fmt::print("{}\n", document.dump(2));
+        return;
+    }
+    fmt::print("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n",
+               counts_text(net), data.size(), data.law.to_string(), data.seed, data.with_slack(),
+               data.not_converged());
+    if (resumed_from > 0) {
+        fmt::print("the first {} were there already\n", resumed_from);
+    }
+    fmt::print("written to {}\n", options.output);
+}
+
+void run(const Options& options) {
+    const auto threads = options.limit_threads();
+    const NetFile net = read_net(options.net);
+    const Sampler sampler(net.net, parse_length_law(options.law), options.seed);
+    DataSet data = sampler.empty();
+    if (options.resume) {
+        if (auto earlier = earlier_samples(options, data)) {
+            data = std::move(*earlier);
+        }
+    }
+    const int resumed_from = data.size();
+    AtomicFile{options.output};  // fails here, not after the work, where it cannot be written
+    draw(options, net, sampler, data);
+    write_data_set(options.output, data, net);
+    std::filesystem::remove(options.partial());
+    tell(options, net.net, data, resumed_from);
+}
+
+}  // namespace
+
+void add_sample(CLI::App& program) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = add_command(
+        program, "sample", "Draw random lengths and solve for the forms that follow (Algorithm 2)",
+        "  taut sample net.json -n 1000 --law uniform:5mm -o data.h5\n"
+        "\nAn interrupted run keeps what it has in data.h5.partial; the same command with --resume "
+        "goes on\nfrom there, or from a smaller data.h5, and gives the same bytes as one run.",
+        *options);
+    command.add_option("NET", options->net, "Net file")->required();
+    command.add_option("-n,--samples", options->count, "Number of samples")
+        ->required()
+        ->check(CLI::Range(1, 10'000'000));
+    command
+        .add_option("--law", options->law,
+                    "Law of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (std), "
+                    "bimodal:5mm (around +-5 mm)")
+        ->capture_default_str();
+    command.add_option("--seed", options->seed, "Seed of the draws")->capture_default_str();
+    command.add_option("-o,--output", options->output, "Data set to write (HDF5)")->required();
+    command.add_flag("--resume", options->resume, "Go on with an earlier data set");
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

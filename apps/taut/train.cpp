@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "command.hpp"
+#include "interruption.hpp"
+#include "net_summary.hpp"
+#include "progress.hpp"
+#include "taut/identification/model.hpp"
+#include "taut/io/data_set_h5.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/input_error.hpp"
+#include "taut/io/model_h5.hpp"
+#include "taut/study/study.hpp"
+#include "training.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Options : CommonOptions {
+    std::string data;
+    std::string output;
+};
+
+/// Edges whose process could not be fitted.
+std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
+    std::vector<int> edges;
+    for (size_t i = 0; i < model.processes.processes.size(); ++i) {
+        if (model.processes.processes[i].status != gp::FitStatus::fitted) {
+            edges.push_back(net.interior_edges()[i]);
+        }
+    }
+    return edges;
+}
+
+void run(const Options& options) {
+    const auto threads = options.limit_threads();
+    const StoredDataSet stored = read_data_set(options.data);
+    const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
+    if (samples.size() < 2) {
+        throw InputError(options.data, "",
+                         fmt::format("holds {} samples in equilibrium, expected at least 2",
+                                     samples.size()));
+    }
+    AtomicFile{options.output};  // fails here, not after the work, where it cannot be written
+    const auto start = std::chrono::steady_clock::now();
+    const LengthModel model = train_with_progress(stored.data, samples, options.quiet);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    write_model(options.output, model, stored.net);
+
+    const CableNet& net = stored.net.net;
+    const std::vector<int> unfitted = unfitted_edges(net, model);
+    const auto& processes = model.processes.processes;
+    const double mean_square =
+        std::accumulate(processes.begin(), processes.end(), 0.0,
+                        [](double sum, const gp::Process& p) {
+                            return sum + p.leave_one_out_rmse * p.leave_one_out_rmse;
+                        }) /
+        static_cast<double>(std::max<size_t>(1, processes.size() - unfitted.size()));
+    if (options.json) {
+        const nlohmann::ordered_json document{
+            {"format", "taut-training"},
+            {"version", 1},
+            {"net", counts_json(net)},
+            {"training_samples", samples.size()},
+            {"left_out_not_converged", stored.data.not_converged()},
+            {"processes", processes.size()},
+            {"not_fitted", unfitted},
+            {"leave_one_out_rmse", std::sqrt(mean_square)},
+            {"seconds", took.count()},
+            {"output", options.output}};
+        fmt::print("{}\n", document.dump(2));
+        return;
+    }
+    fmt::print("{}\n{} processes trained on {} samples in {:.1f} s\n", counts_text(net),
+               processes.size() - unfitted.size(), samples.size(), took.count());
+    if (stored.data.not_converged() > 0) {
+        fmt::print("left out: {} samples that did not converge\n", stored.data.not_converged());
+    }
+    if (!unfitted.empty()) {
+        fmt::print("edges that could not be fitted: {}\n", edges_text(net, unfitted));
+    }
+    fmt::print("leave-one-out error of the length deviations: {:.3g} mm RMS\nwritten to {}\n",
+               1e3 * std::sqrt(mean_square), options.output);
+}
+
+}  // namespace
+
+void add_train(CLI::App& program) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = add_command(
+        program, "train", "Train one Gaussian process an interior edge on a data set (Algorithm 1)",
+        "  taut train data.h5 -o model.h5", *options);
+    command.add_option("DATA", options->data, "Data set of taut sample")->required();
+    command.add_option("-o,--output", options->output, "Model to write (HDF5)")->required();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

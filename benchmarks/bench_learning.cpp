@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+// Sampling, training and prediction with the paper's counts, on all cores.
+#include <benchmark/benchmark.h>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/gp/kernel.hpp"
+#include "taut/gp/spectrum.hpp"
+#include "taut/identification/identification.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace {
+
+constexpr int samples = 1000;
+constexpr int training_samples = 950;
+
+const taut::DataSet& data_set() {
+    static const taut::DataSet data = [] {
+        const taut::Sampler sampler(taut::hilo_quarter(), {}, 1);
+        taut::DataSet drawn = sampler.empty();
+        sampler.extend(drawn, samples);
+        return drawn;
+    }();
+    return data;
+}
+
+const taut::LengthModel& model() {
+    static const taut::LengthModel trained =
+        taut::train(data_set(), data_set().converged_in(0, training_samples));
+    return trained;
+}
+
+void sample_1000_forms(benchmark::State& state) {
+    const taut::CableNet net = taut::hilo_quarter();
+    for (auto _ : state) {
+        const taut::Sampler sampler(net, {}, 1);
+        taut::DataSet data = sampler.empty();
+        sampler.extend(data, samples);
+        benchmark::DoNotOptimize(data.form_deviations.data());
+    }
+}
+BENCHMARK(sample_1000_forms)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void one_kernel_spectrum(benchmark::State& state) {
+    const Eigen::MatrixXd inputs = data_set().form_deviations.leftCols(training_samples);
+    const Eigen::MatrixXd distances = taut::gp::squared_distances(inputs, inputs);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(taut::gp::kernel_spectrum(distances, 0.1).eigenvalues.data());
+    }
+}
+BENCHMARK(one_kernel_spectrum)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void train_536_processes(benchmark::State& state) {
+    const std::vector<int> indices = data_set().converged_in(0, training_samples);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(taut::train(data_set(), indices).processes.weights.data());
+    }
+}
+BENCHMARK(train_536_processes)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(2);
+
+void estimate_lengths_of_one_form(benchmark::State& state) {
+    const taut::LengthModel& trained = model();
+    const Eigen::VectorXd form = data_set().form_deviations.col(training_samples);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(taut::estimate_lengths(trained, form).mean.data());
+    }
+}
+BENCHMARK(estimate_lengths_of_one_form)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+// Equilibrium solves on one core.
+#include <benchmark/benchmark.h>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/sampling/data_set.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/form_sensitivity.hpp"
+
+namespace {
+
+using taut::CableNet;
+
+constexpr taut::LengthLaw five_millimetres{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};
+constexpr double spacing = 0.132;  // m, of the built-in nets
+
+Eigen::VectorXd drawn_lengths(const CableNet& net, const taut::LengthLaw& law, std::uint64_t sample) {
+    return taut::with_length_deviations(
+        net, taut::draw_length_deviations(law, 1, sample, net.interior_edge_count()));
+}
+
+void solve_from_nominal_form(benchmark::State& state) {
+    const CableNet net = taut::hilo_quarter();
+    taut::EquilibriumSolver solver(net);
+    std::uint64_t sample = 0;
+    std::int64_t steps = 0;
+    for (auto _ : state) {
+        const auto found = solver.solve(drawn_lengths(net, five_millimetres, sample++), net.nodes());
+        steps += found.iterations;
+    }
+    state.counters["newton_steps"] =
+        static_cast<double>(steps) / static_cast<double>(state.iterations());
+}
+BENCHMARK(solve_from_nominal_form)->Unit(benchmark::kMillisecond);
+
+void solve_from_linear_prediction(benchmark::State& state) {
+    const CableNet net = taut::hilo_quarter();
+    taut::EquilibriumSolver solver(net);
+    const taut::FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd nominal = taut::free_coordinates(net, net.nodes());
+    std::uint64_t sample = 0;
+    std::int64_t steps = 0;
+    for (auto _ : state) {
+        const Eigen::VectorXd lengths = drawn_lengths(net, five_millimetres, sample++);
+        const auto found = solver.solve(
+            lengths, taut::with_free_coordinates(
+                         net, nominal + sensitivity.apply(lengths - net.unstressed_lengths())));
+        steps += found.iterations;
+    }
+    state.counters["newton_steps"] =
+        static_cast<double>(steps) / static_cast<double>(state.iterations());
+}
+BENCHMARK(solve_from_linear_prediction)->Unit(benchmark::kMillisecond);
+
+/// Symbolic work and one solve for lengths within +-1 % of the spacing.
+void solve_hypar(benchmark::State& state) {
+    const auto side = static_cast<int>(state.range(0));
+    const CableNet net = taut::hypar(side, side);
+    const Eigen::VectorXd lengths =
+        drawn_lengths(net, {.kind = taut::LengthLaw::Kind::uniform, .scale = 0.01 * spacing}, 0);
+    for (auto _ : state) {
+        taut::EquilibriumSolver solver(net);
+        const auto found = solver.solve(lengths, net.nodes());
+        state.counters["newton_steps"] = found.iterations;
+        if (found.status != taut::EquilibriumStatus::converged) {
+            state.SkipWithError("did not converge");
+        }
+    }
+}
+BENCHMARK(solve_hypar)->Arg(30)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+}  // namespace

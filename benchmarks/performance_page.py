@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Writes docs/performance.md, to standard output, from what scripts/bench.sh left in a folder.
+
+Usage: /usr/bin/python3 benchmarks/performance_page.py FOLDER
+"""
+
+import datetime
+import json
+import pathlib
+import platform
+import subprocess
+import sys
+
+
+def medians(file):
+    """Name -> (median real time in ms, counters) of a Google Benchmark output."""
+    rows = {}
+    for row in json.loads(file.read_text())["benchmarks"]:
+        if row.get("aggregate_name") == "median":
+            scale = {"ms": 1.0, "s": 1e3, "us": 1e-3, "ns": 1e-6}[row["time_unit"]]
+            name = row["run_name"].removesuffix("/real_time").removesuffix("/iterations:1")
+            rows[name.removesuffix("/iterations:2")] = (row["real_time"] * scale, row)
+    return rows
+
+
+def processor():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.processor() or "unknown processor"
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+
+    def load(name):
+        return json.loads((folder / name).read_text())
+
+    rows = medians(folder / "statics.json") | medians(folder / "learning.json")
+    study = load("reproduce.json")
+    whole = load("reproduce_process.json")
+    large = load("hypar300_process.json")
+    peer = load("sklearn.json")
+    cores = len(__import__("os").sched_getaffinity(0))
+    compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True, check=True)
+    seconds = study["seconds"]
+    per_output = peer["seconds"] / (seconds["training"] / study["net"]["interior_edges"])
+
+    def ms(name):
+        return f"{rows[name][0]:.3g} ms"
+
+    def steps(name):
+        return f"{rows[name][1]['newton_steps']:.2g}"
+
+    print(f"""# Performance
+
+Written by `make bench` on {datetime.date.today()}: {cores} cores of {processor()},
+{compiler.stdout.splitlines()[0]}, {study['program']}. Medians of three repetitions; the whole
+processes were run once. Times depend on the machine; ratios are taken within one run.
+
+## Equilibrium, one core
+
+| solve | time | Newton steps |
+|---|---|---|
+| built-in net, +-5 mm, from the nominal form | {ms('solve_from_nominal_form')} | {steps('solve_from_nominal_form')} |
+| the same from the linear prediction | {ms('solve_from_linear_prediction')} | {steps('solve_from_linear_prediction')} |
+| `hypar:30x30`, +-1 % of the spacing, symbolic work included | {ms('solve_hypar/30')} | {steps('solve_hypar/30')} |
+| `hypar:100x100`, likewise | {ms('solve_hypar/100')} | {steps('solve_hypar/100')} |
+| `hypar:300x300` (90,000 free nodes), likewise | {ms('solve_hypar/300')} | {steps('solve_hypar/300')} |
+
+The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20:.2f} GiB.
+
+## Learning, all cores, the paper's counts
+
+| work | time |
+|---|---|
+| sample 1000 forms (+-5 mm) | {ms('sample_1000_forms')} |
+| one eigendecomposition, n = 950 | {ms('one_kernel_spectrum')} |
+| train 536 processes on 950 samples | {ms('train_536_processes')} |
+| estimate the 536 lengths of one form | {ms('estimate_lengths_of_one_form')} |
+
+## The paper's experiment as one process
+
+`taut reproduce --keep`: {whole['seconds']:.2f} s and {whole['peak_kib'] / 2**20:.2f} GiB in all;
+sampling {seconds['sampling']:.2f} s, training {seconds['training']:.2f} s, identification
+{seconds['identification']:.2f} s.
+
+## Against scikit-learn
+
+`benchmarks/peers/sklearn_one_output.py` trains one of the 536 outputs on the same 950 samples with
+scikit-learn {peer['sklearn']} (constant x RBF + white kernel, one start).
+
+| | time | outputs | a single output |
+|---|---|---|---|
+| taut | {seconds['training']:.2f} s | {study['net']['interior_edges']} | {1e3 * seconds['training'] / study['net']['interior_edges']:.2f} ms |
+| scikit-learn | {peer['seconds']:.2f} s | 1 | {1e3 * peer['seconds']:.0f} ms |
+
+All {study['net']['interior_edges']} outputs take taut {seconds['training'] / peer['seconds']:.2f} times as long as scikit-learn takes for one:
+{per_output:.0f} times as fast an output.""")
+
+
+if __name__ == "__main__":
+    main()

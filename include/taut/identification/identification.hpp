@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "taut/identification/model.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// What a survey tells of one edge.
+enum class EdgeStatus {
+    identified,
+    slack,       ///< carries no tension in the predicted form: its length shows in nothing
+    unobserved,  ///< no narrower known than before the survey
+};
+
+/// "identified", "slack", "unobserved".
+[[nodiscard]] std::string_view to_string(EdgeStatus status);
+
+/// Half the width of the 95 % interval of a normal distribution, in standard deviations.
+inline constexpr double half_interval_95 = 1.959963984540054;
+
+/// What is known of one interior edge's unstressed length after a survey.
+struct IdentifiedEdge {
+    int edge = 0;
+    double nominal = 0.0;           ///< unstressed length as designed [m]
+    double length_deviation = 0.0;  ///< estimate of true minus nominal [m]
+    double std = 0.0;               ///< standard deviation of the estimate [m]
+    double lower = 0.0;             ///< 95 % interval of the length deviation [m]
+    double upper = 0.0;
+    EdgeStatus status = EdgeStatus::identified;
+};
+
+/// The outcome of an identification, by whatever method.
+struct Identification {
+    std::string method;                 ///< "gp"
+    std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order
+    Equilibrium predicted;              ///< of the net with the identified lengths
+    /// |predicted - surveyed| at the surveyed free nodes, in the order of Survey::surveyed [m]
+    Eigen::VectorXd residuals;
+};
+
+/// Estimates of many length deviations at once, before any form is predicted from them.
+struct LengthEstimates {
+    Eigen::MatrixXd mean;  ///< m_I x k [m]
+    /// m_I x k [m]. Of the true length deviation: the process's own variance (eq. sigmax_*) and its
+    /// noise variance sigma_w^2, the part of the length that the form does not show to it.
+    Eigen::MatrixXd std;
+};
+
+/// Eq. ident for k forms: their deviations from the model's nominal form (3 n_I x k) [m]. Edges
+/// whose process could not be fitted get the law's mean and standard deviation.
+[[nodiscard]] LengthEstimates estimate_lengths(
+    const LengthModel& model, const Eigen::Ref<const Eigen::MatrixXd>& form_deviations);
+
+/// Identifies all interior edges from one survey by the trained processes (eq. ident), and predicts
+/// the form by solving the equilibrium with the identified lengths.
+/// @throws std::invalid_argument where the model was trained for another net (both fingerprints are
+///   named), and where a free node was not surveyed, which this method needs
+/// @throws std::runtime_error where the identified lengths find no equilibrium
+[[nodiscard]] Identification identify_by_processes(const CableNet& net, const LengthModel& model,
+                                                   const Survey& survey);
+
+}  // namespace taut

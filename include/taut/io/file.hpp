@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace taut {
+
+/// A file that cannot be written. The message is one line that names it.
+class OutputError : public std::runtime_error {
+public:
+    OutputError(const std::filesystem::path& file, const std::string& what);
+};
+
+/// The whole content of a file.
+/// @throws InputError where it is missing, a directory, unreadable or larger than 1 GiB
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// An output that stands in its place whole or not at all: it is written to a temporary file in the
+/// same directory, which commit() renames over the target. A target that is a symbolic link keeps
+/// being one.
+class AtomicFile {
+public:
+    /// Makes the temporary file, empty.
+    /// @throws OutputError where the target is anything but a regular file or nothing yet, or its
+    ///   directory does not exist or cannot be written to
+    explicit AtomicFile(std::filesystem::path target);
+    /// Removes the temporary file if it was not committed.
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    AtomicFile(AtomicFile&&) = delete;
+    AtomicFile& operator=(AtomicFile&&) = delete;
+
+    /// Where to write.
+    [[nodiscard]] const std::filesystem::path& temporary() const { return m_temporary; }
+
+    /// Flushes the temporary file to the disk and renames it over the target.
+    /// @throws OutputError where that fails; the target is then as it was
+    void commit();
+
+private:
+    std::filesystem::path m_target;
+    std::filesystem::path m_temporary;
+    bool m_committed = false;
+};
+
+/// Writes a file whole or not at all.
+/// @throws OutputError
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// Writes files (name, content) into a directory, which it makes if needed. All of them are on the
+/// disk under temporary names before the first takes its place, so that a failure until then leaves
+/// everything as it was.
+/// @throws OutputError
+/// @throws std::invalid_argument for a name that is empty, comes twice or leads out of the
+///   directory
+void write_files(const std::filesystem::path& directory,
+                 const std::vector<std::pair<std::string, std::string>>& files);
+
+}  // namespace taut

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace taut {
+
+/// A file that cannot be read as what it should be. The message is one line, "<file>: <what>" or
+/// "<file>:<place>: <what>", whatever bytes the file holds.
+class InputError : public std::runtime_error {
+public:
+    /// @param place line ("12"), line and column ("12:5"), JSON pointer ("/edges/3") or HDF5 object
+    ///   ("form_deviation"); may be empty
+    /// @param what is wrong, and what was expected
+    InputError(const std::string& file, const std::string& place, const std::string& what);
+};
+
+}  // namespace taut

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "taut/identification/model.hpp"
+#include "taut/io/net_json.hpp"
+
+namespace taut {
+
+/// A trained model and the net it was trained for, as they stand in one file.
+struct StoredModel {
+    LengthModel model;
+    NetFile net;
+};
+
+/// Writes a model as HDF5, whole or not at all; the same model gives the same bytes. Attributes of
+/// the root: format "taut-model", version 1, law, seed, net_fingerprint. Datasets (n training
+/// samples):
+///   net                            the net as JSON text (net_to_json())
+///   free_nodes, interior_edges     [n_I], [m_I]: node and edge of each point and process
+///   nominal_form                   [3 n_I] [m]
+///   training_inputs                [n, 3 n_I] [m]: form deviations, a row a sample
+///   weights                        [m_I, n] [m]: gp::FittedProcesses::weights
+///   inverse_length_scale           [m_I] [1/m]
+///   signal_std, noise_std          [m_I] [m]
+///   negative_log_likelihood        [m_I]
+///   leave_one_out_rmse             [m_I] [m]
+///   fit_status                     [m_I]: code of the gp::FitStatus
+///   spectrum                       [m_I]: k of the group spectra/k, or -1 where not fitted
+///   spectra/k/inverse_length_scale one number [1/m]
+///   spectra/k/eigenvalues          [n]
+///   spectra/k/eigenvectors         [n, n]: a row an eigenvector
+/// Not for two threads at the same time, as all that uses HDF5.
+/// @throws std::invalid_argument where model and net do not belong together (both fingerprints are
+///   named), their sizes differ or a number is not finite
+/// @throws OutputError
+void write_model(const std::filesystem::path& path, const LengthModel& model, const NetFile& net);
+
+/// Reads what write_model() wrote: predicts to the last bit as before. Every size is checked
+/// against the net inside and the size of the file before anything is allocated.
+/// @throws InputError naming the file and the HDF5 object
+[[nodiscard]] StoredModel read_model(const std::filesystem::path& path);
+
+}  // namespace taut

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// A net as it stands in a file.
+struct NetFile {
+    CableNet net;
+    /// A JSON object of the top-level keys that taut does not know, to be written back.
+    std::string unknown_keys = "{}";
+};
+
+/// Reads a net in taut's own JSON format, version 1:
+///   {"format": "taut-net", "version": 1, "name": text, "nodes": [[x, y, z]...] [m],
+///    "supports": [node...], "edges": [[s, t]...], "axial_stiffness": [N...] or one number [N],
+///    "unstressed_lengths": [m...], "adjustable": [edge...], "loads": [[x, y, z]...] [N],
+///    "node_ids": [text...], "edge_ids": [text...]}
+/// Optional are name (default: the file's, without its ending), adjustable (default: the edges at a
+/// support), loads, node_ids and edge_ids. Other keys are kept. An index is written without
+/// fraction or exponent.
+/// @param file_name for messages, and for the net's default name
+/// @throws InputError at a line and column for what is no JSON (RFC 8259, UTF-8, no key twice in an
+///   object, no number beyond the range of a double, at most 64 levels deep), and at a JSON pointer
+///   for what is missing, of another type, or breaks a rule of CableNet
+[[nodiscard]] NetFile parse_net(std::string_view text, const std::string& file_name);
+
+/// @throws InputError as parse_net() and read_file()
+[[nodiscard]] NetFile read_net(const std::filesystem::path& path);
+
+/// The net as parse_net() reads it, numbers to the last bit: one node or edge a line.
+/// @param unknown_keys a JSON object, as in NetFile
+/// @throws std::invalid_argument for unknown_keys that are no JSON object or name a key of the
+///   format, and for a name in the net that is not UTF-8
+[[nodiscard]] std::string net_to_json(const CableNet& net, const std::string& unknown_keys = "{}");
+
+}  // namespace taut

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "taut/identification/identification.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/study/study.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// results.json of a study: format "taut-study", version 1; all numbers in SI units.
+[[nodiscard]] std::string study_to_json(const Study& study);
+
+/// result.json of an identification: format "taut-identification", version 1; all numbers in SI units.
+[[nodiscard]] std::string identification_to_json(const CableNet& net, const Survey& survey,
+                                                 const Identification& identification);
+
+}  // namespace taut

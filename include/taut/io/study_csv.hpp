@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "taut/study/study.hpp"
+
+namespace taut {
+
+/// What the paper plots of its experiment, as CSV files (name, content), all numbers in m:
+///   edges.csv   per interior edge: ends, unstressed length; true, estimated, std and error of the first
+///               validation sample; mean and std of the error over all validation samples
+///   errors.csv  per interior edge: its error in each validation sample
+///   nodes.csv   per free node: nominal place, nominal and identified form error of that sample
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> study_to_csv(const Study& study);
+
+}  // namespace taut

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace taut {
+
+/// A length written with its unit, "5mm", "0.5 mm", "1.2 cm", "0.005 m", or as a bare number of
+/// metres.
+/// @return [m]
+/// @throws std::invalid_argument for anything else, naming the text
+[[nodiscard]] double parse_length(std::string_view text);
+
+/// "5mm": the shortest number of millimetres that parse_length() reads back to the last bit, or of
+/// metres where there is none.
+[[nodiscard]] std::string format_length(double metres);
+
+}  // namespace taut

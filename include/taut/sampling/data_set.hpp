@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/sampling/length_law.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+
+/// The data set D of the paper (Algorithm 2) in deviations from the nominal net: pairs of form
+/// deviation and length deviation (section 5: f maps one to the other).
+struct DataSet {
+    std::string net_fingerprint;
+    LengthLaw law;
+    std::uint64_t seed = 1;
+    Eigen::VectorXd nominal_form;       ///< r_I of the nominal net (3 n_I) [m]
+    Eigen::MatrixXd form_deviations;    ///< r_I - nominal, one column a sample (3 n_I x n) [m]
+    Eigen::MatrixXd length_deviations;  ///< of the interior edges (m_I x n) [m]
+    std::vector<EquilibriumStatus> statuses;  ///< n
+    std::vector<int> slack_counts;            ///< slack edges in each sample (n)
+
+    [[nodiscard]] int size() const { return static_cast<int>(form_deviations.cols()); }
+    /// Samples with at least one slack edge.
+    [[nodiscard]] int with_slack() const;
+    /// Samples whose forces do not balance: not to be learnt from.
+    [[nodiscard]] int not_converged() const;
+    /// Indices in [first, last) of the samples whose forces balance.
+    [[nodiscard]] std::vector<int> converged_in(int first, int last) const;
+};
+
+/// The length deviations of one sample (m_I) [m]. They depend on the law, the seed and the sample's
+/// index alone, and so on no other sample, thread or run.
+[[nodiscard]] Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
+                                                     std::uint64_t sample, Eigen::Index count);
+
+}  // namespace taut

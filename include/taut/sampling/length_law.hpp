@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace taut {
+
+/// The probability law of the length deviations, independent and the same for every interior edge,
+/// with mean zero.
+struct LengthLaw {
+    enum class Kind {
+        uniform,  ///< U(-scale, scale), the paper's
+        normal,   ///< N(0, scale^2)
+        bimodal,  ///< N(-scale, (scale/5)^2) or N(+scale, (scale/5)^2), equally likely
+    };
+    Kind kind = Kind::uniform;
+    double scale = 0.005;  ///< [m]
+
+    /// Standard deviation [m].
+    [[nodiscard]] double std() const;
+
+    /// No deviation drawn exceeds this [m].
+    [[nodiscard]] double reach() const;
+
+    /// The deviation [m] that a random number u, uniform in (0, 1), stands for.
+    [[nodiscard]] double draw(double u) const;
+
+    /// "uniform:5mm"; parse_length_law() reads it back.
+    [[nodiscard]] std::string to_string() const;
+
+    friend bool operator==(const LengthLaw&, const LengthLaw&) = default;
+};
+
+/// "uniform:5mm", "normal:2mm", "bimodal:5mm".
+/// @throws std::invalid_argument for another name, or a scale that is not a positive length
+[[nodiscard]] LengthLaw parse_length_law(std::string_view text);
+
+}  // namespace taut

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <stop_token>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/sampling/data_set.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+
+/// Algorithm 2 of the paper: draws length deviations and solves for the forms that follow, in
+/// parallel on the threads of oneTBB. Each solve starts from the linear prediction r + (dr/dl_0)
+/// dl_0.
+class Sampler {
+public:
+    /// Solves for the nominal form.
+    /// @throws std::invalid_argument where the net has no interior edge, the law's scale is not
+    ///   positive, or its reach is not below the shortest interior unstressed length, named with
+    ///   both
+    /// @throws std::runtime_error where the nominal net finds no equilibrium
+    Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed);
+    ~Sampler();
+    Sampler(const Sampler&) = delete;
+    Sampler& operator=(const Sampler&) = delete;
+    Sampler(Sampler&&) = delete;
+    Sampler& operator=(Sampler&&) = delete;
+
+    /// Of the net as designed: the reference of all form deviations.
+    [[nodiscard]] const Equilibrium& nominal() const;
+
+    /// A data set of this net, law and seed without samples.
+    [[nodiscard]] DataSet empty() const;
+
+    /// Adds samples to a data set that this sampler made, until it holds `count`. The outcome is
+    /// the same, bit for bit, in one call or in many, on any number of threads.
+    /// @return false where a stop was requested before that; the data set is then as it was.
+    bool extend(DataSet& data, int count, const std::stop_token& stop = {}) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+}  // namespace taut

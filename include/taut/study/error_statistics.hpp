@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+namespace taut {
+
+/// Statistics of the errors e_i(k) = true - estimated length deviation (eq. ei) of m_I interior
+/// edges over n_v validation samples, as the paper defines them.
+struct LengthErrors {
+    Eigen::VectorXd mean;  ///< mean(e_i) over the samples (m_I), eq. m_ei [m]
+    Eigen::VectorXd std;   ///< std(e_i) over the samples (m_I), divisor n_v, eq. std [m]
+    double mse = 0.0;      ///< eq. MSE [m2]
+    /// Eq. MRSE: over the edges, the mean of sum_k e_i^2 / sum_k true_i^2. Edges that never deviate
+    /// are left out of the mean.
+    double mrse = 0.0;
+
+    /// max_i |mean(e_i)| [m]
+    [[nodiscard]] double mean_max_abs() const { return mean.cwiseAbs().maxCoeff(); }
+    /// Mean of std(e_i) over the edges [m].
+    [[nodiscard]] double std_mean() const { return std.mean(); }
+};
+
+/// @param truth, estimate length deviations (m_I x n_v) [m]
+/// @throws std::invalid_argument for sizes that differ or are zero
+[[nodiscard]] LengthErrors length_errors(const Eigen::Ref<const Eigen::MatrixXd>& truth,
+                                         const Eigen::Ref<const Eigen::MatrixXd>& estimate);
+
+/// Distances |r_i - r'_i| at the free nodes between two forms (eq. enomident).
+/// @param coordinates, other r_I of both (3 n_I) [m]
+/// @return n_I [m]
+/// @throws std::invalid_argument for sizes that differ or are no multiple of 3
+[[nodiscard]] Eigen::VectorXd node_distances(const Eigen::Ref<const Eigen::VectorXd>& coordinates,
+                                             const Eigen::Ref<const Eigen::VectorXd>& other);
+
+/// The four numbers of the paper's table of form errors [m].
+struct FormErrorSummary {
+    double max = 0.0;
+    double min = 0.0;
+    double mean = 0.0;
+    double rmse = 0.0;
+};
+
+/// @param distances at the free nodes (n_I), at least one [m]
+/// @throws std::invalid_argument where there is none
+[[nodiscard]] FormErrorSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& distances);
+
+}  // namespace taut

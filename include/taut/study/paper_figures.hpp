@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "taut/study/study.hpp"
+
+namespace taut {
+
+/// What the paper reports of its own experiment (section 5), in SI units, to stand beside ours.
+struct PaperFigures {
+    int free_nodes = 300;
+    int interior_edges = 536;
+    double mse = 1.7e-8;   ///< [m2]
+    double mrse = 0.002;
+    /// Table "Error Statistics", there in 1e-4 m.
+    FormErrors form_errors{
+        .nominal = {.max = 138e-4, .min = 1.93e-4, .mean = 47e-4, .rmse = 53e-4},
+        .identified = {.max = 7.76e-4, .min = 0.194e-4, .mean = 2.73e-4, .rmse = 3.15e-4}};
+};
+
+}  // namespace taut

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+#
+# Measures taut and, on the same data in the same run, its peers; writes docs/performance.md.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cmake --log-level=WARNING --preset release -DTAUT_BUILD_BENCHMARKS=ON
+cmake --build --preset release --target taut_app taut_benchmarks
+ln -sfn release/apps/taut/taut build/taut
+out=build/bench
+rm -rf "$out"
+mkdir -p "$out"
+
+for name in statics learning; do
+    build/release/benchmarks/bench_$name --benchmark_repetitions=3 \
+        --benchmark_out="$out/$name.json" --benchmark_out_format=json
+done
+
+# The whole of reproduce, with its largest use of memory.
+/usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/reproduce_process.json" \
+    build/taut reproduce -o "$out/reproduce" --keep --quiet --json > "$out/reproduce.json"
+
+# A large net.
+build/taut example hypar:300x300 -o "$out/hypar300.json" > /dev/null
+/usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/hypar300_process.json" \
+    build/release/benchmarks/bench_statics --benchmark_filter=solve_hypar/300 > /dev/null
+
+# One output with scikit-learn, on the data set whose 536 outputs reproduce has just trained.
+/usr/bin/python3 benchmarks/peers/sklearn_one_output.py "$out/reproduce/data.h5" \
+    --training 950 --edge 0 > "$out/sklearn.json"
+
+/usr/bin/python3 benchmarks/performance_page.py "$out" > docs/performance.md
+echo "written to docs/performance.md"

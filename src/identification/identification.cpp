@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/identification/identification.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace taut {
+namespace {
+
+/// A posterior is no narrower than the prior when its standard deviation exceeds this part of the
+/// law's: two processes trained on other samples differ by as much.
+constexpr double unobserved_ratio = 0.95;
+
+void check(const CableNet& net, const LengthModel& model, const Survey& survey) {
+    if (model.net_fingerprint != net.fingerprint()) {
+        throw std::invalid_argument(
+            fmt::format("the model was trained for the net {}, expected {} ('{}')",
+                        model.net_fingerprint, net.fingerprint(), net.name()));
+    }
+    if (!survey.missing.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "the survey holds {} of {} free nodes, expected all: node '{}' is the first missing",
+            survey.surveyed.size(), net.free_node_count(), net.node_id(survey.missing.front())));
+    }
+}
+
+}  // namespace
+
+std::string_view to_string(EdgeStatus status) {
+    switch (status) {
+        case EdgeStatus::identified:
+            return "identified";
+        case EdgeStatus::slack:
+            return "slack";
+        case EdgeStatus::unobserved:
+            return "unobserved";
+    }
+    return "unknown";
+}
+
+LengthEstimates estimate_lengths(const LengthModel& model,
+                                 const Eigen::Ref<const Eigen::MatrixXd>& form_deviations) {
+    gp::Prediction prediction = model.processes.predict(form_deviations);
+    for (Eigen::Index i = 0; i < prediction.std.rows(); ++i) {
+        const gp::Process& process = model.processes.processes[static_cast<size_t>(i)];
+        if (process.status != gp::FitStatus::fitted) {
+            prediction.std.row(i).setConstant(model.law.std());
+            continue;
+        }
+        const double noise = process.hyperparameters.noise_std;
+        prediction.std.row(i) = (prediction.std.row(i).array().square() + noise * noise).sqrt();
+    }
+    return {.mean = std::move(prediction.mean), .std = std::move(prediction.std)};
+}
+
+Identification identify_by_processes(const CableNet& net, const LengthModel& model,
+                                     const Survey& survey) {
+    check(net, model, survey);
+    const LengthEstimates estimates =
+        estimate_lengths(model, free_coordinates(net, survey.form) - model.nominal_form);
+    const Eigen::VectorXd lengths = with_length_deviations(net, estimates.mean.col(0));
+
+    Identification result;
+    result.method = "gp";
+    result.predicted = EquilibriumSolver(net).solve(lengths, survey.form);
+    if (!result.predicted.balanced()) {
+        throw std::runtime_error(fmt::format(
+            "the identified lengths find no equilibrium: {:.4g} N out of balance after {} "
+            "iterations",
+            result.predicted.out_of_balance, result.predicted.iterations));
+    }
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const double mean = estimates.mean(i, 0);
+        const double std = estimates.std(i, 0);
+        EdgeStatus status = EdgeStatus::identified;
+        if (std::ranges::binary_search(result.predicted.slack_edges, edge)) {
+            status = EdgeStatus::slack;
+        } else if (std > unobserved_ratio * model.law.std()) {
+            status = EdgeStatus::unobserved;
+        }
+        result.edges.push_back({.edge = edge,
+                                .nominal = net.unstressed_lengths()(edge),
+                                .length_deviation = mean,
+                                .std = std,
+                                .lower = mean - half_interval_95 * std,
+                                .upper = mean + half_interval_95 * std,
+                                .status = status});
+    }
+    const Eigen::MatrixXd differences =
+        (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);
+    result.residuals = differences.colwise().norm().transpose();
+    return result;
+}
+
+}  // namespace taut

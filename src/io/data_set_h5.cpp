@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/io/data_set_h5.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "io/h5_head.hpp"
+#include "taut/io/file.hpp"
+
+namespace taut {
+namespace {
+
+const std::string format = "taut-data-set";
+
+/// The code of each in a file is its place in the enumeration, which is therefore fixed.
+constexpr std::array all_statuses{EquilibriumStatus::converged, EquilibriumStatus::slack_mechanism,
+                                  EquilibriumStatus::iteration_limit};
+
+void check(const DataSet& data, const CableNet& net) {
+    const Eigen::Index n = data.form_deviations.cols();
+    require_matrix("form_deviations", data.form_deviations, 3 * net.free_node_count(), n);
+    require_matrix("length_deviations", data.length_deviations, net.interior_edge_count(), n);
+    const auto count = static_cast<size_t>(n);
+    if (data.statuses.size() != count || data.slack_counts.size() != count) {
+        throw std::invalid_argument(
+            fmt::format("{} statuses and {} slack_counts, expected {} of each, one a sample",
+                        data.statuses.size(), data.slack_counts.size(), n));
+    }
+}
+
+}  // namespace
+
+void write_data_set(const std::filesystem::path& path, const DataSet& data, const NetFile& net) {
+    check(data, net.net);
+    hdf5::Writer writer;
+    write_head(writer,
+               {.format = format,
+                .net_fingerprint = data.net_fingerprint,
+                .law = data.law,
+                .seed = data.seed,
+                .nominal_form = data.nominal_form},
+               net);
+    writer.matrix("form_deviation", data.form_deviations, "m");
+    writer.matrix("length_deviation", data.length_deviations, "m");
+    std::vector<std::uint8_t> codes;
+    for (const EquilibriumStatus status : data.statuses) {
+        codes.push_back(static_cast<std::uint8_t>(status));
+    }
+    writer.codes("status", codes, meaning_of_codes(all_statuses));
+    writer.integers("slack_edges", data.slack_counts);
+    write_file(path, writer.image());
+}
+
+StoredDataSet read_data_set(const std::filesystem::path& path) {
+    const hdf5::Reader reader(path, format);
+    auto [head, file] = read_head(reader, format);
+    const CableNet& net = file.net;
+    const Eigen::Index coordinates = 3 * net.free_node_count();
+    const Eigen::Index n = reader.row_count("form_deviation", coordinates);
+    DataSet data{
+        .net_fingerprint = head.net_fingerprint,
+        .law = head.law,
+        .seed = head.seed,
+        .nominal_form = std::move(head.nominal_form),
+        .form_deviations = reader.matrix("form_deviation", coordinates, n),
+        .length_deviations = reader.matrix("length_deviation", net.interior_edge_count(), n),
+        .statuses = {},
+        .slack_counts = reader.integers("slack_edges", n, 0, net.edge_count())};
+    const int highest = static_cast<int>(all_statuses.size()) - 1;
+    for (const int code : reader.integers("status", n, 0, highest)) {
+        data.statuses.push_back(static_cast<EquilibriumStatus>(code));
+    }
+    return {.data = std::move(data), .net = std::move(file)};
+}
+
+}  // namespace taut

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/io/file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <deque>
+#include <set>
+#include <system_error>
+
+#include "io/message.hpp"
+#include "io/open_file.hpp"
+#include "taut/io/input_error.hpp"
+
+namespace taut {
+namespace {
+
+void write_content(const AtomicFile& file, const std::filesystem::path& name,
+                   std::string_view content) {
+    const File stream(std::fopen(file.temporary().c_str(), "wb"));
+    if (!stream || std::fwrite(content.data(), 1, content.size(), stream.get()) < content.size() ||
+        std::fflush(stream.get()) != 0 || fsync(fileno(stream.get())) != 0) {
+        throw OutputError(name, "cannot be written: " + error_text(errno));
+    }
+}
+
+/// Makes a directory and those above it, and removes again those it made unless told to keep them.
+class NewDirectories {
+public:
+    explicit NewDirectories(const std::filesystem::path& directory) {
+        std::error_code error;
+        for (std::filesystem::path path = directory;
+             !path.empty() && !exists(path, error) && path != path.parent_path();
+             path = path.parent_path()) {
+            m_made.push_back(path);
+        }
+        create_directories(directory, error);
+        if (error || !is_directory(directory, error)) {
+            remove();
+            throw OutputError(directory, "cannot be made as a directory: " +
+                                             (error ? error.message() : "it is a file"));
+        }
+    }
+    ~NewDirectories() { remove(); }
+    NewDirectories(const NewDirectories&) = delete;
+    NewDirectories& operator=(const NewDirectories&) = delete;
+    NewDirectories(NewDirectories&&) = delete;
+    NewDirectories& operator=(NewDirectories&&) = delete;
+
+    void keep() { m_made.clear(); }
+
+private:
+    void remove() {
+        std::error_code ignored;
+        for (const std::filesystem::path& path : m_made) {
+            std::filesystem::remove(path, ignored);
+        }
+    }
+    std::vector<std::filesystem::path> m_made;  ///< deepest first
+};
+
+}  // namespace
+
+File open_file(const std::filesystem::path& path) {
+    std::error_code error;
+    if (is_directory(path, error)) {
+        throw InputError(path.string(), "", "is a directory, expected a file");
+    }
+    File file(std::fopen(path.c_str(), "rb"));
+    if (!file) {
+        throw InputError(path.string(), "", "cannot be read: " + error_text(errno));
+    }
+    return file;
+}
+
+std::string read_file(const std::filesystem::path& path) {
+    constexpr size_t largest = size_t{1} << 30U;
+    const File file = open_file(path);
+    std::string content;
+    std::string buffer(size_t{1} << 16U, '\0');
+    while (const size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+        content.append(buffer, 0, count);
+        if (content.size() > largest) {
+            throw InputError(path.string(), "", "is larger than 1 GiB");
+        }
+    }
+    if (std::ferror(file.get()) != 0) {
+        throw InputError(path.string(), "", "cannot be read: " + error_text(errno));
+    }
+    return content;
+}
+
+void write_file(const std::filesystem::path& path, std::string_view content) {
+    AtomicFile file(path);
+    write_content(file, path, content);
+    file.commit();
+}
+
+void write_files(const std::filesystem::path& directory,
+                 const std::vector<std::pair<std::string, std::string>>& files) {
+    std::set<std::string> names;
+    for (const auto& [name, content] : files) {
+        if (name.empty() || std::filesystem::path(name).filename() != name || name == "." ||
+            name == ".." || !names.insert(name).second) {
+            throw std::invalid_argument("file name " + quote(name) +
+                                        ", expected each to be a name of its own without path");
+        }
+    }
+    NewDirectories made(directory);
+    std::deque<AtomicFile> outputs;
+    for (const auto& [name, content] : files) {
+        write_content(outputs.emplace_back(directory / name), directory / name, content);
+    }
+    for (AtomicFile& output : outputs) {
+        output.commit();
+        made.keep();
+    }
+}
+
+}  // namespace taut

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "io/h5_head.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "io/message.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::uint64_t version = 1;
+
+void check_format(const hdf5::Reader& reader, const std::string& format) {
+    const std::string found = reader.text_attribute("format");
+    if (found != format) {
+        reader.fail("format", fmt::format("is {}, expected '{}'", quote(found), format));
+    }
+    const std::uint64_t found_version = reader.number_attribute("version");
+    if (found_version != version) {
+        reader.fail("version", fmt::format("is {}, expected {}, the only one that this taut knows",
+                                           found_version, version));
+    }
+}
+
+LengthLaw read_law(const hdf5::Reader& reader) {
+    try {
+        return parse_length_law(reader.text_attribute("law"));
+    } catch (const std::invalid_argument& error) {
+        reader.fail("law", error.what());
+    }
+}
+
+void require_list(const hdf5::Reader& reader, const std::string& name,
+                  const std::vector<int>& expected, int count) {
+    if (reader.integers(name, static_cast<Eigen::Index>(expected.size()), 0, count - 1) !=
+        expected) {
+        reader.fail(name, "is not the list that follows from the net in the file");
+    }
+}
+
+}  // namespace
+
+void require_matrix(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+                    Eigen::Index rows, Eigen::Index cols) {
+    if (matrix.rows() != rows || matrix.cols() != cols) {
+        throw std::invalid_argument(fmt::format("{} has {} x {} entries, expected {} x {}", name,
+                                                matrix.rows(), matrix.cols(), rows, cols));
+    }
+    if (!matrix.allFinite()) {
+        throw std::invalid_argument(name + " holds a number that is not finite");
+    }
+}
+
+void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
+    const CableNet& net = file.net;
+    if (head.net_fingerprint != net.fingerprint()) {
+        throw std::invalid_argument(fmt::format("a {} of the net {}, expected the net given, {}",
+                                                head.format, head.net_fingerprint,
+                                                net.fingerprint()));
+    }
+    require_matrix("nominal_form", head.nominal_form, 3 * net.free_node_count(), 1);
+    writer.attribute("format", head.format);
+    writer.attribute("version", version);
+    writer.attribute("law", head.law.to_string());
+    writer.attribute("seed", head.seed);
+    writer.attribute("net_fingerprint", head.net_fingerprint);
+    writer.text("net", net_to_json(net, file.unknown_keys));
+    writer.integers("free_nodes", net.free_nodes());
+    writer.integers("interior_edges", net.interior_edges());
+    writer.vector("nominal_form", head.nominal_form, "m");
+}
+
+std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader, const std::string& format) {
+    check_format(reader, format);
+    NetFile file = parse_net(reader.text("net"), reader.file_name() + ":net");
+    const CableNet& net = file.net;
+    const std::string fingerprint = reader.text_attribute("net_fingerprint");
+    if (fingerprint != net.fingerprint()) {
+        reader.fail("net_fingerprint",
+                    fmt::format("is {}, expected {}, that of the net in the file",
+                                quote(fingerprint), quote(net.fingerprint())));
+    }
+    require_list(reader, "free_nodes", net.free_nodes(), net.node_count());
+    require_list(reader, "interior_edges", net.interior_edges(), net.edge_count());
+    H5Head head{.format = format,
+                .net_fingerprint = fingerprint,
+                .law = read_law(reader),
+                .seed = reader.number_attribute("seed"),
+                .nominal_form = reader.vector("nominal_form", 3 * net.free_node_count())};
+    return {std::move(head), std::move(file)};
+}
+
+}  // namespace taut

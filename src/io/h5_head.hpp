@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "io/hdf5_reader.hpp"
+#include "io/hdf5_writer.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/sampling/length_law.hpp"
+
+/// What data sets and models have in common: both belong to one net, one law and one seed.
+namespace taut {
+
+/// The head of a data set or model.
+struct H5Head {
+    std::string format;  ///< "taut-model"
+    std::string net_fingerprint;
+    LengthLaw law;
+    std::uint64_t seed = 1;
+    Eigen::VectorXd nominal_form;  ///< 3 n_I [m]
+};
+
+/// @throws std::invalid_argument where the head does not fit the net
+void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& net);
+
+/// The net inside, checked against the fingerprint and the lists of nodes and edges beside it.
+/// @param format that the file should have
+/// @throws InputError
+[[nodiscard]] std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader,
+                                                   const std::string& format);
+
+/// "0: converged, 1: slack mechanism": the meaning of the codes of an enumeration.
+template <typename Status, size_t n>
+std::string meaning_of_codes(const std::array<Status, n>& all) {
+    std::string meaning;
+    for (const Status status : all) {
+        meaning += (meaning.empty() ? "" : ", ") + std::to_string(static_cast<int>(status)) + ": " +
+                   std::string(to_string(status));
+    }
+    return meaning;
+}
+
+/// Refuses to write what could not be read again.
+/// @throws std::invalid_argument where the matrix is not rows x cols, or not finite
+void require_matrix(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+                    Eigen::Index rows, Eigen::Index cols);
+
+}  // namespace taut

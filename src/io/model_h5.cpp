@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/io/model_h5.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "io/h5_head.hpp"
+#include "taut/io/file.hpp"
+
+namespace taut {
+namespace {
+
+using gp::FitStatus;
+using gp::FittedProcesses;
+using gp::KernelSpectrum;
+using gp::Process;
+
+const std::string format = "taut-model";
+
+/// The code of each in a file is its place in the enumeration, which is therefore fixed.
+constexpr std::array all_statuses{FitStatus::fitted, FitStatus::constant_output,
+                                  FitStatus::non_finite_output};
+
+/// The numbers of a process, each a dataset [m_I].
+struct Column {
+    const char* name;
+    const char* units;
+    double& (*of)(Process&);
+};
+constexpr std::array columns{
+    Column{"inverse_length_scale", "1/m",
+           [](Process& p) -> double& { return p.hyperparameters.inverse_length_scale; }},
+    Column{"signal_std", "m", [](Process& p) -> double& { return p.hyperparameters.signal_std; }},
+    Column{"noise_std", "m", [](Process& p) -> double& { return p.hyperparameters.noise_std; }},
+    Column{"negative_log_likelihood", "1",
+           [](Process& p) -> double& { return p.negative_log_likelihood; }},
+    Column{"leave_one_out_rmse", "m", [](Process& p) -> double& { return p.leave_one_out_rmse; }}};
+
+std::string spectrum_name(size_t index) {
+    return fmt::format("spectra/{}", index);
+}
+
+void check(const FittedProcesses& processes, const CableNet& net) {
+    const Eigen::Index n = processes.inputs.cols();
+    const Eigen::Index m = net.interior_edge_count();
+    require_matrix("inputs", processes.inputs, 3 * net.free_node_count(), n);
+    require_matrix("weights", processes.weights, n, m);
+    if (static_cast<Eigen::Index>(processes.processes.size()) != m) {
+        throw std::invalid_argument(fmt::format("{} processes, expected {}, one an interior edge",
+                                                processes.processes.size(), m));
+    }
+    for (const KernelSpectrum& spectrum : processes.spectra) {
+        require_matrix("eigenvalues", spectrum.eigenvalues, n, 1);
+        require_matrix("eigenvectors", spectrum.eigenvectors, n, n);
+    }
+}
+
+void write_processes(hdf5::Writer& writer, std::vector<Process> processes) {
+    for (const Column& column : columns) {
+        Eigen::VectorXd values(static_cast<Eigen::Index>(processes.size()));
+        for (size_t j = 0; j < processes.size(); ++j) {
+            values(static_cast<Eigen::Index>(j)) = column.of(processes[j]);
+        }
+        require_matrix(column.name, values, values.size(), 1);
+        writer.vector(column.name, values, column.units);
+    }
+    std::vector<std::uint8_t> codes;
+    std::vector<int> spectra;
+    for (const Process& process : processes) {
+        codes.push_back(static_cast<std::uint8_t>(process.status));
+        spectra.push_back(process.spectrum);
+    }
+    writer.codes("fit_status", codes, meaning_of_codes(all_statuses));
+    writer.integers("spectrum", spectra);
+}
+
+std::vector<Process> read_processes(const hdf5::Reader& reader, Eigen::Index m,
+                                    int spectrum_count) {
+    std::vector<Process> processes(static_cast<size_t>(m));
+    for (const Column& column : columns) {
+        const Eigen::VectorXd values = reader.vector(column.name, m);
+        for (size_t j = 0; j < processes.size(); ++j) {
+            column.of(processes[j]) = values(static_cast<Eigen::Index>(j));
+        }
+    }
+    const int highest = static_cast<int>(all_statuses.size()) - 1;
+    const std::vector<int> codes = reader.integers("fit_status", m, 0, highest);
+    const std::vector<int> spectra = reader.integers("spectrum", m, -1, spectrum_count - 1);
+    for (size_t j = 0; j < processes.size(); ++j) {
+        processes[j].status = static_cast<FitStatus>(codes[j]);
+        processes[j].spectrum = spectra[j];
+    }
+    return processes;
+}
+
+std::vector<KernelSpectrum> read_spectra(const hdf5::Reader& reader, Eigen::Index n) {
+    std::vector<KernelSpectrum> spectra(static_cast<size_t>(reader.group_size("spectra")));
+    for (size_t k = 0; k < spectra.size(); ++k) {
+        const std::string name = spectrum_name(k);
+        spectra[k] = {.inverse_length_scale = reader.number(name + "/inverse_length_scale"),
+                      .eigenvalues = reader.vector(name + "/eigenvalues", n),
+                      .eigenvectors = reader.matrix(name + "/eigenvectors", n, n)};
+        if (!(spectra[k].inverse_length_scale > 0.0)) {
+            reader.fail(
+                name + "/inverse_length_scale",
+                fmt::format("is {}, expected a positive number", spectra[k].inverse_length_scale));
+        }
+        if (n > 0 && spectra[k].eigenvalues.minCoeff() < 0.0) {
+            reader.fail(name + "/eigenvalues", "holds a negative number");
+        }
+    }
+    return spectra;
+}
+
+/// What prediction relies on: a fitted process divides by its signal std and uses a spectrum of its
+/// own length scale; another one has no spectrum.
+void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) {
+    for (size_t j = 0; j < fitted.processes.size(); ++j) {
+        const Process& process = fitted.processes[j];
+        const gp::Hyperparameters& theta = process.hyperparameters;
+        const bool is_fitted = process.status == FitStatus::fitted;
+        if (is_fitted != (process.spectrum >= 0)) {
+            reader.fail("spectrum", fmt::format("of process {} is {}, but it is marked as {}", j,
+                                                process.spectrum, to_string(process.status)));
+        }
+        if (!is_fitted) {
+            continue;
+        }
+        if (!(theta.signal_std > 0.0) || !(theta.noise_std > 0.0)) {
+            reader.fail(theta.signal_std > 0.0 ? "noise_std" : "signal_std",
+                        fmt::format("of process {} is not positive", j));
+        }
+        const size_t index = static_cast<size_t>(process.spectrum);
+        if (theta.inverse_length_scale != fitted.spectra[index].inverse_length_scale) {
+            reader.fail("inverse_length_scale",
+                        fmt::format("of process {} is {}, expected {} as in its spectrum {}", j,
+                                    theta.inverse_length_scale,
+                                    fitted.spectra[index].inverse_length_scale, index));
+        }
+    }
+}
+
+}  // namespace
+
+void write_model(const std::filesystem::path& path, const LengthModel& model, const NetFile& net) {
+    const FittedProcesses& fitted = model.processes;
+    check(fitted, net.net);
+    hdf5::Writer writer;
+    write_head(writer,
+               {.format = format,
+                .net_fingerprint = model.net_fingerprint,
+                .law = model.law,
+                .seed = model.seed,
+                .nominal_form = model.nominal_form},
+               net);
+    writer.matrix("training_inputs", fitted.inputs, "m");
+    writer.matrix("weights", fitted.weights, "m");
+    write_processes(writer, fitted.processes);
+    writer.group("spectra");
+    for (size_t k = 0; k < fitted.spectra.size(); ++k) {
+        const std::string name = spectrum_name(k);
+        const KernelSpectrum& spectrum = fitted.spectra[k];
+        writer.group(name);
+        writer.number(name + "/inverse_length_scale", spectrum.inverse_length_scale, "1/m");
+        writer.vector(name + "/eigenvalues", spectrum.eigenvalues, "1");
+        writer.matrix(name + "/eigenvectors", spectrum.eigenvectors, "1");
+    }
+    write_file(path, writer.image());
+}
+
+StoredModel read_model(const std::filesystem::path& path) {
+    const hdf5::Reader reader(path, format);
+    auto [head, file] = read_head(reader, format);
+    const Eigen::Index m = file.net.interior_edge_count();
+    const Eigen::Index coordinates = 3 * file.net.free_node_count();
+    const Eigen::Index n = reader.row_count("training_inputs", coordinates);
+    FittedProcesses fitted{.inputs = reader.matrix("training_inputs", coordinates, n),
+                           .spectra = read_spectra(reader, n),
+                           .processes = {},
+                           .weights = reader.matrix("weights", n, m)};
+    fitted.processes = read_processes(reader, m, static_cast<int>(fitted.spectra.size()));
+    check_processes(reader, fitted);
+    return {.model = {.net_fingerprint = head.net_fingerprint,
+                      .law = head.law,
+                      .seed = head.seed,
+                      .nominal_form = std::move(head.nominal_form),
+                      .processes = std::move(fitted)},
+            .net = std::move(file)};
+}
+
+}  // namespace taut

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include "io/json_parse.hpp"
+#include "io/json_value.hpp"
+#include "io/message.hpp"
+#include "io/net_keys.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/input_error.hpp"
+#include "taut/io/net_json.hpp"
+
+namespace taut {
+namespace {
+
+void check_format(const JsonValue& root) {
+    root.require_object(fmt::format(R"(an object with "format": "{}")", net_format));
+    const std::string expected = fmt::format(R"("{}")", net_format);
+    const JsonValue format = root.require("format", expected);
+    if (format.text() != net_format) {
+        format.fail(fmt::format("is {}, expected {}", quote(format.text()), expected));
+    }
+    const JsonValue version = root.require("version", std::to_string(net_version));
+    if (const int found = version.integer(); found != net_version) {
+        version.fail(fmt::format("is {}, expected {}, the only one that this taut knows", found,
+                                 net_version));
+    }
+}
+
+Points read_points(const JsonValue& list) {
+    Points points(3, static_cast<Eigen::Index>(list.array_size("an array of [x, y, z]")));
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const JsonValue point = list.at(static_cast<size_t>(i));
+        point.require_array(3, "an array of three numbers [x, y, z]");
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            points(k, i) = point.at(static_cast<size_t>(k)).number();
+        }
+    }
+    return points;
+}
+
+std::vector<Edge> read_edges(const JsonValue& list) {
+    std::vector<Edge> edges(list.array_size("an array of [s, t]"));
+    for (size_t e = 0; e < edges.size(); ++e) {
+        const JsonValue edge = list.at(e);
+        edge.require_array(2, "an array of two nodes [s, t]");
+        edges[e] = {edge.at(0).integer(), edge.at(1).integer()};
+    }
+    return edges;
+}
+
+Eigen::VectorXd read_numbers(const JsonValue& list) {
+    Eigen::VectorXd numbers(static_cast<Eigen::Index>(list.array_size("an array of numbers")));
+    for (Eigen::Index i = 0; i < numbers.size(); ++i) {
+        numbers(i) = list.at(static_cast<size_t>(i)).number();
+    }
+    return numbers;
+}
+
+/// A number for each of so many edges, or one for all of them.
+Eigen::VectorXd read_numbers_or_one(const JsonValue& value, size_t count) {
+    if (value.json().is_number()) {
+        return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(count), value.number());
+    }
+    return read_numbers(value);
+}
+
+std::vector<int> read_indices(const JsonValue& list) {
+    std::vector<int> indices(list.array_size("an array of indices"));
+    for (size_t i = 0; i < indices.size(); ++i) {
+        indices[i] = list.at(i).integer();
+    }
+    return indices;
+}
+
+std::vector<std::string> read_texts(const std::optional<JsonValue>& list) {
+    std::vector<std::string> texts(list ? list->array_size("an array of texts") : 0);
+    for (size_t i = 0; i < texts.size(); ++i) {
+        texts[i] = list->at(i).text();
+    }
+    return texts;
+}
+
+/// The file's name without its ending. Bytes that are not UTF-8, which a file's name may hold but a
+/// JSON text may not, are replaced.
+std::string default_name(const std::string& file_name) {
+    const nlohmann::json stem = std::filesystem::path(file_name).stem().string();
+    return nlohmann::json::parse(
+        stem.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+CableNetData read_data(const JsonValue& root, const std::string& file_name) {
+    const auto list = [&root](const std::string& key) { return root.require(key, "an array"); };
+    CableNetData data;
+    const auto name = root.find("name");
+    data.name = name ? name->text() : default_name(file_name);
+    data.nodes = read_points(list("nodes"));
+    data.supports = read_indices(list("supports"));
+    data.edges = read_edges(list("edges"));
+    data.axial_stiffness = read_numbers_or_one(
+        root.require("axial_stiffness", "an array of numbers, or one number"), data.edges.size());
+    data.unstressed_lengths = read_numbers(list("unstressed_lengths"));
+    const auto adjustable = root.find("adjustable");
+    data.adjustable =
+        adjustable ? read_indices(*adjustable) : edges_at_supports(data.edges, data.supports);
+    const auto loads = root.find("loads");
+    data.loads = loads ? read_points(*loads) : Points(3, 0);
+    data.node_ids = read_texts(root.find("node_ids"));
+    data.edge_ids = read_texts(root.find("edge_ids"));
+    return data;
+}
+
+/// The net, its broken rules told as those of the file.
+CableNet make_net(CableNetData data, bool one_stiffness, const std::string& file_name) {
+    try {
+        return CableNet(std::move(data));
+    } catch (const NetError& error) {
+        // "<pointer>: <what>"
+        const std::string what = std::string(error.what()).substr(error.where().size() + 2);
+        const std::string stiffness = "/axial_stiffness";
+        const bool of_the_one = one_stiffness && error.where().starts_with(stiffness);
+        throw InputError(file_name, of_the_one ? stiffness : error.where(), what);
+    }
+}
+
+}  // namespace
+
+NetFile parse_net(std::string_view text, const std::string& file_name) {
+    const nlohmann::json json = parse_json(text, file_name);
+    const JsonValue root(json, file_name);
+    check_format(root);
+    nlohmann::json unknown = nlohmann::json::object();
+    for (const auto& [key, value] : json.items()) {
+        if (!is_net_key(key)) {
+            unknown[key] = value;
+        }
+    }
+    CableNetData data = read_data(root, file_name);
+    const bool one_stiffness = json["axial_stiffness"].is_number();
+    return {.net = make_net(std::move(data), one_stiffness, file_name),
+            .unknown_keys = unknown.dump()};
+}
+
+NetFile read_net(const std::filesystem::path& path) {
+    return parse_net(read_file(path), path.string());
+}
+
+}  // namespace taut

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/json_parse.hpp"
+#include "io/message.hpp"
+#include "io/net_keys.hpp"
+#include "taut/io/input_error.hpp"
+#include "taut/io/net_json.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+
+/// The shortest text that reads back to the same double.
+std::string number_text(double value) {
+    // "-0" would read back as the integer 0.
+    return value == 0.0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value);
+}
+
+/// Text as JSON, in quotes. @throws std::invalid_argument where it is not UTF-8
+std::string text_text(const std::string& text) {
+    try {
+        return json(text).dump();
+    } catch (const json::exception&) {
+        throw std::invalid_argument(
+            fmt::format("the name {} is not UTF-8 and cannot be written as JSON", quote(text)));
+    }
+}
+
+/// [a, b, ...] on lines of some 100 characters, "[]" where there is none.
+template <typename List, typename ToText>
+std::string wrapped(const List& list, const ToText& to_text) {
+    constexpr size_t width = 100;
+    std::string result = "[";
+    std::string line;
+    for (const auto& value : list) {
+        std::string entry = to_text(value);
+        if (!line.empty() && line.size() + entry.size() > width) {
+            result += "\n   " + line + ",";
+            line.clear();
+        }
+        line += (line.empty() ? " " : ", ") + entry;
+    }
+    return result + (line.empty() ? "]" : "\n   " + line + "\n  ]");
+}
+
+/// An array with an entry a line.
+template <typename ToText>
+std::string one_a_line(Eigen::Index count, const ToText& to_text) {
+    std::string result = "[";
+    for (Eigen::Index i = 0; i < count; ++i) {
+        result += (i == 0 ? "\n    " : ",\n    ") + to_text(i);
+    }
+    return result + (count == 0 ? "]" : "\n  ]");
+}
+
+std::string points_text(const Points& points) {
+    return one_a_line(points.cols(), [&points](Eigen::Index i) {
+        return fmt::format("[{}, {}, {}]", number_text(points(0, i)), number_text(points(1, i)),
+                           number_text(points(2, i)));
+    });
+}
+
+std::string edges_text(const std::vector<Edge>& edges) {
+    return one_a_line(static_cast<Eigen::Index>(edges.size()), [&edges](Eigen::Index e) {
+        const auto [s, t] = edges[static_cast<size_t>(e)];
+        return fmt::format("[{}, {}]", s, t);
+    });
+}
+
+std::string indices_text(const std::vector<int>& indices) {
+    return wrapped(indices, [](int index) { return std::to_string(index); });
+}
+
+/// Whether loads() differs from what a net without loads has, to the last bit.
+bool has_loads(const Points& loads) {
+    return (loads.array() != 0.0 ||
+            loads.array().unaryExpr([](double x) { return std::signbit(x); }))
+        .any();
+}
+
+json parse_unknown_keys(const std::string& text) {
+    const json keys = [&text] {
+        try {
+            return parse_json(text, "unknown_keys");
+        } catch (const InputError& error) {
+            throw std::invalid_argument(error.what());
+        }
+    }();
+    if (!keys.is_object()) {
+        throw std::invalid_argument("unknown_keys: is no JSON object");
+    }
+    for (const auto& [key, value] : keys.items()) {
+        if (is_net_key(key)) {
+            throw std::invalid_argument(
+                fmt::format("unknown_keys: holds {}, which is a key of the format", quote(key)));
+        }
+    }
+    return keys;
+}
+
+}  // namespace
+
+std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
+    const CableNetData& data = net.data();
+    const json unknown = parse_unknown_keys(unknown_keys);
+    std::string result = "{";
+    const auto add = [&result](const std::string& key, const std::string& value) {
+        result += fmt::format("{}\n  {}: {}", result.size() == 1 ? "" : ",", text_text(key), value);
+    };
+    add("format", text_text(std::string(net_format)));
+    add("version", std::to_string(net_version));
+    add("name", text_text(data.name));
+    add("nodes", points_text(data.nodes));
+    add("supports", indices_text(data.supports));
+    add("edges", edges_text(data.edges));
+    const Eigen::VectorXd& stiffness = data.axial_stiffness;
+    add("axial_stiffness", (stiffness.array() == stiffness(0)).all()
+                               ? number_text(stiffness(0))
+                               : wrapped(stiffness, number_text));
+    add("unstressed_lengths", wrapped(data.unstressed_lengths, number_text));
+    add("adjustable", indices_text(data.adjustable));
+    if (has_loads(data.loads)) {
+        add("loads", points_text(data.loads));
+    }
+    for (const auto& [key, ids] :
+         {std::pair{"node_ids", &data.node_ids}, std::pair{"edge_ids", &data.edge_ids}}) {
+        if (!ids->empty()) {
+            add(key, wrapped(*ids, text_text));
+        }
+    }
+    for (const auto& [key, value] : unknown.items()) {
+        add(key, value.dump());
+    }
+    return result + "\n}\n";
+}
+
+}  // namespace taut

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "report/edge_axes.hpp"
+#include "report/figures.hpp"
+#include "report/number_text.hpp"
+#include "report/thinning.hpp"
+
+namespace taut::report {
+namespace {
+
+/// More edges than this would stand closer than the dots are wide.
+constexpr int most_edges = 1500;
+
+PathData dots(const Axes& axes, const Eigen::VectorXd& values_mm, const Thinning& edges) {
+    PathData path;
+    for (int i = 0; i < edges.count; i += edges.step) {
+        path.dot(axes(i + 1, values_mm(i)));
+    }
+    return path;
+}
+
+/// From the true to the identified value of each edge.
+PathData links(const Axes& axes, const Eigen::VectorXd& truth_mm,
+               const Eigen::VectorXd& estimate_mm, const Thinning& edges) {
+    PathData path;
+    for (int i = 0; i < edges.count; i += edges.step) {
+        path.move_to(axes(i + 1, truth_mm(i)));
+        path.line_to(axes(i + 1, estimate_mm(i)));
+    }
+    return path;
+}
+
+}  // namespace
+
+Figure length_deviation_figure(const Study& study) {
+    const Eigen::VectorXd truth = 1e3 * study.data.length_deviations.col(study.validation.front());
+    const Eigen::VectorXd estimate = 1e3 * study.estimates.mean.col(0);
+    const Eigen::VectorXd error = truth - estimate;
+    const double largest_error = error.cwiseAbs().maxCoeff();
+    const double reach =
+        std::max({truth.cwiseAbs().maxCoeff(), estimate.cwiseAbs().maxCoeff(), largest_error});
+
+    const auto count = static_cast<int>(truth.size());
+    const Thinning edges = thin_to(count, most_edges);
+    const Axes axes = edge_axes(count, reach, "length deviation [mm]");
+    SvgBody svg;
+    draw_axes(svg, axes, true);
+    draw_legend(svg, {axes.x.from, edge_legend_y},
+                {{.style = "true", .words = "true"},
+                 {.style = "predicted", .words = "identified"},
+                 {.style = "error", .words = "error: true minus identified"}});
+    svg.path("link", links(axes, truth, estimate, edges));
+    svg.path("true", dots(axes, truth, edges));
+    svg.path("predicted", dots(axes, estimate, edges));
+    svg.path("error", dots(axes, error, edges));
+
+    std::string caption = fmt::format(
+        "True and identified length deviation of {} for the first validation sample, and the error "
+        "between them: at most {} mm.",
+        count == 1 ? "the interior edge" : fmt::format("the {} interior edges", count),
+        number_text(largest_error));
+    if (edges.thins()) {
+        caption += fmt::format(" One of {} edges is drawn.", edges.step);
+    }
+    return {.drawings = {{.name = "length_deviations",
+                          .title = "True and identified length deviations of the interior edges",
+                          .width = full_width,
+                          .height = edge_drawing_height,
+                          .body = svg.take()}},
+            .heading = "Length deviations: true, identified, error",
+            .caption = std::move(caption)};
+}
+
+}  // namespace taut::report

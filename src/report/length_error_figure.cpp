@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/edge_axes.hpp"
+#include "report/figures.hpp"
+#include "report/number_text.hpp"
+#include "report/thinning.hpp"
+
+namespace taut::report {
+namespace {
+
+/// More dots would make the page large and no clearer; a dot takes some seven bytes.
+constexpr int most_dots = 30000;
+/// More edges than this would stand closer than the dots are wide.
+constexpr int most_edges = 1500;
+
+/// The errors of the edges, as columns of dots. Dots less than half a unit apart fall together.
+PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const Thinning& edges) {
+    PathData path;
+    std::vector<double> column(static_cast<size_t>(errors_mm.cols()));
+    for (int i = 0; i < edges.count; i += edges.step) {
+        std::ranges::transform(errors_mm.row(i), column.begin(),
+                               [&](double error) { return 0.5 * std::round(2.0 * axes.y(error)); });
+        std::ranges::sort(column);
+        const auto doubled = std::ranges::unique(column);
+        column.erase(doubled.begin(), doubled.end());
+        for (const double y : column) {
+            path.dot({axes.x(i + 1), y});
+        }
+        column.resize(static_cast<size_t>(errors_mm.cols()));
+    }
+    return path;
+}
+
+PathData curve(const Axes& axes, const Eigen::VectorXd& values_mm, const Thinning& edges) {
+    PathData path;
+    for (int i = 0; i < edges.count; i += edges.step) {
+        const Eigen::Vector2d place = axes(i + 1, values_mm(i));
+        i == 0 ? path.move_to(place) : path.line_to(place);
+    }
+    return path;
+}
+
+std::string caption(const Study& study, const Thinning& edges) {
+    const LengthErrors& errors = study.gp_as_in_paper.errors;
+    Eigen::Index worst = 0;
+    errors.mean.cwiseAbs().maxCoeff(&worst);
+    const int edge = study.net.interior_edges()[static_cast<size_t>(worst)];
+    std::string text = fmt::format(
+        "Error (true minus identified) of every interior edge in {}, with its mean over them and "
+        "one standard deviation to both sides. The largest mean error is {} mm, at edge {} (i = "
+        "{}); the "
+        "standard deviation is {} mm in the mean of the edges.",
+        study.validation.size() == 1
+            ? "the one validation sample"
+            : fmt::format("all {} validation samples", study.validation.size()),
+        millimetres(errors.mean_max_abs()), study.net.edge_id(edge), worst + 1,
+        millimetres(errors.std_mean()));
+    if (edges.thins()) {
+        text += fmt::format(" So that the page stays small, one of {} edges is drawn.", edges.step);
+    }
+    return text;
+}
+
+}  // namespace
+
+Figure length_error_figure(const Study& study) {
+    const Eigen::MatrixXd errors =
+        1e3 * (study.data.length_deviations(Eigen::all, study.validation) - study.estimates.mean);
+    const Eigen::VectorXd mean = 1e3 * study.gp_as_in_paper.errors.mean;
+    const Eigen::VectorXd std = 1e3 * study.gp_as_in_paper.errors.std;
+
+    const auto count = static_cast<int>(errors.rows());
+    const auto samples = static_cast<int>(errors.cols());
+    const Thinning edges = thin_to(count, std::clamp(most_dots / samples, 1, most_edges));
+    const Axes axes = edge_axes(count, errors.cwiseAbs().maxCoeff(), "error [mm]");
+    SvgBody svg;
+    draw_axes(svg, axes, true);
+    draw_legend(svg, {axes.x.from, edge_legend_y},
+                {{.style = "all-errors",
+                  .words = "error in one sample",
+                  .attributes = "style=\"stroke-width:3;stroke-opacity:1\""},
+                 {.style = "mean", .words = "mean", .mark = Mark::dash},
+                 {.style = "std", .words = "mean ± standard deviation", .mark = Mark::dash}});
+    svg.path("all-errors", dots(axes, errors, edges));
+    svg.path("std", curve(axes, mean + std, edges));
+    svg.path("std", curve(axes, mean - std, edges));
+    svg.path("mean", curve(axes, mean, edges));
+    return {.drawings = {{.name = "length_errors",
+                          .title = "Errors of the identified lengths over the interior edges",
+                          .width = full_width,
+                          .height = edge_drawing_height,
+                          .body = svg.take()}},
+            .heading = "Errors over all validation samples",
+            .caption = caption(study, edges)};
+}
+
+}  // namespace taut::report

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/sampling/data_set.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace taut {
+
+int DataSet::with_slack() const {
+    return static_cast<int>(std::ranges::count_if(slack_counts, [](int n) { return n > 0; }));
+}
+
+int DataSet::not_converged() const {
+    return static_cast<int>(std::ranges::count(statuses, EquilibriumStatus::iteration_limit));
+}
+
+std::vector<int> DataSet::converged_in(int first, int last) const {
+    std::vector<int> result;
+    for (int k = first; k < last; ++k) {
+        if (statuses[static_cast<size_t>(k)] != EquilibriumStatus::iteration_limit) {
+            result.push_back(k);
+        }
+    }
+    return result;
+}
+
+Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
+                                       std::uint64_t sample, Eigen::Index count) {
+    // The standard fixes what the engine and the seed sequence give, to the bit, but not what its
+    // distributions do: so the law draws from 52 random bits, at the middle of their cell. With 53
+    // the middle would be rounded, of the last cell to 1.
+    const auto half = [](std::uint64_t word, int shift) {
+        return static_cast<std::uint32_t>(word >> shift);
+    };
+    std::seed_seq sequence{half(seed, 0), half(seed, 32), half(sample, 0), half(sample, 32)};
+    std::mt19937_64 engine(sequence);
+    Eigen::VectorXd deviations(count);
+    for (double& deviation : deviations) {
+        deviation = law.draw((static_cast<double>(engine() >> 12U) + 0.5) * 0x1p-52);
+    }
+    return deviations;
+}
+
+}  // namespace taut

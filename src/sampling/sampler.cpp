@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/sampling/sampler.hpp"
+
+#include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <stdexcept>
+
+#include "taut/net/units.hpp"
+#include "taut/statics/form_sensitivity.hpp"
+
+namespace taut {
+namespace {
+
+void check(const CableNet& net, const LengthLaw& law) {
+    if (net.interior_edge_count() == 0) {
+        throw std::invalid_argument(
+            "the net has no interior edge: every unstressed length is known and set");
+    }
+    if (!(law.scale > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("the law's scale is {} m, expected a positive length", law.scale));
+    }
+    const double shortest = net.unstressed_lengths()(net.interior_edges()).minCoeff();
+    if (law.reach() >= shortest) {
+        throw std::invalid_argument(fmt::format(
+            "the law {} reaches deviations of {:.4g} mm, expected less than the shortest interior "
+            "unstressed length, {:.4g} mm",
+            law.to_string(), 1e3 * law.reach(), 1e3 * shortest));
+    }
+}
+
+Equilibrium nominal_equilibrium(const CableNet& net) {
+    Equilibrium nominal = solve_equilibrium(net);
+    if (!nominal.balanced()) {
+        throw std::runtime_error(fmt::format(
+            "the nominal net finds no equilibrium: {} N out of balance after {} iterations",
+            nominal.out_of_balance, nominal.iterations));
+    }
+    return nominal;
+}
+
+}  // namespace
+
+struct Sampler::State {
+    CableNet net;
+    LengthLaw law;
+    std::uint64_t seed;
+    Equilibrium nominal;
+    FormSensitivity sensitivity;
+    mutable tbb::enumerable_thread_specific<EquilibriumSolver> solvers;
+
+    State(const CableNet& cable_net, const LengthLaw& with_law, std::uint64_t with_seed)
+        : net(cable_net),
+          law(with_law),
+          seed(with_seed),
+          nominal(nominal_equilibrium(net)),
+          sensitivity(net, net.unstressed_lengths(), nominal.form),
+          solvers([this] { return EquilibriumSolver(net); }) {}
+
+    /// One pass of the loop of Algorithm 2.
+    void draw(DataSet& data, int k) const {
+        data.length_deviations.col(k) = draw_length_deviations(
+            law, seed, static_cast<std::uint64_t>(k), net.interior_edge_count());
+        const Eigen::VectorXd lengths = with_length_deviations(net, data.length_deviations.col(k));
+        const Eigen::VectorXd predicted =
+            data.nominal_form + sensitivity.apply(lengths - net.unstressed_lengths());
+        const Equilibrium found =
+            solvers.local().solve(lengths, with_free_coordinates(net, predicted));
+        data.form_deviations.col(k) = free_coordinates(net, found.form) - data.nominal_form;
+        data.statuses[static_cast<size_t>(k)] = found.status;
+        data.slack_counts[static_cast<size_t>(k)] = static_cast<int>(found.slack_edges.size());
+    }
+};
+
+Sampler::Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed) {
+    check(net, law);
+    m_state = std::make_unique<State>(net, law, seed);
+}
+Sampler::~Sampler() = default;
+
+const Equilibrium& Sampler::nominal() const {
+    return m_state->nominal;
+}
+
+DataSet Sampler::empty() const {
+    const State& s = *m_state;
+    return {.net_fingerprint = s.net.fingerprint(),
+            .law = s.law,
+            .seed = s.seed,
+            .nominal_form = free_coordinates(s.net, s.nominal.form),
+            .form_deviations = Eigen::MatrixXd(3 * s.net.free_node_count(), 0),
+            .length_deviations = Eigen::MatrixXd(s.net.interior_edge_count(), 0),
+            .statuses = {},
+            .slack_counts = {}};
+}
+
+bool Sampler::extend(DataSet& data, int count, const std::stop_token& stop) const {
+    const int first = data.size();
+    const auto resize = [&data](int n) {
+        data.form_deviations.conservativeResize(Eigen::NoChange, n);
+        data.length_deviations.conservativeResize(Eigen::NoChange, n);
+        data.statuses.resize(static_cast<size_t>(n));
+        data.slack_counts.resize(static_cast<size_t>(n));
+    };
+    if (count <= first) {
+        return true;
+    }
+    resize(count);
+    tbb::parallel_for(first, count, [&](int k) {
+        if (!stop.stop_requested()) {
+            m_state->draw(data, k);
+        }
+    });
+    if (stop.stop_requested()) {
+        resize(first);
+        return false;
+    }
+    return true;
+}
+
+}  // namespace taut

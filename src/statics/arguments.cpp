@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "statics/arguments.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace taut {
+
+void check_unstressed_lengths(Eigen::Index edge_count,
+                              const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths) {
+    if (unstressed_lengths.size() != edge_count) {
+        throw std::invalid_argument(fmt::format("unstressed_lengths has {} entries, expected {}",
+                                                unstressed_lengths.size(), edge_count));
+    }
+    for (Eigen::Index e = 0; e < edge_count; ++e) {
+        if (!(std::isfinite(unstressed_lengths(e)) && unstressed_lengths(e) > 0.0)) {
+            throw std::invalid_argument(
+                fmt::format("unstressed length {} is {}, expected a positive and finite number", e,
+                            unstressed_lengths(e)));
+        }
+    }
+}
+
+void check_form(const char* name, Eigen::Index node_count, const Eigen::Ref<const Points>& form) {
+    if (form.cols() != node_count) {
+        throw std::invalid_argument(
+            fmt::format("{} has {} points, expected {}", name, form.cols(), node_count));
+    }
+    for (Eigen::Index i = 0; i < node_count; ++i) {
+        if (!form.col(i).allFinite()) {
+            throw std::invalid_argument(
+                fmt::format("{} has ({}, {}, {}) at node {}, expected finite coordinates", name,
+                            form(0, i), form(1, i), form(2, i), i));
+        }
+    }
+}
+
+}  // namespace taut

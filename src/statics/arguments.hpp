@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// @throws std::invalid_argument unless there is one positive and finite length an edge
+void check_unstressed_lengths(Eigen::Index edge_count,
+                              const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths);
+
+/// @param name of the argument, for the message
+/// @throws std::invalid_argument unless there is one finite point a node
+void check_form(const char* name, Eigen::Index node_count, const Eigen::Ref<const Points>& form);
+
+}  // namespace taut

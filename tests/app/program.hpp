@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace taut::test {
+
+/// What a run of the program gave.
+struct Outcome {
+    int exit_code = -1;  ///< 128 + signal where one ended it
+    std::string out;
+    std::string err;
+};
+
+/// The program at work. Its output goes to files, so that it is no terminal's.
+class Run {
+public:
+    /// @param folder its working directory, @param records where to keep what it prints
+    Run(const std::filesystem::path& folder, const std::filesystem::path& records,
+        const std::vector<std::string>& arguments);
+    /// Ends it, if it still works.
+    ~Run();
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+    Run(Run&&) = delete;
+    Run& operator=(Run&&) = delete;
+
+    void send(int signal) const;
+    Outcome wait();
+
+private:
+    std::filesystem::path m_records;
+    pid_t m_process = -1;
+};
+
+/// Every file under a folder, with its content; directories end in a slash.
+using Files = std::map<std::string, std::string>;
+
+/// Runs the program in an empty folder, which is removed afterwards.
+class ProgramTest : public testing::Test {
+protected:
+    ProgramTest();
+    ~ProgramTest() override;
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
+
+    /// Runs the program to its end.
+    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+    /// The same, which must succeed without a word on standard error. Gives standard output.
+    std::string must_run(const std::vector<std::string>& arguments) const;
+    /// A run to be watched or interrupted.
+    [[nodiscard]] Run start(const std::vector<std::string>& arguments) const;
+
+    [[nodiscard]] std::string read(const std::string& file) const;
+    void write(const std::string& file, const std::string& content) const;
+    [[nodiscard]] bool exists(const std::string& file) const;
+    [[nodiscard]] Files files() const;
+
+private:
+    std::filesystem::path m_base;
+    std::filesystem::path m_folder;
+    std::filesystem::path m_records;
+};
+
+/// One line on standard error that begins as every error does and holds the text; nothing on
+/// standard output.
+void expect_error(const Outcome& outcome, int exit_code, const std::string& text);
+
+/// Every key of `expected` is in `document`, down to the leaves, with a value of the same type.
+void expect_keys(const nlohmann::json& document, const nlohmann::json& expected,
+                 const std::string& where = "");
+
+}  // namespace taut::test

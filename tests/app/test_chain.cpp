@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against subcommands that do not fit together: a file that the next one cannot read, a number
+// lost on the way from a net to its identified lengths.
+
+#include <cmath>
+#include <sstream>
+
+#include "app/program.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/data_set_h5.hpp"
+#include "taut/io/form_csv.hpp"
+#include "taut/io/net_json.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+using nlohmann::json;
+
+class Chain : public ProgramTest {
+protected:
+    Chain() { must_run({"example", "hypar:3x4", "-o", "net.json"}); }
+
+    /// Samples and a model of the net.
+    void sample_and_train(const std::string& count = "120") const {
+        must_run({"sample", "net.json", "-n", count, "--law", "uniform:2mm", "-o", "data.h5"});
+        must_run({"train", "data.h5", "-o", "model.h5"});
+    }
+
+    const CableNet m_net = hypar(3, 4);
+};
+
+TEST_F(Chain, ExampleWritesTheBuiltInNet) {
+    const CableNet written = read_net(folder() / "net.json").net;
+    EXPECT_EQ(written.fingerprint(), m_net.fingerprint());
+    EXPECT_EQ(written.name(), "hypar:3x4");
+}
+
+TEST_F(Chain, InspectTellsTheCounts) {
+    const std::string text = must_run({"inspect", "net.json"});
+    EXPECT_THAT(text, testing::HasSubstr("12 free nodes, 14 supports, 17 interior and 14 adjustable edges"));
+    EXPECT_THAT(text, testing::HasSubstr(m_net.fingerprint()));
+    EXPECT_THAT(text, testing::HasSubstr("slack edges: 0"));
+}
+
+TEST_F(Chain, FormWritesARowForEachNode) {
+    const std::string text = must_run({"form", "net.json", "-o", "form.csv"});
+    EXPECT_THAT(text, testing::HasSubstr("converged"));
+    std::istringstream lines(read("form.csv"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "id,x,y,z");
+    int rows = 0;
+    while (std::getline(lines, line)) {
+        EXPECT_THAT(line, testing::StartsWith(std::to_string(rows) + ","));
+        ++rows;
+    }
+    EXPECT_EQ(rows, m_net.node_count());
+}
+
+TEST_F(Chain, SampleWritesWhatTheLibraryDraws) {
+    must_run({"sample", "net.json", "-n", "30", "--law", "normal:1mm", "--seed", "7", "-o", "data.h5"});
+    const DataSet data = read_data_set(folder() / "data.h5").data;
+    const Sampler sampler(m_net, parse_length_law("normal:1mm"), 7);
+    DataSet expected = sampler.empty();
+    sampler.extend(expected, 30);
+    EXPECT_EQ(data.length_deviations, expected.length_deviations);
+    EXPECT_EQ(data.form_deviations, expected.form_deviations);
+    EXPECT_FALSE(exists("data.h5.partial"));
+}
+
+TEST_F(Chain, SampleWritesTheSameBytesOnOneThreadAndOnTwo) {
+    must_run({"sample", "net.json", "-n", "100", "-o", "one.h5", "--threads", "1"});
+    must_run({"sample", "net.json", "-n", "100", "-o", "two.h5", "--threads", "2"});
+    EXPECT_EQ(read("one.h5"), read("two.h5"));
+    must_run({"sample", "net.json", "-n", "100", "-o", "other.h5", "--seed", "2"});
+    EXPECT_NE(read("one.h5"), read("other.h5"));
+}
+
+TEST_F(Chain, IdentifyFindsNoDeviationInTheNominalForm) {
+    sample_and_train();
+    must_run({"form", "net.json", "-o", "form.csv"});
+    must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "-o", "result.json"});
+    const json result = json::parse(read("result.json"));
+    ASSERT_EQ(result["edges"].size(), 17U);
+    for (const json& edge : result["edges"]) {
+        EXPECT_EQ(edge["status"], "identified");
+        EXPECT_LT(std::abs(edge["length_deviation"].get<double>()), 4.0 * edge["std"].get<double>());
+    }
+    EXPECT_LT(result["survey"]["max_residual"], 1e-3);
+}
+
+TEST_F(Chain, IdentifyFindsTheLengthsOfASampleFromItsForm) {
+    sample_and_train();
+    must_run({"sample", "net.json", "-n", "1", "--law", "uniform:2mm", "--seed", "99", "-o", "truth.h5"});
+    const DataSet truth = read_data_set(folder() / "truth.h5").data;
+    const Points form = with_free_coordinates(m_net, truth.nominal_form + truth.form_deviations.col(0));
+    write("survey.csv", form_to_csv(m_net, form));
+    must_run({"identify", "net.json", "survey.csv", "--model", "model.h5", "-o", "result.json"});
+    const json result = json::parse(read("result.json"));
+    double squares = 0.0;
+    for (size_t i = 0; i < result["edges"].size(); ++i) {
+        const json& edge = result["edges"][i];
+        const double error = edge["length_deviation"].get<double>() - truth.length_deviations(static_cast<int>(i), 0);
+        EXPECT_LT(std::abs(error), 6.0 * edge["std"].get<double>()) << edge.dump();
+        squares += error * error;
+    }
+    EXPECT_LT(squares, 0.05 * truth.length_deviations.col(0).squaredNorm());
+}
+
+TEST_F(Chain, ResultHasTheKeysOfTheContract) {
+    sample_and_train();
+    must_run({"form", "net.json", "-o", "form.csv"});
+    must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "-o", "result.json"});
+    const json result = json::parse(read("result.json"));
+    expect_keys(result, json::parse(R"({
+        "format": "", "version": 1, "method": "", "net_fingerprint": "", "edges": [], "form": [],
+        "survey": {"used": 1, "missing": 0, "outliers": [], "rms_residual": 0.1, "max_residual": 0.1}})"));
+    EXPECT_EQ(result["format"], "taut-identification");
+    EXPECT_EQ(result["version"], 1);
+    EXPECT_EQ(result["method"], "gp");
+    EXPECT_EQ(result["net_fingerprint"], m_net.fingerprint());
+    ASSERT_EQ(result["edges"].size(), m_net.interior_edges().size());
+    for (size_t i = 0; i < result["edges"].size(); ++i) {
+        const json& edge = result["edges"][i];
+        expect_keys(edge, json::parse(R"({"edge": 1, "nodes": [], "nominal": 0.1, "length_deviation": 0.1,
+            "std": 0.1, "lower": 0.1, "upper": 0.1, "status": ""})"));
+        const int index = m_net.interior_edges()[i];
+        EXPECT_EQ(edge["edge"], index);
+        EXPECT_EQ(edge["nodes"], json(m_net.edges()[static_cast<size_t>(index)]));
+        EXPECT_EQ(edge["nominal"], m_net.unstressed_lengths()(index));
+        EXPECT_LT(edge["lower"], edge["length_deviation"]);
+        EXPECT_LT(edge["length_deviation"], edge["upper"]);
+    }
+    ASSERT_EQ(result["form"].size(), static_cast<size_t>(m_net.node_count()));
+    EXPECT_EQ(result["form"][0].size(), 3U);
+    EXPECT_EQ(result["survey"]["used"], 12);
+    EXPECT_EQ(result["survey"]["missing"], 0);
+}
+
+TEST_F(Chain, IdentifyTrainsAModelWhereNoneIsGiven) {
+    must_run({"form", "net.json", "-o", "form.csv"});
+    const std::string text = must_run({"identify", "net.json", "form.csv", "-o", "result.json"});
+    EXPECT_THAT(text, testing::HasSubstr("1000 samples of uniform:5mm"));
+    EXPECT_EQ(json::parse(read("result.json"))["edges"].size(), 17U);
+}
+
+TEST_F(Chain, JsonIsAllThatStandardOutputHolds) {
+    const std::vector<std::vector<std::string>> commands{
+        {"example", "hypar:3x4", "-o", "again.json"},
+        {"inspect", "net.json"},
+        {"form", "net.json", "-o", "form.csv"},
+        {"sample", "net.json", "-n", "60", "-o", "data.h5"},
+        {"train", "data.h5", "-o", "model.h5"},
+        {"identify", "net.json", "form.csv", "--model", "model.h5", "-o", "result.json"},
+        {"reproduce", "--net", "net.json", "--samples", "30", "--validation", "5", "-o", "study"}};
+    for (std::vector<std::string> command : commands) {
+        command.emplace_back("--json");
+        const json document = json::parse(must_run(command), nullptr, false);
+        EXPECT_TRUE(document.is_object()) << testing::PrintToString(command);
+    }
+    EXPECT_EQ(json::parse(must_run({"inspect", "net.json", "--json"}))["net"]["free_nodes"], 12);
+    EXPECT_EQ(must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "--json"}), read("result.json"));
+}
+
+TEST_F(Chain, ACommandThatSucceedsReplacesItsOutput) {
+    write("form.csv", "something else\n");
+    must_run({"form", "net.json", "-o", "form.csv"});
+    EXPECT_THAT(read("form.csv"), testing::StartsWith("id,x,y,z\n"));
+    EXPECT_EQ(files().size(), 2U) << "temporary files were left";
+}
+
+TEST_F(Chain, ANetWithoutEquilibriumIsANumericalFailure) {
+    CableNetData content = m_net.data();
+    content.loads.setConstant(3, content.nodes.cols(), 1e200);
+    write("loaded.json", net_to_json(CableNet(content)));
+    const Files before = files();
+    expect_error(run({"form", "loaded.json", "-o", "form.csv"}), 1, "loaded.json: no equilibrium");
+    expect_error(run({"sample", "loaded.json", "-n", "3", "-o", "data.h5"}), 1, "no equilibrium");
+    EXPECT_EQ(files(), before);
+}
+
+}  // namespace

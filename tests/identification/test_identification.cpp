@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against lengths that are not those of the surveyed net, and against more certainty than
+// there is: intervals too narrow, an edge called identified that the survey does not show.
+
+#include "taut/identification/identification.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/sampling/sampler.hpp"
+#include "taut/statics/energy.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace {
+
+using namespace taut;
+
+std::vector<int> first(int count) {
+    std::vector<int> samples(static_cast<size_t>(count));
+    std::iota(samples.begin(), samples.end(), 0);
+    return samples;
+}
+
+/// A small net, samples of it, and a model trained on all but the last of these.
+class OnASmallNet : public testing::Test {
+protected:
+    static constexpr int training = 150;
+    static constexpr int validation = 50;
+
+    explicit OnASmallNet(const LengthLaw& law = {LengthLaw::Kind::uniform, 0.002})
+        : m_data(Sampler(m_net, law, 1).empty()) {
+        Sampler(m_net, law, 1).extend(m_data, training + validation);
+        m_model = train(m_data, first(training));
+    }
+
+    /// The form of a sample as a survey without noise.
+    [[nodiscard]] Survey survey_of(int sample) const {
+        return {.form = with_free_coordinates(
+                    m_net, m_data.nominal_form + m_data.form_deviations.col(sample)),
+                .surveyed = m_net.free_nodes(),
+                .missing = {}};
+    }
+
+    [[nodiscard]] Identification identify(int sample) const {
+        return identify_by_processes(m_net, m_model, survey_of(sample));
+    }
+
+    const CableNet m_net = hypar(3, 4);
+    DataSet m_data;
+    LengthModel m_model;
+};
+
+TEST_F(OnASmallNet, TheErrorsAreAFewStandardDeviations) {
+    int edges = 0;
+    int inside = 0;
+    for (int k = training; k < training + validation; ++k) {
+        for (const IdentifiedEdge& e : identify(k).edges) {
+            const double truth = m_data.length_deviations(edges++ % m_net.interior_edge_count(), k);
+            EXPECT_LT(std::abs(e.length_deviation - truth), 7.0 * e.std)
+                << "edge " << e.edge << ", sample " << k;
+            inside += e.lower <= truth && truth <= e.upper ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inside, 0.90 * edges);
+    EXPECT_LT(inside, 0.99 * edges);
+}
+
+TEST_F(OnASmallNet, TheLengthsAreFarBetterKnownThanBefore) {
+    for (const IdentifiedEdge& e : identify(training).edges) {
+        EXPECT_LT(e.std, 0.2 * m_model.law.std()) << "edge " << e.edge;
+        EXPECT_EQ(e.status, EdgeStatus::identified);
+    }
+}
+
+TEST_F(OnASmallNet, TheIdentifiedFormIsFarCloserThanTheNominalOne) {
+    for (int k = training; k < training + 10; ++k) {
+        const Survey survey = survey_of(k);
+        const Points nominal = with_free_coordinates(m_net, m_data.nominal_form);
+        const double before = (nominal - survey.form).colwise().norm().mean();
+        const double after = (identify(k).predicted.form - survey.form).colwise().norm().mean();
+        EXPECT_LT(after, 0.1 * before) << "sample " << k;
+    }
+}
+
+TEST_F(OnASmallNet, ThePredictedFormIsInEquilibriumWithTheIdentifiedLengths) {
+    const Identification result = identify(training);
+    Eigen::VectorXd lengths = m_net.unstressed_lengths();
+    for (const IdentifiedEdge& e : result.edges) {
+        EXPECT_EQ(e.nominal, m_net.unstressed_lengths()(e.edge));
+        lengths(e.edge) += e.length_deviation;
+    }
+    EXPECT_TRUE(result.predicted.balanced());
+    EXPECT_LT(out_of_balance_forces(m_net, lengths, result.predicted.form).cwiseAbs().maxCoeff(),
+              1e-9 * tensions(m_net, lengths, result.predicted.form).mean());
+}
+
+TEST_F(OnASmallNet, ThereIsOneResultForEachInteriorEdgeInTheirOrder) {
+    const Identification result = identify(training);
+    EXPECT_EQ(result.method, "gp");
+    ASSERT_EQ(result.edges.size(), m_net.interior_edges().size());
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        EXPECT_EQ(result.edges[i].edge, m_net.interior_edges()[i]);
+    }
+}
+
+TEST_F(OnASmallNet, TheIntervalIsTheMeanAndOnePointNineSixStandardDeviationsAround) {
+    for (const IdentifiedEdge& e : identify(training).edges) {
+        EXPECT_GT(e.std, 0.0);
+        EXPECT_NEAR(e.upper - e.length_deviation, 1.96 * e.std, 1e-4 * e.std);
+        EXPECT_NEAR(e.length_deviation - e.lower, 1.96 * e.std, 1e-4 * e.std);
+    }
+}
+
+TEST_F(OnASmallNet, TheEstimatesAreThePosteriorWithTheNoiseOfEachProcess) {
+    const Eigen::MatrixXd at = m_data.form_deviations.rightCols(3);
+    const gp::Prediction posterior = m_model.processes.predict(at);
+    const LengthEstimates estimates = estimate_lengths(m_model, at);
+    EXPECT_EQ(estimates.mean, posterior.mean);
+    ASSERT_EQ(estimates.std.rows(), m_net.interior_edge_count());
+    ASSERT_EQ(estimates.std.cols(), 3);
+    for (int i = 0; i < m_net.interior_edge_count(); ++i) {
+        const double noise =
+            m_model.processes.processes[static_cast<size_t>(i)].hyperparameters.noise_std;
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_DOUBLE_EQ(estimates.std(i, k), std::hypot(posterior.std(i, k), noise));
+        }
+    }
+}
+
+TEST_F(OnASmallNet, IdentificationIsTheEstimateForOneForm) {
+    const LengthEstimates estimates =
+        estimate_lengths(m_model, m_data.form_deviations.rightCols(1));
+    const Identification result = identify(training + validation - 1);
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        // The survey is nominal form plus deviation: rounded once more.
+        EXPECT_NEAR(result.edges[i].length_deviation, estimates.mean(static_cast<int>(i), 0), 1e-9);
+        EXPECT_NEAR(result.edges[i].std, estimates.std(static_cast<int>(i), 0), 1e-9);
+    }
+}
+
+TEST_F(OnASmallNet, TheResidualsAreTheDistancesOfPredictedAndSurveyedNodes) {
+    const Survey survey = survey_of(training);
+    const Identification result = identify(training);
+    ASSERT_EQ(result.residuals.size(), m_net.free_node_count());
+    for (int i = 0; i < m_net.free_node_count(); ++i) {
+        const int node = survey.surveyed[static_cast<size_t>(i)];
+        EXPECT_DOUBLE_EQ(result.residuals(i),
+                         (result.predicted.form.col(node) - survey.form.col(node)).norm());
+    }
+    EXPECT_GT(result.residuals.minCoeff(), 0.0);
+}
+
+TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsUnobservedAndAsUncertainAsTheLaw) {
+    constexpr int constant = 4;
+    m_data.length_deviations.row(constant).setZero();
+    m_model = train(m_data, first(training));
+    const Identification result = identify(training);
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const IdentifiedEdge& e = result.edges[i];
+        EXPECT_EQ(e.status, i == constant ? EdgeStatus::unobserved : EdgeStatus::identified)
+            << "edge " << e.edge;
+        if (i == constant) {
+            EXPECT_EQ(e.length_deviation, 0.0);
+            EXPECT_DOUBLE_EQ(e.std, m_data.law.std());
+        }
+    }
+}
+
+TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsUnobserved) {
+    // Deviations drawn anew: the form knows nothing of them.
+    constexpr int unrelated = 4;
+    for (int k = 0; k < m_data.size(); ++k) {
+        m_data.length_deviations(unrelated, k) =
+            draw_length_deviations(m_data.law, 2, static_cast<std::uint64_t>(k), 1)(0);
+    }
+    m_model = train(m_data, first(training));
+    const IdentifiedEdge edge = identify(training).edges[unrelated];
+    EXPECT_EQ(edge.status, EdgeStatus::unobserved);
+    EXPECT_NEAR(edge.std, m_data.law.std(), 0.15 * m_data.law.std());
+}
+
+TEST_F(OnASmallNet, AModelForAnotherNetIsRefusedAndBothAreNamed) {
+    CableNetData content = m_net.data();
+    content.unstressed_lengths(m_net.interior_edges()[0]) += 1e-9;
+    const CableNet other(content);
+    try {
+        (void)identify_by_processes(other, m_model, survey_of(training));
+        FAIL() << "not refused";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr(m_net.fingerprint()),
+                                                 testing::HasSubstr(other.fingerprint())));
+    }
+}
+
+TEST_F(OnASmallNet, ASurveyThatMissesAFreeNodeIsRefusedAndTheNodeIsNamed) {
+    Survey survey = survey_of(training);
+    const int missing = survey.surveyed[3];
+    survey.missing = {missing};
+    survey.surveyed.erase(survey.surveyed.begin() + 3);
+    try {
+        (void)identify_by_processes(m_net, m_model, survey);
+        FAIL() << "not refused";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_THAT(error.what(),
+                    testing::AllOf(testing::HasSubstr("11 of 12"),
+                                   testing::HasSubstr("'" + std::to_string(missing) + "'")));
+    }
+}
+
+/// Deviations so large that some edges are slack.
+class WithSlackEdges : public OnASmallNet {
+protected:
+    WithSlackEdges() : OnASmallNet({LengthLaw::Kind::uniform, 0.008}) {}
+};
+
+TEST_F(WithSlackEdges, TheSlackOnesOfThePredictedFormAreMarkedAndNoOthers) {
+    int marked = 0;
+    for (int k = training; k < training + validation; ++k) {
+        const Identification result = identify(k);
+        Eigen::VectorXd lengths = m_net.unstressed_lengths();
+        for (const IdentifiedEdge& e : result.edges) {
+            lengths(e.edge) += e.length_deviation;
+        }
+        const Eigen::VectorXd edge_tensions = tensions(m_net, lengths, result.predicted.form);
+        for (const IdentifiedEdge& e : result.edges) {
+            EXPECT_EQ(e.status == EdgeStatus::slack, edge_tensions(e.edge) == 0.0)
+                << "edge " << e.edge << ", sample " << k;
+            marked += e.status == EdgeStatus::slack ? 1 : 0;
+        }
+    }
+    EXPECT_GT(marked, 5);
+}
+
+TEST(EdgeStatus, HasAWordForEachValue) {
+    EXPECT_EQ(to_string(EdgeStatus::identified), "identified");
+    EXPECT_EQ(to_string(EdgeStatus::slack), "slack");
+    EXPECT_EQ(to_string(EdgeStatus::unobserved), "unobserved");
+}
+
+}  // namespace

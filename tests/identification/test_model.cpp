@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a model that learnt from the wrong samples, or that does not tell what it is for.
+
+#include "taut/identification/model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace {
+
+using namespace taut;
+
+DataSet samples(int count) {
+    const Sampler sampler(hypar(2, 3), {LengthLaw::Kind::normal, 0.001}, 5);
+    DataSet data = sampler.empty();
+    sampler.extend(data, count);
+    return data;
+}
+
+TEST(Train, KeepsWhatTheModelIsFor) {
+    const DataSet data = samples(12);
+    const LengthModel model = train(data, {0, 1, 2, 3, 4});
+    EXPECT_EQ(model.net_fingerprint, hypar(2, 3).fingerprint());
+    EXPECT_EQ(model.law, data.law);
+    EXPECT_EQ(model.seed, 5U);
+    EXPECT_EQ(model.nominal_form, data.nominal_form);
+    EXPECT_EQ(model.training_count(), 5);
+    EXPECT_EQ(static_cast<int>(model.processes.processes.size()),
+              hypar(2, 3).interior_edge_count());
+}
+
+TEST(Train, LearnsFromTheNamedSamplesAndNoOthers) {
+    const DataSet data = samples(12);
+    DataSet spoilt = data;
+    for (const int k : {0, 2, 4, 5, 7, 9, 10}) {
+        spoilt.form_deviations.col(k).setConstant(1e3);
+        spoilt.length_deviations.col(k).setConstant(-1e3);
+    }
+    const std::vector<int> named{1, 3, 6, 8, 11};
+    const LengthModel model = train(data, named);
+    EXPECT_EQ(model.processes.inputs, data.form_deviations(Eigen::all, named));
+    const Eigen::MatrixXd at = data.form_deviations.col(0);
+    EXPECT_EQ(train(spoilt, named).processes.predict(at).mean, model.processes.predict(at).mean);
+}
+
+TEST(Train, GivesBackTheLengthsItLearntFrom) {
+    const DataSet data = samples(60);
+    const LengthModel model = train(data, data.converged_in(0, 60));
+    const Eigen::MatrixXd mean = model.processes.predict(data.form_deviations).mean;
+    EXPECT_LT((mean - data.length_deviations).cwiseAbs().maxCoeff(), 0.05 * data.law.std());
+}
+
+TEST(Train, RefusesSamplesThatAreNotThere) {
+    const DataSet data = samples(4);
+    for (const int bad : {-1, 4, 1000}) {
+        try {
+            (void)train(data, {0, 1, bad});
+            FAIL() << bad << " was not refused";
+        } catch (const std::invalid_argument& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr(std::to_string(bad)));
+            EXPECT_THAT(error.what(), testing::HasSubstr("0 to 3"));
+        }
+    }
+}
+
+TEST(Train, RefusesFewerThanTwoSamples) {
+    const DataSet data = samples(4);
+    EXPECT_THROW((void)train(data, {}), std::invalid_argument);
+    EXPECT_THROW((void)train(data, {2}), std::invalid_argument);
+    EXPECT_NO_THROW((void)train(data, {2, 3}));
+}
+
+}  // namespace

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards against files that are no HDF5, were cut short by a full disk or a broken download, or had
+// some of their bytes changed: an error, or an object that keeps its rules, and never a crash.
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "io/errors.hpp"
+#include "io/examples.hpp"
+#include "io/scratch.hpp"
+#include "taut/io/data_set_h5.hpp"
+#include "taut/io/model_h5.hpp"
+
+namespace taut {
+namespace {
+
+using test::input_error_of;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class DamagedH5 : public testing::Test {
+protected:
+    DamagedH5() {
+        const NetFile net = test::example_net();
+        const DataSet data = test::example_data(net.net);
+        write_data_set(m_data, data, net);
+        write_model(m_model, test::example_model(data), net);
+    }
+
+    [[nodiscard]] bool reads_data_set(const std::string& bytes) const {
+        test::put_bytes(m_damaged, bytes);
+        return test::succeeds_or_refuses([this] {
+            const StoredDataSet stored = read_data_set(m_damaged);
+            EXPECT_EQ(stored.data.form_deviations.rows(), 3 * stored.net.net.free_node_count());
+            EXPECT_TRUE(stored.data.form_deviations.allFinite());
+            EXPECT_EQ(stored.data.statuses.size(), static_cast<size_t>(stored.data.size()));
+            return stored;
+        });
+    }
+
+    [[nodiscard]] bool reads_model(const std::string& bytes) const {
+        test::put_bytes(m_damaged, bytes);
+        return test::succeeds_or_refuses([this] {
+            const StoredModel stored = read_model(m_damaged);
+            const gp::FittedProcesses& processes = stored.model.processes;
+            // Would read out of bounds or divide by zero where the reader let a bad index pass.
+            EXPECT_EQ(processes.predict(processes.inputs.leftCols(1)).mean.rows(), 7);
+            return stored;
+        });
+    }
+
+    test::ScratchDirectory m_scratch;
+    std::filesystem::path m_data = m_scratch / "data.h5";
+    std::filesystem::path m_model = m_scratch / "model.h5";
+    std::filesystem::path m_damaged = m_scratch / "damaged.h5";
+};
+
+TEST_F(DamagedH5, IsRefusedWhenCutShortAnywhere) {
+    constexpr size_t cuts = 40;
+    for (size_t k = 0; k < cuts; ++k) {
+        const std::string data = test::bytes_of(m_data);
+        const std::string model = test::bytes_of(m_model);
+        EXPECT_FALSE(reads_data_set(data.substr(0, k * data.size() / cuts))) << k;
+        EXPECT_FALSE(reads_model(model.substr(0, k * model.size() / cuts))) << k;
+        EXPECT_FALSE(reads_data_set(data.substr(0, k))) << k;
+        EXPECT_FALSE(reads_data_set(data.substr(0, data.size() - 1 - k))) << k;
+        EXPECT_FALSE(reads_model(model.substr(0, model.size() - 1 - k))) << k;
+    }
+}
+
+TEST_F(DamagedH5, GivesAnErrorOrAnObjectThatKeepsItsRulesWhenBytesAreChanged) {
+    const std::string data = test::bytes_of(m_data);
+    const std::string model = test::bytes_of(m_model);
+    std::mt19937 random(1);
+    const auto damaged = [&random](std::string bytes, int count) {
+        for (int k = 0; k < count; ++k) {
+            bytes[random() % bytes.size()] ^= static_cast<char>(1U << (random() % 8U));
+        }
+        return bytes;
+    };
+    int refused = 0;
+    for (int i = 0; i < 300; ++i) {
+        refused += reads_data_set(damaged(data, 1 + i % 30)) ? 0 : 1;
+        refused += reads_model(damaged(model, 1 + i % 30)) ? 0 : 1;
+    }
+    EXPECT_GT(refused, 100);
+}
+
+TEST_F(DamagedH5, GivesAnErrorWhereverItsStructureIsChanged) {
+    // The first bytes hold the superblock, the root's header and the datasets' headers.
+    const std::string data = test::bytes_of(m_data);
+    std::mt19937 random(2);
+    int refused = 0;
+    for (int i = 0; i < 300; ++i) {
+        std::string bytes = data;
+        bytes[random() % 1024U] ^= static_cast<char>(1U << (random() % 8U));
+        refused += reads_data_set(bytes) ? 0 : 1;
+    }
+    EXPECT_GT(refused, 100);
+}
+
+TEST_F(DamagedH5, IsToldApartFromFilesThatAreNoHdf5) {
+    for (const std::string bytes :
+         {"", "id,x,y,z\n1,2,3,4\n", "{\"format\": \"taut-net\"}", "\x89HDF"}) {
+        test::put_bytes(m_damaged, bytes);
+        EXPECT_EQ(input_error_of([&] { return read_data_set(m_damaged); }),
+                  m_damaged.string() + ": is no HDF5 file, expected a taut-data-set");
+        EXPECT_EQ(input_error_of([&] { return read_model(m_damaged); }),
+                  m_damaged.string() + ": is no HDF5 file, expected a taut-model");
+    }
+}
+
+TEST_F(DamagedH5, IsToldApartFromTheOtherKindOfFile) {
+    EXPECT_EQ(input_error_of([&] { return read_model(m_data); }),
+              m_data.string() + ":format: is 'taut-data-set', expected 'taut-model'");
+    EXPECT_EQ(input_error_of([&] { return read_data_set(m_model); }),
+              m_model.string() + ":format: is 'taut-model', expected 'taut-data-set'");
+}
+
+TEST_F(DamagedH5, IsToldApartFromFilesThatCannotBeOpened) {
+    EXPECT_THAT(input_error_of([&] { return read_data_set(m_scratch / "none.h5"); }),
+                HasSubstr("none.h5: cannot be read: No such file or directory"));
+    EXPECT_THAT(input_error_of([&] { return read_model(m_scratch.path()); }),
+                HasSubstr(": is a directory, expected a file"));
+}
+
+TEST_F(DamagedH5, PrintsNothing) {
+    testing::internal::CaptureStderr();
+    testing::internal::CaptureStdout();
+    const std::string data = test::bytes_of(m_data);
+    EXPECT_FALSE(reads_data_set(data.substr(0, data.size() / 2)));
+    EXPECT_FALSE(reads_model(data));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+}  // namespace
+}  // namespace taut

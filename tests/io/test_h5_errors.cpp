@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards against HDF5 files that are foreign, damaged or made to harm: each must give one clear
+// error, and none a crash, an allocation beyond the file's size or an object that breaks its rules.
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "io/errors.hpp"
+#include "io/examples.hpp"
+#include "io/hdf5.hpp"
+#include "io/scratch.hpp"
+#include "taut/io/data_set_h5.hpp"
+#include "taut/io/model_h5.hpp"
+
+namespace taut {
+namespace {
+
+using hdf5::Handle;
+using test::input_error_of;
+using testing::StartsWith;
+
+/// A data set and a model, written once for all tests.
+const std::pair<std::string, std::string>& good_files() {
+    static const auto files = [] {
+        const test::ScratchDirectory scratch;
+        const NetFile net = test::example_net();
+        const DataSet data = test::example_data(net.net);
+        write_data_set(scratch / "data.h5", data, net);
+        write_model(scratch / "model.h5", test::example_model(data), net);
+        return std::pair{test::bytes_of(scratch / "data.h5"), test::bytes_of(scratch / "model.h5")};
+    }();
+    return files;
+}
+
+/// Changes a file through HDF5.
+using Change = std::function<void(hid_t file)>;
+
+Change remove(const char* name) {
+    return [=](hid_t file) { ASSERT_GE(H5Ldelete(file, name, H5P_DEFAULT), 0); };
+}
+
+/// @param data null leaves it unwritten
+Change replace(
+    const char* name, std::vector<hsize_t> shape, hid_t type, const void* data,
+    Change set_properties = [](hid_t) {}) {
+    return [=](hid_t file) {
+        remove(name)(file);
+        const Handle space(
+            shape.empty() ? H5Screate(H5S_SCALAR)
+                          : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+            H5Sclose);
+        const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        set_properties(properties.get());
+        const Handle dataset(
+            H5Dcreate2(file, name, type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+            H5Dclose);
+        ASSERT_TRUE(dataset.valid()) << name;
+        if (data != nullptr) {
+            ASSERT_GE(H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), 0);
+        }
+    };
+}
+
+Change replace_numbers(const char* name, std::vector<hsize_t> shape, double value) {
+    return [=](hid_t file) {
+        size_t count = 1;
+        for (const hsize_t size : shape) {
+            count *= size;
+        }
+        const std::vector<double> values(count, value);
+        replace(name, shape, H5T_NATIVE_DOUBLE, values.data())(file);
+    };
+}
+
+Change replace_integers(const char* name, size_t count, int value) {
+    return [=](hid_t file) {
+        const std::vector<int> values(count, value);
+        replace(name, {count}, H5T_NATIVE_INT, values.data())(file);
+    };
+}
+
+Change replace_attribute(const char* name, hid_t type, const void* value) {
+    return [=](hid_t file) {
+        ASSERT_GE(H5Adelete(file, name), 0);
+        if (value != nullptr) {
+            const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+            const Handle attribute(
+                H5Acreate2(file, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+            ASSERT_GE(H5Awrite(attribute.get(), type, value), 0);
+        }
+    };
+}
+
+/// Text of a fixed length, as taut writes it.
+template <typename Use>
+Change with_text(std::string text, Use use) {
+    return [=](hid_t file) {
+        const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+        H5Tset_size(type.get(), text.size());
+        H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+        use(type.get(), text.c_str())(file);
+    };
+}
+
+Change set_text_attribute(const char* name, const std::string& text) {
+    return with_text(
+        text, [=](hid_t type, const char* value) { return replace_attribute(name, type, value); });
+}
+
+Change set_net(const std::string& text) {
+    return with_text(text,
+                     [](hid_t type, const char* value) { return replace("net", {}, type, value); });
+}
+
+std::string other_net_json() {
+    CableNetData data = test::example_net().net.data();
+    data.unstressed_lengths(0) *= 1.5;
+    return net_to_json(CableNet(data));
+}
+
+struct BadFile {
+    const char* name;
+    bool is_model;
+    Change change;
+    std::string message;
+};
+
+class BadH5 : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadH5, IsRefusedNamingTheObject) {
+    const BadFile& bad = GetParam();
+    const test::ScratchDirectory scratch;
+    const std::string path = (scratch / "file.h5").string();
+    test::put_bytes(path, bad.is_model ? good_files().second : good_files().first);
+    {
+        const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+        bad.change(file.get());
+    }
+    const std::string message = input_error_of([&] {
+        return bad.is_model ? read_model(path).net.unknown_keys
+                            : read_data_set(path).net.unknown_keys;
+    });
+    EXPECT_THAT(message, StartsWith(path + ":" + bad.message));
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const std::array<double, 540> zeros{};
+const std::uint64_t two = 2;
+const hsize_t huge = 1'000'000'000'000;
+
+INSTANTIATE_TEST_SUITE_P(
+    DataSet, BadH5,
+    testing::Values(
+        BadFile{"NoFormat", false, replace_attribute("format", 0, nullptr),
+                "format: is missing, expected an attribute"},
+        BadFile{"FormatNumber", false, replace_attribute("format", H5T_NATIVE_UINT64, &two),
+                "format: is damaged, or no single value, expected text of a fixed length"},
+        BadFile{"OtherFormat", false, set_text_attribute("format", "other"),
+                "format: is 'other', expected 'taut-data-set'"},
+        BadFile{"LongFormat", false, set_text_attribute("format", std::string(5000, 'x')),
+                "format: cannot be read, expected text of at most 4096 bytes"},
+        BadFile{"NoVersion", false, replace_attribute("version", 0, nullptr),
+                "version: is missing, expected an attribute"},
+        BadFile{"LaterVersion", false, replace_attribute("version", H5T_NATIVE_UINT64, &two),
+                "version: is 2, expected 1"},
+        BadFile{"NoNet", false, remove("net"), "net: is missing"},
+        BadFile{"NetNumber", false, replace_numbers("net", {}, 1.0),
+                "net: is of another type, expected text of a fixed length"},
+        BadFile{"NetNoJson", false, set_net("nodes"), "net:1:2: is no JSON"},
+        BadFile{"NetWithoutNodes", false, set_net(R"({"format": "taut-net", "version": 1})"),
+                "net:/nodes: is missing"},
+        BadFile{"NetList", false,
+                with_text("{}", [](hid_t type,
+                                   const char* text) { return replace("net", {1}, type, text); }),
+                "net: has the shape [1], expected []"},
+        BadFile{"NoFingerprint", false, replace_attribute("net_fingerprint", 0, nullptr),
+                "net_fingerprint: is missing"},
+        BadFile{"OtherFingerprint", false, set_text_attribute("net_fingerprint", "0123"),
+                "net_fingerprint: is '0123', expected '" + test::example_net().net.fingerprint()},
+        BadFile{"OtherNet", false, set_net(other_net_json()), "net_fingerprint: is '"},
+        BadFile{"NoLaw", false, replace_attribute("law", 0, nullptr), "law: is missing"},
+        BadFile{"OtherLaw", false, set_text_attribute("law", "triangular:5mm"),
+                "law: 'triangular:5mm' is no law"},
+        BadFile{"NoSeed", false, replace_attribute("seed", 0, nullptr), "seed: is missing"},
+        BadFile{"SeedText", false, set_text_attribute("seed", "7"),
+                "seed: is damaged, or no single value, expected whole numbers"},
+        BadFile{"NoFreeNodes", false, remove("free_nodes"), "free_nodes: is missing"},
+        BadFile{"OtherFreeNodes", false, replace_integers("free_nodes", 6, 0),
+                "free_nodes: is not the list"},
+        BadFile{"FreeNodeOutOfRange", false, replace_integers("free_nodes", 6, 99),
+                "free_nodes: holds 99, expected 0 to 15"},
+        BadFile{"FewInteriorEdges", false, replace_integers("interior_edges", 6, 0),
+                "interior_edges: has the shape [6], expected [7]"},
+        BadFile{"NoNominalForm", false, remove("nominal_form"), "nominal_form: is missing"},
+        BadFile{"LongNominalForm", false, replace_numbers("nominal_form", {19}, 0.0),
+                "nominal_form: has the shape [19], expected [18]"},
+        BadFile{"NominalFormNan", false, replace_numbers("nominal_form", {18}, nan),
+                "nominal_form: holds a number that is not finite"},
+        BadFile{"NominalFormIntegers", false, replace_integers("nominal_form", 18, 0),
+                "nominal_form: is of another type, expected floating point numbers"},
+        BadFile{"NoFormDeviation", false, remove("form_deviation"), "form_deviation: is missing"},
+        BadFile{"FormDeviationOfAnotherRank", false, replace_numbers("form_deviation", {540}, 0.0),
+                "form_deviation: has the shape [540], expected rows of 18"},
+        BadFile{"FormDeviationTransposed", false, replace_numbers("form_deviation", {18, 30}, 0.0),
+                "form_deviation: has the shape [18, 30], expected rows of 18"},
+        BadFile{"FormDeviationOfMoreSamples", false,
+                replace_numbers("form_deviation", {31, 18}, 0.0),
+                "slack_edges: has the shape [30], expected [31]"},
+        BadFile{"FormDeviationInfinite", false,
+                replace_numbers("form_deviation", {30, 18}, HUGE_VAL),
+                "form_deviation: holds a number that is not finite"},
+        BadFile{"FormDeviationHuge", false,
+                replace("form_deviation", {huge, 18}, H5T_NATIVE_DOUBLE, nullptr),
+                "form_deviation: has the shape [1000000000000, 18], more than the file can hold"},
+        BadFile{"FormDeviationOverflowing", false,
+                replace("form_deviation", {hsize_t{1} << 58U, 18}, H5T_NATIVE_DOUBLE, nullptr,
+                        [](hid_t properties) {
+                            const std::array<hsize_t, 2> chunk{1, 18};
+                            H5Pset_chunk(properties, 2, chunk.data());
+                        }),
+                "form_deviation: is stored in pieces or elsewhere"},
+        BadFile{"FormDeviationUnwritten", false,
+                replace("form_deviation", {30, 18}, H5T_NATIVE_DOUBLE, nullptr),
+                "form_deviation: was never written"},
+        BadFile{"FormDeviationChunked", false,
+                replace("form_deviation", {30, 18}, H5T_NATIVE_DOUBLE, zeros.data(),
+                        [](hid_t properties) {
+                            const std::array<hsize_t, 2> chunk{5, 18};
+                            H5Pset_chunk(properties, 2, chunk.data());
+                        }),
+                "form_deviation: is stored in pieces or elsewhere"},
+        BadFile{"FormDeviationInAnotherFile", false,
+                replace("form_deviation", {30, 18}, H5T_NATIVE_DOUBLE, nullptr,
+                        [](hid_t properties) {
+                            H5Pset_external(properties, "/dev/zero", 0, H5F_UNLIMITED);
+                        }),
+                "form_deviation: is stored in pieces or elsewhere"},
+        BadFile{"FormDeviationLink", false,
+                [](hid_t file) {
+                    remove("form_deviation")(file);
+                    H5Lcreate_external("/etc/passwd", "/x", file, "form_deviation", H5P_DEFAULT,
+                                       H5P_DEFAULT);
+                },
+                "form_deviation: is a link, expected the object itself"},
+        BadFile{"FormDeviationGroup", false,
+                [](hid_t file) {
+                    remove("form_deviation")(file);
+                    const Handle group(
+                        H5Gcreate2(file, "form_deviation", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                        H5Gclose);
+                },
+                "form_deviation: is damaged or no dataset"},
+        BadFile{"NoLengthDeviation", false, remove("length_deviation"),
+                "length_deviation: is missing"},
+        BadFile{"LengthDeviationOfFewerEdges", false,
+                replace_numbers("length_deviation", {30, 6}, 0.0),
+                "length_deviation: has the shape [30, 6], expected [30, 7]"},
+        BadFile{"LengthDeviationNan", false, replace_numbers("length_deviation", {30, 7}, nan),
+                "length_deviation: holds a number that is not finite"},
+        BadFile{"NoStatus", false, remove("status"), "status: is missing"},
+        BadFile{"StatusOutOfRange", false, replace_integers("status", 30, 3),
+                "status: holds 3, expected 0 to 2"},
+        BadFile{"StatusNegative", false, replace_integers("status", 30, -1),
+                "status: holds -1, expected 0 to 2"},
+        BadFile{"FewStatuses", false, replace_integers("status", 29, 0),
+                "status: has the shape [29], expected [30]"},
+        BadFile{"NoSlackEdges", false, remove("slack_edges"), "slack_edges: is missing"},
+        BadFile{"MoreSlackEdgesThanEdges", false, replace_integers("slack_edges", 30, 18),
+                "slack_edges: holds 18, expected 0 to 17"},
+        BadFile{"SlackEdgesHuge", false, replace("slack_edges", {huge}, H5T_NATIVE_INT, nullptr),
+                "slack_edges: has the shape [1000000000000], more than the file can hold"}),
+    [](const auto& param) { return param.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Model, BadH5,
+    testing::Values(
+        BadFile{"NoTrainingInputs", true, remove("training_inputs"), "training_inputs: is missing"},
+        BadFile{"TrainingInputsHuge", true,
+                replace("training_inputs", {huge, 18}, H5T_NATIVE_DOUBLE, nullptr),
+                "training_inputs: has the shape [1000000000000, 18], more than the file can hold"},
+        BadFile{"MoreTrainingInputs", true, replace_numbers("training_inputs", {31, 18}, 0.0),
+                "spectra/0/eigenvalues: has the shape [30], expected [31]"},
+        BadFile{"NoWeights", true, remove("weights"), "weights: is missing"},
+        BadFile{"WeightsTransposed", true, replace_numbers("weights", {30, 7}, 0.0),
+                "weights: has the shape [30, 7], expected [7, 30]"},
+        BadFile{"WeightsNan", true, replace_numbers("weights", {7, 30}, nan),
+                "weights: holds a number that is not finite"},
+        BadFile{"NoInverseLengthScale", true, remove("inverse_length_scale"),
+                "inverse_length_scale: is missing"},
+        BadFile{"InverseLengthScaleOfNoSpectrum", true,
+                replace_numbers("inverse_length_scale", {7}, 1.25),
+                "inverse_length_scale: of process 0 is 1.25, expected "},
+        BadFile{"SignalStdZero", true, replace_numbers("signal_std", {7}, 0.0),
+                "signal_std: of process 0 is not positive"},
+        BadFile{"NoiseStdNegative", true, replace_numbers("noise_std", {7}, -1.0),
+                "noise_std: of process 0 is not positive"},
+        BadFile{"FewNoiseStds", true, replace_numbers("noise_std", {6}, 1.0),
+                "noise_std: has the shape [6], expected [7]"},
+        BadFile{"LikelihoodNan", true, replace_numbers("negative_log_likelihood", {7}, nan),
+                "negative_log_likelihood: holds a number that is not finite"},
+        BadFile{"NoLeaveOneOut", true, remove("leave_one_out_rmse"),
+                "leave_one_out_rmse: is missing"},
+        BadFile{"FitStatusOutOfRange", true, replace_integers("fit_status", 7, 3),
+                "fit_status: holds 3, expected 0 to 2"},
+        BadFile{"NotFittedWithSpectrum", true, replace_integers("fit_status", 7, 1),
+                "spectrum: of process 0 is "},
+        BadFile{"FittedWithoutSpectrum", true, replace_integers("spectrum", 7, -1),
+                "spectrum: of process 0 is -1, but it is marked as fitted"},
+        BadFile{"SpectrumOutOfRange", true, replace_integers("spectrum", 7, 1000),
+                "spectrum: holds 1000, expected -1 to "},
+        BadFile{"NoSpectra", true, remove("spectra"), "spectra: is missing"},
+        BadFile{"SpectraDataset", true, replace_numbers("spectra", {3}, 0.0),
+                "spectra: is damaged or no group"},
+        BadFile{"SpectrumOfAnotherName", true,
+                [](hid_t file) {
+                    H5Lmove(file, "spectra/0", file, "spectra/first", H5P_DEFAULT, H5P_DEFAULT);
+                },
+                "spectra/0: is missing"},
+        BadFile{"SpectrumInAnotherFile", true,
+                [](hid_t file) {
+                    remove("spectra/0")(file);
+                    H5Lcreate_external("/etc/passwd", "/x", file, "spectra/0", H5P_DEFAULT,
+                                       H5P_DEFAULT);
+                },
+                "spectra/0: is a link, expected the object itself"},
+        BadFile{"SpectrumScaleZero", true,
+                replace_numbers("spectra/0/inverse_length_scale", {}, 0.0),
+                "spectra/0/inverse_length_scale: is 0, expected a positive number"},
+        BadFile{"SpectrumScaleList", true,
+                replace_numbers("spectra/0/inverse_length_scale", {1}, 1.0),
+                "spectra/0/inverse_length_scale: has the shape [1], expected []"},
+        BadFile{"EigenvalueNegative", true, replace_numbers("spectra/0/eigenvalues", {30}, -1e-3),
+                "spectra/0/eigenvalues: holds a negative number"},
+        BadFile{"NoEigenvectors", true, remove("spectra/0/eigenvectors"),
+                "spectra/0/eigenvectors: is missing"},
+        BadFile{"EigenvectorsOfAnotherSize", true,
+                replace_numbers("spectra/0/eigenvectors", {29, 30}, 0.0),
+                "spectra/0/eigenvectors: has the shape [29, 30], expected [30, 30]"}),
+    [](const auto& param) { return param.param.name; });
+
+}  // namespace
+}  // namespace taut

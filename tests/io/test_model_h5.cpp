@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards against a model that predicts something else after it was written and read.
+
+#include "taut/io/model_h5.hpp"
+
+#include <gmock/gmock.h>
+
+#include "io/examples.hpp"
+#include "io/scratch.hpp"
+#include "taut/identification/identification.hpp"
+
+namespace taut {
+namespace {
+
+using test::same_bits;
+using testing::HasSubstr;
+
+class ModelH5 : public testing::Test {
+protected:
+    test::ScratchDirectory m_scratch;
+    NetFile m_net = test::example_net();
+    DataSet m_data = test::example_data(m_net.net);
+    std::filesystem::path m_path = m_scratch / "model.h5";
+
+    static void expect_same(const LengthModel& a, const LengthModel& b) {
+        EXPECT_EQ(a.net_fingerprint, b.net_fingerprint);
+        EXPECT_EQ(a.law, b.law);
+        EXPECT_EQ(a.seed, b.seed);
+        EXPECT_TRUE(same_bits(a.nominal_form, b.nominal_form));
+        EXPECT_TRUE(same_bits(a.processes.inputs, b.processes.inputs));
+        EXPECT_TRUE(same_bits(a.processes.weights, b.processes.weights));
+        ASSERT_EQ(a.processes.spectra.size(), b.processes.spectra.size());
+        for (size_t k = 0; k < a.processes.spectra.size(); ++k) {
+            const gp::KernelSpectrum& s = a.processes.spectra[k];
+            const gp::KernelSpectrum& t = b.processes.spectra[k];
+            EXPECT_EQ(s.inverse_length_scale, t.inverse_length_scale);
+            EXPECT_TRUE(same_bits(s.eigenvalues, t.eigenvalues));
+            EXPECT_TRUE(same_bits(s.eigenvectors, t.eigenvectors));
+        }
+        ASSERT_EQ(a.processes.processes.size(), b.processes.processes.size());
+        for (size_t j = 0; j < a.processes.processes.size(); ++j) {
+            const gp::Process& p = a.processes.processes[j];
+            const gp::Process& q = b.processes.processes[j];
+            EXPECT_EQ(p.status, q.status);
+            EXPECT_EQ(p.spectrum, q.spectrum);
+            EXPECT_EQ(p.hyperparameters.inverse_length_scale,
+                      q.hyperparameters.inverse_length_scale);
+            EXPECT_EQ(p.hyperparameters.signal_std, q.hyperparameters.signal_std);
+            EXPECT_EQ(p.hyperparameters.noise_std, q.hyperparameters.noise_std);
+            EXPECT_EQ(p.negative_log_likelihood, q.negative_log_likelihood);
+            EXPECT_EQ(p.leave_one_out_rmse, q.leave_one_out_rmse);
+        }
+    }
+
+    void expect_refused(const LengthModel& model, const std::string& what) const {
+        try {
+            write_model(m_path, model, m_net);
+            ADD_FAILURE() << "expected std::invalid_argument";
+        } catch (const std::invalid_argument& error) {
+            EXPECT_THAT(error.what(), HasSubstr(what));
+        }
+        EXPECT_FALSE(std::filesystem::exists(m_path));
+    }
+};
+
+TEST_F(ModelH5, ReadsBackEverythingToTheLastBit) {
+    const LengthModel model = test::example_model(m_data);
+    write_model(m_path, model, m_net);
+    const StoredModel back = read_model(m_path);
+    expect_same(back.model, model);
+    EXPECT_EQ(net_to_json(back.net.net, back.net.unknown_keys),
+              net_to_json(m_net.net, m_net.unknown_keys));
+}
+
+TEST_F(ModelH5, PredictsAfterReadingAsBeforeToTheLastBit) {
+    const LengthModel model = test::example_model(m_data);
+    write_model(m_path, model, m_net);
+    const LengthEstimates before = estimate_lengths(model, m_data.form_deviations);
+    const LengthEstimates after =
+        estimate_lengths(read_model(m_path).model, m_data.form_deviations);
+    EXPECT_TRUE(same_bits(before.mean, after.mean));
+    EXPECT_TRUE(same_bits(before.std, after.std));
+    EXPECT_GT(before.std.minCoeff(), 0.0);
+}
+
+TEST_F(ModelH5, KeepsAProcessThatCouldNotBeFitted) {
+    m_data.length_deviations.row(2).setConstant(0.001);
+    const LengthModel model = test::example_model(m_data);
+    ASSERT_EQ(model.processes.processes[2].status, gp::FitStatus::constant_output);
+    write_model(m_path, model, m_net);
+    expect_same(read_model(m_path).model, model);
+}
+
+TEST_F(ModelH5, KeepsAModelWithoutAnyFittedProcess) {
+    m_data.length_deviations.setConstant(0.001);
+    const LengthModel model = test::example_model(m_data);
+    ASSERT_TRUE(model.processes.spectra.empty());
+    write_model(m_path, model, m_net);
+    expect_same(read_model(m_path).model, model);
+}
+
+TEST_F(ModelH5, IsTheSameToTheByteWhenWrittenTwice) {
+    const LengthModel model = test::example_model(m_data);
+    write_model(m_path, model, m_net);
+    const std::string bytes = test::bytes_of(m_path);
+    write_model(m_path, read_model(m_path).model, m_net);
+    EXPECT_TRUE(test::bytes_of(m_path) == bytes);
+    EXPECT_THAT(m_scratch.files(), testing::ElementsAre("model.h5"));
+}
+
+TEST_F(ModelH5, RefusesToBeWrittenWithAnotherNetNamingBoth) {
+    LengthModel model = test::example_model(m_data);
+    model.net_fingerprint = "0123456789abcdef";
+    expect_refused(model, "0123456789abcdef");
+    expect_refused(model, m_net.net.fingerprint());
+}
+
+TEST_F(ModelH5, RefusesToWriteInputsOfAnotherDimension) {
+    LengthModel model = test::example_model(m_data);
+    model.processes.inputs.conservativeResize(17, Eigen::NoChange);
+    expect_refused(model, "inputs has 17 x 30 entries, expected 18 x 30");
+}
+
+TEST_F(ModelH5, RefusesToWriteWeightsOfAnotherSize) {
+    LengthModel model = test::example_model(m_data);
+    model.processes.weights.conservativeResize(29, Eigen::NoChange);
+    expect_refused(model, "weights has 29 x 7 entries, expected 30 x 7");
+}
+
+TEST_F(ModelH5, RefusesToWriteFewerProcessesThanEdges) {
+    LengthModel model = test::example_model(m_data);
+    model.processes.processes.pop_back();
+    expect_refused(model, "6 processes, expected 7");
+}
+
+TEST_F(ModelH5, RefusesToWriteASpectrumOfAnotherSize) {
+    LengthModel model = test::example_model(m_data);
+    model.processes.spectra[0].eigenvalues.conservativeResize(5);
+    expect_refused(model, "eigenvalues has 5 x 1 entries, expected 30 x 1");
+}
+
+TEST_F(ModelH5, RefusesToWriteANumberThatItCouldNotReadAgain) {
+    LengthModel model = test::example_model(m_data);
+    model.processes.processes[3].negative_log_likelihood = std::numeric_limits<double>::quiet_NaN();
+    expect_refused(model, "negative_log_likelihood holds a number that is not finite");
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards against a net that comes back from its file as another one: a digit lost, a key of another
+// program dropped, a default filled in wrongly.
+
+#include "taut/io/net_json.hpp"
+
+#include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/examples.hpp"
+#include "io/scratch.hpp"
+#include "taut/io/file.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using test::same_bits;
+
+/// Two supports and a free node between them.
+constexpr const char* smallest = R"({"format": "taut-net", "version": 1,
+    "nodes": [[0, 0, 0], [1, 0, 0.5], [2, 0, 0]], "supports": [0, 2],
+    "edges": [[0, 1], [1, 2]], "axial_stiffness": 2e5, "unstressed_lengths": [0.99, 0.98]})";
+
+void expect_same(const CableNetData& a, const CableNetData& b) {
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_TRUE(same_bits(a.nodes, b.nodes));
+    EXPECT_EQ(a.supports, b.supports);
+    EXPECT_EQ(a.edges, b.edges);
+    EXPECT_TRUE(same_bits(a.axial_stiffness, b.axial_stiffness));
+    EXPECT_TRUE(same_bits(a.unstressed_lengths, b.unstressed_lengths));
+    EXPECT_EQ(a.adjustable, b.adjustable);
+    EXPECT_TRUE(same_bits(a.loads, b.loads));
+    EXPECT_EQ(a.node_ids, b.node_ids);
+    EXPECT_EQ(a.edge_ids, b.edge_ids);
+}
+
+TEST(NetJson, ReadsBackEverythingOfANetToTheLastBit) {
+    const NetFile file = test::example_net();
+    const NetFile back = parse_net(net_to_json(file.net, file.unknown_keys), "net.json");
+    expect_same(back.net.data(), file.net.data());
+    EXPECT_EQ(back.net.fingerprint(), file.net.fingerprint());
+    EXPECT_EQ(back.unknown_keys, file.unknown_keys);
+}
+
+TEST(NetJson, ReadsBackTheBuiltInNetToTheLastBit) {
+    const CableNet net = hilo_quarter();
+    expect_same(parse_net(net_to_json(net), "net.json").net.data(), net.data());
+}
+
+TEST(NetJson, KeepsSupportsAndAdjustableEdgesThatAreNotTheDefault) {
+    CableNetData data = hypar(2, 2).data();
+    std::ranges::reverse(data.supports);
+    data.adjustable = {1, 0};
+    const CableNet net(data);
+    expect_same(parse_net(net_to_json(net), "net.json").net.data(), net.data());
+    data.adjustable = {};
+    EXPECT_TRUE(parse_net(net_to_json(CableNet(data)), "net.json").net.adjustable_edges().empty());
+}
+
+RC_GTEST_PROP(NetJson, ReadsBackAnyFiniteNumberToTheLastBit, ()) {
+    CableNetData data = hypar(1, 2).data();
+    const auto any_finite = [] {
+        return *rc::gen::suchThat(
+            rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
+                         [](std::uint64_t bits) {
+                             // All of the generator's sizes should reach the exponent too.
+                             return std::bit_cast<double>(bits * 0x9E3779B97F4A7C15ULL);
+                         }),
+            [](double x) { return std::isfinite(x); });
+    };
+    data.loads = Points::Zero(3, data.nodes.cols());
+    for (double& load : data.loads.reshaped()) {
+        load = any_finite();
+    }
+    for (double& length : data.unstressed_lengths) {
+        length = std::max(std::abs(any_finite()), std::numeric_limits<double>::denorm_min());
+    }
+    const CableNet net(data);
+    const NetFile back = parse_net(net_to_json(net), "net.json");
+    RC_ASSERT(same_bits(back.net.loads(), net.loads()));
+    RC_ASSERT(same_bits(back.net.unstressed_lengths(), net.unstressed_lengths()));
+    RC_ASSERT(back.net.fingerprint() == net.fingerprint());
+}
+
+TEST(NetJson, KeepsTheSignOfZero) {
+    CableNetData data = hypar(1, 1).data();
+    data.loads = Points::Zero(3, data.nodes.cols());
+    data.loads(1, 0) = -0.0;
+    const CableNet net(data);
+    EXPECT_EQ(parse_net(net_to_json(net), "net.json").net.fingerprint(), net.fingerprint());
+}
+
+TEST(NetJson, WritesBackKeysThatItDoesNotKnow) {
+    json with_more = json::parse(smallest);
+    with_more["author"] = {{"name", "Ä. \"B\""}, {"year", 2026}};
+    with_more["a/b~c"] = {1, 2.5, nullptr, true, 18446744073709551615ULL, -0.1};
+    const NetFile file = parse_net(with_more.dump(), "net.json");
+    const json written = json::parse(net_to_json(file.net, file.unknown_keys));
+    EXPECT_EQ(written["author"], with_more["author"]);
+    EXPECT_EQ(written["a/b~c"], with_more["a/b~c"]);
+    EXPECT_EQ(parse_net(written.dump(), "net.json").unknown_keys, file.unknown_keys);
+}
+
+TEST(NetJson, GivesTheSameTextForTheSameNet) {
+    const NetFile file = test::example_net();
+    const std::string text = net_to_json(file.net, file.unknown_keys);
+    const NetFile back = parse_net(text, "net.json");
+    EXPECT_EQ(net_to_json(back.net, back.unknown_keys), text);
+}
+
+TEST(NetJson, FillsInWhatIsOptional) {
+    const CableNet net = parse_net(smallest, "some/where/bridge.v2.json").net;
+    EXPECT_EQ(net.name(), "bridge.v2");
+    EXPECT_THAT(net.adjustable_edges(), testing::ElementsAre(0, 1));
+    EXPECT_EQ(net.loads(), Points::Zero(3, 3));
+    EXPECT_EQ(net.node_id(1), "1");
+    EXPECT_EQ(net.edge_id(1), "1");
+    EXPECT_EQ(net.axial_stiffness(), Eigen::Vector2d(2e5, 2e5));
+}
+
+TEST(NetJson, ReadsAnAxialStiffnessForEachEdge) {
+    json value = json::parse(smallest);
+    value["axial_stiffness"] = {1e5, 2e5};
+    const CableNet net = parse_net(value.dump(), "net.json").net;
+    EXPECT_EQ(net.axial_stiffness(), Eigen::Vector2d(1e5, 2e5));
+    expect_same(parse_net(net_to_json(net), "net.json").net.data(), net.data());
+}
+
+TEST(NetJson, ReadsAFileWithAByteOrderMark) {
+    EXPECT_EQ(parse_net(std::string("\xEF\xBB\xBF") + smallest, "net.json").net.edge_count(), 2);
+}
+
+TEST(NetJson, WritesANodeAndAnEdgeALine) {
+    std::istringstream lines(net_to_json(test::example_net().net));
+    int nodes = 0;
+    int edges = 0;
+    size_t longest = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const auto commas = std::ranges::count(line, ',') - (line.ends_with(',') ? 1 : 0);
+        const bool is_row = line.starts_with("    [");
+        nodes += is_row && commas == 2 ? 1 : 0;
+        edges += is_row && commas == 1 ? 1 : 0;
+        longest = std::max(longest, line.size());
+    }
+    EXPECT_EQ(nodes, 2 * 16) << "nodes and loads";
+    EXPECT_EQ(edges, 17);
+    EXPECT_LT(longest, 120U);
+}
+
+TEST(NetJson, NamesANetAfterAFileWhoseNameIsNotUtf8) {
+    const CableNet net = parse_net(smallest, "a\xFF.json").net;
+    EXPECT_EQ(parse_net(net_to_json(net), "net.json").net.name(), net.name());
+}
+
+TEST(NetJson, RefusesToWriteANameThatIsNotUtf8) {
+    CableNetData data = hypar(1, 1).data();
+    data.node_ids = {"a", "b", "c", "d", "e\xFF"};
+    EXPECT_THROW(static_cast<void>(net_to_json(CableNet(data))), std::invalid_argument);
+}
+
+TEST(NetJson, RefusesToWriteUnknownKeysThatAreNoObjectOrOfTheFormat) {
+    const CableNet net = hypar(1, 1);
+    for (const char* keys : {"", "[]", "{", "1", R"({"nodes": []})", R"({"a": 1, "a": 2})"}) {
+        EXPECT_THROW(static_cast<void>(net_to_json(net, keys)), std::invalid_argument) << keys;
+    }
+}
+
+TEST(NetJson, ReadsAFile) {
+    const test::ScratchDirectory scratch;
+    write_file(scratch / "bridge.json", smallest);
+    EXPECT_EQ(read_net(scratch / "bridge.json").net.name(), "bridge");
+}
+
+}  // namespace
+}  // namespace taut

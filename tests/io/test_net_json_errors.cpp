@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards against a bad net file that is taken for a good one, that crashes the reader, or whose
+// message does not tell where and what is wrong.
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "io/errors.hpp"
+#include "io/examples.hpp"
+#include "taut/io/net_json.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using test::input_error_of;
+
+json good() {
+    return json::parse(R"({"format": "taut-net", "version": 1, "name": "good",
+        "nodes": [[0, 0, 0], [1, 0, 0.5], [2, 0, 0]], "supports": [0, 2],
+        "edges": [[0, 1], [1, 2]], "axial_stiffness": [2e5, 2e5],
+        "unstressed_lengths": [0.99, 0.98], "adjustable": [0],
+        "loads": [[0, 0, 0], [0, 0, -1], [0, 0, 0]], "node_ids": ["a", "b", "c"],
+        "edge_ids": ["ab", "bc"]})");
+}
+
+struct BadText {
+    const char* name;
+    std::string text;
+    std::string message;
+};
+
+class BadJson : public testing::TestWithParam<BadText> {};
+
+TEST_P(BadJson, IsRefusedWithLineAndColumnOrPointer) {
+    const BadText& bad = GetParam();
+    EXPECT_EQ(input_error_of([&] { return parse_net(bad.text, "net.json"); }),
+              std::string("net.json") + bad.message);
+}
+
+std::string repeated(const char* text, int count, std::string result = "") {
+    for (int i = 0; i < count; ++i) {
+        result += text;
+    }
+    return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Syntax, BadJson,
+    testing::Values(
+        BadText{"Empty", "", ": is empty, expected JSON"},
+        BadText{"Blank", " \n ",
+                ":2:2: is no JSON: syntax error while parsing value - unexpected end of input; "
+                "expected '[', '{', or a literal"},
+        BadText{"ByteOrderMarkAlone", "\xEF\xBB\xBF",
+                ":1:4: is no JSON: syntax error while parsing value - unexpected end of input; "
+                "expected '[', '{', or a literal"},
+        BadText{"HalfAByteOrderMark", "\xEF\xBB{}",
+                ":1:3: is no JSON: syntax error while parsing value - invalid BOM; must be 0xEF "
+                "0xBB 0xBF if given"},
+        BadText{"Text", "id,x,y,z\n",
+                ":1:1: is no JSON: syntax error while parsing value - invalid literal"},
+        BadText{"Hdf5", "\x89HDF\r\n\x1a\n", ": is an HDF5 file, expected JSON"},
+        BadText{"Hole", "{\n  \"nodes\": ,\n}",
+                ":2:12: is no JSON: syntax error while parsing value - unexpected ','; expected "
+                "'[', '{', or a literal"},
+        BadText{"TrailingComma", "{\"a\": 1,}",
+                ":1:9: is no JSON: syntax error while parsing object key - unexpected '}'; "
+                "expected string literal"},
+        BadText{"TrailingText", "{} {}",
+                ":1:4: is no JSON: syntax error while parsing value - unexpected '{'; expected end "
+                "of input"},
+        BadText{"ZeroByte", std::string("{}\n\0{}", 6), ":2:1: is a zero byte, expected text"},
+        BadText{"InvalidUtf8", "{\"a\": \"\xC3(\"}",
+                ":1:9: is no JSON: syntax error while parsing value - invalid string: ill-formed "
+                "UTF-8 byte"},
+        BadText{"NotANumber", "{\"a\": NaN}",
+                ":1:7: is no JSON: syntax error while parsing value - invalid literal"},
+        BadText{"KeyTwice", R"({"a": {"b/c": [1, {"k": 1, "k": 2}]}})",
+                ":/a/b~1c/1/k: the key 'k' comes twice"},
+        BadText{"NumberTooLarge", R"({"nodes": [[0, 1, -1e999]]})",
+                ":/nodes/0/2: the number '-1e999' is too large for a double"},
+        BadText{"DeepArray", repeated("[", 1'000'000),
+                repeated("/0", 64, ":") + ": is nested deeper than 64 levels"},
+        BadText{"DeepObject", repeated("{\"a\":", 1'000'000),
+                repeated("/a", 64, ":") + ": is nested deeper than 64 levels"}),
+    [](const auto& param) { return param.param.name; });
+
+/// A change of one value of a good net: at a JSON pointer, what to put there.
+struct BadValue {
+    const char* name;
+    const char* at;
+    const char* value;  ///< JSON, or empty to remove the key
+    const char* message;
+};
+
+class BadNet : public testing::TestWithParam<BadValue> {};
+
+TEST_P(BadNet, IsRefusedAtItsJsonPointer) {
+    const BadValue& bad = GetParam();
+    json value = good();
+    if (*bad.value == '\0') {
+        value.erase(std::string(bad.at).substr(1));
+    } else {
+        value[json::json_pointer(bad.at)] = json::parse(bad.value);
+    }
+    EXPECT_EQ(input_error_of([&] { return parse_net(value.dump(), "net.json"); }),
+              std::string("net.json") + bad.message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Value, BadNet,
+    testing::Values(
+        BadValue{"TopLevelArray", "", "[]",
+                 ": is an array, expected an object with \"format\": \"taut-net\""},
+        BadValue{"NoFormat", "/format", "", ":/format: is missing, expected \"taut-net\""},
+        BadValue{"OtherFormat", "/format", R"("other")",
+                 ":/format: is 'other', expected \"taut-net\""},
+        BadValue{"FormatNumber", "/format", "1", ":/format: is 1, expected text"},
+        BadValue{"NoVersion", "/version", "", ":/version: is missing, expected 1"},
+        BadValue{"LaterVersion", "/version", "2",
+                 ":/version: is 2, expected 1, the only one that this taut knows"},
+        BadValue{"NameNull", "/name", "null", ":/name: is null, expected text"},
+        BadValue{"NoNodes", "/nodes", "", ":/nodes: is missing, expected an array"},
+        BadValue{"NodesObject", "/nodes", "{}",
+                 ":/nodes: is an object, expected an array of [x, y, z]"},
+        BadValue{"NodeNumber", "/nodes/1", "3",
+                 ":/nodes/1: is 3, expected an array of three numbers [x, y, z]"},
+        BadValue{"NodeOfTwo", "/nodes/1", "[1, 2]",
+                 ":/nodes/1: has 2 entries, expected an array of three numbers [x, y, z]"},
+        BadValue{"CoordinateText", "/nodes/1/2", R"("1.5")",
+                 ":/nodes/1/2: is the text '1.5', expected a number"},
+        BadValue{"CoordinateTrue", "/nodes/1/2", "true", ":/nodes/1/2: is true, expected a number"},
+        BadValue{"NoSupports", "/supports", "", ":/supports: is missing, expected an array"},
+        BadValue{"SupportFraction", "/supports/1", "1.5",
+                 ":/supports/1: is 1.5, expected a whole number"},
+        BadValue{"SupportWithDecimalPoint", "/supports/1", "2.0",
+                 ":/supports/1: is 2.0, expected a whole number"},
+        BadValue{"SupportAboveInt", "/supports/1", "4294967298",
+                 ":/supports/1: is 4294967298, expected a whole number up to 2147483647"},
+        BadValue{"SupportAboveInt64", "/supports/1", "18446744073709551615",
+                 ":/supports/1: is 18446744073709551615, expected a whole number up to 2147483647"},
+        BadValue{"SupportBelowInt", "/supports/1", "-4294967294",
+                 ":/supports/1: is -4294967294, expected a whole number from -2147483648"},
+        BadValue{"SupportNegative", "/supports/1", "-1",
+                 ":/supports/1: is -1, expected the index of one of the 3 nodes"},
+        BadValue{"EdgeOfThree", "/edges/0", "[0, 1, 2]",
+                 ":/edges/0: has 3 entries, expected an array of two nodes [s, t]"},
+        BadValue{"EdgeNodeText", "/edges/0/1", R"("b")",
+                 ":/edges/0/1: is the text 'b', expected a whole number"},
+        BadValue{"EdgeToNowhere", "/edges/0/1", "7",
+                 ":/edges/0: names node 7, expected one of the 3 nodes"},
+        BadValue{"NoStiffness", "/axial_stiffness", "",
+                 ":/axial_stiffness: is missing, expected an array of numbers, or one number"},
+        BadValue{"StiffnessText", "/axial_stiffness", R"("200 kN")",
+                 ":/axial_stiffness: is the text '200 kN', expected an array of numbers"},
+        BadValue{"OneStiffnessNegative", "/axial_stiffness", "-1",
+                 ":/axial_stiffness: is -1, expected a positive and finite number"},
+        BadValue{"StiffnessesTooFew", "/axial_stiffness", "[1]",
+                 ":/axial_stiffness: has 1 entries, expected 2, one for each edge"},
+        BadValue{"StiffnessNull", "/axial_stiffness/1", "null",
+                 ":/axial_stiffness/1: is null, expected a number"},
+        BadValue{"NoLengths", "/unstressed_lengths", "",
+                 ":/unstressed_lengths: is missing, expected an array"},
+        BadValue{"OneLength", "/unstressed_lengths", "1",
+                 ":/unstressed_lengths: is 1, expected an array of numbers"},
+        BadValue{"LengthZero", "/unstressed_lengths/1", "0",
+                 ":/unstressed_lengths/1: is 0, expected a positive and finite number"},
+        BadValue{"AdjustableTrue", "/adjustable", "true",
+                 ":/adjustable: is true, expected an array of indices"},
+        BadValue{"AdjustableTwice", "/adjustable", "[1, 1]",
+                 ":/adjustable/1: lists edge 1 a second time"},
+        BadValue{"LoadsTooFew", "/loads", "[[0, 0, 0]]",
+                 ":/loads: has 1 entries, expected 3, one for each node"},
+        BadValue{"LoadOfFour", "/loads/0", "[0, 0, 0, 0]",
+                 ":/loads/0: has 4 entries, expected an array of three numbers [x, y, z]"},
+        BadValue{"NodeIdNumber", "/node_ids/1", "1", ":/node_ids/1: is 1, expected text"},
+        BadValue{"NodeIdTwice", "/node_ids/1", R"("a")",
+                 ":/node_ids/1: gives the name 'a' a second time"},
+        BadValue{"EdgeIdsText", "/edge_ids", R"("ab")",
+                 ":/edge_ids: is the text 'ab', expected an array of texts"}),
+    [](const auto& param) { return param.param.name; });
+
+TEST(NetJsonErrors, AreNoneForTheNetThatTheOthersStartFrom) {
+    EXPECT_NO_THROW(static_cast<void>(parse_net(good().dump(), "net.json")));
+}
+
+TEST(NetJsonErrors, ComeForAFileCutShortAnywhere) {
+    const NetFile file = test::example_net();
+    const std::string text = net_to_json(file.net, file.unknown_keys);
+    ASSERT_TRUE(text.ends_with("}\n"));
+    for (size_t length = 0; length + 1 < text.size(); ++length) {
+        const std::string message = input_error_of(
+            [&] { return parse_net(std::string_view(text).substr(0, length), "net.json"); });
+        ASSERT_THAT(message, testing::StartsWith("net.json:")) << "cut after " << length;
+    }
+}
+
+TEST(NetJsonErrors, ComeOrNotButNothingElseDoesForAFileWithDamagedBytes) {
+    const NetFile file = test::example_net();
+    const std::string text = net_to_json(file.net, file.unknown_keys);
+    std::mt19937 random(1);
+    int refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::string damaged = text;
+        damaged[random() % damaged.size()] = static_cast<char>(random());
+        refused +=
+            test::succeeds_or_refuses([&] { return parse_net(damaged, "net.json"); }) ? 0 : 1;
+    }
+    EXPECT_GT(refused, 1000);
+}
+
+}  // namespace
+}  // namespace taut

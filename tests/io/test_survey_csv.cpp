@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards against a survey that is misread: columns shifted, a decimal comma taken for a separator,
+// a line dropped without a word.
+
+#include "taut/io/survey_csv.hpp"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "io/errors.hpp"
+#include "io/scratch.hpp"
+
+namespace taut {
+namespace {
+
+using test::input_error_of;
+
+struct GoodText {
+    const char* name;
+    std::string text;
+};
+
+class GoodSurvey : public testing::TestWithParam<GoodText> {};
+
+TEST_P(GoodSurvey, GivesTheSameTwoPoints) {
+    const auto points = parse_survey_points(GetParam().text, "survey.csv");
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].id, "A");
+    EXPECT_EQ(points[0].position, Eigen::Vector3d(1.5, -2.25, 3e-3));
+    EXPECT_EQ(points[1].id, "B 2");
+    EXPECT_EQ(points[1].position, Eigen::Vector3d(4, 5, 0.125));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Written, GoodSurvey,
+    testing::Values(
+        GoodText{"WithCommas", "A,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
+        GoodText{"WithSemicolons", "A;1.5;-2.25;3e-3\nB 2;4;5;.125\n"},
+        GoodText{"WithBlanks", "A 1.5 -2.25 3e-3\n\"B 2\" 4 5 .125\n"},
+        GoodText{"WithTabsAndRunsOfBlanks", " A\t1.5   -2.25 \t3e-3 \n\"B 2\"\t4\t5\t.125\t\n"},
+        GoodText{"WithBlanksAroundCommas", "A , 1.5,\t-2.25 , 3e-3 \n \"B 2\" , 4, 5, .125"},
+        GoodText{"WithHeader", "id,x,y,z\nA,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
+        GoodText{"WithUpperCaseHeader", "ID;X;Y;Z\nA;1.5;-2.25;3e-3\nB 2;4;5;.125\n"},
+        GoodText{"WithStandardDeviations",
+                 "id,x,y,z,sx,sy,sz\nA,1.5,-2.25,3e-3,0,0.001,1\nB 2,4,5,.125,0,0,0\n"},
+        GoodText{"WithStandardDeviationsWithoutHeader",
+                 "A,1.5,-2.25,3e-3,0,0.001,1\nB 2,4,5,.125,0,0,0\n"},
+        GoodText{"WithCommentsAndEmptyLines",
+                 "# total station, 2026; x,y,z\n\nid,x,y,z\n  # more\nA,1.5,-2.25,3e-3\n \t\n"
+                 "B 2,4,5,.125\n#end"},
+        GoodText{"WithCrLf", "id,x,y,z\r\nA,1.5,-2.25,3e-3\r\n\r\nB 2,4,5,.125\r\n"},
+        GoodText{"EndingInCr", "A,1.5,-2.25,3e-3\r\nB 2,4,5,.125\r"},
+        GoodText{"WithByteOrderMark", "\xEF\xBB\xBFid,x,y,z\nA,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
+        GoodText{
+            "AllInQuotes",
+            "\"id\",\"x\",\"y\",\"z\"\n\"A\",\"1.5\",\"-2.25\",\"3e-3\"\n\"B 2\",\"4\",\"5\",\""
+            ".125\""},
+        GoodText{"WithPlusSigns", "A,+1.5,-2.25,+3e-3\nB 2,4,5,+.125\n"},
+        GoodText{"WithoutLastLineEnd", "A,1.5,-2.25,3e-3\nB 2,4,5,.125"}),
+    [](const auto& param) { return param.param.name; });
+
+TEST(SurveyCsv, UnquotesIdsAndKeepsSeparatorsQuotesAndLineEndsInThem) {
+    const auto points = parse_survey_points(
+        "\"a,b\",1,2,3\n\"say \"\"x\"\"\",1,2,3\n\"two\nlines\",1,2,3\nP#7,1,2,3", "survey.csv");
+    ASSERT_EQ(points.size(), 4U);
+    EXPECT_EQ(points[0].id, "a,b");
+    EXPECT_EQ(points[1].id, "say \"x\"");
+    EXPECT_EQ(points[2].id, "two\nlines");
+    EXPECT_EQ(points[3].id, "P#7");
+}
+
+TEST(SurveyCsv, TellsTheLineThatAPointStandsOn) {
+    const auto points = parse_survey_points(
+        "# comment\r\nid,x,y,z\r\n\r\n\"two\nlines\",1,2,3\r\nB,1,2,3\r\n", "survey.csv");
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].line, 4);
+    EXPECT_EQ(points[1].line, 6);
+}
+
+TEST(SurveyCsv, ReadsAFile) {
+    const test::ScratchDirectory scratch;
+    test::put_bytes(scratch / "survey.csv", "A,1,2,3\n");
+    EXPECT_EQ(read_survey_points(scratch / "survey.csv").size(), 1U);
+}
+
+struct BadText {
+    const char* name;
+    std::string text;
+    std::string message;
+};
+
+class BadSurvey : public testing::TestWithParam<BadText> {};
+
+TEST_P(BadSurvey, IsRefusedWithItsLine) {
+    const BadText& bad = GetParam();
+    EXPECT_EQ(input_error_of([&] { return parse_survey_points(bad.text, "survey.csv"); }),
+              "survey.csv" + bad.message);
+}
+
+constexpr const char* no_point = ": holds no point, expected lines id,x,y,z";
+constexpr const char* no_header =
+    ":1: is neither a point nor the header id,x,y,z or id,x,y,z,sx,sy,sz";
+constexpr const char* wrong_count = " fields, expected 4 (id,x,y,z) or 7 (id,x,y,z,sx,sy,sz)";
+
+INSTANTIATE_TEST_SUITE_P(
+    Text, BadSurvey,
+    testing::Values(
+        BadText{"Empty", "", no_point}, BadText{"CommentsOnly", "# nothing\n\n", no_point},
+        BadText{"HeaderOnly", "id,x,y,z\n", no_point},
+        BadText{"ByteOrderMarkOnly", "\xEF\xBB\xBF", no_point},
+        BadText{"HeaderWithoutId", "x,y,z\n1,2,3\n", std::string(":1: has 3") + wrong_count},
+        BadText{"HeaderInOtherOrder", "id,x,z,y\nA,1,2,3\n", no_header},
+        BadText{"HeaderOfOtherNames", "point,x,y,z\nA,1,2,3\n", no_header},
+        BadText{"SecondHeader", "id,x,y,z\nid,x,y,z\n", ":2: x is 'x', expected a finite number"},
+        BadText{"FewFields", "A,1,2\n", std::string(":1: has 3") + wrong_count},
+        BadText{"ManyFields", "A,1,2,3,4\n", std::string(":1: has 5") + wrong_count},
+        BadText{"TrailingSeparator", "A,1,2,3,\n", std::string(":1: has 5") + wrong_count},
+        BadText{"FewerFieldsLater", "A,1,2,3\nB,1,2\n",
+                ":2: has 3 fields, expected 4 as in the lines before"},
+        BadText{"StandardDeviationsLater", "A,1,2,3\nB,1,2,3,0,0,0\n",
+                ":2: has 7 fields, expected 4 as in the lines before (with a decimal point, not a "
+                "comma)"},
+        BadText{"OtherSeparatorLater", "A,1,2,3\nB;1;2;3\n",
+                ":2: has 1 fields, expected 4 as in the lines before"},
+        BadText{"NoNumber", "A,1,two,3\n", ":1: y is 'two', expected a finite number"},
+        BadText{"NumberWithUnit", "A,1m,2,3\n", ":1: x is '1m', expected a finite number"},
+        BadText{"EmptyNumber", "A,1,,3\n", ":1: y is '', expected a finite number"},
+        BadText{"HexNumber", "A,0x10,2,3\n", ":1: x is '0x10', expected a finite number"},
+        BadText{"TwoSigns", "A,+-1,2,3\n", ":1: x is '+-1', expected a finite number"},
+        BadText{"Nan", "A,1,2,nan\n", ":1: z is 'nan', expected a finite number"},
+        BadText{"Infinite", "A,-inf,2,3\n", ":1: x is '-inf', expected a finite number"},
+        BadText{"TooLarge", "A,1e999,2,3\n", ":1: x is '1e999', expected a finite number"},
+        BadText{"EmptyId", "A,1,2,3\n,1,2,3\n", ":2: has an empty id"},
+        BadText{"QuotedEmptyId", "\"\",1,2,3\n", ":1: has an empty id"},
+        BadText{"NegativeStd", "A,1,2,3,0,-0.1,0\n",
+                ":1: sy is '-0.1', expected a standard deviation of at least 0"},
+        BadText{"StdNoNumber", "A,1,2,3,0,0,?\n", ":1: sz is '?', expected a finite number"},
+        BadText{"DecimalCommaWithSemicolons", "A;1,5;2,5;3,5\n",
+                ":1: x is '1,5', expected a number with a decimal point, not a comma"},
+        BadText{"DecimalCommaWithBlanks", "A 1,5 2 3\n",
+                ":1: x is '1,5', expected a number with a decimal point, not a comma"},
+        BadText{"DecimalCommaWithBlanksAndHeader", "id x y z\nA 1,5 2,5 -3,5\n",
+                ":2: x is '1,5', expected a number with a decimal point, not a comma"},
+        BadText{"DecimalCommaWithCommas", "id,x,y,z\nA,1,5,2,5,3,5\n",
+                ":2: has 7 fields, expected 4 as in the lines before (with a decimal point, not a "
+                "comma)"},
+        BadText{"OpenQuote", "A,1,2,3\n\"B,1,2,3\nC,1,2,3\n",
+                ":2: opens a quote that is never closed"},
+        BadText{"TextBehindQuote", "\"A\"b,1,2,3\n",
+                ":1: has text behind a closing quote, expected a separator"},
+        BadText{"ZeroByte", std::string("A,1,2,3\nB,1,2,\0", 15),
+                ":2: holds a zero byte, expected text"},
+        BadText{"Utf16",
+                std::string("\xFF\xFE"
+                            "A\0,\0",
+                            6),
+                ":1: holds a zero byte, expected text"},
+        BadText{"Json", "{\"format\": \"taut-net\"}", std::string(":1: has 2") + wrong_count}),
+    [](const auto& param) { return param.param.name; });
+
+TEST(SurveyCsv, OfAFileCutShortGivesTheFirstPointsOrAnErrorAndNothingElse) {
+    const std::string text =
+        "\xEF\xBB\xBF# survey\r\nid;x;y;z;sx;sy;sz\r\n\"A;1\";1.25;-2e-3;3;0;0;0.5\r\n"
+        "B;1;2;3;0;0;0\r\n\"C\"\"\";1;2;3;0;0;0\r\n";
+    const auto whole = parse_survey_points(text, "survey.csv");
+    ASSERT_EQ(whole.size(), 3U);
+    int refused = 0;
+    for (size_t length = 0; length < text.size(); ++length) {
+        try {
+            const auto points =
+                parse_survey_points(std::string_view(text).substr(0, length), "survey.csv");
+            ASSERT_LE(points.size(), 3U);
+            for (size_t i = 0; i < points.size(); ++i) {
+                ASSERT_EQ(points[i].id, whole[i].id) << "cut after " << length;
+                ASSERT_EQ(points[i].position, whole[i].position) << "cut after " << length;
+            }
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 100);
+}
+
+TEST(SurveyCsv, OfDamagedOrRandomBytesGivesPointsOrAnErrorAndNothingElse) {
+    const std::string text = "id,x,y,z\n\"A,1\",1.25,-2e-3,3\nB,1,2,3\n\"C\"\"\",1,2,3\n";
+    std::mt19937 random(1);
+    int refused = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::string damaged = text;
+        for (int k = 0; k <= i % 3; ++k) {
+            damaged[random() % damaged.size()] = static_cast<char>(random());
+        }
+        std::string noise(random() % 100, '\0');
+        for (char& c : noise) {
+            c = static_cast<char>(random());
+        }
+        for (const std::string& bytes : {damaged, noise}) {
+            refused +=
+                test::succeeds_or_refuses([&] { return parse_survey_points(bytes, "survey.csv"); })
+                    ? 0
+                    : 1;
+        }
+    }
+    EXPECT_GT(refused, 3000);
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against lengths of the wrong size: 5 mm taken for 5 m, a typing error taken for a number,
+// a length that changes in its last bit when a file keeps it as text.
+
+#include "taut/net/units.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using taut::format_length;
+using taut::parse_length;
+
+/// Any double that is finite, whatever its size: all bit patterns are equally likely.
+rc::Gen<double> finite_doubles() {
+    return rc::gen::suchThat(
+        rc::gen::map(rc::gen::resize(100, rc::gen::arbitrary<std::uint64_t>()),
+                     [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
+        [](double x) { return std::isfinite(x); });
+}
+
+TEST(ParseLength, TakesMillimetresCentimetresAndMetres) {
+    EXPECT_EQ(parse_length("5mm"), 0.005);
+    EXPECT_EQ(parse_length("1.2cm"), 0.012);
+    EXPECT_EQ(parse_length("0.005m"), 0.005);
+}
+
+TEST(ParseLength, TakesABareNumberForMetres) {
+    EXPECT_EQ(parse_length("0.25"), 0.25);
+    EXPECT_EQ(parse_length("3"), 3.0);
+}
+
+TEST(ParseLength, TakesBlanksBetweenNumberAndUnit) {
+    EXPECT_EQ(parse_length("0.5 mm"), 0.0005);
+    EXPECT_EQ(parse_length("7  m"), 7.0);
+}
+
+TEST(ParseLength, TakesSignsAndExponents) {
+    EXPECT_EQ(parse_length("-2mm"), -0.002);
+    EXPECT_EQ(parse_length("1e-3m"), 0.001);
+    EXPECT_EQ(parse_length("2.5E+1mm"), 0.025);
+}
+
+RC_GTEST_PROP(ParseLength, ReadsWholeMillimetresAsTheDoubleNextToThem, ()) {
+    const int millimetres = *rc::gen::inRange(-10'000'000, 10'000'000);
+    const std::string number = std::to_string(millimetres);
+    RC_ASSERT(parse_length(number + "mm") == std::stod(number + "e-3"));
+}
+
+class BadLength : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadLength, IsRefusedWithItsText) {
+    try {
+        const double length = parse_length(GetParam());
+        FAIL() << "'" << GetParam() << "' was read as " << length << " m";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("'" + GetParam() + "'"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("expected"));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Texts, BadLength,
+                         testing::Values("", " ", "mm", "5km", "5MM", "5mmm", "5 m m", "5mm ",
+                                         " 5mm", "5\tmm", "+5mm", "--5mm", "5,5mm", "0x5mm",
+                                         "five mm", "5mm,", "5 5mm", "1e400m", "-1e400m", "nan",
+                                         "nanmm", "inf", "-infmm", "5\"", "5'", "%5mm"));
+
+TEST(FormatLength, WritesMetresWhereNoNumberOfMillimetresIsReadBackAsTheSame) {
+    ASSERT_NE(2.1 / 1000.0, 0.0021);
+    EXPECT_EQ(format_length(0.0021), "0.0021m");
+    EXPECT_EQ(format_length(1e308), "1e+308m");
+}
+
+TEST(FormatLength, WritesTheShortestNumberOfMillimetres) {
+    EXPECT_EQ(format_length(0.005), "5mm");
+    EXPECT_EQ(format_length(0.0005), "0.5mm");
+    EXPECT_EQ(format_length(5.0), "5000mm");
+    EXPECT_EQ(format_length(0.0), "0mm");
+    EXPECT_EQ(format_length(-0.0023), "-2.3mm");
+    EXPECT_EQ(format_length(0.0637), "63.7mm");
+}
+
+RC_GTEST_PROP(FormatLength, GivesBackWhatAPersonWrote, ()) {
+    // 63.7 mm is one of those where metres times 1000 is not the number that was written.
+    const int tenths = *rc::gen::oneOf(rc::gen::just(637), rc::gen::inRange(1, 100'000));
+    const std::string number =
+        std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10));
+    RC_ASSERT(format_length(parse_length(number + "mm")) == number + "mm");
+}
+
+RC_GTEST_PROP(FormatLength, IsReadBackToTheLastBit, ()) {
+    const double metres = *finite_doubles();
+    RC_ASSERT(std::bit_cast<std::uint64_t>(parse_length(format_length(metres))) ==
+              std::bit_cast<std::uint64_t>(metres));
+}
+
+RC_GTEST_PROP(FormatLength, IsReadBackToTheLastBitForLengthsOfCables, ()) {
+    const auto nanometres = *rc::gen::inRange<std::int64_t>(1, 10'000'000'000);
+    const double metres = static_cast<double>(nanometres) / 1e9 * 1.000000059604644775390625;
+    RC_ASSERT(parse_length(format_length(metres)) == metres);
+}
+
+}  // namespace

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against data that cannot be drawn again: draws that another compiler, seed width or sample
+// count changes; and against miscounted samples.
+
+#include "taut/sampling/data_set.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <set>
+
+namespace {
+
+using taut::DataSet;
+using taut::draw_length_deviations;
+using taut::EquilibriumStatus;
+using taut::LengthLaw;
+
+constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+
+/// The draws as documented, from the standard library alone: the 52 upper bits of the engine, at
+/// the middle of their cell in (0, 1), mapped to (-0.005, 0.005).
+double expected_draw(std::uint64_t seed, std::uint64_t sample, int index) {
+    std::seed_seq sequence{seed & 0xffffffffU, seed >> 32U, sample & 0xffffffffU, sample >> 32U};
+    std::mt19937_64 engine(sequence);
+    engine.discard(static_cast<unsigned>(index));
+    const double u = (static_cast<double>(engine() / 4096) + 0.5) / 4503599627370496.0;
+    return 0.005 * (2.0 * u - 1.0);
+}
+
+TEST(DrawLengthDeviations, ComesFromTheStandardEngineSeededBySeedAndSample) {
+    const std::uint64_t seed = 0x0123456789abcdefU;
+    const std::uint64_t sample = 0xfedcba9876543210U;
+    const Eigen::VectorXd deviations = draw_length_deviations(law, seed, sample, 9);
+    for (int i = 0; i < 9; ++i) {
+        EXPECT_EQ(deviations(i), expected_draw(seed, sample, i)) << "deviation " << i;
+    }
+}
+
+TEST(DrawLengthDeviations, GivesTheNumbersThatEarlierDataSetsHold) {
+    // From tests/data/make_draws.py.
+    const Eigen::VectorXd deviations = draw_length_deviations(law, 1, 0, 3);
+    EXPECT_EQ(deviations(0), -0.000819159853374537);
+    EXPECT_EQ(deviations(1), -0.0017097866901699332);
+    EXPECT_EQ(deviations(2), -0.003441719149049719);
+}
+
+TEST(DrawLengthDeviations, OfALongerNetStartAsThoseOfAShorterOne) {
+    EXPECT_EQ(draw_length_deviations(law, 1, 7, 100).head(10),
+              draw_length_deviations(law, 1, 7, 10));
+}
+
+TEST(DrawLengthDeviations, DiffersBetweenAllSeedsAndSamples) {
+    constexpr std::uint64_t high = std::uint64_t{1} << 32U;
+    std::set<double> firsts;
+    const std::vector<std::uint64_t> numbers{0, 1, 2, 3, high, high + 1, 2 * high, 3 * high};
+    for (const std::uint64_t seed : numbers) {
+        for (const std::uint64_t sample : numbers) {
+            firsts.insert(draw_length_deviations(law, seed, sample, 1)(0));
+        }
+    }
+    EXPECT_EQ(firsts.size(), numbers.size() * numbers.size());
+}
+
+TEST(DrawLengthDeviations, OfNeighbouringSamplesAreNotCorrelated) {
+    constexpr int count = 2000;
+    Eigen::VectorXd products(count);
+    for (int k = 0; k < count; ++k) {
+        products(k) = draw_length_deviations(law, 1, static_cast<std::uint64_t>(k), 1)(0) *
+                      draw_length_deviations(law, 1, static_cast<std::uint64_t>(k) + 1, 1)(0);
+    }
+    // The mean of independent products has the standard deviation std^2 / sqrt(count).
+    EXPECT_LT(std::abs(products.mean()), 4.0 * law.std() * law.std() / std::sqrt(count));
+}
+
+/// Five samples: the second is not converged, the third a slack mechanism.
+DataSet five_samples() {
+    return {.form_deviations = Eigen::MatrixXd::Zero(3, 5),
+            .length_deviations = Eigen::MatrixXd::Zero(1, 5),
+            .statuses = {EquilibriumStatus::converged, EquilibriumStatus::iteration_limit,
+                         EquilibriumStatus::slack_mechanism, EquilibriumStatus::converged,
+                         EquilibriumStatus::iteration_limit},
+            .slack_counts = {0, 3, 2, 1, 0}};
+}
+
+TEST(DataSet, CountsItsSamplesAndThoseWithSlackEdges) {
+    EXPECT_EQ(five_samples().size(), 5);
+    EXPECT_EQ(five_samples().with_slack(), 3);
+}
+
+TEST(DataSet, CountsAsNotConvergedWhatDoesNotBalanceAndNothingElse) {
+    EXPECT_EQ(five_samples().not_converged(), 2);
+}
+
+TEST(DataSet, ListsTheConvergedSamplesOfARange) {
+    EXPECT_THAT(five_samples().converged_in(0, 5), testing::ElementsAre(0, 2, 3));
+    EXPECT_THAT(five_samples().converged_in(1, 3), testing::ElementsAre(2));
+    EXPECT_THAT(five_samples().converged_in(4, 5), testing::IsEmpty());
+}
+
+}  // namespace

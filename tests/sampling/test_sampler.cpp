@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against data that teach something wrong: forms that do not belong to their lengths,
+// samples that depend on threads or on where a run was broken off, deviations from a form that is
+// not the nominal one.
+
+#include "taut/sampling/sampler.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/statics/energy.hpp"
+#include "taut/statics/tensions.hpp"
+#include "taut/threads.hpp"
+
+namespace {
+
+using namespace taut;
+
+constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+
+DataSet draw(const CableNet& net, int count, const LengthLaw& from = law, std::uint64_t seed = 1) {
+    const Sampler sampler(net, from, seed);
+    DataSet data = sampler.empty();
+    EXPECT_TRUE(sampler.extend(data, count));
+    return data;
+}
+
+void expect_same(const DataSet& a, const DataSet& b) {
+    EXPECT_EQ(a.net_fingerprint, b.net_fingerprint);
+    EXPECT_EQ(a.law, b.law);
+    EXPECT_EQ(a.seed, b.seed);
+    EXPECT_EQ(a.nominal_form, b.nominal_form);
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(a.form_deviations, b.form_deviations);
+    EXPECT_EQ(a.length_deviations, b.length_deviations);
+    EXPECT_EQ(a.statuses, b.statuses);
+    EXPECT_EQ(a.slack_counts, b.slack_counts);
+}
+
+/// All nodes in the form of sample k.
+Points form_of(const CableNet& net, const DataSet& data, int k) {
+    return with_free_coordinates(net, data.nominal_form + data.form_deviations.col(k));
+}
+
+/// Largest nodal force of sample k, in mean tensions.
+double imbalance(const CableNet& net, const DataSet& data, int k) {
+    const Eigen::VectorXd lengths = with_length_deviations(net, data.length_deviations.col(k));
+    const Points form = form_of(net, data, k);
+    const Eigen::VectorXd forces = out_of_balance_forces(net, lengths, form);
+    return forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff() /
+           tensions(net, lengths, form).mean();
+}
+
+void expect_balance(const CableNet& net, const DataSet& data) {
+    EXPECT_EQ(data.not_converged(), 0);
+    for (int k = 0; k < data.size(); ++k) {
+        EXPECT_LT(imbalance(net, data, k), 1e-9) << "sample " << k;
+    }
+}
+
+/// A net with a load of 300 N downwards at each free node.
+CableNet loaded(const CableNet& net) {
+    CableNetData content = net.data();
+    content.loads.setZero(3, net.node_count());
+    content.loads(2, net.free_nodes()).setConstant(-300.0);
+    return CableNet(content);
+}
+
+TEST(Sampler, BeginsWithAnEmptyDataSetOfItsNetLawAndSeed) {
+    const CableNet net = hypar(3, 4);
+    const Sampler sampler(net, law, 42);
+    const DataSet data = sampler.empty();
+    EXPECT_EQ(data.size(), 0);
+    EXPECT_EQ(data.net_fingerprint, net.fingerprint());
+    EXPECT_EQ(data.law, law);
+    EXPECT_EQ(data.seed, 42U);
+    EXPECT_EQ(data.nominal_form, free_coordinates(net, sampler.nominal().form));
+    EXPECT_EQ(data.form_deviations.rows(), 3 * net.free_node_count());
+    EXPECT_EQ(data.length_deviations.rows(), net.interior_edge_count());
+}
+
+TEST(Sampler, DrawsTheLengthsThatSeedAndSampleStandFor) {
+    const CableNet net = hypar(3, 4);
+    const DataSet data = draw(net, 5, law, 9);
+    for (int k = 0; k < data.size(); ++k) {
+        EXPECT_EQ(data.length_deviations.col(k),
+                  draw_length_deviations(law, 9, static_cast<std::uint64_t>(k),
+                                         net.interior_edge_count()));
+    }
+}
+
+TEST(Sampler, GivesFormsInEquilibriumWithTheirLengths) {
+    const CableNet net = hypar(3, 4);
+    expect_balance(net, draw(net, 40));
+}
+
+TEST(Sampler, GivesFormsInEquilibriumWhereEdgesAreSlack) {
+    const CableNet net = hypar(3, 4);
+    const DataSet data = draw(net, 40, {LengthLaw::Kind::uniform, 0.02});
+    ASSERT_GT(data.with_slack(), 10);
+    expect_balance(net, data);
+}
+
+TEST(Sampler, GivesFormsThatDifferFromTheNominalOne) {
+    const DataSet data = draw(hypar(3, 4), 40);
+    EXPECT_GT(data.form_deviations.colwise().norm().minCoeff(), 1e-4);
+}
+
+TEST(Sampler, CountsTheSlackEdgesOfEachSample) {
+    const CableNet net = hypar(3, 4);
+    const DataSet data = draw(net, 40, {LengthLaw::Kind::uniform, 0.01});
+    int with_slack = 0;
+    for (int k = 0; k < data.size(); ++k) {
+        const auto slack = slack_edges(
+            net, with_length_deviations(net, data.length_deviations.col(k)), form_of(net, data, k));
+        EXPECT_EQ(data.slack_counts[static_cast<size_t>(k)], static_cast<int>(slack.size()))
+            << "sample " << k;
+        with_slack += slack.empty() ? 0 : 1;
+    }
+    EXPECT_EQ(data.with_slack(), with_slack);
+    EXPECT_GT(with_slack, 0);
+    EXPECT_LT(with_slack, data.size());
+}
+
+TEST(Sampler, TellsWhichSamplesAreMechanisms) {
+    // A chain of two free nodes: the middle edge and one at a support are slack when it is too
+    // long.
+    CableNetData content;
+    content.name = "chain";
+    content.nodes = Points(3, 4);
+    content.nodes << 0.0, 1.0, 2.0, 3.0,  //
+        0.0, 0.0, 0.0, 0.0,               //
+        0.0, 0.0, 0.0, 0.0;
+    content.supports = {0, 3};
+    content.edges = {{0, 1}, {1, 2}, {2, 3}};
+    content.axial_stiffness.setConstant(3, 1000.0);
+    content.unstressed_lengths.setConstant(3, 0.999);
+    content.adjustable = {0, 2};
+    const CableNet net(content);
+    const DataSet data = draw(net, 30, {LengthLaw::Kind::uniform, 0.1});
+    EXPECT_EQ(data.not_converged(), 0);
+    for (int k = 0; k < data.size(); ++k) {
+        // 3 mm of the chain are strained away before it hangs loose.
+        const bool loose = data.length_deviations(0, k) > 0.003;
+        EXPECT_EQ(data.statuses[static_cast<size_t>(k)] == EquilibriumStatus::slack_mechanism,
+                  loose)
+            << "sample " << k << " deviates by " << data.length_deviations(0, k) << " m";
+    }
+}
+
+TEST(Sampler, GivesTheSameBitsOnOneThreadAndOnTwo) {
+    const CableNet net = hypar(4, 5);
+    const auto draw_on = [&net](int threads) {
+        const ThreadLimit limit(threads);
+        return draw(net, 60, {LengthLaw::Kind::uniform, 0.01});
+    };
+    expect_same(draw_on(1), draw_on(2));
+}
+
+TEST(Sampler, GivesTheSameBitsInOneCallAndInMany) {
+    const CableNet net = hypar(4, 5);
+    const Sampler sampler(net, law, 1);
+    DataSet in_parts = sampler.empty();
+    for (const int count : {1, 2, 17, 17, 40}) {
+        EXPECT_TRUE(sampler.extend(in_parts, count));
+    }
+    expect_same(in_parts, draw(net, 40));
+}
+
+TEST(Sampler, GivesTheSameBitsWhenAnotherSamplerGoesOn) {
+    const CableNet net = hypar(4, 5);
+    DataSet data = draw(net, 10);
+    EXPECT_TRUE(Sampler(net, law, 1).extend(data, 25));
+    expect_same(data, draw(net, 25));
+}
+
+TEST(Sampler, GivesOtherSamplesForAnotherSeed) {
+    const DataSet one = draw(hypar(3, 4), 3, law, 1);
+    const DataSet two = draw(hypar(3, 4), 3, law, 2);
+    EXPECT_NE(one.length_deviations, two.length_deviations);
+    EXPECT_NE(one.form_deviations, two.form_deviations);
+}
+
+TEST(Sampler, KeepsADataSetThatHoldsEnough) {
+    const CableNet net = hypar(3, 4);
+    const Sampler sampler(net, law, 1);
+    DataSet data = draw(net, 10);
+    EXPECT_TRUE(sampler.extend(data, 4));
+    expect_same(data, draw(net, 10));
+}
+
+TEST(Sampler, LeavesTheDataSetAsItWasWhenAStopWasRequested) {
+    const CableNet net = hypar(3, 4);
+    const Sampler sampler(net, law, 1);
+    std::stop_source source;
+    source.request_stop();
+    DataSet data = draw(net, 10);
+    EXPECT_FALSE(sampler.extend(data, 20, source.get_token()));
+    expect_same(data, draw(net, 10));
+    EXPECT_TRUE(sampler.extend(data, 20));
+    expect_same(data, draw(net, 20));
+}
+
+TEST(Sampler, LeavesTheDataSetAsItWasWhenStoppedWhileItWorks) {
+    const CableNet net = hypar(3, 4);
+    const Sampler sampler(net, law, 1);
+    DataSet data = draw(net, 10);
+    std::stop_source source;
+    const std::jthread stopper([&source] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        source.request_stop();
+    });
+    // Seconds of work, were it not stopped.
+    EXPECT_FALSE(sampler.extend(data, 300'000, source.get_token()));
+    expect_same(data, draw(net, 10));
+}
+
+TEST(Sampler, BalancesTheLoadsOfANet) {
+    const CableNet net = loaded(hypar(3, 4));
+    const DataSet data = draw(net, 20);
+    expect_balance(net, data);
+    // The loads are not small: the form hangs below that of the net without them.
+    EXPECT_LT(data.nominal_form(2), draw(hypar(3, 4), 0).nominal_form(2) - 1e-3);
+}
+
+TEST(Sampler, MeasuresDeviationsFromTheEquilibriumNotFromTheNodesOfTheFile) {
+    const CableNet net = hypar(3, 4);
+    CableNetData content = net.data();
+    for (const int node : net.free_nodes()) {
+        content.nodes.col(node) += Eigen::Vector3d(0.004, -0.003, 0.01);
+    }
+    const CableNet moved(content);
+    const Sampler sampler(moved, law, 1);
+    EXPECT_GT((sampler.nominal().form - moved.nodes()).cwiseAbs().maxCoeff(), 0.009);
+    const DataSet data = draw(moved, 5);
+    const DataSet expected = draw(net, 5);
+    EXPECT_LT((data.nominal_form - expected.nominal_form).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((data.form_deviations - expected.form_deviations).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+std::string refusal(const CableNet& net, const LengthLaw& of) {
+    try {
+        const Sampler sampler(net, of, 1);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+TEST(Sampler, RefusesANetWithoutInteriorEdges) {
+    EXPECT_THAT(refusal(hypar(1, 1), law), testing::HasSubstr("no interior edge"));
+}
+
+TEST(Sampler, RefusesALawThatReachesTheShortestInteriorLengthAndNamesBoth) {
+    CableNetData content = hypar(3, 4).data();
+    const int interior = hypar(3, 4).interior_edges()[5];
+    content.unstressed_lengths(interior) = 0.1;
+    const CableNet net(content);
+    EXPECT_THAT(refusal(net, {LengthLaw::Kind::uniform, 0.1}),
+                testing::AllOf(testing::HasSubstr("uniform:100mm"), testing::HasSubstr("100 mm")));
+    EXPECT_THAT(refusal(net, {LengthLaw::Kind::normal, 0.02}),
+                testing::AllOf(testing::HasSubstr("normal:20mm"), testing::HasSubstr("166 mm"),
+                               testing::HasSubstr("100 mm")));
+    EXPECT_EQ(refusal(net, {LengthLaw::Kind::uniform, 0.0999}), "not refused");
+}
+
+TEST(Sampler, AsksNothingOfTheLengthsOfAdjustableEdges) {
+    CableNetData content = hypar(3, 4).data();
+    content.unstressed_lengths(content.adjustable.front()) = 0.05;
+    EXPECT_EQ(refusal(CableNet(content), {LengthLaw::Kind::uniform, 0.06}), "not refused");
+}
+
+TEST(Sampler, RefusesALawWhoseScaleIsNoPositiveNumber) {
+    for (const double scale : {0.0, -0.005, std::nan(""), -HUGE_VAL}) {
+        EXPECT_THAT(refusal(hypar(3, 4), {LengthLaw::Kind::uniform, scale}),
+                    testing::HasSubstr("positive"));
+    }
+}
+
+TEST(Sampler, TellsWhereTheNominalNetFindsNoEquilibrium) {
+    // A load whose square overflows: no form can be told to be better than another.
+    CableNetData content = hypar(3, 4).data();
+    content.loads.setConstant(3, content.nodes.cols(), 1e200);
+    try {
+        const Sampler sampler(CableNet(content), law, 1);
+        FAIL() << "an equilibrium was found";
+    } catch (const std::runtime_error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("nominal net finds no equilibrium"));
+    }
+}
+
+}  // namespace

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a study that tells better numbers than there are: training on what it validates
+// with, numbers of other samples than it says, an experiment that cannot be repeated.
+
+#include "taut/study/study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace {
+
+using namespace taut;
+
+const StudySettings small{
+    .samples = 60, .validation = 12, .law = {LengthLaw::Kind::uniform, 0.004}, .seed = 3};
+
+class SmallStudy : public testing::Test {
+protected:
+    const CableNet m_net = hypar(4, 5);
+    const Study m_study = run_study(m_net, small);
+
+    [[nodiscard]] Eigen::MatrixXd truth() const {
+        return m_study.data.length_deviations(Eigen::all, m_study.validation);
+    }
+};
+
+TEST_F(SmallStudy, DrawsTheSamplesOfItsLawAndSeed) {
+    const Sampler sampler(m_net, small.law, small.seed);
+    DataSet data = sampler.empty();
+    sampler.extend(data, small.samples);
+    EXPECT_EQ(m_study.data.length_deviations, data.length_deviations);
+    EXPECT_EQ(m_study.data.form_deviations, data.form_deviations);
+    EXPECT_EQ(m_study.settings.samples, 60);
+    EXPECT_EQ(m_study.net.fingerprint(), m_net.fingerprint());
+}
+
+TEST_F(SmallStudy, ValidatesOnTheLastSamplesAndTrainsOnAllOthers) {
+    ASSERT_EQ(m_study.data.not_converged(), 0);
+    EXPECT_THAT(m_study.validation,
+                testing::ElementsAre(48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59));
+    EXPECT_EQ(m_study.model.training_count(), 48);
+    EXPECT_EQ(m_study.model.processes.inputs, m_study.data.form_deviations.leftCols(48));
+}
+
+TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
+    const LengthModel model = train(m_study.data, m_study.data.converged_in(0, 48));
+    const Eigen::MatrixXd validation = m_study.data.form_deviations.rightCols(12);
+    const LengthEstimates estimates = estimate_lengths(model, validation);
+    EXPECT_EQ(m_study.estimates.mean, estimates.mean);
+    EXPECT_EQ(m_study.estimates.std, estimates.std);
+}
+
+TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
+    const LengthErrors expected = length_errors(truth(), m_study.estimates.mean);
+    const LengthErrors& errors = m_study.gp_as_in_paper.errors;
+    EXPECT_EQ(m_study.gp_as_in_paper.name, "gp_as_in_paper");
+    EXPECT_EQ(errors.mse, expected.mse);
+    EXPECT_EQ(errors.mrse, expected.mrse);
+    EXPECT_EQ(errors.mean, expected.mean);
+    EXPECT_EQ(errors.std, expected.std);
+    // It learnt something: guessing zero throughout has the relative error one.
+    EXPECT_LT(errors.mrse, 0.1);
+    EXPECT_GT(errors.mrse, 0.0);
+}
+
+TEST_F(SmallStudy, CountsHowManyLengthsLieInTheirInterval) {
+    const Eigen::MatrixXd true_deviations = truth();
+    int inside = 0;
+    for (Eigen::Index i = 0; i < true_deviations.rows(); ++i) {
+        for (Eigen::Index k = 0; k < true_deviations.cols(); ++k) {
+            const double half = 1.959963984540054 * m_study.estimates.std(i, k);
+            inside +=
+                std::abs(true_deviations(i, k) - m_study.estimates.mean(i, k)) <= half ? 1 : 0;
+        }
+    }
+    EXPECT_DOUBLE_EQ(m_study.gp_as_in_paper.coverage,
+                     inside / static_cast<double>(true_deviations.size()));
+    EXPECT_GT(m_study.gp_as_in_paper.coverage, 0.85);
+}
+
+TEST_F(SmallStudy, TellsTheNominalFormErrorOfTheFirstValidationSample) {
+    const Eigen::VectorXd true_form =
+        m_study.data.nominal_form + m_study.data.form_deviations.col(48);
+    const Eigen::VectorXd expected = node_distances(true_form, m_study.data.nominal_form);
+    ASSERT_EQ(m_study.nominal_form_error.size(), m_net.free_node_count());
+    EXPECT_LT((m_study.nominal_form_error - expected).cwiseAbs().maxCoeff(), 1e-15);
+    const FormErrorSummary summary = summarise(expected);
+    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.max, summary.max);
+    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.min, summary.min);
+    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.mean, summary.mean);
+    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.rmse, summary.rmse);
+}
+
+/// Form errors with the lengths identified from validation sample k, found anew.
+Eigen::VectorXd identified_form_error(const Study& study, int k) {
+    const CableNet& net = study.net;
+    const Equilibrium predicted = EquilibriumSolver(net).solve(
+        with_length_deviations(net, study.estimates.mean.col(k)), net.nodes());
+    return node_distances(study.data.nominal_form + study.data.form_deviations.col(
+                                                        study.validation[static_cast<size_t>(k)]),
+                          free_coordinates(net, predicted.form));
+}
+
+TEST_F(SmallStudy, TellsTheIdentifiedFormErrorOfTheFirstValidationSample) {
+    const Eigen::VectorXd expected = identified_form_error(m_study, 0);
+    EXPECT_LT((m_study.identified_form_error - expected).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_DOUBLE_EQ(m_study.form_errors.identified.mean, m_study.identified_form_error.mean());
+    EXPECT_DOUBLE_EQ(m_study.form_errors.identified.max, m_study.identified_form_error.maxCoeff());
+    EXPECT_LT(m_study.form_errors.identified.mean, 0.3 * m_study.form_errors.nominal.mean);
+}
+
+TEST_F(SmallStudy, TellsTheMeanFormErrorsOfAllValidationSamples) {
+    FormErrors mean;
+    const auto count = static_cast<int>(m_study.validation.size());
+    for (int k = 0; k < count; ++k) {
+        const FormErrorSummary identified = summarise(identified_form_error(m_study, k));
+        const FormErrorSummary nominal = summarise(node_distances(
+            m_study.data.form_deviations.col(m_study.validation[static_cast<size_t>(k)]),
+            Eigen::VectorXd::Zero(3 * m_net.free_node_count())));
+        mean.identified.mean += identified.mean / count;
+        mean.identified.max += identified.max / count;
+        mean.identified.min += identified.min / count;
+        mean.identified.rmse += identified.rmse / count;
+        mean.nominal.mean += nominal.mean / count;
+        mean.nominal.max += nominal.max / count;
+        mean.nominal.min += nominal.min / count;
+        mean.nominal.rmse += nominal.rmse / count;
+    }
+    const auto expect_near = [](const FormErrorSummary& a, const FormErrorSummary& b) {
+        EXPECT_NEAR(a.max, b.max, 1e-10);
+        EXPECT_NEAR(a.min, b.min, 1e-10);
+        EXPECT_NEAR(a.mean, b.mean, 1e-10);
+        EXPECT_NEAR(a.rmse, b.rmse, 1e-10);
+    };
+    EXPECT_EQ(m_study.forms_not_converged, 0);
+    expect_near(m_study.mean_form_errors.nominal, mean.nominal);
+    expect_near(m_study.mean_form_errors.identified, mean.identified);
+}
+
+TEST_F(SmallStudy, GivesTheSameNumbersForTheSameSeed) {
+    const Study again = run_study(m_net, small);
+    EXPECT_EQ(again.gp_as_in_paper.errors.mse, m_study.gp_as_in_paper.errors.mse);
+    EXPECT_EQ(again.estimates.mean, m_study.estimates.mean);
+    EXPECT_EQ(again.identified_form_error, m_study.identified_form_error);
+}
+
+TEST_F(SmallStudy, GivesOtherNumbersForAnotherSeed) {
+    StudySettings settings = small;
+    settings.seed = 4;
+    EXPECT_NE(run_study(m_net, settings).gp_as_in_paper.errors.mse,
+              m_study.gp_as_in_paper.errors.mse);
+}
+
+TEST_F(SmallStudy, TellsHowLongItsStagesTook) {
+    const auto& seconds = m_study.seconds;
+    EXPECT_GT(seconds.sampling, 0.0);
+    EXPECT_GT(seconds.training, 0.0);
+    EXPECT_GT(seconds.identification, 0.0);
+    EXPECT_GE(seconds.total, seconds.sampling + seconds.training + seconds.identification);
+}
+
+TEST(Study, IdentifiesTheBuiltInNetBetterThanItsDesign) {
+    const Study study = run_study(hilo_quarter(), {.samples = 200, .validation = 10});
+    EXPECT_LT(study.form_errors.identified.mean, study.form_errors.nominal.mean);
+    EXPECT_LT(study.mean_form_errors.identified.mean, study.mean_form_errors.nominal.mean);
+    EXPECT_LT(study.gp_as_in_paper.errors.mrse, 0.8);
+}
+
+TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
+    std::vector<std::string> stages;
+    int last_done = -1;
+    const auto progress = [&](std::string_view stage, int done, int total) {
+        if (stages.empty() || stages.back() != stage) {
+            stages.emplace_back(stage);
+            last_done = -1;
+        }
+        EXPECT_GT(done, last_done) << stage;
+        EXPECT_LE(done, total) << stage;
+        EXPECT_EQ(stage != "sampling" || total == 60, true);
+        last_done = done;
+    };
+    (void)run_study(hypar(4, 5), small, progress);
+    EXPECT_THAT(stages, testing::ElementsAre("sampling", "training", "identification"));
+    EXPECT_EQ(last_done, 1);
+}
+
+class StoppedIn : public testing::TestWithParam<std::string> {};
+
+TEST_P(StoppedIn, GivesUp) {
+    std::stop_source source;
+    const auto progress = [&](std::string_view stage, int, int) {
+        EXPECT_LE(stage == "identification" ? 2
+                  : stage == "training"     ? 1
+                                            : 0,
+                  GetParam() == "identification" ? 2
+                  : GetParam() == "training"     ? 1
+                                                 : 0)
+            << "went on to " << stage;
+        if (stage == GetParam()) {
+            source.request_stop();
+        }
+    };
+    EXPECT_THROW((void)run_study(hypar(4, 5), small, progress, source.get_token()), Interrupted);
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, StoppedIn,
+                         testing::Values("sampling", "training", "identification"),
+                         [](const auto& stage) { return stage.param; });
+
+std::string refusal(const StudySettings& settings) {
+    try {
+        settings.check();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+TEST(StudySettings, AreThoseOfThePaperByDefault) {
+    const StudySettings settings;
+    EXPECT_EQ(settings.samples, 1000);
+    EXPECT_EQ(settings.validation, 50);
+    EXPECT_EQ(settings.law.to_string(), "uniform:5mm");
+    EXPECT_EQ(refusal(settings), "not refused");
+}
+
+TEST(StudySettings, RefuseTooFewSamples) {
+    for (const int samples : {2, 1, 0, -1, -1000}) {
+        EXPECT_THAT(refusal({.samples = samples, .validation = 1}),
+                    testing::AllOf(testing::HasSubstr(std::to_string(samples) + " samples"),
+                                   testing::HasSubstr("at least 3")));
+    }
+    EXPECT_EQ(refusal({.samples = 3, .validation = 1}), "not refused");
+}
+
+TEST(StudySettings, RefuseNoValidationSamples) {
+    EXPECT_THAT(refusal({.samples = 10, .validation = 0}),
+                testing::HasSubstr("0 validation samples"));
+    EXPECT_THAT(refusal({.samples = 10, .validation = -1}),
+                testing::HasSubstr("-1 validation samples"));
+}
+
+TEST(StudySettings, RefuseValidationSamplesThatLeaveFewerThanTwoToTrainOn) {
+    EXPECT_EQ(refusal({.samples = 10, .validation = 8}), "not refused");
+    for (const int validation : {9, 10, 11, 2'000'000'000}) {
+        EXPECT_THAT(refusal({.samples = 10, .validation = validation}),
+                    testing::AllOf(testing::HasSubstr(std::to_string(validation) +
+                                                      " validation samples of 10")));
+    }
+}
+
+TEST(Study, ChecksItsSettingsBeforeItBegins) {
+    const auto must_not_be_called = [](std::string_view, int, int) { FAIL(); };
+    EXPECT_THROW((void)run_study(hypar(4, 5), {.samples = 0}, must_not_be_called),
+                 std::invalid_argument);
+    EXPECT_THROW(
+        (void)run_study(hypar(4, 5), {.law = {LengthLaw::Kind::uniform, 1.0}}, must_not_be_called),
+        std::invalid_argument);
+}
+
+TEST(Study, RunsWithTheFewestSamples) {
+    const Study study = run_study(hypar(2, 2), {.samples = 3, .validation = 1});
+    EXPECT_EQ(study.model.training_count(), 2);
+    EXPECT_THAT(study.validation, testing::ElementsAre(2));
+}
+
+}  // namespace

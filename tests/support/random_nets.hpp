@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "taut/net/cable_net.hpp"
+
+/// Random nets, lengths and forms. The same seed gives the same, so a seed that fails is a bug
+/// report.
+namespace taut::testing {
+
+using Random = std::mt19937_64;
+
+inline double uniform(Random& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+inline int uniform_int(Random& random, int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+inline Points uniform_points(Random& random, Eigen::Index count, double reach) {
+    return Points::NullaryExpr(3, count, [&] { return uniform(random, -reach, reach); });
+}
+
+inline Eigen::VectorXd uniform_vector(Random& random, Eigen::Index size, double reach) {
+    return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(random, -reach, reach); });
+}
+
+/// What random_net() draws from.
+struct RandomNetSettings {
+    int most_free_nodes = 10;
+    double smallest_strain = -0.03;  ///< of an edge at the nodes' coordinates; below 0 it is slack
+    double largest_strain = 0.06;
+    double largest_load = 300.0;  ///< at a free node; half of the nets are without loads [N]
+};
+
+/// A net of any topology, in a ball of some 3 m: every free node joined to an earlier one or to a
+/// support, and some further edges. Axial stiffnesses from 10 kN to 1 MN. Its coordinates are not
+/// in equilibrium; some nodes may hang on a single edge.
+inline CableNetData random_net_data(Random& random, const RandomNetSettings& settings = {}) {
+    const int free_count = uniform_int(random, 1, settings.most_free_nodes);
+    const int support_count = uniform_int(random, 3, 8);
+    CableNetData data;
+    data.name = "random";
+    data.nodes = uniform_points(random, free_count + support_count, 1.0);
+    for (int i = free_count; i < free_count + support_count; ++i) {
+        data.nodes.col(i) *= 3.0 / data.nodes.col(i).norm();
+        data.supports.push_back(i);
+    }
+    std::set<std::pair<int, int>> joined;
+    const auto join = [&](int s, int t) {
+        if (s != t && joined.insert(std::minmax(s, t)).second) {
+            data.edges.push_back({s, t});
+        }
+    };
+    const auto support = [&] { return free_count + uniform_int(random, 0, support_count - 1); };
+    for (int s = 0; s < free_count; ++s) {
+        join(s, s > 0 && uniform_int(random, 0, 1) == 1 ? uniform_int(random, 0, s - 1) : support());
+        for (int extra = uniform_int(random, 0, 3); extra > 0; --extra) {
+            join(s, uniform_int(random, 0, 1) == 1 ? uniform_int(random, 0, free_count - 1)
+                                                   : support());
+        }
+    }
+    const auto m = static_cast<Eigen::Index>(data.edges.size());
+    data.axial_stiffness.resize(m);
+    data.unstressed_lengths.resize(m);
+    for (Eigen::Index e = 0; e < m; ++e) {
+        const auto [s, t] = data.edges[static_cast<size_t>(e)];
+        data.axial_stiffness(e) = std::pow(10.0, uniform(random, 4.0, 6.0));
+        data.unstressed_lengths(e) =
+            (data.nodes.col(s) - data.nodes.col(t)).norm() /
+            (1.0 + uniform(random, settings.smallest_strain, settings.largest_strain));
+    }
+    if (uniform_int(random, 0, 1) == 1) {
+        data.loads = uniform_points(random, data.nodes.cols(), settings.largest_load);
+    }
+    data.adjustable = edges_at_supports(data.edges, data.supports);
+    return data;
+}
+
+inline CableNet random_net(Random& random, const RandomNetSettings& settings = {}) {
+    return CableNet(random_net_data(random, settings));
+}
+
+}  // namespace taut::testing

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a survey put on the wrong nodes, or taken for one of this net where it is in
+// millimetres, in another frame or of another net: every length identified from it would be wrong.
+
+#include "taut/survey/survey.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+
+#include "taut/design/builtin_nets.hpp"
+
+namespace {
+
+using namespace taut;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Every node of a net where it nominally is, in the order of the nodes; line 10 + node.
+std::vector<SurveyPoint> survey_of(const CableNet& net) {
+    std::vector<SurveyPoint> points;
+    for (int node = 0; node < net.node_count(); ++node) {
+        points.push_back({net.node_id(node), net.nodes().col(node), 10 + node});
+    }
+    return points;
+}
+
+double mean_edge_length(const CableNet& net) {
+    double sum = 0.0;
+    for (const auto& [s, t] : net.edges()) {
+        sum += (net.nodes().col(s) - net.nodes().col(t)).norm();
+    }
+    return sum / net.edge_count();
+}
+
+/// A net whose nodes have names, none of them the index of a node.
+CableNet named_net() {
+    CableNetData content = hypar(2, 2).data();
+    for (int node = 0; node < static_cast<int>(content.nodes.cols()); ++node) {
+        content.node_ids.push_back("N" + std::to_string(100 + node));
+    }
+    return CableNet(content);
+}
+
+/// The error with which points are refused; line -1 where they are not.
+SurveyError refusal(const CableNet& net, const std::vector<SurveyPoint>& points) {
+    try {
+        (void)match_by_name(net, points);
+    } catch (const SurveyError& error) {
+        return error;
+    }
+    return {-1, "not refused"};
+}
+
+class MatchByName : public testing::Test {
+protected:
+    const CableNet m_net = hypar(3, 4);
+    std::vector<SurveyPoint> m_points = survey_of(m_net);
+    const int m_free = m_net.free_nodes()[4];
+    const int m_support = m_net.supports()[2];
+
+    SurveyPoint& at(int node) { return m_points[static_cast<size_t>(node)]; }
+};
+
+TEST_F(MatchByName, PutsEachPointOnItsNode) {
+    for (const int node : m_net.free_nodes()) {
+        at(node).position += Eigen::Vector3d(0.001 * node, -0.002, 0.003);
+    }
+    const Survey survey = match_by_name(m_net, m_points);
+    for (const int node : m_net.free_nodes()) {
+        EXPECT_EQ(survey.form.col(node), at(node).position) << "node " << node;
+    }
+    EXPECT_EQ(survey.surveyed, m_net.free_nodes());
+    EXPECT_TRUE(survey.missing.empty());
+}
+
+TEST_F(MatchByName, DoesNotMindTheOrderOfThePoints) {
+    at(m_free).position.x() += 0.004;
+    const Survey in_order = match_by_name(m_net, m_points);
+    std::ranges::shuffle(m_points, std::mt19937(1));
+    const Survey shuffled = match_by_name(m_net, m_points);
+    EXPECT_EQ(shuffled.form, in_order.form);
+    EXPECT_EQ(shuffled.surveyed, in_order.surveyed);
+}
+
+TEST_F(MatchByName, KeepsTheKnownPlaceOfSupports) {
+    at(m_support).position.z() += 0.001;
+    EXPECT_EQ(match_by_name(m_net, m_points).form.col(m_support), m_net.nodes().col(m_support));
+}
+
+TEST_F(MatchByName, NeedsNoSupports) {
+    std::erase_if(m_points,
+                  [&](const SurveyPoint& p) { return m_net.free_index(std::stoi(p.id)) < 0; });
+    const Survey survey = match_by_name(m_net, m_points);
+    EXPECT_EQ(survey.surveyed, m_net.free_nodes());
+    EXPECT_TRUE(survey.missing.empty());
+}
+
+TEST_F(MatchByName, ListsTheFreeNodesThatAreMissingAndLeavesThemInTheirNominalPlace) {
+    const int other = m_net.free_nodes()[1];
+    std::erase_if(m_points, [&](const SurveyPoint& p) {
+        return p.id == std::to_string(m_free) || p.id == std::to_string(other) ||
+               p.id == std::to_string(m_support);
+    });
+    const Survey survey = match_by_name(m_net, m_points);
+    EXPECT_THAT(survey.missing, testing::ElementsAre(other, m_free));
+    EXPECT_EQ(survey.surveyed.size(), m_net.free_nodes().size() - 2);
+    EXPECT_THAT(survey.surveyed, testing::Not(testing::Contains(m_free)));
+    EXPECT_TRUE(std::ranges::is_sorted(survey.surveyed));
+    EXPECT_EQ(survey.form.col(m_free), m_net.nodes().col(m_free));
+}
+
+TEST_F(MatchByName, TakesASurveyWithoutPointsForOneThatMissesAllNodes) {
+    EXPECT_EQ(match_by_name(m_net, {}).missing, m_net.free_nodes());
+}
+
+TEST_F(MatchByName, KnowsNodesByTheirNames) {
+    const CableNet net = named_net();
+    std::vector<SurveyPoint> points = survey_of(net);
+    std::ranges::reverse(points);
+    const int node = net.free_nodes()[0];
+    for (SurveyPoint& point : points) {
+        if (point.id == "N" + std::to_string(100 + node)) {
+            point.position.y() += 0.002;
+        }
+    }
+    const Eigen::Vector3d expected = net.nodes().col(node) + Eigen::Vector3d(0.0, 0.002, 0.0);
+    EXPECT_EQ(match_by_name(net, points).form.col(node), expected);
+}
+
+TEST_F(MatchByName, DoesNotKnowNodesByTheirIndexWhereTheyHaveNames) {
+    const CableNet net = named_net();
+    EXPECT_THAT(refusal(net, {{"0", net.nodes().col(0), 3}}).what(), HasSubstr("'0' is no node"));
+}
+
+TEST_F(MatchByName, RefusesANameThatIsNoNodes) {
+    m_points[7].id = "T1";
+    const SurveyError error = refusal(m_net, m_points);
+    EXPECT_EQ(error.line(), 17);
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("'T1' is no node"), HasSubstr("hypar:3x4")));
+}
+
+TEST_F(MatchByName, RefusesIndicesThatAreNotWrittenAsTheNetWritesThem) {
+    for (const std::string id : {"-1", "01", "1.0", " 1", "1 ", "+1", "", "29", "4294967296"}) {
+        EXPECT_EQ(refusal(m_net, {{id, m_net.nodes().col(1), 5}}).line(), 5) << "'" << id << "'";
+    }
+}
+
+TEST_F(MatchByName, RefusesANameThatComesTwice) {
+    m_points.push_back(at(m_free));
+    m_points.back().line = 99;
+    const SurveyError error = refusal(m_net, m_points);
+    EXPECT_EQ(error.line(), 99);
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("'" + std::to_string(m_free) + "'"), HasSubstr("second time")));
+}
+
+TEST_F(MatchByName, RefusesASupportThatComesTwice) {
+    m_points.push_back(at(m_support));
+    EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("second time"));
+}
+
+TEST_F(MatchByName, RefusesPositionsThatAreNotFinite) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity()}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            std::vector<SurveyPoint> points = survey_of(m_net);
+            points[static_cast<size_t>(m_free)].position(axis) = bad;
+            const SurveyError error = refusal(m_net, points);
+            EXPECT_EQ(error.line(), 10 + m_free);
+            EXPECT_THAT(error.what(), HasSubstr("not finite"));
+        }
+    }
+}
+
+TEST_F(MatchByName, RefusesASurveyInMillimetres) {
+    for (SurveyPoint& point : m_points) {
+        point.position *= 1000.0;
+    }
+    EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("in metres?"));
+}
+
+TEST_F(MatchByName, RefusesASurveyOfFreeNodesInMillimetres) {
+    std::erase_if(m_points,
+                  [&](const SurveyPoint& p) { return m_net.free_index(std::stoi(p.id)) < 0; });
+    for (SurveyPoint& point : m_points) {
+        point.position *= 1000.0;
+    }
+    EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("in metres?"));
+}
+
+TEST_F(MatchByName, RefusesAFreeNodeFurtherAwayThanTheMeanEdgeIsLong) {
+    const double limit = mean_edge_length(m_net);
+    at(m_free).position = m_net.nodes().col(m_free) + Eigen::Vector3d(0.0, 0.0, 0.99 * limit);
+    EXPECT_EQ(refusal(m_net, m_points).line(), -1);
+    at(m_free).position = m_net.nodes().col(m_free) + Eigen::Vector3d(0.0, 0.0, 1.01 * limit);
+    const SurveyError error = refusal(m_net, m_points);
+    EXPECT_EQ(error.line(), 10 + m_free);
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("node '" + std::to_string(m_free) + "'"),
+                                    HasSubstr("expected at most")));
+}
+
+TEST_F(MatchByName, RefusesASupportThatMovedByATenthOfTheMeanEdgeLength) {
+    const double limit = 0.1 * mean_edge_length(m_net);
+    at(m_support).position = m_net.nodes().col(m_support) + Eigen::Vector3d(0.99 * limit, 0.0, 0.0);
+    EXPECT_EQ(refusal(m_net, m_points).line(), -1);
+    at(m_support).position = m_net.nodes().col(m_support) + Eigen::Vector3d(1.01 * limit, 0.0, 0.0);
+    const SurveyError error = refusal(m_net, m_points);
+    EXPECT_EQ(error.line(), 10 + m_support);
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("support '" + std::to_string(m_support) + "'"),
+                                    HasSubstr("in its frame")));
+}
+
+}  // namespace
