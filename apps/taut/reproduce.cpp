@@ -3,8 +3,10 @@
 #include <fmt/chrono.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 
 #include "command.hpp"
 #include "interruption.hpp"
@@ -18,6 +20,7 @@
 #include "taut/io/net_json.hpp"
 #include "taut/io/results_json.hpp"
 #include "taut/io/study_csv.hpp"
+#include "taut/report/study_figures.hpp"
 #include "taut/report/study_report.hpp"
 #include "taut/study/study.hpp"
 #include "taut/version.hpp"
@@ -71,6 +74,7 @@ void run(Options options) {
     auto files = study_to_csv(study);
     files.emplace_back("results.json", results);
     files.emplace_back("report.html", study_report_html(study, version(), now()));
+    std::ranges::move(study_figures_svg(study), std::back_inserter(files));
     if (options.keep) {
         write_data_set(directory / "data.h5", study.data, file);
         write_model(directory / "model.h5", study.model, file);
@@ -82,7 +86,7 @@ void run(Options options) {
         return;
     }
     fmt::print("{}\n{}\n", counts_text(file.net), paper_table(study));
-    fmt::print("written to {}: results.json, edges.csv, errors.csv, nodes.csv{}\nreport: {}\n",
+    fmt::print("written to {}: results.json, CSV files, figures (SVG){}\nreport: {}\n",
                options.directory, options.keep ? ", data.h5, model.h5" : "",
                (directory / "report.html").string());
 }

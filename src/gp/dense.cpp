@@ -15,9 +15,9 @@ Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
                          const Eigen::MatrixXd& b) {
     const Eigen::Index rows = transpose == CblasTrans ? a.cols() : a.rows();
     const Eigen::Index inner = transpose == CblasTrans ? a.rows() : a.cols();
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(rows, b.cols());
+    Eigen::MatrixXd c(rows, b.cols());
     if (c.size() == 0 || inner == 0) {
-        return c;
+        return c.setZero();
     }
     cblas_dgemm(CblasColMajor, transpose, CblasNoTrans, static_cast<int>(rows),
                 static_cast<int>(b.cols()), static_cast<int>(inner), 1.0, a.data(),
@@ -36,15 +36,15 @@ Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::Matrix
     return multiply(CblasTrans, a, b);
 }
 
-Eigen::VectorXd quadratic_forms(Eigen::MatrixXd lower, const Eigen::MatrixXd& b) {
-    // x'Ax = 2 x'Lx, where L is the lower triangle with half the diagonal: half the work of A b.
-    lower.diagonal() *= 0.5;
-    Eigen::MatrixXd product = 2.0 * b;
+Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower, const Eigen::MatrixXd& b) {
+    // x'Ax = 2 x'Lx - sum_i A_ii x_i^2 with the lower triangle L: half the work of A b.
+    Eigen::MatrixXd product = b;
     if (product.size() > 0) {
         cblas_dtrmm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
-                    static_cast<int>(b.rows()), static_cast<int>(b.cols()), 1.0, lower.data(),
+                    static_cast<int>(b.rows()), static_cast<int>(b.cols()), 2.0, lower.data(),
                     static_cast<int>(lower.rows()), product.data(), static_cast<int>(b.rows()));
     }
+    product.noalias() -= lower.diagonal().asDiagonal() * b;
     return product.cwiseProduct(b).colwise().sum().transpose();
 }
 

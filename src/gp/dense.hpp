@@ -15,7 +15,8 @@ namespace taut::gp {
                                                  const Eigen::MatrixXd& b);
 
 /// x' A x of every column x of b (n x k), for a symmetric A (n x n). Reads the lower triangle of A.
-[[nodiscard]] Eigen::VectorXd quadratic_forms(Eigen::MatrixXd lower, const Eigen::MatrixXd& b);
+[[nodiscard]] Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower,
+                                              const Eigen::MatrixXd& b);
 
 struct SymmetricEigen {
     Eigen::VectorXd values;   ///< ascending

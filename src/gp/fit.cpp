@@ -38,7 +38,9 @@ Spread spread_of(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& squared_d
         double smallest = std::numeric_limits<double>::infinity();
         for (Eigen::Index i = 0; i < squared_distances.rows(); ++i) {
             if (const double value = squared_distances(i, j); value > same) {
-                all.push_back(value);
+                if (i < j) {
+                    all.push_back(value);
+                }
                 smallest = std::min(smallest, value);
             }
         }
@@ -191,8 +193,13 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
 
     const double lower = std::log(settings.smallest_scaled_lambda / spread.distance);
     const double upper = std::log(settings.largest_scaled_lambda / spread.distance_to_nearest);
-    Search search{.points = {lower, std::max(lower, upper), settings.relative_tolerance},
-                  .spectra = {}};
+    if (lower > upper) {
+        throw std::invalid_argument(fmt::format(
+            "smallest_scaled_lambda {} and largest_scaled_lambda {} leave nothing between, for "
+            "these inputs",
+            settings.smallest_scaled_lambda, settings.largest_scaled_lambda));
+    }
+    Search search{.points = {lower, upper, settings.relative_tolerance}, .spectra = {}};
     for (int made = 0; made < settings.max_spectra; ++made) {
         const auto log_lambda = search.points.next();
         if (!log_lambda) {

@@ -18,7 +18,7 @@ constexpr double narrowest_valley = 1.2;
 constexpr int most_first_intervals = 8;
 
 /// Points closer than this in log lambda tell nothing new.
-constexpr double closest = 1e-3;
+constexpr double closest = 1e-4;
 
 struct Point {
     double at;

@@ -3,11 +3,44 @@
 #include <fmt/core.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "gp/dense.hpp"
 #include "taut/gp/fit.hpp"
 
 namespace taut::gp {
+namespace {
+
+/// Adds the mean and std of the processes that use spectrum number s, by their rows in the result.
+void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
+                           const Eigen::MatrixXd& squared_distances, Prediction& result) {
+    std::vector<Eigen::Index> members;
+    for (size_t j = 0; j < fitted.processes.size(); ++j) {
+        if (fitted.processes[j].spectrum == static_cast<int>(s)) {
+            members.push_back(static_cast<Eigen::Index>(j));
+        }
+    }
+    const KernelSpectrum& spectrum = fitted.spectra[s];
+    Eigen::VectorXd signal_stds(members.size());
+    Eigen::MatrixXd inverse(spectrum.eigenvalues.size(), members.size());  // (d + eta)^-1 of each
+    for (size_t i = 0; i < members.size(); ++i) {
+        const auto& theta = fitted.processes[static_cast<size_t>(members[i])].hyperparameters;
+        const double ratio = theta.noise_std / theta.signal_std;
+        const auto column = static_cast<Eigen::Index>(i);
+        signal_stds(column) = theta.signal_std;
+        inverse.col(column) = (spectrum.eigenvalues.array() + ratio * ratio).inverse();
+    }
+    // k(x_*) / sigma_f^2, and what of the variance the training inputs explain:
+    // k' (R + eta I)^-1 k = sum_i (Q'k)_i^2 / (d_i + eta).
+    const Eigen::MatrixXd k = correlation(squared_distances, spectrum.inverse_length_scale);
+    const Eigen::MatrixXd squared = transposed_product(spectrum.eigenvectors, k).cwiseAbs2();
+    const Eigen::MatrixXd explained = transposed_product(inverse, squared);
+    result.mean(members, Eigen::all) = transposed_product(fitted.weights(Eigen::all, members), k);
+    result.std(members, Eigen::all) =
+        signal_stds.asDiagonal() * (1.0 - explained.array()).cwiseMax(0.0).sqrt().matrix();
+}
+
+}  // namespace
 
 Prediction FittedProcesses::predict(const Eigen::Ref<const Eigen::MatrixXd>& at) const {
     if (at.rows() != inputs.rows()) {
@@ -22,24 +55,7 @@ Prediction FittedProcesses::predict(const Eigen::Ref<const Eigen::MatrixXd>& at)
                       .std = Eigen::MatrixXd::Zero(m, at.cols())};
     const Eigen::MatrixXd distances = squared_distances(inputs, at);
     for (size_t s = 0; s < spectra.size(); ++s) {
-        const KernelSpectrum& spectrum = spectra[s];
-        // k(x_*) / sigma_f^2, and the same in the basis of the spectrum.
-        const Eigen::MatrixXd k = correlation(distances, spectrum.inverse_length_scale);
-        const Eigen::MatrixXd squared = transposed_product(spectrum.eigenvectors, k).cwiseAbs2();
-        for (Eigen::Index j = 0; j < m; ++j) {
-            const Process& process = processes[static_cast<size_t>(j)];
-            if (process.spectrum != static_cast<int>(s)) {
-                continue;
-            }
-            const Hyperparameters& theta = process.hyperparameters;
-            const double noise_ratio =
-                theta.noise_std * theta.noise_std / (theta.signal_std * theta.signal_std);
-            const Eigen::RowVectorXd explained =
-                (spectrum.eigenvalues.array() + noise_ratio).inverse().matrix().transpose() *
-                squared;
-            result.mean.row(j) = weights.col(j).transpose() * k;
-            result.std.row(j) = theta.signal_std * (1.0 - explained.array()).cwiseMax(0.0).sqrt();
-        }
+        predict_with_spectrum(*this, s, distances, result);
     }
     return result;
 }

@@ -40,8 +40,7 @@ std::filesystem::path make_temporary(const std::filesystem::path& target) {
         std::filesystem::path temporary = target;
         temporary.replace_filename(fmt::format(
             ".{}.{}-{}.tmp", target.filename().string().substr(0, longest), getpid(), counter++));
-        const int file =
-            open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // NOLINT
+        const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0) {
             close(file);
             return temporary;
@@ -54,7 +53,7 @@ std::filesystem::path make_temporary(const std::filesystem::path& target) {
 
 /// Waits until a file's content, or a directory's entries, are on the disk.
 bool flush_to_disk(const std::filesystem::path& path, int flags) {
-    const int file = open(path.c_str(), flags | O_CLOEXEC);  // NOLINT
+    const int file = open(path.c_str(), flags | O_CLOEXEC);
     if (file < 0) {
         return false;
     }
@@ -70,8 +69,8 @@ bool flush_to_disk(const std::filesystem::path& path, int flags) {
 OutputError::OutputError(const std::filesystem::path& file, const std::string& what)
     : std::runtime_error(printable(fmt::format("{}: {}", file.string(), what))) {}
 
-AtomicFile::AtomicFile(std::filesystem::path target)
-    : m_target(resolve_target(std::move(target))), m_temporary(make_temporary(m_target)) {}
+AtomicFile::AtomicFile(const std::filesystem::path& target)
+    : m_target(resolve_target(target)), m_temporary(make_temporary(m_target)) {}
 
 AtomicFile::~AtomicFile() {
     if (!m_committed) {

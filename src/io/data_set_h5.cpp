@@ -46,12 +46,13 @@ void write_data_set(const std::filesystem::path& path, const DataSet& data, cons
     writer.matrix("form_deviation", data.form_deviations, "m");
     writer.matrix("length_deviation", data.length_deviations, "m");
     std::vector<std::uint8_t> codes;
+    codes.reserve(data.statuses.size());
     for (const EquilibriumStatus status : data.statuses) {
         codes.push_back(static_cast<std::uint8_t>(status));
     }
     writer.codes("status", codes, meaning_of_codes(all_statuses));
     writer.integers("slack_edges", data.slack_counts);
-    write_file(path, writer.image());
+    write_file(path, writer.finish());
 }
 
 StoredDataSet read_data_set(const std::filesystem::path& path) {
@@ -70,7 +71,9 @@ StoredDataSet read_data_set(const std::filesystem::path& path) {
         .statuses = {},
         .slack_counts = reader.integers("slack_edges", n, 0, net.edge_count())};
     const int highest = static_cast<int>(all_statuses.size()) - 1;
-    for (const int code : reader.integers("status", n, 0, highest)) {
+    const std::vector<int> codes = reader.integers("status", n, 0, highest);
+    data.statuses.reserve(codes.size());
+    for (const int code : codes) {
         data.statuses.push_back(static_cast<EquilibriumStatus>(code));
     }
     return {.data = std::move(data), .net = std::move(file)};

@@ -24,7 +24,7 @@ struct H5Head {
 };
 
 /// @throws std::invalid_argument where the head does not fit the net
-void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& net);
+void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file);
 
 /// The net inside, checked against the fingerprint and the lists of nodes and edges beside it.
 /// @param format that the file should have
@@ -33,8 +33,8 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& net);
                                                    const std::string& format);
 
 /// "0: converged, 1: slack mechanism": the meaning of the codes of an enumeration.
-template <typename Status, size_t n>
-std::string meaning_of_codes(const std::array<Status, n>& all) {
+template <typename Status, size_t N>
+std::string meaning_of_codes(const std::array<Status, N>& all) {
     std::string meaning;
     for (const Status status : all) {
         meaning += (meaning.empty() ? "" : ", ") + std::to_string(static_cast<int>(status)) + ": " +

@@ -41,6 +41,7 @@ std::string without_padding(std::string text) {
 Handle open(const std::filesystem::path& path, const std::string& format) {
     const std::string name = path.string();
     static_cast<void>(open_file(path));  // throws in the system's words where it cannot be opened
+    silence_errors();
     if (H5Fis_hdf5(name.c_str()) <= 0) {
         throw InputError(name, "", fmt::format("is no HDF5 file, expected a {}", format));
     }

@@ -56,7 +56,6 @@ private:
     [[nodiscard]] Eigen::MatrixXd numbers(const std::string& name, const Shape& shape,
                                           Eigen::Index rows, Eigen::Index cols) const;
 
-    SilentErrors m_silent;
     std::string m_file_name;
     std::uint64_t m_file_size = 0;
     Handle m_file;

@@ -3,23 +3,9 @@
 #include "io/hdf5_writer.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace taut::hdf5 {
 namespace {
-
-Handle checked(hid_t id, Handle::Close close) {
-    if (id < 0) {
-        throw std::runtime_error("HDF5 cannot make an object in memory");
-    }
-    return {id, close};
-}
-
-void check(herr_t status) {
-    if (status < 0) {
-        throw std::runtime_error("HDF5 cannot store data in memory");
-    }
-}
 
 /// Creation properties that store no times.
 Handle timeless(hid_t property_class) {
@@ -34,16 +20,6 @@ Handle group_properties(hid_t property_class) {
     Handle properties = timeless(property_class);
     check(H5Pset_link_phase_change(properties.get(), most_links, 0));
     return properties;
-}
-
-/// HDF5 1.10 crashes where a write to the disk fails: it never gets to see one.
-Handle make_file_in_memory() {
-    constexpr size_t growth = size_t{1} << 20U;
-    const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    check(H5Pset_fapl_core(access.get(), growth, /*backing_store=*/0));
-    check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18));
-    const Handle creation = group_properties(H5P_FILE_CREATE);
-    return checked(H5Fcreate("taut", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
 }
 
 /// UTF-8 of a fixed length, so that it lies under the checksums of its object.
@@ -64,20 +40,19 @@ Handle make_space(const std::vector<hsize_t>& shape) {
 
 }  // namespace
 
-Writer::Writer() : m_file(make_file_in_memory()) {}
+Writer::Writer() : m_file(group_properties(H5P_FILE_CREATE)) {}
 
-void Writer::write_attribute(const Handle& object, const std::string& name,
-                             const std::string& text) {
+void Writer::write_attribute(hid_t object, const std::string& name, const std::string& text) {
     const Handle type = text_type(text);
     const Handle space = make_space({});
-    const Handle attribute = checked(
-        H5Acreate2(object.get(), name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose);
+    const Handle attribute =
+        checked(H5Acreate2(object, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                H5Aclose);
     check(H5Awrite(attribute.get(), type.get(), text.c_str()));
 }
 
 void Writer::attribute(const std::string& name, const std::string& text) {
-    write_attribute(m_file, name, text);
+    write_attribute(m_file.get(), name, text);
 }
 
 void Writer::attribute(const std::string& name, std::uint64_t number) {
@@ -113,13 +88,15 @@ void Writer::text(const std::string& name, const std::string& text) {
 }
 
 void Writer::number(const std::string& name, double value, const std::string& units) {
-    write_attribute(dataset(name, {}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value), "units", units);
+    write_attribute(dataset(name, {}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value).get(), "units",
+                    units);
 }
 
 void Writer::vector(const std::string& name, const Eigen::VectorXd& values,
                     const std::string& units) {
     write_attribute(dataset(name, {static_cast<hsize_t>(values.size())}, H5T_IEEE_F64LE,
-                            H5T_NATIVE_DOUBLE, values.data()),
+                            H5T_NATIVE_DOUBLE, values.data())
+                        .get(),
                     "units", units);
 }
 
@@ -127,30 +104,27 @@ void Writer::matrix(const std::string& name, const Eigen::MatrixXd& values,
                     const std::string& units) {
     write_attribute(
         dataset(name, {static_cast<hsize_t>(values.cols()), static_cast<hsize_t>(values.rows())},
-                H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.data()),
+                H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.data())
+            .get(),
         "units", units);
 }
 
 void Writer::integers(const std::string& name, const std::vector<int>& values) {
-    write_attribute(dataset(name, {values.size()}, H5T_STD_I32LE, H5T_NATIVE_INT, values.data()),
-                    "units", "1");
+    write_attribute(
+        dataset(name, {values.size()}, H5T_STD_I32LE, H5T_NATIVE_INT, values.data()).get(), "units",
+        "1");
 }
 
 void Writer::codes(const std::string& name, const std::vector<std::uint8_t>& codes,
                    const std::string& meaning) {
     const Handle object =
         dataset(name, {codes.size()}, H5T_STD_U8LE, H5T_NATIVE_UINT8, codes.data());
-    write_attribute(object, "units", "1");
-    write_attribute(object, "meaning", meaning);
+    write_attribute(object.get(), "units", "1");
+    write_attribute(object.get(), "meaning", meaning);
 }
 
-std::string Writer::image() const {
-    check(H5Fflush(m_file.get(), H5F_SCOPE_GLOBAL));
-    const ssize_t size = H5Fget_file_image(m_file.get(), nullptr, 0);
-    check(size < 0 ? -1 : 0);
-    std::string bytes(static_cast<size_t>(size), '\0');
-    check(H5Fget_file_image(m_file.get(), bytes.data(), bytes.size()) < 0 ? -1 : 0);
-    return bytes;
+std::string Writer::finish() {
+    return m_file.finish();
 }
 
 }  // namespace taut::hdf5

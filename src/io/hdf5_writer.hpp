@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5.hpp"
+#include "io/hdf5_memory_file.hpp"
 
 namespace taut::hdf5 {
 
@@ -37,17 +37,15 @@ public:
     void codes(const std::string& name, const std::vector<std::uint8_t>& codes,
                const std::string& meaning);
 
-    /// The file's bytes.
-    [[nodiscard]] std::string image() const;
+    /// Ends the writing, and gives the file's bytes.
+    [[nodiscard]] std::string finish();
 
 private:
     Handle dataset(const std::string& name, const std::vector<hsize_t>& shape, hid_t stored_type,
                    hid_t memory_type, const void* data);
-    static void write_attribute(const Handle& object, const std::string& name,
-                                const std::string& text);
+    static void write_attribute(hid_t object, const std::string& name, const std::string& text);
 
-    SilentErrors m_silent;
-    Handle m_file;
+    MemoryFile m_file;
 };
 
 }  // namespace taut::hdf5

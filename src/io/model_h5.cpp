@@ -133,7 +133,7 @@ void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) 
             reader.fail(theta.signal_std > 0.0 ? "noise_std" : "signal_std",
                         fmt::format("of process {} is not positive", j));
         }
-        const size_t index = static_cast<size_t>(process.spectrum);
+        const auto index = static_cast<size_t>(process.spectrum);
         if (theta.inverse_length_scale != fitted.spectra[index].inverse_length_scale) {
             reader.fail("inverse_length_scale",
                         fmt::format("of process {} is {}, expected {} as in its spectrum {}", j,
@@ -168,7 +168,7 @@ void write_model(const std::filesystem::path& path, const LengthModel& model, co
         writer.vector(name + "/eigenvalues", spectrum.eigenvalues, "1");
         writer.matrix(name + "/eigenvectors", spectrum.eigenvectors, "1");
     }
-    write_file(path, writer.image());
+    write_file(path, writer.finish());
 }
 
 StoredModel read_model(const std::filesystem::path& path) {

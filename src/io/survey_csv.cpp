@@ -86,7 +86,9 @@ public:
     }
 
     [[nodiscard]] SurveyPoint point(bool is_first) const {
-        const auto is_number = [](const std::string& f) { return parse_number(f).has_value(); };
+        const auto is_number = [](const std::string& field) {
+            return parse_number(field) || has_decimal_comma(field);
+        };
         if (is_first && std::ranges::none_of(m_record.fields, is_number)) {
             fail("is neither a point nor the header id,x,y,z or id,x,y,z,sx,sy,sz");
         }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <set>
@@ -135,12 +136,10 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
     for (const int support : data.supports) {
         supported[static_cast<size_t>(find_root(parent, support))] = true;
     }
-    bool any_free = false;
     for (size_t i = 0; i < n; ++i) {
         if (is_support[i]) {
             continue;
         }
-        any_free = true;
         const std::string where = fmt::format("/nodes/{}", i);
         if (!has_edge[i]) {
             throw NetError(where, "is a free node without edges");
@@ -148,9 +147,6 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
         if (!supported[static_cast<size_t>(find_root(parent, static_cast<int>(i)))]) {
             throw NetError(where, "is a free node in a part of the net that reaches no support");
         }
-    }
-    if (!any_free) {
-        throw NetError("/supports", "holds every node, expected at least one free node");
     }
 }
 
@@ -177,6 +173,9 @@ void validate(const CableNetData& data) {
     check_positive("unstressed_lengths", data.unstressed_lengths);
     const auto is_support =
         check_indices("supports", data.supports, static_cast<int>(data.nodes.cols()), "node");
+    if (std::ranges::all_of(is_support, std::identity())) {
+        throw NetError("/supports", "holds every node, expected at least one free node");
+    }
     check_edges(data, is_support);
     check_indices("adjustable", data.adjustable, static_cast<int>(data.edges.size()), "edge");
     check_connected(data, is_support);

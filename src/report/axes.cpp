@@ -59,8 +59,13 @@ void draw_legend(SvgBody& svg, const Eigen::Vector2d& place,
     for (const LegendEntry& entry : entries) {
         const double length = entry.mark == Mark::dash ? dash_length : 0.0;
         PathData mark;
-        mark.move_to({at.x() + 3.0, at.y() - 4.0});
-        mark.line_to({at.x() + 3.0 + length, at.y() - 4.0});
+        const Eigen::Vector2d start(at.x() + 3.0, at.y() - 4.0);
+        if (entry.mark == Mark::square) {
+            mark.square(start, 4.2);
+        } else {
+            mark.move_to(start);
+            mark.line_to(start + Eigen::Vector2d(length, 0.0));
+        }
         svg.path(entry.style, mark, entry.attributes);
         svg.text({at.x() + length + 10.0, at.y()}, entry.words);
         at.x() += length + 10.0 + text_width(entry.words) + 14.0;

@@ -47,15 +47,17 @@ void draw_axes(SvgBody& svg, const Axes& axes, bool grid);
 /// Estimated width of a text in the style's font.
 [[nodiscard]] double text_width(std::string_view text);
 
-/// Writes what the styles mean in one row: (style, words), each with a dot of its style, or a dash
-/// where the style is that of lines.
-enum class Mark { dot, dash };
+/// What a style means.
+enum class Mark { dot, square, dash };
 struct LegendEntry {
     std::string style;
     std::string words;
     Mark mark = Mark::dot;
-    std::string attributes = {};  ///< of the mark, as in SvgBody::path()
+    std::string attributes;  ///< of the mark, as in SvgBody::path()
 };
+
+/// Writes what styles mean in one row, each with a mark of its style.
+/// @param place where the first mark stands, on the line of the text
 void draw_legend(SvgBody& svg, const Eigen::Vector2d& place,
                  const std::vector<LegendEntry>& entries);
 

@@ -20,17 +20,17 @@ struct Rule {
 };
 
 // Hues after Okabe and Ito, who chose them to be told apart with every kind of colour vision. A dot
-// is a line of no length with round ends (square ones for supports).
+// is a line of no length with round ends.
 constexpr std::array rules{
     Rule{"text", "fill", "#222", "#ddd",
-         "font:12px system-ui,-apple-system,\"Segoe UI\",\"DejaVu Sans\",sans-serif"},
+         R"(font:12px system-ui,-apple-system,"Segoe UI","DejaVu Sans",sans-serif)"},
     Rule{"path", "stroke", "#222", "#ddd", "fill:none;stroke-linecap:round;stroke-linejoin:round"},
     Rule{".frame", "stroke", "#777", "#888", "fill:none;stroke-width:1"},
     Rule{".grid", "stroke", "#e4e4e4", "#333", "stroke-width:1"},
     Rule{".interior", "stroke", "#8a949e", "#78828c", "stroke-width:1"},
     Rule{".adjustable", "stroke", "#d55e00", "#f58231", "stroke-width:1.8"},
     Rule{".free", "stroke", "#0072b2", "#56b4e9", "stroke-width:3.2"},
-    Rule{".support", "stroke", "#111", "#fff", "stroke-width:4.2;stroke-linecap:square"},
+    Rule{".support", "fill", "#111", "#fff", "stroke:none"},
     Rule{".true", "stroke", "#f0b93a", "#a87400", "stroke-width:5.4"},
     Rule{".link", "stroke", "#9a9a9a", "#888", "stroke-width:.8"},
     Rule{".predicted", "stroke", "#00527f", "#8fd3ff", "stroke-width:2.4"},

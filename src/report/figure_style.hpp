@@ -16,7 +16,7 @@ namespace taut::report {
 /// The classes of drawings, told apart by lightness and shape as well as by hue:
 ///   frame, grid             axes and their marks
 ///   interior, adjustable    edges
-///   free, support           nodes, as dots
+///   free, support           nodes, as dots and squares
 ///   true, predicted, error  length deviations, as dots
 ///   link                    between what belongs together
 ///   all-errors, mean, std   statistics of the errors

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/edge_axes.hpp"
 #include "report/figures.hpp"
@@ -13,11 +14,11 @@ namespace taut::report {
 namespace {
 
 /// More edges than this would stand closer than the dots are wide.
-constexpr int most_edges = 1500;
+constexpr int most_edges = 1000;
 
-PathData dots(const Axes& axes, const Eigen::VectorXd& values_mm, const Thinning& edges) {
+PathData dots(const Axes& axes, const Eigen::VectorXd& values_mm, const std::vector<int>& edges) {
     PathData path;
-    for (int i = 0; i < edges.count; i += edges.step) {
+    for (const int i : edges) {
         path.dot(axes(i + 1, values_mm(i)));
     }
     return path;
@@ -25,9 +26,9 @@ PathData dots(const Axes& axes, const Eigen::VectorXd& values_mm, const Thinning
 
 /// From the true to the identified value of each edge.
 PathData links(const Axes& axes, const Eigen::VectorXd& truth_mm,
-               const Eigen::VectorXd& estimate_mm, const Thinning& edges) {
+               const Eigen::VectorXd& estimate_mm, const std::vector<int>& edges) {
     PathData path;
-    for (int i = 0; i < edges.count; i += edges.step) {
+    for (const int i : edges) {
         path.move_to(axes(i + 1, truth_mm(i)));
         path.line_to(axes(i + 1, estimate_mm(i)));
     }
@@ -45,8 +46,13 @@ Figure length_deviation_figure(const Study& study) {
         std::max({truth.cwiseAbs().maxCoeff(), estimate.cwiseAbs().maxCoeff(), largest_error});
 
     const auto count = static_cast<int>(truth.size());
-    const Thinning edges = thin_to(count, most_edges);
+    const std::vector<int> edges = thinned(count, most_edges);
     const Axes axes = edge_axes(count, reach, "length deviation [mm]");
+    // Few dots may be larger than the style has them.
+    const double larger = std::clamp(std::sqrt(300.0 / count), 1.0, 1.8);
+    const auto dot_width = [larger](double width) {
+        return fmt::format("style=\"stroke-width:{:.1f}\"", larger * width);
+    };
     SvgBody svg;
     draw_axes(svg, axes, true);
     draw_legend(svg, {axes.x.from, edge_legend_y},
@@ -54,17 +60,18 @@ Figure length_deviation_figure(const Study& study) {
                  {.style = "predicted", .words = "identified"},
                  {.style = "error", .words = "error: true minus identified"}});
     svg.path("link", links(axes, truth, estimate, edges));
-    svg.path("true", dots(axes, truth, edges));
-    svg.path("predicted", dots(axes, estimate, edges));
-    svg.path("error", dots(axes, error, edges));
+    svg.path("true", dots(axes, truth, edges), dot_width(5.4));
+    svg.path("predicted", dots(axes, estimate, edges), dot_width(2.4));
+    svg.path("error", dots(axes, error, edges), dot_width(2.6));
 
     std::string caption = fmt::format(
         "True and identified length deviation of {} for the first validation sample, and the error "
         "between them: at most {} mm.",
         count == 1 ? "the interior edge" : fmt::format("the {} interior edges", count),
         number_text(largest_error));
-    if (edges.thins()) {
-        caption += fmt::format(" One of {} edges is drawn.", edges.step);
+    if (count > most_edges) {
+        caption += fmt::format(" So that the page stays small, only {} are drawn.",
+                               thinning_words(count, most_edges, "edge"));
     }
     return {.drawings = {{.name = "length_deviations",
                           .title = "True and identified length deviations of the interior edges",

@@ -16,13 +16,13 @@ namespace {
 /// More dots would make the page large and no clearer; a dot takes some seven bytes.
 constexpr int most_dots = 30000;
 /// More edges than this would stand closer than the dots are wide.
-constexpr int most_edges = 1500;
+constexpr int most_edges = 1000;
 
 /// The errors of the edges, as columns of dots. Dots less than half a unit apart fall together.
-PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const Thinning& edges) {
+PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const std::vector<int>& edges) {
     PathData path;
     std::vector<double> column(static_cast<size_t>(errors_mm.cols()));
-    for (int i = 0; i < edges.count; i += edges.step) {
+    for (const int i : edges) {
         std::ranges::transform(errors_mm.row(i), column.begin(),
                                [&](double error) { return 0.5 * std::round(2.0 * axes.y(error)); });
         std::ranges::sort(column);
@@ -36,16 +36,20 @@ PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const Thinning
     return path;
 }
 
-PathData curve(const Axes& axes, const Eigen::VectorXd& values_mm, const Thinning& edges) {
+/// Joins the values of neighbouring edges, and goes on a little beyond the first and the last: one
+/// edge alone shows as a dash.
+PathData curve(const Axes& axes, const Eigen::VectorXd& values_mm, const std::vector<int>& edges) {
+    constexpr double beyond = 0.4;
     PathData path;
-    for (int i = 0; i < edges.count; i += edges.step) {
-        const Eigen::Vector2d place = axes(i + 1, values_mm(i));
-        i == 0 ? path.move_to(place) : path.line_to(place);
+    path.move_to(axes(edges.front() + 1 - beyond, values_mm(edges.front())));
+    for (const int i : edges) {
+        path.line_to(axes(i + 1, values_mm(i)));
     }
+    path.line_to(axes(edges.back() + 1 + beyond, values_mm(edges.back())));
     return path;
 }
 
-std::string caption(const Study& study, const Thinning& edges) {
+std::string caption(const Study& study, int edge_limit) {
     const LengthErrors& errors = study.gp_as_in_paper.errors;
     Eigen::Index worst = 0;
     errors.mean.cwiseAbs().maxCoeff(&worst);
@@ -60,8 +64,9 @@ std::string caption(const Study& study, const Thinning& edges) {
             : fmt::format("all {} validation samples", study.validation.size()),
         millimetres(errors.mean_max_abs()), study.net.edge_id(edge), worst + 1,
         millimetres(errors.std_mean()));
-    if (edges.thins()) {
-        text += fmt::format(" So that the page stays small, one of {} edges is drawn.", edges.step);
+    const std::string drawn = thinning_words(study.net.interior_edge_count(), edge_limit, "edge");
+    if (!drawn.empty()) {
+        text += fmt::format(" So that the page stays small, only {} are drawn.", drawn);
     }
     return text;
 }
@@ -76,7 +81,8 @@ Figure length_error_figure(const Study& study) {
 
     const auto count = static_cast<int>(errors.rows());
     const auto samples = static_cast<int>(errors.cols());
-    const Thinning edges = thin_to(count, std::clamp(most_dots / samples, 1, most_edges));
+    const int edge_limit = std::clamp(most_dots / samples, 1, most_edges);
+    const std::vector<int> edges = thinned(count, edge_limit);
     const Axes axes = edge_axes(count, errors.cwiseAbs().maxCoeff(), "error [mm]");
     SvgBody svg;
     draw_axes(svg, axes, true);
@@ -86,7 +92,11 @@ Figure length_error_figure(const Study& study) {
                   .attributes = "style=\"stroke-width:3;stroke-opacity:1\""},
                  {.style = "mean", .words = "mean", .mark = Mark::dash},
                  {.style = "std", .words = "mean ± standard deviation", .mark = Mark::dash}});
-    svg.path("all-errors", dots(axes, errors, edges));
+    // Few dots may be larger than the style has them.
+    const double dot_width =
+        std::clamp(150.0 / std::sqrt(static_cast<double>(edges.size()) * samples), 1.5, 5.0);
+    svg.path("all-errors", dots(axes, errors, edges),
+             fmt::format("style=\"stroke-width:{:.1f}\"", dot_width));
     svg.path("std", curve(axes, mean + std, edges));
     svg.path("std", curve(axes, mean - std, edges));
     svg.path("mean", curve(axes, mean, edges));
@@ -96,7 +106,7 @@ Figure length_error_figure(const Study& study) {
                           .height = edge_drawing_height,
                           .body = svg.take()}},
             .heading = "Errors over all validation samples",
-            .caption = caption(study, edges)};
+            .caption = caption(study, edge_limit)};
 }
 
 }  // namespace taut::report

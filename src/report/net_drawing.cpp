@@ -49,8 +49,7 @@ Places places_in(const Axes& axes, const Plan& plan, const Points& form) {
 
 PathData edges_path(const CableNet& net, const std::vector<int>& edges, const Places& places) {
     PathData path;
-    const Thinning thinning = thin_to(static_cast<int>(edges.size()), most_drawn);
-    for (int i = 0; i < thinning.count; i += thinning.step) {
+    for (const int i : thinned(static_cast<int>(edges.size()), most_drawn)) {
         const int edge = edges[static_cast<size_t>(i)];
         const auto [s, t] = net.edges()[static_cast<size_t>(edge)];
         path.move_to(places.col(s));
@@ -59,25 +58,31 @@ PathData edges_path(const CableNet& net, const std::vector<int>& edges, const Pl
     return path;
 }
 
-PathData nodes_path(const std::vector<int>& nodes, const Places& places) {
+PathData dots_path(const std::vector<int>& nodes, const Places& places) {
     PathData path;
-    const Thinning thinning = thin_to(static_cast<int>(nodes.size()), most_drawn);
-    for (int i = 0; i < thinning.count; i += thinning.step) {
+    for (const int i : thinned(static_cast<int>(nodes.size()), most_drawn)) {
         path.dot(places.col(nodes[static_cast<size_t>(i)]));
     }
     return path;
 }
 
+PathData squares_path(const std::vector<int>& nodes, const Places& places, double width) {
+    PathData path;
+    for (const int i : thinned(static_cast<int>(nodes.size()), most_drawn)) {
+        path.square(places.col(nodes[static_cast<size_t>(i)]), width);
+    }
+    return path;
+}
+
 std::string thinning_note(const CableNet& net) {
-    const int edges = thin_to(net.interior_edge_count(), most_drawn).step;
-    const int nodes = thin_to(net.free_node_count(), most_drawn).step;
-    if (edges == 1 && nodes == 1) {
+    const std::string edges =
+        thinning_words(net.interior_edge_count(), most_drawn, "interior edge");
+    const std::string nodes = thinning_words(net.free_node_count(), most_drawn, "free node");
+    if (edges.empty() && nodes.empty()) {
         return "";
     }
-    return fmt::format(
-        " So that the page stays small, one of {} interior edges and one of {} free nodes is "
-        "drawn.",
-        edges, nodes);
+    return fmt::format(" So that the page stays small, only {}{}{} are drawn.", edges,
+                       edges.empty() || nodes.empty() ? "" : " and ", nodes);
 }
 
 }  // namespace taut::report

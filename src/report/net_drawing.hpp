@@ -22,15 +22,19 @@ using Places = Eigen::Matrix2Xd;
 /// Where the nodes stand within such axes.
 [[nodiscard]] Places places_in(const Axes& axes, const Plan& plan, const Points& form);
 
-/// Edges as one path. Of many, every n-th.
+/// Edges as one path. Of many, some.
 [[nodiscard]] PathData edges_path(const CableNet& net, const std::vector<int>& edges,
                                   const Places& places);
 
-/// Nodes as dots. Of many, every n-th.
-[[nodiscard]] PathData nodes_path(const std::vector<int>& nodes, const Places& places);
+/// Nodes as dots. Of many, some.
+[[nodiscard]] PathData dots_path(const std::vector<int>& nodes, const Places& places);
+
+/// Nodes as squares. Of many, some.
+[[nodiscard]] PathData squares_path(const std::vector<int>& nodes, const Places& places,
+                                    double width);
 
 /// More edges or nodes of a kind than this are thinned out.
-inline constexpr int most_drawn = 6000;
+inline constexpr int most_drawn = 10000;
 
 /// A sentence for the caption, which starts with a blank, where a net is thinned out; else nothing.
 [[nodiscard]] std::string thinning_note(const CableNet& net);

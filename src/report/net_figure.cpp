@@ -21,11 +21,10 @@ void draw_net(SvgBody& svg, const CableNet& net, const Places& places) {
     svg.path("adjustable", edges_path(net, net.adjustable_edges(), places));
     // Dots that would touch hide the edges: they shrink with the number of nodes.
     const double size =
-        std::clamp(55.0 / std::sqrt(static_cast<double>(net.node_count())), 0.6, 3.2);
-    svg.path("free", nodes_path(net.free_nodes(), places),
+        std::clamp(60.0 / std::sqrt(static_cast<double>(net.node_count())), 0.6, 5.0);
+    svg.path("free", dots_path(net.free_nodes(), places),
              fmt::format("style=\"stroke-width:{:.1f}\"", size));
-    svg.path("support", nodes_path(net.supports(), places),
-             fmt::format("style=\"stroke-width:{:.1f}\"", 1.25 * size));
+    svg.path("support", squares_path(net.supports(), places, std::max(1.3 * size, 2.0)));
 }
 
 /// Three arms of one length along x, y and z, in a corner.
@@ -68,7 +67,7 @@ Drawing slanting_drawing(const Study& study, const Points& form, double arm_metr
     SvgBody svg;
     draw_legend(svg, {margin, 16.0},
                 {{.style = "free", .words = "free node"},
-                 {.style = "support", .words = "support"},
+                 {.style = "support", .words = "support", .mark = Mark::square},
                  {.style = "interior", .words = "interior edge", .mark = Mark::dash},
                  {.style = "adjustable", .words = "adjustable edge", .mark = Mark::dash}});
     draw_net(svg, study.net, places);

@@ -33,10 +33,10 @@ figure h2{margin-bottom:.25rem}
 figcaption{max-width:52rem}
 .drawings{display:flex;flex-wrap:wrap;gap:.5rem 1rem;align-items:flex-start;overflow-x:auto}
 .drawings>div{flex:1 1 24rem;min-width:0}
-.drawings>.wide{min-width:40rem}
+.drawings>.wide{min-width:46rem}
 svg{display:block;width:100%;height:auto}
 @media (max-width:30rem){body{padding:1rem .75rem 2rem;font-size:.95rem}
-th,td{padding:.2rem .4rem;font-size:.85rem}.drawings>div{flex-basis:100%}}
+th,td{padding:.2rem .3rem;font-size:.8rem}.next{padding-left:.6rem}.drawings>div{flex-basis:100%}}
 @media print{@page{size:A4;margin:14mm}html{font-size:9.5pt}
 body{max-width:none;padding:0}
 .drawings{flex-wrap:nowrap;overflow:visible}.drawings>.wide{min-width:0}.drawings>div{flex-basis:0}

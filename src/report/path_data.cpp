@@ -50,4 +50,10 @@ void PathData::dot(const Eigen::Vector2d& place) {
     m_text += "h0";
 }
 
+void PathData::square(const Eigen::Vector2d& middle, double width) {
+    step('m', middle - Eigen::Vector2d::Constant(0.5 * width));
+    const std::string side = tenths_text(std::lround(10.0 * width));
+    m_text += fmt::format("h{}v{}h-{}z", side, side, side);
+}
+
 }  // namespace taut::report

@@ -16,6 +16,9 @@ public:
     /// A line of no length: a dot, where the line has round ends.
     void dot(const Eigen::Vector2d& place);
 
+    /// A square with a middle and a width.
+    void square(const Eigen::Vector2d& middle, double width);
+
     [[nodiscard]] bool empty() const { return m_text.empty(); }
     [[nodiscard]] const std::string& text() const { return m_text; }
 

@@ -31,8 +31,8 @@ std::string law_in_words(const LengthLaw& law) {
 
 std::string net_sentence(const CableNet& net) {
     return fmt::format(
-        "The net {} has {}, {}, {} of uncertain unstressed length and {} of known length.",
-        net.name().empty() ? "" : "“" + net.name() + "”",
+        "The net {}has {}, {}, {} of uncertain unstressed length and {} of known length.",
+        net.name().empty() ? "" : "“" + net.name() + "” ",
         counted(net.free_node_count(), "free node"),
         counted(static_cast<int>(net.supports().size()), "support"),
         counted(net.interior_edge_count(), "interior edge"),
@@ -42,9 +42,9 @@ std::string net_sentence(const CableNet& net) {
 std::string sample_sentence(const Study& study) {
     return fmt::format(
         "Length deviations of its interior edges were drawn {}, {} in all; Gaussian processes "
-        "learnt on {} of these to tell the lengths from the form, and were tried on {} others.",
+        "learnt on {} of these to tell the lengths from the form, and were tried on {}.",
         law_in_words(study.settings.law), counted(study.data.size(), "sample"),
-        study.model.training_count(), study.validation.size());
+        study.model.training_count(), counted(static_cast<int>(study.validation.size()), "other"));
 }
 
 std::string outcome_sentence(const Study& study) {
@@ -104,8 +104,8 @@ std::string study_report_html(const Study& study, std::string_view version, std:
         figures += html(figure);
     }
     return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
         "<title>{title}: identified unstressed lengths</title>\n<style>{style}</style>\n</head>\n"
         "<body>\n<h1>{title}: unstressed lengths identified from the form</h1>\n"
         "<p>{net}</p>\n<p>{samples}</p>\n<p>{outcome}</p>\n"

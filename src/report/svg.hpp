@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "report/path_data.hpp"
 

@@ -28,7 +28,7 @@ std::string length_error_row(std::string_view what, std::string_view paper, cons
 std::string form_error_row(std::string_view what, const PaperFigures& paper, const Study& study,
                            double FormErrorSummary::* number) {
     const auto cells = [&](FormErrorSummary FormErrors::* of) {
-        return fmt::format("<td class=\"next\">{}</td><td class=\"here\">{}</td><td>{}</td>",
+        return fmt::format(R"(<td class="next">{}</td><td class="here">{}</td><td>{}</td>)",
                            short_number(1e3 * (paper.form_errors.*of.*number)),
                            millimetres(study.form_errors.*of.*number),
                            millimetres(study.mean_form_errors.*of.*number));
@@ -47,9 +47,9 @@ std::string length_error_table(const Study& study) {
     const PaperFigures paper;
     const LengthErrors& errors = study.gp_as_in_paper.errors;
     return in_scroll(
-        "<thead><tr><th class=\"what\">Error of the identified lengths</th><th "
-        "scope=\"col\">paper</th><th "
-        "scope=\"col\" class=\"here\">here</th></tr></thead>\n",
+        R"(<thead><tr><th class="what">Error of the identified lengths</th>
+<th scope="col">paper</th><th class="here" scope="col">here</th></tr></thead>
+)",
         length_error_row("mean squared error, MSE", short_number(paper.mse),
                          number_text(errors.mse), "m²") +
             length_error_row("mean relative squared error, MRSE", short_number(1e2 * paper.mrse),
@@ -65,12 +65,12 @@ std::string length_error_table(const Study& study) {
 std::string form_error_table(const Study& study) {
     const PaperFigures paper;
     return in_scroll(
-        "<thead><tr><th class=\"what\" rowspan=\"2\">Form error [mm]</th><th "
-        "colspan=\"3\">nominal</th><th "
-        "colspan=\"3\">identified</th></tr>\n<tr><th scope=\"col\">paper</th><th scope=\"col\" "
-        "class=\"here\">here</th><th scope=\"col\">here, mean</th><th scope=\"col\">paper</th><th "
-        "scope=\"col\" class=\"here\">here</th><th scope=\"col\">here, "
-        "mean</th></tr></thead>\n",
+        R"(<thead><tr><th class="what" rowspan="2">Form error [mm]</th>
+<th class="next" colspan="3">nominal</th><th class="next" colspan="3">identified</th></tr>
+<tr><th class="next" scope="col">paper</th><th class="here" scope="col">here</th>
+<th scope="col">here, mean</th><th class="next" scope="col">paper</th>
+<th class="here" scope="col">here</th><th scope="col">here, mean</th></tr></thead>
+)",
         form_error_row("max", paper, study, &FormErrorSummary::max) +
             form_error_row("min", paper, study, &FormErrorSummary::min) +
             form_error_row("mean", paper, study, &FormErrorSummary::mean) +

@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace taut::report {
 
-/// Every n-th of many things, so that a drawing stays small: 0, n, 2 n, ...
-struct Thinning {
-    int count = 0;
-    int step = 1;
+/// About `limit` of the indices 0, ..., count - 1, ascending and evenly spread, so that a drawing
+/// of many things stays small; all of them where they are no more than that. The first is among
+/// them. Not every n-th: in the order of a regular net that could be all the edges of one
+/// direction.
+[[nodiscard]] std::vector<int> thinned(int count, int limit);
 
-    [[nodiscard]] bool thins() const { return step > 1; }
-};
-
-/// The smallest step that leaves at most `limit`, at least 1, of `count` things.
-[[nodiscard]] constexpr Thinning thin_to(int count, int limit) {
-    return {.count = count, .step = count > limit ? (count + limit - 1) / limit : 1};
-}
+/// "6012 of 7080 interior edges"; nothing where all are drawn.
+[[nodiscard]] std::string thinning_words(int count, int limit, const std::string& noun);
 
 }  // namespace taut::report

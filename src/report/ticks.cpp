@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/number_text.hpp"
+
 namespace taut::report {
 namespace {
 
@@ -34,11 +36,11 @@ Step nice_step(double at_least) {
     return step.mantissa == 10.0 ? Step{1.0, step.exponent + 1} : step;
 }
 
-std::string label(double value, const Step& step) {
-    // Decimals of a very fine step, or zeros of a very coarse one, would not fit beside an axis.
-    const bool plain = step.exponent >= -5 && step.exponent <= 6;
-    const std::string text = plain ? fmt::format("{:.{}f}", value, std::max(0, -step.exponent))
-                                   : fmt::format("{:.6g}", value);
+std::string label(double value, const Step& step, bool with_power) {
+    if (with_power) {
+        return short_number(value);
+    }
+    const std::string text = fmt::format("{:.{}f}", value, std::max(0, -step.exponent));
     return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
@@ -46,17 +48,23 @@ std::string label(double value, const Step& step) {
 
 Ticks nice_ticks(double low, double high, int intervals, double smallest_step) {
     Ticks ticks;
-    if (!(high > low) || !std::isfinite(high - low)) {
+    // Steps of ranges below this would leave the range of a double.
+    constexpr double smallest_range = 1e-290;
+    if (!(high - low > smallest_range) || !std::isfinite(high - low)) {
         return ticks;
     }
     const Step step = nice_step(std::max((high - low) / intervals, smallest_step));
     // An end of the range that is a multiple but for rounding errors counts as one.
     const double first = std::ceil(low / step.times(1.0) - 1e-9);
     const double last = std::floor(high / step.times(1.0) + 1e-9);
-    for (double count = first; count <= last; ++count) {
-        const double value = step.times(count) + 0.0;  // + 0 turns -0 into 0
+    // Decimals of a very fine step, or zeros of a very coarse one, would not fit beside an axis: it
+    // takes powers of ten where their three digits can tell the multiples apart.
+    const bool with_power = (step.exponent < -5 || step.exponent > 6) &&
+                            std::max(std::abs(first), std::abs(last)) < 100.0;
+    for (int i = 0; i <= intervals && first + i <= last; ++i) {
+        const double value = step.times(first + i) + 0.0;  // + 0 turns -0 into 0
         ticks.values.push_back(value);
-        ticks.labels.push_back(label(value, step));
+        ticks.labels.push_back(label(value, step, with_power));
     }
     return ticks;
 }

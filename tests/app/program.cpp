@@ -33,7 +33,7 @@ void redirect(int stream, const std::filesystem::path& file, int flags) {
 
 }  // namespace
 
-Run::Run(const std::filesystem::path& folder, const std::filesystem::path& records,
+RunningProgram::RunningProgram(const std::filesystem::path& folder, const std::filesystem::path& records,
          const std::vector<std::string>& arguments)
     : m_records(records) {
     std::vector<std::string> words{TAUT_PROGRAM};
@@ -59,18 +59,18 @@ Run::Run(const std::filesystem::path& folder, const std::filesystem::path& recor
     }
 }
 
-Run::~Run() {
+RunningProgram::~RunningProgram() {
     if (m_process > 0) {
         kill(m_process, SIGKILL);
         waitpid(m_process, nullptr, 0);
     }
 }
 
-void Run::send(int signal) const {
+void RunningProgram::send(int signal) const {
     kill(m_process, signal);
 }
 
-Outcome Run::wait() {
+Outcome RunningProgram::wait() {
     int status = 0;
     waitpid(m_process, &status, 0);
     m_process = -1;
@@ -107,7 +107,7 @@ std::string ProgramTest::must_run(const std::vector<std::string>& arguments) con
     return outcome.out;
 }
 
-Run ProgramTest::start(const std::vector<std::string>& arguments) const {
+RunningProgram ProgramTest::start(const std::vector<std::string>& arguments) const {
     return {m_folder, m_records, arguments};
 }
 

@@ -22,17 +22,17 @@ struct Outcome {
 };
 
 /// The program at work. Its output goes to files, so that it is no terminal's.
-class Run {
+class RunningProgram {
 public:
     /// @param folder its working directory, @param records where to keep what it prints
-    Run(const std::filesystem::path& folder, const std::filesystem::path& records,
+    RunningProgram(const std::filesystem::path& folder, const std::filesystem::path& records,
         const std::vector<std::string>& arguments);
     /// Ends it, if it still works.
-    ~Run();
-    Run(const Run&) = delete;
-    Run& operator=(const Run&) = delete;
-    Run(Run&&) = delete;
-    Run& operator=(Run&&) = delete;
+    ~RunningProgram();
+    RunningProgram(const RunningProgram&) = delete;
+    RunningProgram& operator=(const RunningProgram&) = delete;
+    RunningProgram(RunningProgram&&) = delete;
+    RunningProgram& operator=(RunningProgram&&) = delete;
 
     void send(int signal) const;
     Outcome wait();
@@ -58,7 +58,7 @@ protected:
     /// The same, which must succeed without a word on standard error. Gives standard output.
     std::string must_run(const std::vector<std::string>& arguments) const;
     /// A run to be watched or interrupted.
-    [[nodiscard]] Run start(const std::vector<std::string>& arguments) const;
+    [[nodiscard]] RunningProgram start(const std::vector<std::string>& arguments) const;
 
     [[nodiscard]] std::string read(const std::string& file) const;
     void write(const std::string& file, const std::string& content) const;

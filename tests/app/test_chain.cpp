@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against subcommands that do not fit together: a file that the next one cannot read, a number
-// lost on the way from a net to its identified lengths.
+// Guards against subcommands that do not fit together: a file that the next one cannot read, a
+// number lost on the way from a net to its identified lengths.
 
 #include <cmath>
 #include <sstream>
@@ -12,6 +12,7 @@
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/form_csv.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/sampling/sampler.hpp"
 
 namespace {
 
@@ -40,7 +41,8 @@ TEST_F(Chain, ExampleWritesTheBuiltInNet) {
 
 TEST_F(Chain, InspectTellsTheCounts) {
     const std::string text = must_run({"inspect", "net.json"});
-    EXPECT_THAT(text, testing::HasSubstr("12 free nodes, 14 supports, 17 interior and 14 adjustable edges"));
+    EXPECT_THAT(text, testing::HasSubstr(
+                          "12 free nodes, 14 supports, 17 interior and 14 adjustable edges"));
     EXPECT_THAT(text, testing::HasSubstr(m_net.fingerprint()));
     EXPECT_THAT(text, testing::HasSubstr("slack edges: 0"));
 }
@@ -61,7 +63,8 @@ TEST_F(Chain, FormWritesARowForEachNode) {
 }
 
 TEST_F(Chain, SampleWritesWhatTheLibraryDraws) {
-    must_run({"sample", "net.json", "-n", "30", "--law", "normal:1mm", "--seed", "7", "-o", "data.h5"});
+    must_run(
+        {"sample", "net.json", "-n", "30", "--law", "normal:1mm", "--seed", "7", "-o", "data.h5"});
     const DataSet data = read_data_set(folder() / "data.h5").data;
     const Sampler sampler(m_net, parse_length_law("normal:1mm"), 7);
     DataSet expected = sampler.empty();
@@ -87,23 +90,27 @@ TEST_F(Chain, IdentifyFindsNoDeviationInTheNominalForm) {
     ASSERT_EQ(result["edges"].size(), 17U);
     for (const json& edge : result["edges"]) {
         EXPECT_EQ(edge["status"], "identified");
-        EXPECT_LT(std::abs(edge["length_deviation"].get<double>()), 4.0 * edge["std"].get<double>());
+        EXPECT_LT(std::abs(edge["length_deviation"].get<double>()),
+                  4.0 * edge["std"].get<double>());
     }
     EXPECT_LT(result["survey"]["max_residual"], 1e-3);
 }
 
 TEST_F(Chain, IdentifyFindsTheLengthsOfASampleFromItsForm) {
     sample_and_train();
-    must_run({"sample", "net.json", "-n", "1", "--law", "uniform:2mm", "--seed", "99", "-o", "truth.h5"});
+    must_run({"sample", "net.json", "-n", "1", "--law", "uniform:2mm", "--seed", "99", "-o",
+              "truth.h5"});
     const DataSet truth = read_data_set(folder() / "truth.h5").data;
-    const Points form = with_free_coordinates(m_net, truth.nominal_form + truth.form_deviations.col(0));
+    const Points form =
+        with_free_coordinates(m_net, truth.nominal_form + truth.form_deviations.col(0));
     write("survey.csv", form_to_csv(m_net, form));
     must_run({"identify", "net.json", "survey.csv", "--model", "model.h5", "-o", "result.json"});
     const json result = json::parse(read("result.json"));
     double squares = 0.0;
     for (size_t i = 0; i < result["edges"].size(); ++i) {
         const json& edge = result["edges"][i];
-        const double error = edge["length_deviation"].get<double>() - truth.length_deviations(static_cast<int>(i), 0);
+        const double error = edge["length_deviation"].get<double>() -
+                             truth.length_deviations(static_cast<int>(i), 0);
         EXPECT_LT(std::abs(error), 6.0 * edge["std"].get<double>()) << edge.dump();
         squares += error * error;
     }
@@ -125,7 +132,8 @@ TEST_F(Chain, ResultHasTheKeysOfTheContract) {
     ASSERT_EQ(result["edges"].size(), m_net.interior_edges().size());
     for (size_t i = 0; i < result["edges"].size(); ++i) {
         const json& edge = result["edges"][i];
-        expect_keys(edge, json::parse(R"({"edge": 1, "nodes": [], "nominal": 0.1, "length_deviation": 0.1,
+        expect_keys(edge,
+                    json::parse(R"({"edge": 1, "nodes": [], "nominal": 0.1, "length_deviation": 0.1,
             "std": 0.1, "lower": 0.1, "upper": 0.1, "status": ""})"));
         const int index = m_net.interior_edges()[i];
         EXPECT_EQ(edge["edge"], index);
@@ -162,7 +170,8 @@ TEST_F(Chain, JsonIsAllThatStandardOutputHolds) {
         EXPECT_TRUE(document.is_object()) << testing::PrintToString(command);
     }
     EXPECT_EQ(json::parse(must_run({"inspect", "net.json", "--json"}))["net"]["free_nodes"], 12);
-    EXPECT_EQ(must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "--json"}), read("result.json"));
+    EXPECT_EQ(must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "--json"}),
+              read("result.json"));
 }
 
 TEST_F(Chain, ACommandThatSucceedsReplacesItsOutput) {

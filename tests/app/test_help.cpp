@@ -9,7 +9,8 @@ namespace {
 
 using namespace taut::test;
 
-const std::vector<std::string> commands{"example", "inspect", "form", "sample", "train", "identify", "reproduce"};
+const std::vector<std::string> commands{"example", "inspect",  "form",     "sample",
+                                        "train",   "identify", "reproduce"};
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 

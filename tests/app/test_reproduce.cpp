@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against an experiment whose outcome is incomplete, or says something else in one place than
-// in another.
+// Guards against an experiment whose outcome is incomplete, or says something else in one place
+// than in another.
 
 #include <algorithm>
 
@@ -22,9 +22,10 @@ class Reproduce : public ProgramTest {
 protected:
     Reproduce() { must_run({"example", "hypar:3x4", "-o", "net.json"}); }
 
-    std::string reproduce(const std::string& directory, const std::string& extra = "--quiet") const {
-        return must_run({"reproduce", "--net", "net.json", "--samples", "50", "--validation", "8", "--law",
-                         "uniform:3mm", "--seed", "5", "-o", directory, extra});
+    std::string reproduce(const std::string& directory,
+                          const std::string& extra = "--quiet") const {
+        return must_run({"reproduce", "--net", "net.json", "--samples", "50", "--validation", "8",
+                         "--law", "uniform:3mm", "--seed", "5", "-o", directory, extra});
     }
 };
 
@@ -54,7 +55,9 @@ TEST_F(Reproduce, WritesResultsWithEveryKeyOfTheContract) {
 TEST_F(Reproduce, TellsTheNumbersOfTheStudy) {
     reproduce("study");
     const json results = json::parse(read("study/results.json"));
-    const Study study = run_study(hypar(3, 4), {.samples = 50, .validation = 8, .law = parse_length_law("uniform:3mm"), .seed = 5});
+    const Study study = run_study(
+        hypar(3, 4),
+        {.samples = 50, .validation = 8, .law = parse_length_law("uniform:3mm"), .seed = 5});
     const json& method = results["methods"]["gp_as_in_paper"];
     const LengthErrors& errors = study.gp_as_in_paper.errors;
     EXPECT_DOUBLE_EQ(method["mse"], errors.mse);
@@ -74,7 +77,9 @@ TEST_F(Reproduce, TellsTheNumbersOfTheStudy) {
 
 TEST_F(Reproduce, WritesTheTablesAndTheReport) {
     reproduce("study");
-    const auto lines = [this](const std::string& file) { return std::ranges::count(read(file), '\n'); };
+    const auto lines = [this](const std::string& file) {
+        return std::ranges::count(read(file), '\n');
+    };
     EXPECT_EQ(lines("study/edges.csv"), 1 + 17);
     EXPECT_EQ(lines("study/errors.csv"), 1 + 17);
     EXPECT_EQ(lines("study/nodes.csv"), 1 + 12);
@@ -138,8 +143,8 @@ TEST_F(Reproduce, WritesNothingWhereOneOfItsFilesCannotBeReplaced) {
         std::filesystem::remove(folder() / "study" / name);
         std::filesystem::create_directory(folder() / "study" / name);
         const Files before = files();
-        expect_error(run({"reproduce", "--net", "net.json", "--samples", "20", "--validation", "4", "-o",
-                          "study", "--keep"}),
+        expect_error(run({"reproduce", "--net", "net.json", "--samples", "20", "--validation", "4",
+                          "-o", "study", "--keep"}),
                      2, name);
         EXPECT_EQ(files(), before);
         std::filesystem::remove(folder() / "study" / name);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/core.h>
+
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -20,10 +22,10 @@ inline NetFile example_net() {
     data.loads = Points::Zero(3, data.nodes.cols());
     data.loads(2, 0) = -1.0 / 3.0;
     for (Eigen::Index i = 0; i < data.nodes.cols(); ++i) {
-        data.node_ids.push_back("N" + std::to_string(i));
+        data.node_ids.push_back(fmt::format("N{}", i));
     }
     for (size_t e = 0; e < data.edges.size(); ++e) {
-        data.edge_ids.push_back("cable " + std::to_string(e));
+        data.edge_ids.push_back(fmt::format("cable {}", e));
     }
     return {.net = CableNet(std::move(data)), .unknown_keys = R"({"author":"A. B."})"};
 }

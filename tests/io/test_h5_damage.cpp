@@ -138,5 +138,16 @@ TEST_F(DamagedH5, PrintsNothing) {
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
+TEST_F(DamagedH5, LetsTheProgramEndWithoutAWord) {
+    std::string bytes = test::bytes_of(m_data);
+    bytes[100] ^= 1;  // in the header of the root
+    test::put_bytes(m_damaged, bytes);
+    const auto read_and_exit = [this] {
+        std::exit(test::succeeds_or_refuses([this] { return read_data_set(m_damaged); }) ? 1 : 0);
+    };
+    GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process of its own, not a fork of this
+    EXPECT_EXIT(read_and_exit(), testing::ExitedWithCode(0), testing::Eq(""));
+}
+
 }  // namespace
 }  // namespace taut

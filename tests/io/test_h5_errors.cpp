@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "form_deviation: has the shape [18, 30], expected rows of 18"},
         BadFile{"FormDeviationOfMoreSamples", false,
                 replace_numbers("form_deviation", {31, 18}, 0.0),
-                "slack_edges: has the shape [30], expected [31]"},
+                "length_deviation: has the shape [30, 7], expected [31, 7]"},
         BadFile{"FormDeviationInfinite", false,
                 replace_numbers("form_deviation", {30, 18}, HUGE_VAL),
                 "form_deviation: holds a number that is not finite"},

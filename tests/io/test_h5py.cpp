@@ -22,9 +22,9 @@ using nlohmann::json;
 
 /// What h5py finds in the file; nothing where h5py is not installed.
 std::optional<json> read_with_h5py(const std::filesystem::path& path) {
-    const std::string command =
-        "/usr/bin/python3 '" TAUT_IO_TEST_DIR "/read_with_h5py.py' '" + path.string() + "'";
-    FILE* const pipe = popen(command.c_str(), "r");  // NOLINT(cert-env33-c)
+    const std::string command = fmt::format("/usr/bin/python3 '{}/read_with_h5py.py' '{}'",
+                                            TAUT_IO_TEST_DIR, path.string());
+    FILE* const pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) {
         return std::nullopt;
     }
@@ -134,7 +134,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     expect_numbers(*found, "leave_one_out_rmse",
                    column([](const auto& p) { return p.leave_one_out_rmse; }), "m");
     for (size_t k = 0; k < model.processes.spectra.size(); ++k) {
-        const std::string group = "spectra/" + std::to_string(k);
+        const std::string group = fmt::format("spectra/{}", k);
         const gp::KernelSpectrum& spectrum = model.processes.spectra[k];
         expect_numbers(*found, group + "/inverse_length_scale",
                        Eigen::MatrixXd::Constant(1, 1, spectrum.inverse_length_scale), "1/m");

@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
                             "A\0,\0",
                             6),
                 ":1: holds a zero byte, expected text"},
-        BadText{"Json", "{\"format\": \"taut-net\"}", std::string(":1: has 2") + wrong_count}),
+        BadText{"Json", "{\"format\": \"taut-net\",\n", std::string(":1: has 2") + wrong_count}),
     [](const auto& param) { return param.param.name; });
 
 TEST(SurveyCsv, OfAFileCutShortGivesTheFirstPointsOrAnErrorAndNothingElse) {
@@ -181,7 +181,7 @@ TEST(SurveyCsv, OfAFileCutShortGivesTheFirstPointsOrAnErrorAndNothingElse) {
             ++refused;
         }
     }
-    EXPECT_GT(refused, 100);
+    EXPECT_GT(refused, 50);
 }
 
 TEST(SurveyCsv, OfDamagedOrRandomBytesGivesPointsOrAnErrorAndNothingElse) {

@@ -6,6 +6,7 @@
 
 #include "taut/net/units.hpp"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -64,7 +65,7 @@ TEST_P(BadLength, IsRefusedWithItsText) {
         const double length = parse_length(GetParam());
         FAIL() << "'" << GetParam() << "' was read as " << length << " m";
     } catch (const std::invalid_argument& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("'" + GetParam() + "'"));
+        EXPECT_THAT(error.what(), testing::HasSubstr(fmt::format("'{}'", GetParam())));
         EXPECT_THAT(error.what(), testing::HasSubstr("expected"));
     }
 }

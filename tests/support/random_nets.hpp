@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <rapidcheck.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,6 +18,13 @@
 namespace taut::testing {
 
 using Random = std::mt19937_64;
+
+/// For a RapidCheck property: a generator of random numbers, seeded anew in every case. The seed is
+/// shown where the property fails.
+inline Random any_random() {
+    return Random(
+        *rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>())));
+}
 
 inline double uniform(Random& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -62,7 +71,8 @@ inline CableNetData random_net_data(Random& random, const RandomNetSettings& set
     };
     const auto support = [&] { return free_count + uniform_int(random, 0, support_count - 1); };
     for (int s = 0; s < free_count; ++s) {
-        join(s, s > 0 && uniform_int(random, 0, 1) == 1 ? uniform_int(random, 0, s - 1) : support());
+        join(s,
+             s > 0 && uniform_int(random, 0, 1) == 1 ? uniform_int(random, 0, s - 1) : support());
         for (int extra = uniform_int(random, 0, 3); extra > 0; --extra) {
             join(s, uniform_int(random, 0, 1) == 1 ? uniform_int(random, 0, free_count - 1)
                                                    : support());

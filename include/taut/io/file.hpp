@@ -29,7 +29,7 @@ public:
     /// Makes the temporary file, empty.
     /// @throws OutputError where the target is anything but a regular file or nothing yet, or its
     ///   directory does not exist or cannot be written to
-    explicit AtomicFile(std::filesystem::path target);
+    explicit AtomicFile(const std::filesystem::path& target);
     /// Removes the temporary file if it was not committed.
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;

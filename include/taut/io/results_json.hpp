@@ -14,7 +14,8 @@ namespace taut {
 /// results.json of a study: format "taut-study", version 1; all numbers in SI units.
 [[nodiscard]] std::string study_to_json(const Study& study);
 
-/// result.json of an identification: format "taut-identification", version 1; all numbers in SI units.
+/// result.json of an identification: format "taut-identification", version 1; all numbers in SI
+/// units.
 [[nodiscard]] std::string identification_to_json(const CableNet& net, const Survey& survey,
                                                  const Identification& identification);
 

@@ -11,7 +11,8 @@
 namespace taut {
 
 /// What the paper plots of its experiment, as CSV files (name, content), all numbers in m:
-///   edges.csv   per interior edge: ends, unstressed length; true, estimated, std and error of the first
+///   edges.csv   per interior edge: ends, unstressed length; true, estimated, std and error of the
+///   first
 ///               validation sample; mean and std of the error over all validation samples
 ///   errors.csv  per interior edge: its error in each validation sample
 ///   nodes.csv   per free node: nominal place, nominal and identified form error of that sample

@@ -18,7 +18,7 @@ namespace taut {
 ///                                     mean +- std [mm]
 ///   form_error_nominal.svg,           |r - r'| over the net in plan, first validation sample,
 ///   form_error_identified.svg         each with its own colour scale [mm]
-/// Of large nets every n-th edge or node is drawn, evenly spread.
+/// Of large nets only some edges and nodes are drawn, evenly spread.
 /// @param study as run_study() returns it
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> study_figures_svg(
     const Study& study);

@@ -49,7 +49,8 @@ struct Equilibrium {
 };
 
 /// Solves for the equilibrium of one net with many sets of unstressed lengths. Does the symbolic
-/// work once; the iteration allocates nothing. One object a thread.
+/// work once; the iteration allocates nothing (beyond some 5000 free nodes: but the work vectors of
+/// Eigen's factorisation). One object a thread.
 class EquilibriumSolver {
 public:
     explicit EquilibriumSolver(const CableNet& net, EquilibriumSettings settings = {});

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against work on what makes no sense, and against a failure that spoils what was there:
+// each impossible request must end with exit code 2, one line that says what is wrong, and no file
+// touched.
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+#include "app/program.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/data_set_h5.hpp"
+#include "taut/io/form_csv.hpp"
+#include "taut/io/model_h5.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+
+struct Request {
+    std::string name;
+    std::string command;  ///< words between blanks; '' is an empty one
+    std::string told;     ///< what the error must name
+};
+
+void PrintTo(const Request& request, std::ostream* stream) {
+    *stream << "taut " << request.command;
+}
+
+std::vector<std::string> words(const std::string& command) {
+    std::istringstream stream(command);
+    std::vector<std::string> result;
+    for (std::string word; stream >> word;) {
+        result.push_back(word == "''" ? "" : word);
+    }
+    return result;
+}
+
+class Refused : public ProgramTest, public testing::WithParamInterface<Request> {
+protected:
+    Refused() {
+        const CableNet net = hypar(2, 3);
+        const CableNet other = hypar(2, 4);
+        write("net.json", net_to_json(net));
+        write("other.json", net_to_json(other));
+        write("no_interior.json", net_to_json(hypar(1, 1)));
+        write("truncated.json", net_to_json(net).substr(0, 500));
+        write("text", "what a net is, in words\n");
+        write("empty", "");
+        std::filesystem::create_directory(folder() / "directory");
+        for (const std::string output : {"old.json", "old.csv", "old.h5"}) {
+            write(output, "an earlier outcome\n");
+        }
+        make_data_and_model(net, "");
+        make_data_and_model(other, "other_");
+
+        const std::string survey = form_to_csv(net, net.nodes());
+        write("survey.csv", survey);
+        write("other_survey.csv", form_to_csv(other, other.nodes()));
+        write("survey_mm.csv", form_to_csv(net, 1000.0 * net.nodes()));
+        write("survey_part.csv", survey.substr(0, survey.rfind('\n', survey.size() / 2) + 1));
+        write("survey_twice.csv",
+              survey + survey.substr(survey.rfind('\n', survey.size() - 2) + 1));
+        write("survey_unknown.csv", survey + "tower,0,0,0\n");
+        write("survey_nan.csv", survey.substr(0, survey.rfind(',') + 1) + "nan\n");
+    }
+
+    void make_data_and_model(const CableNet& net, const std::string& prefix) const {
+        const Sampler sampler(net, {}, 1);
+        DataSet data = sampler.empty();
+        sampler.extend(data, 8);
+        const NetFile file{.net = net, .unknown_keys = "{}"};
+        write_data_set(folder() / (prefix + "data.h5"), data, file);
+        write_model(folder() / (prefix + "model.h5"), train(data, {0, 1, 2, 3, 4, 5, 6, 7}), file);
+    }
+};
+
+TEST_P(Refused, InOneLineAndNoFileIsTouched) {
+    const Files before = files();
+    expect_error(run(words(GetParam().command)), 2, GetParam().told);
+    EXPECT_EQ(files(), before);
+}
+
+std::string name_of(const testing::TestParamInfo<Request>& request) {
+    return request.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, Refused,
+    testing::Values(Request{"no_subcommand", "", "subcommand"},
+                    Request{"unknown_subcommand", "tension net.json", "subcommand"},
+                    Request{"two_subcommands", "inspect net.json inspect net.json", "inspect"},
+                    Request{"unknown_option", "inspect net.json --colour", "--colour"},
+                    Request{"no_threads", "inspect net.json --threads 0", "--threads"},
+                    Request{"negative_threads", "inspect net.json --threads -2", "--threads"},
+                    Request{"too_many_words", "inspect net.json other.json", "other.json"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Example, Refused,
+    testing::Values(Request{"unknown_net", "example hilo -o old.json", "'hilo'"},
+                    Request{"no_rows", "example hypar:0x5 -o old.json", "0 x 5"},
+                    Request{"negative_rows", "example hypar:-2x5 -o old.json", "hypar:-2x5"},
+                    Request{"too_many_columns", "example hypar:5x301 -o old.json", "5 x 301"},
+                    Request{"too_many_rows_to_count", "example hypar:99999999999x2 -o old.json",
+                            "hypar:99999999999x2"},
+                    Request{"no_name", "example -o old.json", "NAME"},
+                    Request{"no_output", "example hypar:2x2", "--output"},
+                    Request{"empty_output", "example hypar:2x2 -o ''", "file name"},
+                    Request{"output_in_no_directory", "example hypar:2x2 -o nowhere/net.json",
+                            "nowhere/net.json"},
+                    Request{"output_is_a_directory", "example hypar:2x2 -o directory", "directory"},
+                    Request{"output_below_a_file", "example hypar:2x2 -o text/net.json",
+                            "text/net.json"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Net, Refused,
+    testing::Values(
+        Request{"missing", "inspect nothing.json", "nothing.json"},
+        Request{"truncated", "inspect truncated.json", "truncated.json:"},
+        Request{"text", "inspect text", "text:"}, Request{"empty", "inspect empty", "empty:"},
+        Request{"directory", "inspect directory", "directory"},
+        Request{"data_set", "inspect data.h5", "data.h5:"}, Request{"not_given", "inspect", "NET"},
+        Request{"form_of_missing", "form nothing.json -o old.csv", "nothing.json"},
+        Request{"form_of_truncated", "form truncated.json -o old.csv", "truncated.json:"},
+        Request{"form_by_unknown_solver", "form net.json -o old.csv --solver guess", "--solver"},
+        Request{"form_into_no_directory", "form net.json -o nowhere/form.csv", "nowhere/form.csv"},
+        Request{"form_into_a_directory", "form net.json -o directory", "directory"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Sample, Refused,
+    testing::Values(
+        Request{"none", "sample net.json -n 0 -o old.h5", "--samples"},
+        Request{"a_negative_number", "sample net.json -n -3 -o old.h5", "--samples"},
+        Request{"half_a_sample", "sample net.json -n 2.5 -o old.h5", "--samples"},
+        Request{"a_word", "sample net.json -n many -o old.h5", "--samples"},
+        Request{"too_many", "sample net.json -n 99999999999999999999 -o old.h5", "--samples"},
+        Request{"no_number", "sample net.json -o old.h5", "--samples"},
+        Request{"no_output", "sample net.json -n 5", "--output"},
+        Request{"empty_output", "sample net.json -n 5 -o ''", "file name"},
+        Request{"into_no_directory", "sample net.json -n 5 -o nowhere/data.h5", "nowhere/data.h5"},
+        Request{"into_a_directory", "sample net.json -n 5 -o directory", "directory"},
+        Request{"missing_net", "sample nothing.json -n 5 -o old.h5", "nothing.json"},
+        Request{"truncated_net", "sample truncated.json -n 5 -o old.h5", "truncated.json:"},
+        Request{"net_without_interior_edge", "sample no_interior.json -n 5 -o old.h5",
+                "no interior edge"},
+        Request{"unknown_law", "sample net.json -n 5 -o old.h5 --law gauss:5mm", "'gauss:5mm'"},
+        Request{"law_without_bound", "sample net.json -n 5 -o old.h5 --law uniform", "'uniform'"},
+        Request{"negative_bound", "sample net.json -n 5 -o old.h5 --law uniform:-5mm",
+                "uniform:-5mm"},
+        Request{"no_bound", "sample net.json -n 5 -o old.h5 --law uniform:0mm", "uniform:0mm"},
+        Request{"bound_of_unknown_unit", "sample net.json -n 5 -o old.h5 --law uniform:5in",
+                "'5in'"},
+        Request{"bound_beyond_the_shortest_length",
+                "sample net.json -n 5 -o old.h5 --law uniform:140mm", "uniform:140mm"},
+        Request{"normal_beyond_the_shortest_length",
+                "sample net.json -n 5 -o old.h5 --law normal:20mm", "normal:20mm"},
+        Request{"bound_too_large_to_be_a_number",
+                "sample net.json -n 5 -o old.h5 --law uniform:1e999mm", "'1e999mm'"},
+        Request{"negative_seed", "sample net.json -n 5 -o old.h5 --seed -1", "--seed"},
+        Request{"seed_that_is_a_word", "sample net.json -n 5 -o old.h5 --seed one", "--seed"},
+        Request{"resume_of_another_nets_data", "sample net.json -n 9 -o other_data.h5 --resume",
+                hypar(2, 4).fingerprint()},
+        Request{"resume_of_text", "sample net.json -n 9 -o old.h5 --resume", "old.h5:"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Train, Refused,
+    testing::Values(Request{"missing_data", "train nothing.h5 -o old.h5", "nothing.h5"},
+                    Request{"text_for_data", "train text -o old.h5", "text"},
+                    Request{"net_for_data", "train net.json -o old.h5", "net.json"},
+                    Request{"empty_data", "train empty -o old.h5", "empty"},
+                    Request{"model_for_data", "train model.h5 -o old.h5", "model.h5"},
+                    Request{"no_output", "train data.h5", "--output"},
+                    Request{"into_no_directory", "train data.h5 -o nowhere/model.h5",
+                            "nowhere/model.h5"},
+                    Request{"into_a_directory", "train data.h5 -o directory", "directory"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Identify, Refused,
+    testing::Values(
+        Request{"missing_survey", "identify net.json nothing.csv --model model.h5 -o old.json",
+                "nothing.csv"},
+        Request{"text_for_survey", "identify net.json text --model model.h5 -o old.json", "text:"},
+        Request{"empty_survey", "identify net.json empty --model model.h5 -o old.json", "empty:"},
+        Request{"survey_of_another_net",
+                "identify net.json other_survey.csv --model model.h5 -o old.json",
+                "other_survey.csv:"},
+        Request{"survey_in_millimetres",
+                "identify net.json survey_mm.csv --model model.h5 -o old.json", "in metres?"},
+        Request{"survey_with_missing_nodes",
+                "identify net.json survey_part.csv --model model.h5 -o old.json", "first missing"},
+        Request{"survey_with_a_node_twice",
+                "identify net.json survey_twice.csv --model model.h5 -o old.json",
+                "survey_twice.csv:18: "},
+        Request{"survey_with_an_unknown_node",
+                "identify net.json survey_unknown.csv --model model.h5 -o old.json",
+                "survey_unknown.csv:18: 'tower'"},
+        Request{"survey_that_is_not_finite",
+                "identify net.json survey_nan.csv --model model.h5 -o old.json",
+                "survey_nan.csv:17"},
+        Request{"missing_model", "identify net.json survey.csv --model nothing.h5 -o old.json",
+                "nothing.h5"},
+        Request{"text_for_model", "identify net.json survey.csv --model text -o old.json", "text"},
+        Request{"data_for_model", "identify net.json survey.csv --model data.h5 -o old.json",
+                "data.h5"},
+        Request{"model_of_another_net",
+                "identify net.json survey.csv --model other_model.h5 -o old.json",
+                hypar(2, 4).fingerprint()},
+        Request{"model_of_another_net_and_this",
+                "identify net.json survey.csv --model other_model.h5 -o old.json",
+                hypar(2, 3).fingerprint()},
+        Request{"model_of_another_law",
+                "identify net.json survey.csv --model model.h5 --law uniform:4mm -o old.json",
+                "uniform:5mm"},
+        Request{"unknown_law", "identify net.json survey.csv --law gauss:1mm -o old.json",
+                "'gauss:1mm'"},
+        Request{"unknown_method", "identify net.json survey.csv --method guess -o old.json",
+                "--method"},
+        Request{"into_no_directory",
+                "identify net.json survey.csv --model model.h5 -o nowhere/result.json",
+                "nowhere/result.json"},
+        Request{"into_a_directory", "identify net.json survey.csv --model model.h5 -o directory",
+                "directory"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Reproduce, Refused,
+    testing::Values(
+        Request{"no_samples", "reproduce --net net.json --samples 0 -o directory", "0 samples"},
+        Request{"negative_samples", "reproduce --net net.json --samples -10 -o directory",
+                "-10 samples"},
+        Request{"two_samples", "reproduce --net net.json --samples 2 --validation 1 -o directory",
+                "2 samples"},
+        Request{"as_many_validation_samples",
+                "reproduce --net net.json --samples 10 --validation 10 -o directory",
+                "10 validation samples of 10"},
+        Request{"one_left_to_train_on",
+                "reproduce --net net.json --samples 10 --validation 9 -o directory",
+                "9 validation samples of 10"},
+        Request{"no_validation_samples",
+                "reproduce --net net.json --samples 10 --validation 0 -o directory",
+                "0 validation samples"},
+        Request{"negative_validation_samples",
+                "reproduce --net net.json --samples 10 --validation -1 -o directory",
+                "-1 validation samples"},
+        Request{"unknown_law", "reproduce --net net.json --law gauss:5mm -o directory",
+                "'gauss:5mm'"},
+        Request{"negative_bound", "reproduce --net net.json --law uniform:-5mm -o directory",
+                "uniform:-5mm"},
+        Request{"bound_beyond_the_shortest_length",
+                "reproduce --net net.json --law uniform:140mm -o directory", "uniform:140mm"},
+        Request{"negative_seed", "reproduce --net net.json --seed -1 -o directory", "--seed"},
+        Request{"missing_net", "reproduce --net nothing.json -o new", "nothing.json"},
+        Request{"truncated_net", "reproduce --net truncated.json -o new", "truncated.json:"},
+        Request{"no_output", "reproduce --net net.json", "--output"},
+        Request{"empty_output", "reproduce --net net.json -o ''", "output"},
+        Request{"into_a_file", "reproduce --net net.json -o text", "text"},
+        Request{"below_a_file", "reproduce --net net.json -o text/study", "text"}),
+    name_of);
+
+}  // namespace

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a data set put together from two that do not belong together, and against samples
+// drawn again that were there already.
+
+#include "app/program.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/data_set_h5.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+using nlohmann::json;
+
+class Resume : public ProgramTest {
+protected:
+    Resume() { must_run({"example", "hypar:2x3", "-o", "net.json"}); }
+
+    void sample(const std::string& count, const std::string& file,
+                const std::string& extra = "--quiet") const {
+        must_run({"sample", "net.json", "-n", count, "-o", file, extra});
+    }
+
+    /// Samples as an interrupted run leaves them.
+    void write_partial(int count, const CableNet& net = hypar(2, 3), const LengthLaw& law = {},
+                       std::uint64_t seed = 1) const {
+        const Sampler sampler(net, law, seed);
+        DataSet data = sampler.empty();
+        sampler.extend(data, count);
+        write_data_set(folder() / "data.h5.partial", data, {.net = net, .unknown_keys = "{}"});
+    }
+
+    void expect_refused(const std::string& text) const {
+        const Files before = files();
+        expect_error(run({"sample", "net.json", "-n", "40", "-o", "data.h5", "--resume"}), 2, text);
+        EXPECT_EQ(files(), before);
+    }
+};
+
+TEST_F(Resume, ExtendsAFinishedDataSetToTheSameBytes) {
+    sample("20", "data.h5");
+    sample("50", "data.h5", "--resume");
+    sample("50", "straight.h5");
+    EXPECT_EQ(read("data.h5"), read("straight.h5"));
+}
+
+TEST_F(Resume, KeepsADataSetThatIsFinished) {
+    sample("20", "data.h5");
+    const std::string before = read("data.h5");
+    sample("20", "data.h5", "--resume");
+    EXPECT_EQ(read("data.h5"), before);
+}
+
+TEST_F(Resume, BeginsWhereThereIsNothingYet) {
+    sample("20", "data.h5", "--resume");
+    sample("20", "straight.h5");
+    EXPECT_EQ(read("data.h5"), read("straight.h5"));
+}
+
+TEST_F(Resume, TakesTheLargerOfTheFinishedAndTheUnfinishedDataSet) {
+    const auto resumed_from = [this](const std::string& count) {
+        return json::parse(must_run({"sample", "net.json", "-n", count, "-o", "data.h5", "--resume",
+                                     "--json"}))["resumed_from"];
+    };
+    sample("20", "data.h5");
+    write_partial(35);
+    EXPECT_EQ(resumed_from("40"), 35);
+    write_partial(10);
+    EXPECT_EQ(resumed_from("50"), 40);
+    EXPECT_FALSE(exists("data.h5.partial"));
+    sample("50", "straight.h5");
+    EXPECT_EQ(read("data.h5"), read("straight.h5"));
+}
+
+TEST_F(Resume, IsNotDoneUnlessAskedFor) {
+    write_partial(10);
+    EXPECT_EQ(json::parse(must_run(
+                  {"sample", "net.json", "-n", "12", "-o", "data.h5", "--json"}))["resumed_from"],
+              0);
+}
+
+TEST_F(Resume, RefusesADataSetOfAnotherNetAndNamesBoth) {
+    write_partial(10, hypar(2, 4));
+    expect_refused(hypar(2, 4).fingerprint());
+    expect_refused(hypar(2, 3).fingerprint());
+    expect_refused("data.h5.partial: ");
+}
+
+TEST_F(Resume, RefusesAFinishedDataSetOfAnotherNet) {
+    must_run({"example", "hypar:2x4", "-o", "other.json"});
+    must_run({"sample", "other.json", "-n", "5", "-o", "data.h5"});
+    expect_refused(hypar(2, 4).fingerprint());
+}
+
+TEST_F(Resume, RefusesADataSetOfAnotherLaw) {
+    write_partial(10, hypar(2, 3), {LengthLaw::Kind::uniform, 0.004});
+    expect_refused("law uniform:4mm, expected uniform:5mm");
+}
+
+TEST_F(Resume, RefusesADataSetOfAnotherSeed) {
+    write_partial(10, hypar(2, 3), {}, 2);
+    expect_refused("seed 2, expected 1");
+}
+
+TEST_F(Resume, RefusesADataSetWithMoreSamplesThanAskedFor) {
+    write_partial(41);
+    expect_refused("41 samples");
+}
+
+TEST_F(Resume, RefusesAFileThatIsNoDataSet) {
+    write("data.h5.partial", "id,x,y,z\n");
+    expect_refused("data.h5.partial: ");
+}
+
+TEST_F(Resume, RefusesADataSetThatWasCutShort) {
+    write_partial(30);
+    write("data.h5.partial", read("data.h5.partial").substr(0, 3000));
+    expect_refused("data.h5.partial: ");
+}
+
+}  // namespace

@@ -1,0 +1,173 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Writes statics_reference.json: equilibrium forms of small nets found by SciPy, for tests/statics.
+
+    /usr/bin/python3 tests/data/make_statics_reference.py
+
+Made with Debian 12's python3-scipy 1.10.1. The energy is written down once more here, without a line
+of taut. SciPy minimises it by a trust region method, then finds the root of the forces by Powell's
+hybrid method; the form counts when no force at a node exceeds 1e-12 of the largest tension.
+"""
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import scipy
+from scipy.optimize import minimize, root
+
+
+class Net:
+    """Nodes (n x 3), supports, edges (m x 2), EA and l_0 (m), loads (n x 3)."""
+
+    def __init__(self, name, nodes, supports, edges, axial_stiffness, lengths, loads):
+        self.name = name
+        self.nodes = np.array(nodes, float)
+        self.supports = sorted(supports)
+        self.edges = np.array(edges)
+        self.stiffness = np.array(axial_stiffness, float)
+        self.lengths = np.array(lengths, float)
+        self.loads = np.array(loads, float)
+        self.free = [i for i in range(len(nodes)) if i not in supports]
+
+    def form(self, x):
+        form = self.nodes.copy()
+        form[self.free] = x.reshape(-1, 3)
+        return form
+
+    def edges_at(self, x):
+        """Vectors, lengths and tensions of all edges."""
+        form = self.form(x)
+        vectors = form[self.edges[:, 0]] - form[self.edges[:, 1]]
+        lengths = np.linalg.norm(vectors, axis=1)
+        return vectors, lengths, self.stiffness * np.maximum(0.0, lengths / self.lengths - 1.0)
+
+    def energy(self, x):
+        _, lengths, _ = self.edges_at(x)
+        stretch = np.maximum(0.0, lengths - self.lengths)
+        work = np.sum(self.loads[self.free] * self.form(x)[self.free])
+        return np.sum(self.stiffness / (2.0 * self.lengths) * stretch**2) - work
+
+    def forces(self, x):
+        vectors, lengths, tensions = self.edges_at(x)
+        pull = (tensions / lengths)[:, None] * vectors
+        forces = -self.loads.copy()
+        np.add.at(forces, self.edges[:, 0], pull)
+        np.add.at(forces, self.edges[:, 1], -pull)
+        return forces[self.free].ravel()
+
+    def hessian(self, x):
+        vectors, lengths, tensions = self.edges_at(x)
+        n = len(self.nodes)
+        hessian = np.zeros((n, 3, n, 3))
+        for (s, t), vector, length, tension, axial in zip(
+            self.edges, vectors, lengths, tensions, self.stiffness / self.lengths
+        ):
+            if tension > 0.0:
+                along = np.outer(vector, vector) / length**2
+                block = axial * along + tension / length * (np.eye(3) - along)
+                for i, j, sign in ((s, s, 1), (t, t, 1), (s, t, -1), (t, s, -1)):
+                    hessian[i, :, j, :] += sign * block
+        size = 3 * len(self.free)
+        return hessian[self.free][:, :, self.free].reshape(size, size)
+
+    def solve(self):
+        x = minimize(
+            self.energy,
+            self.nodes[self.free].ravel(),
+            jac=self.forces,
+            hess=self.hessian,
+            method="trust-exact",
+            options={"gtol": 1e-6, "maxiter": 10000},
+        ).x
+        x = root(self.forces, x, jac=self.hessian, method="hybr", options={"xtol": 1e-15}).x
+        _, _, tensions = self.edges_at(x)
+        worst = np.linalg.norm(self.forces(x).reshape(-1, 3), axis=1).max()
+        assert worst < 1e-12 * tensions.max(), f"{self.name}: {worst} N of {tensions.max()} N"
+        slack = np.flatnonzero(tensions == 0.0)
+        print(f"{self.name}: {len(self.free)} free nodes, slack edges {slack.tolist()}")
+        return {
+            "name": self.name,
+            "nodes": self.nodes.tolist(),
+            "supports": self.supports,
+            "edges": self.edges.tolist(),
+            "axial_stiffness": self.stiffness.tolist(),
+            "unstressed_lengths": self.lengths.tolist(),
+            "loads": self.loads.tolist(),
+            "form": self.form(x).tolist(),
+            "tensions": tensions.tolist(),
+            "slack_edges": slack.tolist(),
+            "energy": self.energy(x),
+        }
+
+
+def distances(nodes, edges):
+    nodes = np.array(nodes, float)
+    return np.array([np.linalg.norm(nodes[s] - nodes[t]) for s, t in edges])
+
+
+def grid(random):
+    """3 x 3 free nodes between 12 supports, with unlike stiffnesses, loads and two loose edges."""
+    index = {}
+    for i in range(5):
+        for j in range(5):
+            if (i in (0, 4)) + (j in (0, 4)) < 2:
+                index[i, j] = len(index)
+    nodes = [[0.5 * i, 0.5 * j, 0.1 * (i - 2) * (j - 2)] for i, j in index]
+    supports = [node for (i, j), node in index.items() if i in (0, 4) or j in (0, 4)]
+    edges = [
+        (node, index[other])
+        for (i, j), node in index.items()
+        for other in ((i + 1, j), (i, j + 1))
+        if other in index and not (node in supports and index[other] in supports)
+    ]
+    strain = random.uniform(0.0, 0.04, len(edges))
+    strain[[7, 12]] = -0.3
+    stiffness = 10.0 ** random.uniform(4.0, 6.0, len(edges))
+    loads = random.normal(0.0, 200.0, (len(nodes), 3))
+    lengths = distances(nodes, edges) / (1.0 + strain)
+    return Net("grid", nodes, supports, edges, stiffness.round(), lengths.round(4), loads.round())
+
+
+def chain():
+    """Six edges of 1 m over a span of 5 m, all slack at first, under unlike weights."""
+    nodes = [[5.0 / 6.0 * i, 0.0, 0.1 * i] for i in range(7)]
+    edges = [(i, i + 1) for i in range(6)]
+    loads = [[0.0, 10.0 * i, -500.0 - 100.0 * i] for i in range(7)]
+    return Net("chain", nodes, [0, 6], edges, [100e3] * 6, [1.0] * 6, loads)
+
+
+def tripod():
+    """A ring of three nodes on three supports, prestressed, without loads; one edge of it slack."""
+    angles = np.radians([90.0, 210.0, 330.0])
+    ring = [[np.cos(a), np.sin(a), 0.3 * k] for k, a in enumerate(angles)]
+    outer = [[3.0 * np.cos(a), 3.0 * np.sin(a), 0.0] for a in angles]
+    middle = [[0.1, 0.0, 0.5]]
+    nodes = np.round(ring + outer + middle, 6).tolist()
+    edges = [(0, 3), (1, 4), (5, 2), (0, 1), (1, 2), (2, 0), (6, 0), (6, 1), (6, 2)]
+    strain = [0.12, 0.13, 0.125, 0.01, 0.04, -0.4, 0.02, 0.05, 0.01]
+    lengths = distances(nodes, edges) / (1.0 + np.array(strain))
+    loads = np.zeros((7, 3))
+    stiffness = [200e3, 200e3, 100e3, 50e3, 100e3, 100e3, 20e3, 20e3, 40e3]
+    return Net("tripod", nodes, [3, 4, 5], edges, stiffness, lengths.round(6), loads)
+
+
+def main():
+    nets = [grid(np.random.default_rng(1)), chain(), tripod()]
+    reference = {
+        "SPDX-FileCopyrightText": "2026 The taut authors",
+        "SPDX-License-Identifier": "MIT",
+        "made_by": "/usr/bin/python3 tests/data/make_statics_reference.py",
+        "scipy": scipy.__version__,
+        "nets": [net.solve() for net in nets],
+    }
+    path = Path(__file__).with_name("statics_reference.json")
+    # Lists of numbers on one line each.
+    text = re.sub(r"\[[^][{}]*\]", lambda m: " ".join(m[0].split()), json.dumps(reference, indent=1))
+    path.write_text(text + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a name that gives another net than it says, and against half-read names
+// ("hypar:3x4x5") being taken.
+#include "taut/design/builtin_nets.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "support/balance.hpp"
+
+namespace taut {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class HyparOfSize : public ::testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(HyparOfSize, HasAFreeNodeAtEveryGridPointAndASupportAtTheEndOfEveryRowAndColumn) {
+    const auto [rows, columns] = GetParam();
+    const CableNet net = hypar(rows, columns);
+    EXPECT_EQ(net.free_node_count(), rows * columns);
+    EXPECT_EQ(net.supports().size(), 2 * (rows + columns));
+    EXPECT_EQ(net.interior_edge_count(), rows * (columns - 1) + columns * (rows - 1));
+    EXPECT_EQ(net.adjustable_edges(), edges_at_supports(net.edges(), net.supports()));
+    EXPECT_EQ(net.adjustable_edges().size(), 2 * (rows + columns));
+    EXPECT_EQ(net.name(), "hypar:" + std::to_string(rows) + "x" + std::to_string(columns));
+}
+
+TEST_P(HyparOfSize, IsTautAndInEquilibrium) {
+    const auto [rows, columns] = GetParam();
+    const CableNet net = hypar(rows, columns);
+    EXPECT_TRUE(slack_edges(net, net.unstressed_lengths(), net.nodes()).empty());
+    EXPECT_LT(testing::largest_imbalance(net, net.unstressed_lengths(), net.nodes()),
+              1e-10 * testing::mean_tension(net, net.unstressed_lengths(), net.nodes()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, HyparOfSize,
+                         ::testing::Values(std::pair{1, 1}, std::pair{1, 4}, std::pair{3, 1},
+                                           std::pair{2, 3}, std::pair{7, 5}, std::pair{40, 30}));
+
+TEST(Hypar, TakesItsLargestSize) {
+    EXPECT_EQ(hypar(300, 1).free_node_count(), 300);
+    EXPECT_EQ(hypar(1, 300).free_node_count(), 300);
+}
+
+TEST(Hypar, RefusesSizesOutOfRange) {
+    for (const auto& [rows, columns] :
+         {std::pair{0, 5}, {5, 0}, {301, 5}, {5, 301}, {-1, 5}, {5, -7}}) {
+        const auto make = [r = rows, c = columns] { (void)hypar(r, c); };
+        const std::string size = std::to_string(rows) + " x " + std::to_string(columns);
+        EXPECT_THAT(make, ThrowsMessage<std::invalid_argument>(
+                              AllOf(HasSubstr(size), HasSubstr("1 to 300"))));
+    }
+}
+
+TEST(Hypar, IsASaddleWithAlternatelyHighAndLowCorners) {
+    const CableNet net = hypar(9, 9);
+    // Near the four corners, by their place in plan: two diagonally opposite ones are the highest.
+    const auto height_near = [&](double x, double y) {
+        Eigen::Index nearest = 0;
+        (net.nodes().topRows<2>().colwise() - Eigen::Vector2d(x, y))
+            .colwise()
+            .squaredNorm()
+            .minCoeff(&nearest);
+        return net.nodes()(2, nearest);
+    };
+    const double side = 10 * 0.132;
+    const double middle = height_near(0.5 * side, 0.5 * side);
+    EXPECT_GT(height_near(0.0, 0.0), middle + 0.05);
+    EXPECT_GT(height_near(side, side), middle + 0.05);
+    EXPECT_LT(height_near(0.0, side), middle - 0.05);
+    EXPECT_LT(height_near(side, 0.0), middle - 0.05);
+}
+
+TEST(BuiltinNet, GivesTheNetOfItsName) {
+    EXPECT_EQ(builtin_net("hilo-quarter").fingerprint(), hilo_quarter().fingerprint());
+    EXPECT_EQ(builtin_net("hypar:2x3").fingerprint(), hypar(2, 3).fingerprint());
+    EXPECT_EQ(builtin_net("hypar:1x1").fingerprint(), hypar(1, 1).fingerprint());
+    EXPECT_NE(builtin_net("hypar:3x2").fingerprint(), hypar(2, 3).fingerprint());
+}
+
+TEST(BuiltinNet, RefusesOtherNamesAndListsItsOwn) {
+    for (const char* name :
+         {"", "hilo", "hilo-quarter ", "HILO-QUARTER", "hypar", "hypar:", "hypar:3", "hypar:3x",
+          "hypar:x3", "hypar:x", "hypar:-1x3", "hypar:3x-1", "hypar:+3x3", "hypar:3x4x5",
+          "hypar:3 x4", "hypar:3.5x4", "hypar:3X4", "hypar:99999999999x3", "hypar:3x4\n"}) {
+        EXPECT_THAT([&] { (void)builtin_net(name); },
+                    ThrowsMessage<std::invalid_argument>(
+                        AllOf(HasSubstr("'" + std::string(name) + "'"), HasSubstr("hilo-quarter"),
+                              HasSubstr("hypar:RxC"))))
+            << name;
+    }
+}
+
+TEST(BuiltinNet, RefusesSizesOutOfRange) {
+    EXPECT_THROW((void)builtin_net("hypar:0x3"), std::invalid_argument);
+    EXPECT_THROW((void)builtin_net("hypar:3x301"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut

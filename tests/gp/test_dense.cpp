@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a wrong leading dimension, transposition or triangle in the calls of BLAS and
+// LAPACK, which shows only for matrices that are not square or not of one size.
+#include "gp/dense.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "textbook.hpp"
+
+namespace taut::gp {
+namespace {
+
+using testing::normal_matrix;
+
+TEST(Product, IsTheMatrixProductForUnequalSizes) {
+    const Eigen::MatrixXd a = normal_matrix(5, 3, 1);
+    const Eigen::MatrixXd b = normal_matrix(3, 7, 2);
+    EXPECT_TRUE(product(a, b).isApprox(a.lazyProduct(b), 1e-14));
+}
+
+TEST(Product, OfTheTransposedIsTheMatrixProductForUnequalSizes) {
+    const Eigen::MatrixXd a = normal_matrix(3, 5, 1);
+    const Eigen::MatrixXd b = normal_matrix(3, 7, 2);
+    EXPECT_TRUE(transposed_product(a, b).isApprox(a.transpose().lazyProduct(b), 1e-14));
+}
+
+TEST(Product, WithoutColumnsIsEmptyAndOverNothingIsZero) {
+    EXPECT_EQ(product(normal_matrix(5, 3, 1), Eigen::MatrixXd(3, 0)).cols(), 0);
+    EXPECT_EQ(product(Eigen::MatrixXd(5, 0), Eigen::MatrixXd(0, 2)), Eigen::MatrixXd::Zero(5, 2));
+}
+
+TEST(QuadraticForms, ReadTheLowerTriangleAlone) {
+    const Eigen::MatrixXd square = normal_matrix(6, 6, 1);
+    const Eigen::MatrixXd symmetric = square + square.transpose();
+    Eigen::MatrixXd lower = symmetric;
+    lower.triangularView<Eigen::StrictlyUpper>().fill(1e6);
+    const Eigen::MatrixXd b = normal_matrix(6, 4, 2);
+    const Eigen::VectorXd expected = (b.transpose() * symmetric * b).diagonal();
+    EXPECT_TRUE(quadratic_forms(lower, b).isApprox(expected, 1e-13));
+    EXPECT_EQ(quadratic_forms(lower, Eigen::MatrixXd(6, 0)).size(), 0);
+}
+
+TEST(SymmetricEigen, GivesAscendingValuesAndOrthonormalVectors) {
+    const Eigen::MatrixXd square = normal_matrix(8, 8, 3);
+    const Eigen::MatrixXd symmetric = square + square.transpose();
+    const auto [values, vectors] = symmetric_eigen(symmetric);
+    for (Eigen::Index i = 1; i < values.size(); ++i) {
+        EXPECT_LE(values(i - 1), values(i));
+    }
+    EXPECT_TRUE((vectors.transpose() * vectors).isIdentity(1e-13));
+    EXPECT_TRUE((vectors * values.asDiagonal() * vectors.transpose()).isApprox(symmetric, 1e-13));
+}
+
+TEST(SymmetricEigen, RefusesAMatrixThatHoldsNoNumber) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(4, 4);
+    matrix(2, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW((void)symmetric_eigen(matrix), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace taut::gp

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a search that is content before it has found the minimum (one that lies in a
+// narrow valley between two points, say), that creeps towards it, or that spends what all outputs
+// share where none of them gains.
+#include "gp/length_scale_search.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace taut::gp {
+namespace {
+
+struct ValueAndSlope {
+    double value;
+    double slope;
+};
+
+/// One output's value and slope over log lambda.
+using Function = std::function<ValueAndSlope(double)>;
+
+ValueAndSlope parabola(double x, double bottom, double curvature) {
+    const double t = x - bottom;
+    return {.value = 0.5 * curvature * t * t, .slope = curvature * t};
+}
+
+/// A dent in the line at zero: depth at the bottom, and so wide.
+ValueAndSlope dent(double x, double bottom, double depth, double width) {
+    const double t = (x - bottom) / width;
+    const double value = -depth * std::exp(-0.5 * t * t);
+    return {.value = value, .slope = -value * t / width};
+}
+
+LikelihoodProfile profile_of(const std::vector<Function>& outputs, double x) {
+    const auto m = static_cast<Eigen::Index>(outputs.size());
+    LikelihoodProfile profile{.value = Eigen::VectorXd(m),
+                              .slope = Eigen::VectorXd(m),
+                              .noise_ratio = Eigen::VectorXd::Ones(m),
+                              .signal_variance = Eigen::VectorXd::Ones(m)};
+    for (Eigen::Index j = 0; j < m; ++j) {
+        const auto [value, slope] = outputs[static_cast<size_t>(j)](x);
+        profile.value(j) = value;
+        profile.slope(j) = slope;
+    }
+    return profile;
+}
+
+struct Found {
+    std::vector<double> looked_at;
+    bool content = false;
+    std::vector<double> best;        ///< where, of each output
+    std::vector<double> best_value;  ///< of each output
+};
+
+constexpr double lower = -4.0;
+constexpr double upper = 3.5;
+
+Found search(const std::vector<Function>& outputs, double tolerance = 1e-7, int most = 100) {
+    LengthScaleSearch search(lower, upper, tolerance);
+    Found found;
+    while (static_cast<int>(found.looked_at.size()) < most) {
+        const auto x = search.next();
+        if (!x) {
+            found.content = true;
+            break;
+        }
+        found.looked_at.push_back(*x);
+        search.add(*x, profile_of(outputs, *x));
+    }
+    found.best = search.best();
+    for (size_t j = 0; j < outputs.size(); ++j) {
+        found.best_value.push_back(outputs[j](found.best[j]).value);
+    }
+    return found;
+}
+
+double lowest(const Function& output) {
+    double value = std::numeric_limits<double>::infinity();
+    constexpr int steps = 100000;
+    for (int k = 0; k <= steps; ++k) {
+        value = std::min(value, output(lower + (upper - lower) * k / steps).value);
+    }
+    return value;
+}
+
+RC_GTEST_PROP(LengthScaleSearch, FindsTheBottomOfAParabolaInOneStepBeyondItsFirstPoints, ()) {
+    const double bottom = 1e-3 * *rc::gen::inRange(-3990, 3490);
+    const auto found = search({[&](double x) { return parabola(x, bottom, 30.0); }});
+    RC_ASSERT(found.content);
+    RC_ASSERT(found.best_value[0] < 1e-6);
+    RC_ASSERT(found.looked_at.size() <= 9);
+}
+
+RC_GTEST_PROP(LengthScaleSearch, FindsTheBottomOfALopsidedValley, ()) {
+    // A gentle slope down, then a steep one up: a likelihood where the noise falls to its bound.
+    const double bend = 1e-3 * *rc::gen::inRange(-3000, 3000);
+    const double down = *rc::gen::inRange(1, 10);
+    const double up = *rc::gen::inRange(30, 300);
+    const double sharpness = *rc::gen::inRange(1, 8);
+    const Function valley = [&](double x) {
+        const double e = std::exp(sharpness * (x - bend));
+        return ValueAndSlope{.value = up / sharpness * std::log1p(e) - down * x,
+                             .slope = up * e / (1.0 + e) - down};
+    };
+    const double bottom = bend + std::log(down / (up - down)) / sharpness;
+    RC_PRE(bottom > lower);
+    const auto found = search({valley}, 1e-6);
+    RC_ASSERT(found.content);
+    RC_ASSERT(found.best_value[0] - valley(bottom).value < 1e-4);
+    RC_ASSERT(found.looked_at.size() <= 20);
+}
+
+RC_GTEST_PROP(LengthScaleSearch, FindsTheBottomWhereTheCurvatureJumps, ()) {
+    const double bottom = 1e-3 * *rc::gen::inRange(-3000, 3000);
+    const double left = *rc::gen::inRange(1, 10);
+    const double right = *rc::gen::inRange(50, 300);
+    const auto found =
+        search({[&](double x) { return parabola(x, bottom, x < bottom ? left : right); }}, 1e-6);
+    RC_ASSERT(found.content);
+    RC_ASSERT(found.best_value[0] < 1e-4);
+    RC_ASSERT(found.looked_at.size() <= 20);
+}
+
+RC_GTEST_PROP(LengthScaleSearch, FindsANarrowValleyBesideAWideOne, ()) {
+    // The wide one lies where the first points find it; the deeper one shows in slopes alone.
+    const double bottom = 1e-3 * *rc::gen::inRange(0, 3000);
+    const Function valleys = [&](double x) {
+        const auto wide = parabola(x, -2.0, 2.0);
+        const auto narrow = dent(x, bottom, 60.0, 0.5);
+        return ValueAndSlope{.value = wide.value + narrow.value,
+                             .slope = wide.slope + narrow.slope};
+    };
+    const auto found = search({valleys});
+    RC_ASSERT(found.content);
+    RC_ASSERT(found.best_value[0] < lowest(valleys) + 1e-4);
+}
+
+TEST(LengthScaleSearch, TakesTheEndOfTheRangeWhereTheValueFallsTowardsIt) {
+    const auto found = search({[](double x) { return ValueAndSlope{.value = x, .slope = 1.0}; }});
+    EXPECT_TRUE(found.content);
+    EXPECT_EQ(found.best[0], lower);
+    const auto other = search({[](double x) { return ValueAndSlope{.value = -x, .slope = -1.0}; }});
+    EXPECT_TRUE(other.content);
+    EXPECT_EQ(other.best[0], upper);
+}
+
+TEST(LengthScaleSearch, IsContentAtOnceWhereNothingDependsOnTheLengthScale) {
+    const auto found = search({[](double) { return ValueAndSlope{.value = 7.0, .slope = 0.0}; }});
+    EXPECT_TRUE(found.content);
+    EXPECT_LE(found.looked_at.size(), 7);
+}
+
+TEST(LengthScaleSearch, StopsEarlierForALargerTolerance) {
+    const std::vector<Function> valley{[](double x) {
+        return ValueAndSlope{.value = std::cosh(2.0 * x - 0.3),
+                             .slope = 2.0 * std::sinh(2.0 * x - 0.3)};
+    }};
+    EXPECT_LT(search(valley, 1e-1).looked_at.size(), search(valley, 1e-9).looked_at.size());
+}
+
+RC_GTEST_PROP(LengthScaleSearch, StaysWithinItsRange, ()) {
+    std::vector<Function> outputs;
+    const auto m = *rc::gen::inRange(1, 6);
+    for (int j = 0; j < m; ++j) {
+        const double bottom = 1e-3 * *rc::gen::inRange(-8000, 8000);
+        const double curvature = *rc::gen::inRange(-5, 100);
+        outputs.emplace_back([=](double x) { return parabola(x, bottom, curvature); });
+    }
+    for (const double x : search(outputs, 1e-7, 30).looked_at) {
+        RC_ASSERT(x >= lower);
+        RC_ASSERT(x <= upper);
+    }
+}
+
+TEST(LengthScaleSearch, LooksOnceWhereTheRangeIsAPoint) {
+    LengthScaleSearch search(1.5, 1.5, 1e-6);
+    const auto first = search.next();
+    ASSERT_TRUE(first);
+    EXPECT_EQ(*first, 1.5);
+    search.add(*first, profile_of({[](double x) { return parabola(x, 0.0, 1.0); }}, *first));
+    EXPECT_FALSE(search.next());
+}
+
+RC_GTEST_PROP(LengthScaleSearch, MakesEveryOfSeveralOutputsContent, ()) {
+    std::vector<Function> outputs;
+    for (int j = 0; j < 5; ++j) {
+        const double bottom = 1e-3 * *rc::gen::inRange(-3900, 3400);
+        const double curvature = *rc::gen::inRange(5, 100);
+        outputs.emplace_back([=](double x) { return parabola(x, bottom, curvature); });
+    }
+    const auto found = search(outputs);
+    RC_ASSERT(found.content);
+    for (const double value : found.best_value) {
+        RC_ASSERT(value < 1e-6);
+    }
+}
+
+TEST(LengthScaleSearch, ServesTwoGroupsFarApartAndNotTheMiddleBetweenThem) {
+    std::vector<Function> outputs;
+    for (int j = 0; j < 20; ++j) {
+        for (const double centre : {-2.7, 2.1}) {
+            const double bottom = centre + 0.01 * j;
+            outputs.emplace_back([=](double x) { return parabola(x, bottom, 30.0); });
+        }
+    }
+    // A few with little to gain in between, at which a median of all wishes would fall.
+    for (int j = 0; j < 5; ++j) {
+        outputs.emplace_back([=](double x) { return parabola(x, -0.3 + 0.05 * j, 0.5); });
+    }
+    const Found found = search(outputs, 1e-7, 14);
+    for (size_t j = 0; j < outputs.size(); ++j) {
+        EXPECT_LT(found.best_value[j], 0.2) << j;
+    }
+}
+
+TEST(LengthScaleSearch, LosesLittleWhereHundredsOfOutputsShareADozenPoints) {
+    std::vector<Function> outputs;
+    for (int j = 0; j < 300; ++j) {
+        const double bottom = -3.0 + 2.0 * j / 299.0;
+        outputs.emplace_back([=](double x) { return parabola(x, bottom, 30.0); });
+    }
+    double mean_loss = 0.0;
+    for (const double value : search(outputs, 1e-7, 14).best_value) {
+        mean_loss += value / 300.0;
+    }
+    // Eight of the points can lie where they help. Evenly over the two units they would lose
+    // 30 / 24 * 0.25^2 = 0.08 on average.
+    EXPECT_LT(mean_loss, 0.1);
+}
+
+}  // namespace
+}  // namespace taut::gp

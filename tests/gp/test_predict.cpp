@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against predictions that are not those of the formula, such as of another output's
+// hyperparameters, and against a variance that is too small far from the training inputs.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "reference.hpp"
+#include "taut/gp/fit.hpp"
+#include "textbook.hpp"
+
+namespace taut::gp {
+namespace {
+
+using testing::normal_matrix;
+
+/// Five outputs with smoothness and noise of their own.
+Eigen::MatrixXd some_outputs(const Eigen::MatrixXd& inputs) {
+    Eigen::MatrixXd y = normal_matrix(inputs.cols(), 5, 2) *
+                        Eigen::VectorXd{{0.1, 0.02, 0.3, 0.1, 0.05}}.asDiagonal();
+    y.col(0) += inputs.row(0).transpose();
+    y.col(1) += (2.0 * inputs.row(1)).array().sin().matrix().transpose();
+    y.col(2) += inputs.row(0).cwiseProduct(inputs.row(2)).transpose();
+    y.col(3) += (inputs.row(1) + inputs.row(2)).array().tanh().matrix().transpose();
+    y.col(4) += (3.0 * inputs.row(2)).array().cos().matrix().transpose();
+    return y;
+}
+
+/// One process with given hyperparameters, conditioned on an output.
+FittedProcesses conditioned(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& output,
+                            const Hyperparameters& theta) {
+    FittedProcesses result;
+    result.inputs = inputs;
+    result.spectra.push_back(
+        kernel_spectrum(squared_distances(inputs, inputs), theta.inverse_length_scale));
+    const KernelSpectrum& spectrum = result.spectra.front();
+    const double ratio = std::pow(theta.noise_std / theta.signal_std, 2);
+    result.weights =
+        spectrum.eigenvectors * (spectrum.eigenvectors.transpose() * output)
+                                    .cwiseQuotient((spectrum.eigenvalues.array() + ratio).matrix());
+    result.processes.push_back({.hyperparameters = theta, .spectrum = 0});
+    return result;
+}
+
+TEST(Predict, IsTheDenseFormulaForEveryOutputOfAFit) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 50, 1);
+    const Eigen::MatrixXd outputs = some_outputs(inputs);
+    const Eigen::MatrixXd at = 1.5 * normal_matrix(3, 20, 3);
+    const FittedProcesses fitted = fit(inputs, outputs);
+    ASSERT_GT(fitted.spectra.size(), 1);
+    const Prediction prediction = fitted.predict(at);
+    for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
+        const auto expected = testing::textbook_prediction(
+            inputs, outputs.col(j), fitted.processes[static_cast<size_t>(j)].hyperparameters, at);
+        EXPECT_LT((prediction.mean.row(j).transpose() - expected.mean).cwiseAbs().maxCoeff(), 1e-7)
+            << j;
+        EXPECT_LT((prediction.std.row(j).transpose() - expected.std).cwiseAbs().maxCoeff(), 1e-7)
+            << j;
+    }
+}
+
+RC_GTEST_PROP(Predict, IsTheDenseFormulaForAnyHyperparameters, ()) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 30, 1);
+    const Eigen::VectorXd output = some_outputs(inputs).col(2);
+    const auto power_of_ten = [](int lower, int upper) {
+        return std::pow(10.0, *rc::gen::inRange(100 * lower, 100 * upper) / 100.0);
+    };
+    const double signal = power_of_ten(-1, 3);
+    const Hyperparameters theta{.inverse_length_scale = power_of_ten(-1, 1),
+                                .signal_std = signal,
+                                .noise_std = signal * power_of_ten(-2, 1)};
+    const Eigen::MatrixXd at = normal_matrix(3, 5, *rc::gen::arbitrary<std::uint64_t>());
+    const Prediction prediction = conditioned(inputs, output, theta).predict(at);
+    const auto expected = testing::textbook_prediction(inputs, output, theta, at);
+    RC_ASSERT((prediction.mean.transpose() - expected.mean).cwiseAbs().maxCoeff() < 1e-8);
+    RC_ASSERT((prediction.std.transpose() - expected.std).cwiseAbs().maxCoeff() < 1e-8 * signal);
+}
+
+TEST(Predict, AgreesWithScikitLearnAtItsHyperparameters) {
+    for (const auto& data : testing::reference_data()) {
+        for (size_t j = 0; j < data.processes.size(); ++j) {
+            SCOPED_TRACE(data.name + ", output " + std::to_string(j));
+            const auto& reference = data.processes[j];
+            const Prediction prediction =
+                conditioned(data.inputs, data.outputs.col(static_cast<Eigen::Index>(j)),
+                            reference.hyperparameters)
+                    .predict(data.test_inputs);
+            for (Eigen::Index k = 0; k < reference.mean.size(); ++k) {
+                EXPECT_NEAR(prediction.mean(0, k), reference.mean(k), 1e-4 * reference.std(k));
+                EXPECT_NEAR(prediction.std(0, k), reference.std(k), 1e-4 * reference.std(k));
+            }
+        }
+    }
+}
+
+TEST(Predict, GoesThroughTrainingDataWithoutNoise) {
+    const Eigen::MatrixXd inputs = normal_matrix(2, 40, 1);
+    const Eigen::VectorXd output =
+        (inputs.row(0).array().sin() + inputs.row(1).array().square()).matrix().transpose();
+    const FittedProcesses fitted = fit(inputs, output);
+    const Prediction prediction = fitted.predict(inputs);
+    EXPECT_LT((prediction.mean.transpose() - output).cwiseAbs().maxCoeff(), 1e-4);
+    EXPECT_LT(prediction.std.maxCoeff(), 1e-4);
+}
+
+TEST(Predict, KnowsNothingFarFromTheTrainingInputs) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 50, 1);
+    const FittedProcesses fitted = fit(inputs, some_outputs(inputs));
+    const Prediction prediction = fitted.predict(Eigen::Vector3d::Constant(1e6));
+    for (Eigen::Index j = 0; j < prediction.mean.rows(); ++j) {
+        EXPECT_NEAR(prediction.mean(j, 0), 0.0, 1e-300);
+        EXPECT_DOUBLE_EQ(prediction.std(j, 0),
+                         fitted.processes[static_cast<size_t>(j)].hyperparameters.signal_std);
+    }
+}
+
+TEST(Predict, IsLessSureBetweenTheTrainingInputsAndFarAwayThanAtThem) {
+    const Eigen::MatrixXd inputs = Eigen::RowVectorXd::LinSpaced(10, 0.0, 9.0);
+    const FittedProcesses fitted =
+        conditioned(inputs, inputs.row(0).array().sin().matrix().transpose(),
+                    {.inverse_length_scale = 1.0, .signal_std = 1.0, .noise_std = 0.01});
+    const Prediction prediction = fitted.predict(Eigen::RowVector3d(4.0, 4.5, 12.0));
+    EXPECT_LT(prediction.std(0, 0), prediction.std(0, 1));
+    EXPECT_LT(prediction.std(0, 1), prediction.std(0, 2));
+    EXPECT_LE(prediction.std(0, 0), 0.01);
+}
+
+TEST(Predict, OfManyInputsIsThatOfEach) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 50, 1);
+    const FittedProcesses fitted = fit(inputs, some_outputs(inputs));
+    const Eigen::MatrixXd at = normal_matrix(3, 9, 4);
+    const Prediction together = fitted.predict(at);
+    for (Eigen::Index k = 0; k < at.cols(); ++k) {
+        const Prediction alone = fitted.predict(at.col(k));
+        EXPECT_LT((together.mean.col(k) - alone.mean).cwiseAbs().maxCoeff(), 1e-9);
+        EXPECT_LT((together.std.col(k) - alone.std).cwiseAbs().maxCoeff(), 1e-9);
+    }
+}
+
+TEST(Predict, OfNoInputsIsEmpty) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 20, 1);
+    const Prediction prediction = fit(inputs, some_outputs(inputs)).predict(Eigen::MatrixXd(3, 0));
+    EXPECT_EQ(prediction.mean.rows(), 5);
+    EXPECT_EQ(prediction.mean.cols(), 0);
+    EXPECT_EQ(prediction.std.cols(), 0);
+}
+
+TEST(Predict, RefusesInputsOfAnotherDimension) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 20, 1);
+    const FittedProcesses fitted = fit(inputs, some_outputs(inputs));
+    EXPECT_THROW((void)fitted.predict(normal_matrix(2, 4, 1)), std::invalid_argument);
+}
+
+TEST(Predict, RefusesInputsThatAreNotFinite) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 20, 1);
+    const FittedProcesses fitted = fit(inputs, some_outputs(inputs));
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        Eigen::MatrixXd at = normal_matrix(3, 4, 1);
+        at(2, 1) = value;
+        EXPECT_THROW((void)fitted.predict(at), std::invalid_argument);
+    }
+}
+
+}  // namespace
+}  // namespace taut::gp

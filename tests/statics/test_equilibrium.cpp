@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against forms reported as equilibrium in which forces do not balance, and against the
+// solver failing on nets and lengths as they are built.
+#include "taut/statics/equilibrium.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "support/balance.hpp"
+#include "support/random_nets.hpp"
+#include "support/small_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+using ::testing::Each;
+using ::testing::Ge;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::ThrowsMessage;
+
+/// What every result with status converged promises, checked apart from the solver.
+void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const Equilibrium& e) {
+    ASSERT_EQ(e.status, EquilibriumStatus::converged);
+    EXPECT_TRUE(e.balanced());
+    const double imbalance = testing::largest_imbalance(net, lengths, e.form);
+    const double tension = testing::mean_tension(net, lengths, e.form);
+    EXPECT_LE(imbalance, 1e-10 * tension);
+    EXPECT_NEAR(e.out_of_balance, imbalance, 1e-11 * tension);
+    EXPECT_NEAR(e.mean_tension, tension, 1e-11 * tension);
+    EXPECT_EQ(e.slack_edges, slack_edges(net, lengths, e.form));
+    EXPECT_THAT(e.energy_decreases, SizeIs(e.iterations));
+    EXPECT_THAT(e.energy_decreases, Each(Ge(0.0)));
+    for (const int support : net.supports()) {
+        EXPECT_EQ(e.form.col(support), net.nodes().col(support));
+    }
+}
+
+/// Solves a net for random length deviations, several times over. Gives how often an edge was
+/// slack.
+int solve_for_random_lengths(const CableNet& net, double reach, int times, std::uint64_t seed) {
+    testing::Random random(seed);
+    EquilibriumSolver solver(net);
+    int with_slack = 0;
+    for (int i = 0; i < times; ++i) {
+        const Eigen::VectorXd lengths = with_length_deviations(
+            net, testing::uniform_vector(random, net.interior_edge_count(), reach));
+        const Equilibrium e = solver.solve(lengths, net.nodes());
+        expect_converged(net, lengths, e);
+        with_slack += e.slack_edges.empty() ? 0 : 1;
+    }
+    return with_slack;
+}
+
+TEST(Equilibrium, IsFoundOfTheHiloQuarterWithin5Millimetres) {
+    solve_for_random_lengths(hilo_quarter(), 5e-3, 20, 1);
+}
+
+TEST(Equilibrium, IsFoundOfTheHiloQuarterWithin10MillimetresAndSlackEdges) {
+    EXPECT_GT(solve_for_random_lengths(hilo_quarter(), 10e-3, 20, 2), 10);
+}
+
+TEST(Equilibrium, IsFoundOfHyparsOfManySizes) {
+    for (const auto& [rows, columns] : {std::pair{1, 1}, {1, 9}, {2, 2}, {12, 7}, {30, 30}}) {
+        solve_for_random_lengths(hypar(rows, columns), 3e-3, 3, 3);
+    }
+}
+
+TEST(Equilibrium, OfANetThatBalancesIsItsNominalForm) {
+    for (const CableNet& net : {hilo_quarter(), hypar(6, 9)}) {
+        const Equilibrium e = solve_equilibrium(net);
+        expect_converged(net, net.unstressed_lengths(), e);
+        EXPECT_LT((e.form - net.nodes()).cwiseAbs().maxCoeff(), 1e-12);
+        EXPECT_THAT(e.slack_edges, IsEmpty());
+    }
+}
+
+TEST(Equilibrium, OfACrossUnderLoadIsThatComputedByHand) {
+    // l_0 = 0.8 m, moved 0.75 m down all edges are 1.25 m long: a load of 4 T 0.75 / 1.25.
+    CableNetData data = testing::cross_data(0.25);
+    data.loads = Points::Zero(3, 5);
+    data.loads(2, 0) = -4.0 * 100e3 * (1.25 / 0.8 - 1.0) * 0.6;
+    const CableNet net(std::move(data));
+    const Equilibrium e = solve_equilibrium(net);
+    expect_converged(net, net.unstressed_lengths(), e);
+    EXPECT_LT((e.form.col(0) - Eigen::Vector3d(0.0, 0.0, -0.75)).norm(), 1e-13);
+}
+
+TEST(Equilibrium, TakesSupportsFromTheNetAndNotFromTheStart) {
+    const CableNet net(testing::cross_data(0.02));
+    const Points start = net.nodes().array() + 0.5;
+    const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
+    expect_converged(net, net.unstressed_lengths(), e);
+    EXPECT_LT(e.form.col(0).norm(), 1e-13);
+}
+
+TEST(EquilibriumSolver, GivesTheSameBitsWhateverItSolvedBefore) {
+    CableNetData data = hypar(5, 6).data();
+    data.loads.row(2).setConstant(-2.0);
+    const CableNet net(std::move(data));
+    const Eigen::VectorXd tense = net.unstressed_lengths();
+    const Eigen::VectorXd loose = 1.1 * tense;  // needs the approach through heavier loads
+    EquilibriumSolver solver(net);
+    const Equilibrium first = solver.solve(tense, net.nodes());
+    const Equilibrium hanging = solver.solve(loose, net.nodes());
+    EXPECT_EQ(hanging.status, EquilibriumStatus::converged);
+    EquilibriumSolver moved = std::move(solver);
+    const Equilibrium again = moved.solve(tense, net.nodes());
+    EXPECT_EQ(again.form, first.form);
+    EXPECT_EQ(again.energy_decreases, first.energy_decreases);
+    EXPECT_EQ(moved.solve(loose, net.nodes()).form, hanging.form);
+    EXPECT_EQ(EquilibriumSolver(net).solve(loose, net.nodes()).form, hanging.form);
+}
+
+TEST(EquilibriumSolver, TellsThatItReachedItsIterationLimit) {
+    const CableNet net = hilo_quarter();
+    testing::Random random(4);
+    const Eigen::VectorXd lengths = with_length_deviations(
+        net, testing::uniform_vector(random, net.interior_edge_count(), 5e-3));
+    for (const int limit : {0, 1, 2}) {
+        EquilibriumSolver solver(net, {.max_iterations = limit});
+        const Equilibrium e = solver.solve(lengths, net.nodes());
+        EXPECT_EQ(e.status, EquilibriumStatus::iteration_limit);
+        EXPECT_FALSE(e.balanced());
+        EXPECT_EQ(e.iterations, limit);
+        EXPECT_NEAR(e.out_of_balance, testing::largest_imbalance(net, lengths, e.form), 1e-6);
+        EXPECT_GT(e.out_of_balance, 1e-10 * e.mean_tension);
+    }
+}
+
+TEST(EquilibriumSolver, KeepsItsIterationLimitInTheApproachThroughHeavierLoads) {
+    CableNetData data = hypar(8, 8).data();
+    data.unstressed_lengths *= 1.2;
+    data.loads.row(2).setConstant(-1e-3);
+    const CableNet net(std::move(data));
+    ASSERT_GT(solve_equilibrium(net).iterations, 40);
+    for (const int limit : {29, 30, 31, 40}) {
+        const Equilibrium e = solve_equilibrium(net, {.max_iterations = limit});
+        EXPECT_EQ(e.status, EquilibriumStatus::iteration_limit);
+        EXPECT_EQ(e.iterations, limit);
+    }
+}
+
+TEST(EquilibriumSolver, StopsEarlierForACoarserTolerance) {
+    const CableNet net = hilo_quarter();
+    testing::Random random(5);
+    const Eigen::VectorXd lengths = with_length_deviations(
+        net, testing::uniform_vector(random, net.interior_edge_count(), 5e-3));
+    const Equilibrium fine = EquilibriumSolver(net).solve(lengths, net.nodes());
+    const Equilibrium coarse =
+        EquilibriumSolver(net, {.relative_tolerance = 1e-2}).solve(lengths, net.nodes());
+    EXPECT_EQ(coarse.status, EquilibriumStatus::converged);
+    EXPECT_LT(coarse.iterations, fine.iterations);
+    EXPECT_LE(coarse.out_of_balance, 1e-2 * coarse.mean_tension);
+}
+
+TEST(EquilibriumSolver, RefusesWrongLengthsAndStarts) {
+    const CableNet net(testing::cross_data(0.02));
+    EquilibriumSolver solver(net);
+    const auto refuses = [&](const Eigen::VectorXd& lengths, const Points& start,
+                             const std::string& words) {
+        EXPECT_THAT([&] { (void)solver.solve(lengths, start); },
+                    ThrowsMessage<std::invalid_argument>(HasSubstr(words)));
+    };
+    const Eigen::VectorXd lengths = net.unstressed_lengths();
+    refuses(lengths.head(3), net.nodes(), "unstressed_lengths has 3 entries, expected 4");
+    for (const auto& [value, text] : {std::pair{0.0, "is 0"},
+                                      {-1.0, "is -1"},
+                                      {std::numeric_limits<double>::quiet_NaN(), "is nan"},
+                                      {std::numeric_limits<double>::infinity(), "is inf"}}) {
+        Eigen::VectorXd bad = lengths;
+        bad(1) = value;
+        refuses(bad, net.nodes(), "unstressed length 1 " + std::string(text));
+    }
+    refuses(lengths, net.nodes().leftCols(4), "start has 4 points, expected 5");
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+        Points bad = net.nodes();
+        bad(2, 0) = value;
+        refuses(lengths, bad, "at node 0, expected finite coordinates");
+    }
+}
+
+TEST(EquilibriumStatus, HasWords) {
+    EXPECT_EQ(to_string(EquilibriumStatus::converged), "converged");
+    EXPECT_EQ(to_string(EquilibriumStatus::slack_mechanism), "slack mechanism");
+    EXPECT_EQ(to_string(EquilibriumStatus::iteration_limit), "iteration limit");
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards, on random nets with slack edges and loads, against results that depend on what they must
+// not depend on: the start, the frame of the coordinates, the order of nodes and edges.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numeric>
+
+#include "support/balance.hpp"
+#include "support/random_nets.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+namespace {
+
+/// Rounding errors of coordinates of some 3 m, times EA/l_0 of the edges at a node [N].
+double rounding(const CableNet& net) {
+    return 1e-14 * (net.axial_stiffness().array() / net.unstressed_lengths().array()).sum();
+}
+
+RC_GTEST_PROP(EquilibriumOfARandomNet, BalancesAndNeverPushes, ()) {
+    testing::Random random = testing::any_random();
+    const CableNet net = testing::random_net(random);
+    const Equilibrium e = solve_equilibrium(net);
+    RC_ASSERT(e.balanced());
+    RC_ASSERT(testing::largest_imbalance(net, net.unstressed_lengths(), e.form) <=
+              1e-10 * e.mean_tension + rounding(net));
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
+    std::vector<int> without_tension;
+    for (int edge = 0; edge < net.edge_count(); ++edge) {
+        RC_ASSERT(tension(edge) >= 0.0);
+        if (tension(edge) == 0.0) {
+            without_tension.push_back(edge);
+        }
+    }
+    RC_ASSERT(e.slack_edges == without_tension);
+}
+
+RC_GTEST_PROP(EquilibriumOfARandomNet, LosesEnergyInEveryStepAndTellsHowMuch, ()) {
+    testing::Random random = testing::any_random();
+    const CableNet net = testing::random_net(random);
+    const Points start =
+        with_free_coordinates(net, testing::uniform_vector(random, 3 * net.free_node_count(), 5.0));
+    const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
+    double sum = 0.0;
+    for (const double decrease : e.energy_decreases) {
+        RC_ASSERT(decrease >= 0.0);
+        sum += decrease;
+    }
+    const double before = energy(net, net.unstressed_lengths(), start);
+    const double after = energy(net, net.unstressed_lengths(), e.form);
+    RC_ASSERT(std::abs(before - sum - after) <= 1e-12 * (std::abs(before) + std::abs(after)));
+}
+
+RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheStart, ()) {
+    testing::Random random = testing::any_random();
+    const CableNet net = testing::random_net(random);
+    EquilibriumSolver solver(net);
+    const Equilibrium near = solver.solve(net.unstressed_lengths(), net.nodes());
+    const Points far_start = testing::uniform_points(random, net.node_count(), 10.0);
+    const Equilibrium far = solver.solve(net.unstressed_lengths(), far_start);
+    RC_ASSERT(far.status == near.status);
+    if (near.status == EquilibriumStatus::converged) {
+        RC_ASSERT((far.form - near.form).norm() < 1e-7);
+    }
+}
+
+RC_GTEST_PROP(EquilibriumOfARandomNet, IsTheLowestEnergyAround, ()) {
+    testing::Random random = testing::any_random();
+    const CableNet net = testing::random_net(random);
+    const Equilibrium e = solve_equilibrium(net);
+    const Eigen::VectorXd r = free_coordinates(net, e.form);
+    const double lowest = energy(net, net.unstressed_lengths(), e.form);
+    for (const double reach : {1e-3, 1e-1, 10.0}) {
+        const Eigen::VectorXd other = r + testing::uniform_vector(random, r.size(), reach);
+        RC_ASSERT(energy(net, net.unstressed_lengths(), with_free_coordinates(net, other)) >=
+                  lowest - 1e-12 * (1.0 + std::abs(lowest)));
+    }
+}
+
+RC_GTEST_PROP(EquilibriumOfARandomNet, MovesWithItsFrameAndDoesNothingElse, ()) {
+    testing::Random random = testing::any_random();
+    const CableNetData data = testing::random_net_data(random);
+    const CableNet net(data);
+    const Eigen::Vector3d shift = testing::uniform_points(random, 1, 10.0);
+    const Eigen::Matrix3d turn =
+        Eigen::Quaterniond(Eigen::Vector4d(testing::uniform_vector(random, 4, 1.0)))
+            .normalized()
+            .toRotationMatrix();
+    const auto moved = [&](const Points& points) -> Points {
+        return (turn * points).colwise() + shift;
+    };
+    CableNetData moved_data = data;
+    moved_data.nodes = moved(data.nodes);
+    moved_data.loads = turn * data.loads;
+    const CableNet moved_net(std::move(moved_data));
+
+    const Equilibrium e = solve_equilibrium(net);
+    const Equilibrium f = solve_equilibrium(moved_net);
+    RC_ASSERT(f.status == e.status);
+    if (e.status == EquilibriumStatus::converged) {
+        RC_ASSERT((f.form - moved(e.form)).norm() < 1e-7);
+        const Eigen::VectorXd change = tensions(moved_net, net.unstressed_lengths(), f.form) -
+                                       tensions(net, net.unstressed_lengths(), e.form);
+        RC_ASSERT(change.norm() <= 1e-6 * (1.0 + e.mean_tension));
+    }
+}
+
+RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheOrderOfNodesAndEdges, ()) {
+    testing::Random random = testing::any_random();
+    const CableNetData data = testing::random_net_data(random);
+    const CableNet net(data);
+    std::vector<int> node_from(static_cast<size_t>(net.node_count()));
+    std::vector<int> edge_from(static_cast<size_t>(net.edge_count()));
+    std::iota(node_from.begin(), node_from.end(), 0);
+    std::iota(edge_from.begin(), edge_from.end(), 0);
+    std::ranges::shuffle(node_from, random);
+    std::ranges::shuffle(edge_from, random);
+    std::vector<int> node_to(node_from.size());
+    for (size_t i = 0; i < node_from.size(); ++i) {
+        node_to[static_cast<size_t>(node_from[i])] = static_cast<int>(i);
+    }
+
+    CableNetData other = data;
+    other.nodes = data.nodes(Eigen::all, node_from);
+    other.loads = net.loads()(Eigen::all, node_from);
+    other.axial_stiffness = data.axial_stiffness(edge_from);
+    other.unstressed_lengths = data.unstressed_lengths(edge_from);
+    other.adjustable.clear();
+    for (int& support : other.supports) {
+        support = node_to[static_cast<size_t>(support)];
+    }
+    for (size_t e = 0; e < edge_from.size(); ++e) {
+        const auto [s, t] = data.edges[static_cast<size_t>(edge_from[e])];
+        other.edges[e] = {node_to[static_cast<size_t>(t)], node_to[static_cast<size_t>(s)]};
+    }
+    const CableNet other_net(std::move(other));
+
+    const Equilibrium e = solve_equilibrium(net);
+    const Equilibrium f = solve_equilibrium(other_net);
+    RC_ASSERT(f.status == e.status);
+    if (e.status == EquilibriumStatus::converged) {
+        RC_ASSERT((f.form - Points(e.form(Eigen::all, node_from))).norm() < 1e-7);
+    }
+}
+
+}  // namespace
+}  // namespace taut
