@@ -25,5 +25,5 @@ function(taut_add_tests room)
     gtest_discover_tests(${target}
         TEST_PREFIX "${room}."
         DISCOVERY_TIMEOUT 60
-        PROPERTIES TIMEOUT 300 LABELS ${room})
+        PROPERTIES TIMEOUT 300 LABELS ${room} ENVIRONMENT "RC_PARAMS=seed=1")
 endfunction()

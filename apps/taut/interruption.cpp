@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "interruption.hpp"
 
-#include <pthread.h>
+#include <semaphore.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <string_view>
 #include <thread>
 
 namespace taut::app {
@@ -14,34 +15,53 @@ namespace {
 
 constexpr int interrupted = 130;
 
+/// Never destroyed: the thread that watches lives to the end of the process.
 std::stop_source& source() {
-    static std::stop_source the_source;
+    static auto& the_source = *new std::stop_source;
     return the_source;
 }
 
 std::atomic<bool> orderly{false};
+sem_t arrived;
+
+/// Runs in whichever thread the signal meets, where next to nothing is allowed. To block the signal
+/// in all threads but one is no way out: OpenBLAS starts its own before main().
+void hand_over(int /*signal*/) {
+    sem_post(&arrived);
+}
+
+[[noreturn]] void end_at_once() {
+    constexpr std::string_view line = "taut: error: interrupted\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
+    _exit(interrupted);
+}
 
 }  // namespace
 
 void Interruption::watch() {
     source();
-    // Every thread inherits the mask, so the signals reach none but the one that waits for them.
-    sigset_t signals;
-    sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        sigaddset(&signals, signal);
-    }
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    std::thread([signals] {
+    sem_init(&arrived, 0, 0);
+    std::thread([] {
         while (true) {
-            int signal = 0;
-            sigwait(&signals, &signal);
+            if (sem_wait(&arrived) != 0) {
+                continue;
+            }
             if (!orderly || source().stop_requested()) {
-                _exit(interrupted);
+                end_at_once();
             }
             source().request_stop();
         }
     }).detach();
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action{};
+        sigaction(signal, nullptr, &action);
+        if (action.sa_handler == SIG_IGN) {
+            continue;  // as nohup wants it
+        }
+        action.sa_handler = hand_over;
+        action.sa_flags = SA_RESTART;
+        sigaction(signal, &action, nullptr);
+    }
 }
 
 std::stop_token Interruption::stop_token() {

@@ -12,7 +12,7 @@ namespace taut::app {
 /// for a stop token is told through it, and ended at once by a second signal.
 class Interruption {
 public:
-    /// Call once, before any other thread starts.
+    /// Call once. Signals that are ignored stay so.
     static void watch();
 
     /// From now on the first signal requests a stop here.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,9 @@ int run(int argc, char** argv) {
         }
         return fail(wrong_input, error.what());
     }
+    if (std::fflush(stdout) != 0) {
+        return fail(wrong_input, "standard output cannot be written");
+    }
     return 0;
 }
 
@@ -67,6 +71,8 @@ int main(int argc, char** argv) {
     } catch (const taut::OutputError& error) {
         return fail(wrong_input, error.what());
     } catch (const std::invalid_argument& error) {
+        return fail(wrong_input, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
         return fail(wrong_input, error.what());
     } catch (const std::bad_alloc&) {
         return fail(numerical_failure, "not enough memory");

@@ -43,11 +43,32 @@ NetFile net_of(const Options& options) {
 
 /// Refuses a directory that could not be written to, before the work and without making it.
 void check_directory(const std::filesystem::path& directory) {
-    std::filesystem::path existing = std::filesystem::absolute(directory);
-    while (!std::filesystem::exists(existing)) {
-        existing = existing.parent_path();
+    if (directory.empty()) {
+        throw std::invalid_argument("the output directory has no name");
     }
-    AtomicFile{existing / "results.json"};
+    std::filesystem::path first_new = std::filesystem::absolute(directory) / "results.json";
+    while (!std::filesystem::exists(first_new.parent_path())) {
+        first_new = first_new.parent_path();
+    }
+    AtomicFile{first_new};
+}
+
+/// Writes the text files, and the data set and the model if they are to be kept: all or nothing.
+void write_outputs(const Options& options, const Study& study, const NetFile& net,
+                   const std::vector<std::pair<std::string, std::string>>& files) {
+    const std::filesystem::path directory(options.directory);
+    if (!options.keep) {
+        write_files(directory, files);
+        return;
+    }
+    std::filesystem::create_directories(directory);
+    AtomicFile data(directory / "data.h5");
+    AtomicFile model(directory / "model.h5");
+    write_data_set(data.temporary(), study.data, net);
+    write_model(model.temporary(), study.model, net);
+    write_files(directory, files);
+    data.commit();
+    model.commit();
 }
 
 std::string now() {
@@ -75,11 +96,7 @@ void run(Options options) {
     files.emplace_back("results.json", results);
     files.emplace_back("report.html", study_report_html(study, version(), now()));
     std::ranges::move(study_figures_svg(study), std::back_inserter(files));
-    if (options.keep) {
-        write_data_set(directory / "data.h5", study.data, file);
-        write_model(directory / "model.h5", study.model, file);
-    }
-    write_files(directory, files);
+    write_outputs(options, study, file, files);
 
     if (options.json) {
         fmt::print("{}", results);

@@ -22,7 +22,7 @@ constexpr double least_label_room = 40.0;
 }  // namespace
 
 ColourBar::ColourBar(double values_largest)
-    : largest(values_largest > 0.0 ? values_largest : 1.0), ticks(nice_ticks(0.0, largest, 5)) {}
+    : largest(values_largest > 0.0 ? values_largest : 1.0), ticks(nice_ticks(0.0, largest, 6)) {}
 
 int ColourBar::level_of(double value) const {
     return static_cast<int>(std::clamp(levels * value / largest, 0.0, levels - 1.0));

@@ -33,8 +33,9 @@ void redirect(int stream, const std::filesystem::path& file, int flags) {
 
 }  // namespace
 
-RunningProgram::RunningProgram(const std::filesystem::path& folder, const std::filesystem::path& records,
-         const std::vector<std::string>& arguments)
+RunningProgram::RunningProgram(const std::filesystem::path& folder,
+                               const std::filesystem::path& records,
+                               const std::vector<std::string>& arguments)
     : m_records(records) {
     std::vector<std::string> words{TAUT_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -49,6 +50,9 @@ RunningProgram::RunningProgram(const std::filesystem::path& folder, const std::f
     }
     if (m_process == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is ended takes it along
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+            std::signal(signal, SIG_DFL);  // ignored where the tests run in the background
+        }
         redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
         redirect(STDOUT_FILENO, records / "out", O_WRONLY | O_CREAT | O_TRUNC);
         redirect(STDERR_FILENO, records / "err", O_WRONLY | O_CREAT | O_TRUNC);
