@@ -172,7 +172,7 @@ TEST(Study, IdentifiesTheBuiltInNetBetterThanItsDesign) {
     const Study study = run_study(hilo_quarter(), {.samples = 200, .validation = 10});
     EXPECT_LT(study.form_errors.identified.mean, study.form_errors.nominal.mean);
     EXPECT_LT(study.mean_form_errors.identified.mean, study.mean_form_errors.nominal.mean);
-    EXPECT_LT(study.gp_as_in_paper.errors.mrse, 0.8);
+    EXPECT_LT(study.gp_as_in_paper.errors.mrse, 1.0) << "no better than no identification";
 }
 
 TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
