@@ -126,7 +126,7 @@ void add_reproduce(CLI::App& program) {
         ->capture_default_str();
     command.add_option("--law", options->law, "Law of the length deviations")
         ->capture_default_str();
-    command.add_option("--seed", options->study.seed, "Seed of the draws")->capture_default_str();
+    command.add_option("--seed", options->study.seed, "Seed of the draws")->check(CLI::NonNegativeNumber)->capture_default_str();
     command.add_flag("--keep", options->keep, "Write the data set and the model too");
     command.callback([options] { run(*options); });
 }

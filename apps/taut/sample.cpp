@@ -162,7 +162,7 @@ void add_sample(CLI::App& program) {
                     "Law of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (std), "
                     "bimodal:5mm (around +-5 mm)")
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "Seed of the draws")->capture_default_str();
+    command.add_option("--seed", options->seed, "Seed of the draws")->check(CLI::NonNegativeNumber)->capture_default_str();
     command.add_option("-o,--output", options->output, "Data set to write (HDF5)")->required();
     command.add_flag("--resume", options->resume, "Go on with an earlier data set");
     command.callback([options] { run(*options); });
