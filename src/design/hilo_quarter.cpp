@@ -40,6 +40,8 @@ const std::array<Circle, 5>& circles() {
 }
 
 /// A lattice point in plan: the lattice is turned by 45 degrees about the middle of the rectangle.
+/// Its offset of a quarter of the spacing in both directions is the one that gives the paper's
+/// counts; three quarters in one of them does not.
 Eigen::Vector2d in_plan(LatticePoint p) {
     const Eigen::Vector2d middle(0.5 * length, 0.5 * width);
     const Eigen::Vector2d q = spacing * Eigen::Vector2d(p[0] + 0.25, p[1] + 0.25);

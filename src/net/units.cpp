@@ -9,34 +9,68 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace taut {
 namespace {
 
-/// Units in so many to a metre: 5 / 1000 is the double next to 0.005, which 5 * 0.001 is not.
-constexpr std::array<std::pair<std::string_view, double>, 4> lengths_per_metre{
-    {{"mm", 1000.0}, {"cm", 100.0}, {"m", 1.0}, {"", 1.0}}};
+/// A unit, and how large it is. `per_base` units make a base unit (1000 mm are 1 m), or a unit is
+/// `bases` base units (1 kN is 1000 N), whichever is a whole number: 5 / 1000 is the double next to
+/// 0.005, which 5 * 0.001 is not.
+struct Unit {
+    std::string_view name;
+    double per_base = 1.0;
+    double bases = 1.0;
+};
 
-}  // namespace
+constexpr std::array lengths{Unit{.name = "mm", .per_base = 1e3},
+                             Unit{.name = "cm", .per_base = 1e2}, Unit{.name = "m"},
+                             Unit{.name = ""}};
+constexpr std::array forces{Unit{.name = "N"}, Unit{.name = "kN", .bases = 1e3},
+                            Unit{.name = "MN", .bases = 1e6}, Unit{.name = ""}};
+constexpr std::array stresses{Unit{.name = "Pa"},
+                              Unit{.name = "kPa", .bases = 1e3},
+                              Unit{.name = "MPa", .bases = 1e6},
+                              Unit{.name = "GPa", .bases = 1e9},
+                              Unit{.name = "N/mm2", .bases = 1e6},
+                              Unit{.name = ""}};
 
-double parse_length(std::string_view text) {
+/// @param is_no what the text is not, and what was expected
+template <size_t Count>
+double parse_quantity(std::string_view text, const std::array<Unit, Count>& units,
+                      std::string_view is_no) {
     double value = 0.0;
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);
     if (error == std::errc() && std::isfinite(value)) {
-        std::string_view unit(rest, static_cast<size_t>(end - rest));
-        while (unit.starts_with(' ')) {
-            unit.remove_prefix(1);
+        std::string_view name(rest, static_cast<size_t>(end - rest));
+        while (name.starts_with(' ')) {
+            name.remove_prefix(1);
         }
-        for (const auto& [name, per_metre] : lengths_per_metre) {
-            if (unit == name) {
-                return value / per_metre;
+        for (const Unit& unit : units) {
+            if (name == unit.name) {
+                return value / unit.per_base * unit.bases;
             }
         }
     }
-    throw std::invalid_argument(fmt::format(
-        "'{}' is no length: expected a number and a unit, as in 5mm, 0.5cm or 0.005m", text));
+    throw std::invalid_argument(fmt::format("'{}' is no {}", text, is_no));
+}
+
+}  // namespace
+
+double parse_length(std::string_view text) {
+    return parse_quantity(text, lengths,
+                          "length: expected a number and a unit, as in 5mm, 0.5cm or 0.005m");
+}
+
+double parse_force(std::string_view text) {
+    return parse_quantity(text, forces,
+                          "force: expected a number and a unit, as in 200kN, 0.2MN or 50N");
+}
+
+double parse_stress(std::string_view text) {
+    return parse_quantity(
+        text, stresses,
+        "stress: expected a number and a unit, as in 205GPa, 205000MPa or 2.05e11Pa");
 }
 
 std::string format_length(double metres) {

@@ -7,12 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
 
 namespace taut {
 namespace {
+
+/// So that no product in the energy, EA l^2 / l_0, overflows.
+constexpr double largest_magnitude = 1e50;
 
 void check_size(const std::string& key, Eigen::Index size, Eigen::Index expected,
                 const std::string& of_what) {
@@ -42,12 +46,18 @@ void check_sizes(const CableNetData& data) {
     }
 }
 
-void check_finite(const std::string& key, const Points& points) {
+void check_finite(const std::string& key, const Points& points,
+                  double largest = std::numeric_limits<double>::max()) {
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (!std::isfinite(points(k, i))) {
                 throw NetError(fmt::format("/{}/{}/{}", key, i, k),
                                fmt::format("is {}, expected a finite number", points(k, i)));
+            }
+            if (std::abs(points(k, i)) > largest) {
+                throw NetError(
+                    fmt::format("/{}/{}/{}", key, i, k),
+                    fmt::format("is {}, expected no more than {:g}", points(k, i), largest));
             }
         }
     }
@@ -58,6 +68,11 @@ void check_positive(const std::string& key, const Eigen::VectorXd& values) {
         if (!std::isfinite(values(i)) || values(i) <= 0.0) {
             throw NetError(fmt::format("/{}/{}", key, i),
                            fmt::format("is {}, expected a positive and finite number", values(i)));
+        }
+        if (values(i) > largest_magnitude || values(i) < 1.0 / largest_magnitude) {
+            throw NetError(fmt::format("/{}/{}", key, i),
+                           fmt::format("is {}, expected a number from {:g} to {:g}", values(i),
+                                       1.0 / largest_magnitude, largest_magnitude));
         }
     }
 }
@@ -167,7 +182,7 @@ void check_ids(const std::string& key, const std::vector<std::string>& ids) {
 
 void validate(const CableNetData& data) {
     check_sizes(data);
-    check_finite("nodes", data.nodes);
+    check_finite("nodes", data.nodes, largest_magnitude);
     check_finite("loads", data.loads);
     check_positive("axial_stiffness", data.axial_stiffness);
     check_positive("unstressed_lengths", data.unstressed_lengths);

@@ -38,4 +38,18 @@ void check_form(const char* name, Eigen::Index node_count, const Eigen::Ref<cons
     }
 }
 
+void check_edge_forces(Eigen::Index edge_count, const Eigen::Ref<const Points>& edge_forces) {
+    if (edge_forces.cols() != edge_count) {
+        throw std::invalid_argument(
+            fmt::format("edge_forces has {} columns, expected {}", edge_forces.cols(), edge_count));
+    }
+    for (Eigen::Index e = 0; e < edge_count; ++e) {
+        if (!edge_forces.col(e).allFinite()) {
+            throw std::invalid_argument(
+                fmt::format("edge_forces has ({}, {}, {}) at edge {}, expected finite forces",
+                            edge_forces(0, e), edge_forces(1, e), edge_forces(2, e), e));
+        }
+    }
+}
+
 }  // namespace taut

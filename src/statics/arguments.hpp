@@ -16,4 +16,7 @@ void check_unstressed_lengths(Eigen::Index edge_count,
 /// @throws std::invalid_argument unless there is one finite point a node
 void check_form(const char* name, Eigen::Index node_count, const Eigen::Ref<const Points>& form);
 
+/// @throws std::invalid_argument unless there is one finite force an edge
+void check_edge_forces(Eigen::Index edge_count, const Eigen::Ref<const Points>& edge_forces);
+
 }  // namespace taut

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "taut/statics/equilibrium.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "statics/arguments.hpp"
 #include "statics/descent.hpp"
@@ -85,8 +89,18 @@ struct EquilibriumSolver::Workspace {
     }
 };
 
-EquilibriumSolver::EquilibriumSolver(const CableNet& net, EquilibriumSettings settings)
-    : m_workspace(std::make_unique<Workspace>(net, settings)) {}
+EquilibriumSolver::EquilibriumSolver(const CableNet& net, EquilibriumSettings settings) {
+    if (settings.max_iterations < 0) {
+        throw std::invalid_argument(
+            fmt::format("max_iterations is {}, expected at least 0", settings.max_iterations));
+    }
+    if (!(settings.relative_tolerance > 0.0) || !std::isfinite(settings.relative_tolerance)) {
+        throw std::invalid_argument(
+            fmt::format("relative_tolerance is {}, expected a positive and finite number",
+                        settings.relative_tolerance));
+    }
+    m_workspace = std::make_unique<Workspace>(net, settings);
+}
 EquilibriumSolver::~EquilibriumSolver() = default;
 EquilibriumSolver::EquilibriumSolver(EquilibriumSolver&&) noexcept = default;
 EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = default;

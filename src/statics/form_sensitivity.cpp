@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "statics/edge_state.hpp"
@@ -100,6 +102,23 @@ Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
         m_factor->add_force(edges[k], 1.0, rhs);
         result.col(static_cast<Eigen::Index>(k)) = m_factor->solve(rhs);
     }
+    return result;
+}
+
+std::vector<EdgeSensitivity> most_sensitive_edges(const FormSensitivity& sensitivity,
+                                                  std::span<const int> edges, int count) {
+    constexpr size_t block = 64;  // columns held at a time
+    std::vector<EdgeSensitivity> result;
+    result.reserve(edges.size());
+    for (size_t begin = 0; begin < edges.size(); begin += block) {
+        const auto some = edges.subspan(begin, std::min(block, edges.size() - begin));
+        const Eigen::VectorXd moves = sensitivity.columns(some).colwise().norm();
+        for (size_t k = 0; k < some.size(); ++k) {
+            result.push_back({.edge = some[k], .move = moves(static_cast<Eigen::Index>(k))});
+        }
+    }
+    std::ranges::stable_sort(result, std::ranges::greater{}, &EdgeSensitivity::move);
+    result.resize(std::min(result.size(), static_cast<size_t>(std::max(0, count))));
     return result;
 }
 

@@ -28,7 +28,7 @@ LineSearchStep search_line(const LocalNet& net, const NetState& state,
         if (trial_slope <= 0.0 || decrease >= -armijo * length * slope) {
             return {.accepted = std::isfinite(trial_slope),
                     .length = length,
-                    .energy_decrease = std::max(0.0, decrease)};
+                    .energy_decrease = decrease};
         }
         // Root of the slope by the secant through both ends, kept away from them.
         const double root = slope / (slope - trial_slope);

@@ -9,6 +9,13 @@
 namespace taut {
 namespace {
 
+Eigen::Vector3d origin_of(const CableNet& net) {
+    constexpr double far = 10.0;  // extents of the net
+    const Eigen::Vector3d middle = net.nodes()(Eigen::all, net.supports()).rowwise().mean();
+    const double extent = (net.nodes().colwise() - middle).cwiseAbs().maxCoeff();
+    return middle.cwiseAbs().maxCoeff() > far * extent ? middle : Eigen::Vector3d::Zero();
+}
+
 LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     LocalNet local;
     local.free_count = net.free_node_count();
@@ -24,11 +31,13 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
         local.edges.push_back({local_of[static_cast<size_t>(s)], local_of[static_cast<size_t>(t)]});
     }
     local.axial_stiffness = net.axial_stiffness();
+    local.origin = origin_of(net);
+    local.supports = net.nodes()(Eigen::all, net.supports());
     local.nodes.resize(3, net.node_count());
     local.loads.resize(Eigen::Index{3} * local.free_count);
     for (int i = 0; i < net.node_count(); ++i) {
         const int node = local.node_of[static_cast<size_t>(i)];
-        local.nodes.col(i) = net.nodes().col(node);
+        local.nodes.col(i) = net.nodes().col(node) - local.origin;
         if (i < local.free_count) {
             local.loads.segment<3>(Eigen::Index{3} * i) = net.loads().col(node);
         }
@@ -62,14 +71,19 @@ Eigen::SparseMatrix<double> free_node_graph(const CableNet& net) {
 void LocalNet::gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const {
     local = nodes;
     for (int i = 0; i < free_count; ++i) {
-        local.col(i) = form.col(node_of[static_cast<size_t>(i)]);
+        local.col(i) = form.col(node_of[static_cast<size_t>(i)]) - origin;
     }
 }
 
 Points LocalNet::scatter(const Eigen::Matrix3Xd& local) const {
     Points form(3, local.cols());
     for (Eigen::Index i = 0; i < local.cols(); ++i) {
-        form.col(node_of[static_cast<size_t>(i)]) = local.col(i);
+        const int node = node_of[static_cast<size_t>(i)];
+        if (i < free_count) {
+            form.col(node) = local.col(i) + origin;
+        } else {
+            form.col(node) = supports.col(i - free_count);
+        }
     }
     return form;
 }

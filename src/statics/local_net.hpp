@@ -17,7 +17,11 @@ struct LocalNet {
     std::vector<Edge> edges;          ///< in local indices, order of the net's edges
     Eigen::VectorXd axial_stiffness;  ///< m [N]
     Eigen::VectorXd loads;            ///< 3 free_count [N]
-    Eigen::Matrix3Xd nodes;           ///< 3 x n, nominal coordinates [m]
+    /// Subtracted from all coordinates: the middle of the supports, where the net lies so far from
+    /// zero (a national grid) that its coordinates' rounding errors would be felt; else zero [m].
+    Eigen::Vector3d origin;
+    Eigen::Matrix3Xd nodes;  ///< 3 x n, nominal coordinates less origin [m]
+    Points supports;         ///< 3 x n_B, the net's own coordinates of the supports [m]
 
     /// Coordinates of all nodes from the net's numbering to this one; supports from the net.
     void gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const;

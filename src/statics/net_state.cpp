@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "statics/net_state.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace taut {
@@ -82,8 +82,14 @@ double NetState::imbalance(const LocalNet& net, double relative_tolerance) const
         tension > 0.0 ? tension : net.loads.reshaped(3, net.free_count).colwise().norm().mean();
     double largest = 0.0;
     for (int i = 0; i < net.free_count; ++i) {
-        largest = std::max(largest, m_forces.segment<3>(Eigen::Index{3} * i).norm() /
-                                        (relative_tolerance * scale + m_rounding(i)));
+        const double force = m_forces.segment<3>(Eigen::Index{3} * i).norm() /
+                             (relative_tolerance * scale + m_rounding(i));
+        if (!(force <= largest)) {  // also where it is not a number, which is never balanced
+            largest = force;
+        }
+        if (!std::isfinite(largest)) {
+            return std::numeric_limits<double>::infinity();
+        }
     }
     return largest;
 }

@@ -28,7 +28,6 @@ public:
     [[nodiscard]] const Eigen::VectorXd& forces() const { return m_forces; }
     /// Largest norm of the forces h_s over the free nodes [N].
     [[nodiscard]] double largest_force() const;
-    [[nodiscard]] int slack_count() const { return m_slack_count; }
     [[nodiscard]] std::vector<int> slack_edges() const;
     /// Over the taut edges; 0 where all are slack [N].
     [[nodiscard]] double mean_tension() const;

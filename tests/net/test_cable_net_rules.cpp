@@ -43,6 +43,15 @@ TEST(CableNetRules, TakeTheNetThatTheOtherTestsBreak) {
     EXPECT_NO_THROW(CableNet(testing::two_node_net_data()));
 }
 
+TEST(CableNetRules, RefuseMagnitudesWhoseProductsWouldOverflow) {
+    expect_refused([](auto& d) { d.axial_stiffness(2) = 1e308; }, "/axial_stiffness/2",
+                   {"1e+308", "from 1e-50 to 1e+50"});
+    expect_refused([](auto& d) { d.unstressed_lengths(1) = 1e-310; }, "/unstressed_lengths/1",
+                   {"from 1e-50 to 1e+50"});
+    expect_refused([](auto& d) { d.nodes(1, 3) = -1e200; }, "/nodes/3/1",
+                   {"-1e+200", "no more than 1e+50"});
+}
+
 TEST(CableNetRules, RefuseANetWithoutNodes) {
     expect_refused([](auto& d) { d.nodes.resize(3, 0); }, "/nodes", {"empty"});
 }

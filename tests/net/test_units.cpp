@@ -20,7 +20,9 @@
 namespace {
 
 using taut::format_length;
+using taut::parse_force;
 using taut::parse_length;
+using taut::parse_stress;
 
 /// Any double that is finite, whatever its size: all bit patterns are equally likely.
 rc::Gen<double> finite_doubles() {
@@ -109,6 +111,32 @@ RC_GTEST_PROP(FormatLength, IsReadBackToTheLastBitForLengthsOfCables, ()) {
     const auto nanometres = *rc::gen::inRange<std::int64_t>(1, 10'000'000'000);
     const double metres = static_cast<double>(nanometres) / 1e9 * 1.000000059604644775390625;
     RC_ASSERT(parse_length(format_length(metres)) == metres);
+}
+
+TEST(ParseForce, TakesNewtonsKilonewtonsAndMeganewtons) {
+    EXPECT_EQ(parse_force("200kN"), 200e3);
+    EXPECT_EQ(parse_force("0.2 MN"), 200e3);
+    EXPECT_EQ(parse_force("50N"), 50.0);
+    EXPECT_EQ(parse_force("50"), 50.0);
+}
+
+TEST(ParseStress, TakesPascalsOfAllSizes) {
+    EXPECT_EQ(parse_stress("205GPa"), 205e9);
+    EXPECT_EQ(parse_stress("205000 MPa"), 205e9);
+    EXPECT_EQ(parse_stress("205000N/mm2"), 205e9);
+    EXPECT_EQ(parse_stress("2.05e11"), 205e9);
+    EXPECT_EQ(parse_stress("3kPa"), 3000.0);
+}
+
+TEST(ParseForceAndStress, RefuseAnythingElseAndNameIt) {
+    for (const std::string text : {"", "kN", "5m", "5 k N", "nan", "inf", "5GPa ", "1e999kN"}) {
+        EXPECT_THROW(static_cast<void>(parse_force(text)), std::invalid_argument) << text;
+    }
+    for (const std::string text : {"", "GPa", "5kN", "5gpa", "nan"}) {
+        EXPECT_THROW(static_cast<void>(parse_stress(text)), std::invalid_argument) << text;
+    }
+    EXPECT_THAT([] { static_cast<void>(parse_stress("5 bar")); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("'5 bar'")));
 }
 
 }  // namespace

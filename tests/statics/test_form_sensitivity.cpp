@@ -155,6 +155,23 @@ TEST(FormSensitivity, StaysFiniteWhereAnEdgeIsTautByRoundingAlone) {
     EXPECT_LT(moves.cwiseAbs().maxCoeff(), 3e-3);
 }
 
+TEST(MostSensitiveEdges, AreThoseWithTheLargestColumnsInFallingOrder) {
+    const CableNet net = hilo_quarter();
+    const FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
+    const std::vector<int>& edges = net.interior_edges();
+    const Eigen::VectorXd moves = sensitivity.columns(edges).colwise().norm();
+    const auto found = most_sensitive_edges(sensitivity, edges, 5);
+    ASSERT_EQ(found.size(), 5U);
+    EXPECT_EQ(found.front().move, moves.maxCoeff());
+    for (size_t k = 0; k < found.size(); ++k) {
+        const auto place = std::ranges::find(edges, found[k].edge) - edges.begin();
+        EXPECT_EQ(found[k].move, moves(place));
+        EXPECT_EQ((moves.array() > found[k].move).count(), static_cast<Eigen::Index>(k));
+    }
+    EXPECT_EQ(most_sensitive_edges(sensitivity, edges, 1000).size(), edges.size());
+    EXPECT_TRUE(most_sensitive_edges(sensitivity, edges, 0).empty());
+}
+
 TEST(FormSensitivity, RefusesWrongArguments) {
     const CableNet net(testing::cross_data(0.02));
     const Eigen::VectorXd lengths = net.unstressed_lengths();

@@ -17,4 +17,15 @@ namespace taut {
 /// metres where there is none.
 [[nodiscard]] std::string format_length(double metres);
 
+/// A force written with its unit, "200kN", "0.2 MN", "50 N", or as a bare number of newtons.
+/// @return [N]
+/// @throws std::invalid_argument for anything else, naming the text
+[[nodiscard]] double parse_force(std::string_view text);
+
+/// A stress or modulus written with its unit, "205GPa", "205000 MPa", "2.05e11 Pa", or as a bare
+/// number of pascals.
+/// @return [Pa]
+/// @throws std::invalid_argument for anything else, naming the text
+[[nodiscard]] double parse_stress(std::string_view text);
+
 }  // namespace taut

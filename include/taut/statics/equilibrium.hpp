@@ -40,8 +40,8 @@ struct Equilibrium {
     double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
     double mean_tension = 0.0;     ///< over the taut edges [N]
     std::vector<int> slack_edges;  ///< ascending
-    /// Of each step, summed edge by edge; never negative. All steps under heavier loads together
-    /// make one entry [J].
+    /// Of each step, summed edge by edge; never negative but for rounding errors. All steps under
+    /// heavier loads together make one entry [J].
     std::vector<double> energy_decreases;
 
     /// Forces balance: status is not iteration_limit.
@@ -53,6 +53,8 @@ struct Equilibrium {
 /// Eigen's factorisation). One object a thread.
 class EquilibriumSolver {
 public:
+    /// @throws std::invalid_argument for a negative max_iterations, or a relative_tolerance that is
+    ///   not positive and finite
     explicit EquilibriumSolver(const CableNet& net, EquilibriumSettings settings = {});
     ~EquilibriumSolver();
     EquilibriumSolver(EquilibriumSolver&&) noexcept;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "taut/net/cable_net.hpp"
 
@@ -47,5 +48,16 @@ private:
     struct Factor;
     std::unique_ptr<Factor> m_factor;
 };
+
+struct EdgeSensitivity {
+    int edge;
+    double move;  ///< norm of dr_I/dl_0, over all free coordinates [m/m]
+};
+
+/// Of the given edges the `count` whose lengths move the form most, most first.
+/// @throws std::invalid_argument for an edge that the net does not have
+[[nodiscard]] std::vector<EdgeSensitivity> most_sensitive_edges(const FormSensitivity& sensitivity,
+                                                                std::span<const int> edges,
+                                                                int count);
 
 }  // namespace taut

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/statics/duality.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <algorithm>
+
+#include "statics/edge_state.hpp"
+#include "taut/statics/energy.hpp"
+
+namespace taut {
+namespace {
+
+/// A slack edge's part of its axial stiffness in the correction: a force in it costs energy at
+/// once, T (l_0 - l), so it is to take only what no taut edge can, at a loose node say.
+constexpr double slack_share = 1e-6;
+
+/// A net whose strains are below this is slack for all that matters. Its elastic energy may be as
+/// small as what rounding errors of some EA 1e-16 cost in slack edges, and so no measure of a gap.
+constexpr double negligible_strain = 1e-6;
+
+/// sum_(s,t) f - sum_(t,s) f - p_s of the free nodes (n_I x 3) [N].
+Eigen::MatrixX3d imbalance(const CableNet& net, const Points& edge_forces) {
+    Points forces = -net.loads();
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        forces.col(s) += edge_forces.col(e);
+        forces.col(t) -= edge_forces.col(e);
+    }
+    return forces(Eigen::all, net.free_nodes()).transpose();
+}
+
+/// Brings forces to balance by the correction g that is least in sum |g|^2 / (2 c), c being an
+/// edge's stiffness. With multipliers y at the free nodes (0 at supports), g = -c (y_s - y_t), and
+/// balance asks C y = h with h the imbalance and C the Laplacian of the net weighted by c. C is
+/// positive definite, since every node hangs on a support by some path of edges.
+void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge_forces) {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * net.edges().size());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const int i = net.free_index(s);
+        const int j = net.free_index(t);
+        for (const int k : {i, j}) {
+            if (k >= 0) {
+                entries.emplace_back(k, k, stiffness(e));
+            }
+        }
+        if (i >= 0 && j >= 0) {
+            entries.emplace_back(i, j, -stiffness(e));
+            entries.emplace_back(j, i, -stiffness(e));
+        }
+    }
+    Eigen::SparseMatrix<double> laplacian(net.free_node_count(), net.free_node_count());
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(laplacian);
+
+    // The second round takes away what rounding errors left of the first.
+    for (int round = 0; round < 2; ++round) {
+        Points multipliers = Points::Zero(3, net.node_count());
+        multipliers(Eigen::all, net.free_nodes()) =
+            Eigen::MatrixX3d(factor.solve(imbalance(net, edge_forces))).transpose();
+        for (int e = 0; e < net.edge_count(); ++e) {
+            const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+            edge_forces.col(e) -= stiffness(e) * (multipliers.col(s) - multipliers.col(t));
+        }
+    }
+}
+
+/// An edge's part of V - D. Of an edge with d = r_s - r_t, l = |d|, c = EA/l_0 and extension
+/// e = max(0, l - l_0), V has phi(d) = c e^2 / 2, whose convex conjugate is
+///
+///   phi*(f) = sup_d ( f . d - phi(d) ) = T l_0 + T^2 / (2c).
+///
+/// Hence phi(d) >= f . d - phi*(f) for every f. In the sum over all edges, balance turns f . d into
+/// the work of the loads and the reactions' R_b . r_b: that is V >= D. The edge's part of the gap,
+/// phi(d) + phi*(f) - f . d, is with l = l_0 + e - max(0, l_0 - l)
+///
+///   (T - c e)^2 / (2c)  +  T max(0, l_0 - l)  +  (T l - f . d)
+///
+/// each term at least 0. The last one, with the cross product f x d, is |f x d|^2 / (T l + f . d)
+/// where f and d point the same way: no difference of nearly equal numbers.
+double gap_of(const EdgeState& state, double unstressed_length, const Eigen::Vector3d& force) {
+    const double tension = force.norm();
+    const double misfit = tension - state.tension();
+    const Eigen::Vector3d vector = state.length * state.direction;
+    const double work = force.dot(vector);
+    const double product = tension * state.length;
+    const double across =
+        work > 0.0 ? force.cross(vector).squaredNorm() / (product + work) : product - work;
+    return misfit * misfit / (2.0 * state.axial) +
+           tension * std::max(0.0, unstressed_length - state.length) + across;
+}
+
+EnergyCertificate certify_states(const CableNet& net,
+                                 const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                                 const Eigen::Ref<const Points>& form,
+                                 const std::vector<EdgeState>& states, Points forces) {
+    Eigen::VectorXd stiffness(net.edge_count());
+    std::ranges::transform(states, stiffness.begin(), [](const EdgeState& state) {
+        return state.taut() ? state.axial : slack_share * state.axial;
+    });
+    balance(net, stiffness, forces);
+
+    EnergyCertificate result{.energy = energy(net, unstressed_lengths, form)};
+    double elastic = 0.0;
+    double complementary = 0.0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const EdgeState& state = states[static_cast<size_t>(e)];
+        elastic += state.energy();
+        complementary += forces.col(e).squaredNorm() / (2.0 * state.axial);
+        result.duality_gap += gap_of(state, unstressed_lengths(e), forces.col(e));
+    }
+    result.complementary_energy = result.energy - result.duality_gap;
+    const double negligible =
+        0.5 * negligible_strain * negligible_strain * net.axial_stiffness().dot(unstressed_lengths);
+    result.relative_gap = result.duality_gap / std::max({elastic, complementary, negligible});
+    return result;
+}
+
+}  // namespace
+
+EnergyCertificate certify(const CableNet& net,
+                          const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                          const Eigen::Ref<const Points>& form) {
+    const auto states = edge_states(net, unstressed_lengths, form);
+    Points forces(3, net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const EdgeState& state = states[static_cast<size_t>(e)];
+        forces.col(e) = state.tension() * state.direction;
+    }
+    return certify_states(net, unstressed_lengths, form, states, std::move(forces));
+}
+
+EnergyCertificate certify(const CableNet& net,
+                          const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                          const Eigen::Ref<const Points>& form,
+                          const Eigen::Ref<const Points>& edge_forces) {
+    const auto states = edge_states(net, unstressed_lengths, form);
+    check_edge_forces(net.edge_count(), edge_forces);
+    return certify_states(net, unstressed_lengths, form, states, edge_forces);
+}
+
+}  // namespace taut

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/statics/equilibrium_matrix.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "statics/edge_state.hpp"
+#include "statics/self_stress.hpp"
+
+namespace taut {
+
+Eigen::SparseMatrix<double> equilibrium_matrix(const CableNet& net,
+                                               const Eigen::Ref<const Points>& form,
+                                               std::span<const int> edges) {
+    check_form("form", net.node_count(), form);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(6 * edges.size());
+    for (size_t column = 0; column < edges.size(); ++column) {
+        if (edges[column] < 0 || edges[column] >= net.edge_count()) {
+            throw std::invalid_argument(fmt::format("edges names edge {}, expected one of the {}",
+                                                    edges[column], net.edge_count()));
+        }
+        const auto [s, t] = net.edges()[static_cast<size_t>(edges[column])];
+        const Eigen::Vector3d vector = form.col(s) - form.col(t);
+        if (vector.isZero(0.0)) {
+            throw std::invalid_argument(fmt::format(
+                "edge {} has both ends at one place, expected a length", edges[column]));
+        }
+        const Eigen::Vector3d direction = vector.normalized();
+        for (int k = 0; k < 3; ++k) {
+            if (const int i = net.free_index(s); i >= 0) {
+                entries.emplace_back(3 * i + k, static_cast<int>(column), direction(k));
+            }
+            if (const int j = net.free_index(t); j >= 0) {
+                entries.emplace_back(3 * j + k, static_cast<int>(column), -direction(k));
+            }
+        }
+    }
+    Eigen::SparseMatrix<double> matrix(Eigen::Index{3} * net.free_node_count(),
+                                       static_cast<Eigen::Index>(edges.size()));
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+StressStates stress_states(const CableNet& net,
+                           const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                           const Eigen::Ref<const Points>& form) {
+    const auto states = edge_states(net, unstressed_lengths, form);
+    std::vector<int> taut_edges;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (states[static_cast<size_t>(e)].taut()) {
+            taut_edges.push_back(e);
+        }
+    }
+    const int self_stress = SelfStress(equilibrium_matrix(net, form, taut_edges)).count();
+    const int rank = static_cast<int>(taut_edges.size()) - self_stress;
+    return {
+        .rank = rank, .self_stress = self_stress, .mechanisms = 3 * net.free_node_count() - rank};
+}
+
+}  // namespace taut

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards Newton's method and the cone program against each other, and both against CVXPY with other
+// solvers: they share no more than the net. In a taut without Clarabel only the refusal is tested.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/random_nets.hpp"
+#include "support/small_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/statics/cone_program.hpp"
+#include "taut/statics/duality.hpp"
+#include "taut/statics/energy.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::json;
+
+class ConeProgram : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (!cone_solver_available()) {
+            GTEST_SKIP() << "built without Clarabel";
+        }
+    }
+};
+
+/// Largest distance of a node between two forms [m].
+double distance(const Points& a, const Points& b) {
+    return (a - b).colwise().norm().maxCoeff();
+}
+
+double elastic_energy(const CableNet& net, const Points& form) {
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), form);
+    return (0.5 * tension.array().square() * net.unstressed_lengths().array() /
+            net.axial_stiffness().array())
+        .sum();
+}
+
+/// A built-in net with lengths off by up to 3 mm, and a weight at each node [N].
+CableNet disturbed(const char* name, double weight) {
+    CableNetData data = builtin_net(name).data();
+    testing::Random random(7);
+    data.unstressed_lengths +=
+        testing::uniform_vector(random, data.unstressed_lengths.size(), 0.003);
+    data.loads = Points::Zero(3, data.nodes.cols());
+    data.loads.row(2).setConstant(-weight);
+    return CableNet(std::move(data));
+}
+
+TEST_F(ConeProgram, AgreesWithNewtonOnTheBuiltInNets) {
+    for (const auto* name : {"hilo-quarter", "hypar:8x10"}) {
+        for (const double weight : {0.0, 50.0}) {
+            const CableNet net = disturbed(name, weight);
+            const Equilibrium newton = solve_equilibrium(net);
+            const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
+            EXPECT_EQ(cone.status, ConeStatus::solved) << name;
+            EXPECT_LT(distance(cone.form, newton.form), 1e-6) << name;
+            const double lowest = energy(net, net.unstressed_lengths(), newton.form);
+            const double scale = elastic_energy(net, newton.form);
+            EXPECT_NEAR(energy(net, net.unstressed_lengths(), cone.form), lowest, 1e-9 * scale);
+            EXPECT_NEAR(cone.primal_objective, lowest, 1e-9 * scale);
+            EXPECT_NEAR(cone.dual_objective, lowest, 1e-9 * scale);
+        }
+    }
+}
+
+TEST_F(ConeProgram, InThePapersFormHasTheSameOptimum) {
+    const CableNet net = disturbed("hypar:8x10", 50.0);
+    const Equilibrium newton = solve_equilibrium(net);
+    const ConeSolution cone =
+        solve_cone_program(net, net.unstressed_lengths(), {.form = ConeForm::paper});
+    ASSERT_TRUE(cone.solved());
+    EXPECT_LT(distance(cone.form, newton.form), 1e-5);
+    const double lowest = energy(net, net.unstressed_lengths(), newton.form);
+    EXPECT_NEAR(cone.primal_objective, lowest, 1e-7 * elastic_energy(net, newton.form));
+}
+
+TEST_F(ConeProgram, GivesForcesThatBalanceAndAreTheTensions) {
+    const CableNet net = disturbed("hypar:8x10", 50.0);
+    const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
+    Points sums = -net.loads();
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), cone.form);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        sums.col(s) += cone.edge_forces.col(e);
+        sums.col(t) -= cone.edge_forces.col(e);
+        const Eigen::Vector3d direction = (cone.form.col(s) - cone.form.col(t)).normalized();
+        EXPECT_LT((cone.edge_forces.col(e) - tension(e) * direction).norm(), 1e-5 * tension.mean());
+    }
+    EXPECT_LT(sums(Eigen::all, net.free_nodes()).norm(), 1e-8 * tension.mean());
+    const EnergyCertificate c = certify(net, net.unstressed_lengths(), cone.form, cone.edge_forces);
+    EXPECT_LT(c.relative_gap, 1e-9);
+}
+
+TEST_F(ConeProgram, DoesNotCareForTheSizeOfANet) {
+    const CableNet net = disturbed("hypar:8x10", 50.0);
+    const ConeSolution one = solve_cone_program(net, net.unstressed_lengths());
+    for (const double length : {1e-3, 1e3}) {
+        for (const double force : {1e-3, 1e6}) {
+            CableNetData data = net.data();
+            data.nodes *= length;
+            data.unstressed_lengths *= length;
+            data.axial_stiffness *= force;
+            data.loads *= force;
+            const CableNet other(std::move(data));
+            const ConeSolution two = solve_cone_program(other, other.unstressed_lengths());
+            EXPECT_TRUE(two.solved());
+            EXPECT_NEAR(two.iterations, one.iterations, 2);
+            EXPECT_LT(distance(two.form / length, one.form), 1e-6);
+        }
+    }
+}
+
+TEST_F(ConeProgram, FindsAHangingChainFromANetThatIsSlack) {
+    const CableNet net(testing::chain_data(12, 9.0, 100.0));
+    const Equilibrium newton = solve_equilibrium(net);
+    const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
+    ASSERT_TRUE(cone.solved());
+    EXPECT_LT(distance(cone.form, newton.form), 1e-5);
+}
+
+TEST_F(ConeProgram, TellsThatItWasStopped) {
+    const CableNet net = hypar(2, 2);
+    const ConeSolution cone =
+        solve_cone_program(net, net.unstressed_lengths(), {.max_iterations = 2});
+    EXPECT_EQ(cone.status, ConeStatus::iteration_limit);
+    EXPECT_FALSE(cone.solved());
+    EXPECT_EQ(cone.iterations, 2);
+}
+
+Json reference_net(const char* file, const std::string& name) {
+    std::ifstream stream(std::string(TAUT_TEST_DATA_DIR) + "/" + file);
+    const Json reference = Json::parse(stream);
+    for (const Json& net : reference.at("nets")) {
+        if (net.at("name") == name) {
+            return net;
+        }
+    }
+    throw std::runtime_error(name + " is not in " + file);
+}
+
+Points points(const Json& json) {
+    Points result(3, static_cast<Eigen::Index>(json.size()));
+    for (size_t i = 0; i < json.size(); ++i) {
+        const auto point = json.at(i).get<std::vector<double>>();
+        result.col(static_cast<Eigen::Index>(i)) << point.at(0), point.at(1), point.at(2);
+    }
+    return result;
+}
+
+Eigen::VectorXd vector(const Json& json) {
+    const auto values = json.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
+TEST_F(ConeProgram, AgreesWithCvxpyWithEcosAndScs) {
+    for (const auto* name : {"grid", "chain", "tripod"}) {
+        const Json json = reference_net("statics_reference.json", name);
+        CableNetData data;
+        data.nodes = points(json.at("nodes"));
+        data.supports = json.at("supports").get<std::vector<int>>();
+        data.edges = json.at("edges").get<std::vector<Edge>>();
+        data.axial_stiffness = vector(json.at("axial_stiffness"));
+        data.unstressed_lengths = vector(json.at("unstressed_lengths"));
+        data.loads = points(json.at("loads"));
+        const CableNet net(std::move(data));
+        const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
+        ASSERT_TRUE(cone.solved()) << name;
+        const Json reference = reference_net("cone_reference.json", name);
+        for (const auto* solver : {"ECOS", "SCS"}) {
+            EXPECT_LT(distance(cone.form, points(reference.at(solver).at("form"))), 1e-6)
+                << name << ", " << solver;
+            const double value = reference.at(solver).at("value").get<double>();
+            EXPECT_NEAR(cone.primal_objective, value, 1e-7 * std::abs(value))
+                << name << ", " << solver;
+        }
+    }
+}
+
+RC_GTEST_PROP(ConeProgramOfARandomNet, AgreesWithNewtonWhereTheFormIsUnique, ()) {
+    RC_PRE(cone_solver_available());
+    testing::Random random = testing::any_random();
+    const CableNet net = testing::random_net(random);
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    const Equilibrium newton = solve_equilibrium(net);
+    const ConeSolution cone = solve_cone_program(net, lengths);
+    RC_ASSERT(cone.solved());
+    // Where rounding errors stop the solver early it says so: almost solved is less exact.
+    const bool exact = cone.status == ConeStatus::solved;
+    // Relative to the elastic energy, or to 1 mJ where a net is all but slack.
+    const double scale = std::max(elastic_energy(net, newton.form), 1e-3);
+    RC_ASSERT(std::abs(energy(net, lengths, cone.form) - energy(net, lengths, newton.form)) <=
+              (exact ? 1e-9 : 1e-6) * scale);
+    // Along a direction a thousand times softer than another, a micrometre is less than the
+    // energy's last digits tell.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> stiffnesses(
+        Eigen::MatrixXd(stiffness(net, lengths, newton.form)), Eigen::EigenvaluesOnly);
+    const Eigen::VectorXd& k = stiffnesses.eigenvalues();
+    if (newton.status == EquilibriumStatus::converged && k.minCoeff() > 1e-3 * k.maxCoeff()) {
+        RC_ASSERT(distance(cone.form, newton.form) < (exact ? 1e-6 : 1e-4));
+    }
+}
+
+TEST(ConeProgramWithoutSolver, IsRefusedInWords) {
+    if (cone_solver_available()) {
+        GTEST_SKIP() << "built with Clarabel";
+    }
+    const CableNet net = hypar(1, 1);
+    EXPECT_THROW(static_cast<void>(solve_cone_program(net, net.unstressed_lengths())),
+                 std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a certificate that certifies nothing: a bound that is above the lowest energy, a
+// gap that is not the difference of the two energies, or one that does not see a wrong form.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "support/balance.hpp"
+#include "support/random_nets.hpp"
+#include "support/small_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/statics/duality.hpp"
+#include "taut/statics/energy.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+namespace {
+
+/// D(f) as the header has it, of forces (3 x m) that balance [J].
+double complementary_energy(const CableNet& net, const Points& forces) {
+    Points sums = Points::Zero(3, net.node_count());
+    double result = 0.0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        sums.col(s) += forces.col(e);
+        sums.col(t) -= forces.col(e);
+        const double tension = forces.col(e).norm();
+        const double length = net.unstressed_lengths()(e);
+        result -= tension * length + tension * tension * length / (2.0 * net.axial_stiffness()(e));
+    }
+    for (const int support : net.supports()) {
+        result += sums.col(support).dot(net.nodes().col(support));
+    }
+    return result;
+}
+
+Points forces_of(const CableNet& net, const Points& form) {
+    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), form);
+    Points forces(3, net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        forces.col(e) = tension(e) * (form.col(s) - form.col(t)).normalized();
+    }
+    return forces;
+}
+
+TEST(Certificate, GivesTheEnergiesOfItsFormulas) {
+    const CableNet net(testing::two_node_net_data());
+    const Equilibrium e = solve_equilibrium(net);
+    const EnergyCertificate c = certify(net, net.unstressed_lengths(), e.form);
+    EXPECT_EQ(c.energy, energy(net, net.unstressed_lengths(), e.form));
+    EXPECT_NEAR(c.complementary_energy, complementary_energy(net, forces_of(net, e.form)),
+                1e-11 * std::abs(c.energy));
+    EXPECT_LT(c.relative_gap, 1e-15);
+}
+
+TEST(Certificate, OfOneEdgeIsWhatOneCalculatesByHand) {
+    // A node hangs on a support 1 m above by an edge of l_0 = 1 m, c = EA/l_0 = 100 kN/m, with a
+    // weight of 1 kN: it rests 10 mm lower. Held at 1 m + x, the edge's force is the weight after
+    // correction, so V - D = c (x - 10 mm)^2 / 2.
+    CableNetData data;
+    data.nodes = Points::Zero(3, 2);
+    data.nodes(2, 0) = -1.0;
+    data.supports = {1};
+    data.edges = {{0, 1}};
+    data.axial_stiffness.setConstant(1, 100e3);
+    data.unstressed_lengths.setConstant(1, 1.0);
+    data.loads = Points::Zero(3, 2);
+    data.loads(2, 0) = -1000.0;
+    const CableNet net(std::move(data));
+    for (const double x : {0.0, 0.004, 0.01, 0.05}) {
+        Points form = net.nodes();
+        form(2, 0) = -1.0 - x;
+        const EnergyCertificate c = certify(net, net.unstressed_lengths(), form);
+        EXPECT_NEAR(c.duality_gap, 0.5 * 100e3 * std::pow(x - 0.01, 2), 1e-9) << x;
+        // D = -(T l_0 + T^2/(2c)) with the support at the origin.
+        EXPECT_NEAR(c.complementary_energy, -(1000.0 + 5.0), 1e-9) << x;
+    }
+}
+
+TEST(Certificate, OfAWhollySlackNetWithoutLoadsIsZero) {
+    const CableNet net(testing::cross_data(-0.05));
+    const EnergyCertificate c = certify(net, net.unstressed_lengths(), net.nodes());
+    EXPECT_EQ(c.energy, 0.0);
+    EXPECT_EQ(c.duality_gap, 0.0);
+    EXPECT_EQ(c.relative_gap, 0.0);
+}
+
+TEST(Certificate, ProvesTheBuiltInNetsForms) {
+    for (const auto* name : {"hilo-quarter", "hypar:8x10"}) {
+        const CableNet net = builtin_net(name);
+        const Equilibrium e = solve_equilibrium(net);
+        EXPECT_LT(certify(net, net.unstressed_lengths(), e.form).relative_gap, 1e-15) << name;
+    }
+}
+
+TEST(Certificate, RefusesForcesThatDoNotFit) {
+    const CableNet net(testing::cross_data(0.02));
+    const auto refused = [&](const Points& forces) {
+        EXPECT_THROW(static_cast<void>(certify(net, net.unstressed_lengths(), net.nodes(), forces)),
+                     std::invalid_argument);
+    };
+    refused(Points::Zero(3, 3));
+    Points forces = Points::Zero(3, 4);
+    forces(1, 2) = std::numeric_limits<double>::quiet_NaN();
+    refused(forces);
+    EXPECT_THROW(static_cast<void>(certify(net, net.unstressed_lengths(), Points::Zero(3, 2))),
+                 std::invalid_argument);
+}
+
+RC_GTEST_PROP(CertificateOfARandomNet, BoundsTheLowestEnergyFromAnyFormAndForces, ()) {
+    testing::Random random = testing::any_random();
+    const CableNet net = testing::random_net(random);
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    const Equilibrium e = solve_equilibrium(net);
+    const double lowest = energy(net, lengths, e.form);
+    const Points form = with_free_coordinates(
+        net, free_coordinates(net, e.form) +
+                 testing::uniform_vector(random, 3 * net.free_node_count(), 0.3));
+    const Points forces = testing::uniform_points(random, net.edge_count(), 3000.0);
+    for (const EnergyCertificate& c :
+         {certify(net, lengths, form), certify(net, lengths, form, forces),
+          certify(net, lengths, e.form, forces)}) {
+        const double rounding = 1e-9 * (std::abs(c.energy) + std::abs(c.complementary_energy));
+        RC_ASSERT(c.duality_gap >= 0.0);
+        RC_ASSERT(c.complementary_energy <= lowest + rounding);
+        RC_ASSERT(c.energy >= lowest - rounding);
+    }
+}
+
+RC_GTEST_PROP(CertificateOfARandomNet, ClosesAtEquilibrium, ()) {
+    testing::Random random = testing::any_random();
+    const CableNet net = testing::random_net(random);
+    const Equilibrium e = solve_equilibrium(net);
+    RC_ASSERT(e.balanced());
+    RC_ASSERT(certify(net, net.unstressed_lengths(), e.form).relative_gap <
+              (e.status == EquilibriumStatus::converged ? 1e-9 : 1e-6));
+}
+
+}  // namespace
+}  // namespace taut
