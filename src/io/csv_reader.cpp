@@ -79,6 +79,11 @@ void CsvReader::skip_to_field() {
     }
 }
 
+void CsvReader::fail_behind_quote() const {
+    throw InputError(m_file_name, std::to_string(m_line),
+                     "has text behind a closing quote, expected a separator");
+}
+
 std::string CsvReader::quoted_field() {
     const int start = m_line;
     std::string field;
@@ -99,8 +104,7 @@ std::string CsvReader::quoted_field() {
         m_rest.remove_prefix(1);
     }
     if (!at_line_end() && !is_blank(m_rest.front()) && !at_separator()) {
-        throw InputError(m_file_name, std::to_string(m_line),
-                         "has text behind a closing quote, expected a separator");
+        fail_behind_quote();
     }
     return field;
 }
@@ -135,6 +139,9 @@ std::optional<CsvRecord> CsvReader::next() {
             return record;
         }
         if (m_separator != ' ') {
+            if (!at_separator()) {
+                fail_behind_quote();
+            }
             m_rest.remove_prefix(1);
         }
     }

@@ -35,6 +35,7 @@ private:
     void skip_blanks();
     void skip_line_end();
     void skip_to_field();
+    [[noreturn]] void fail_behind_quote() const;
     std::string quoted_field();
     std::string plain_field();
 

@@ -33,7 +33,7 @@ void check(const DataSet& data, const CableNet& net) {
 
 }  // namespace
 
-void write_data_set(const std::filesystem::path& path, const DataSet& data, const NetFile& net) {
+std::string data_set_bytes(const DataSet& data, const NetFile& net) {
     check(data, net.net);
     hdf5::Writer writer;
     write_head(writer,
@@ -52,7 +52,11 @@ void write_data_set(const std::filesystem::path& path, const DataSet& data, cons
     }
     writer.codes("status", codes, meaning_of_codes(all_statuses));
     writer.integers("slack_edges", data.slack_counts);
-    write_file(path, writer.finish());
+    return writer.finish();
+}
+
+void write_data_set(const std::filesystem::path& path, const DataSet& data, const NetFile& net) {
+    write_file(path, data_set_bytes(data, net));
 }
 
 StoredDataSet read_data_set(const std::filesystem::path& path) {

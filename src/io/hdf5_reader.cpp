@@ -123,7 +123,8 @@ int Reader::group_size(const std::string& name) const {
     if (!group.valid() || H5Gget_info(group.get(), &info) < 0) {
         fail(name, "is damaged or no group");
     }
-    if (info.nlinks > std::numeric_limits<int>::max()) {
+    // A member takes far more than a byte of the file: a number beyond is damage, or malice.
+    if (info.nlinks > std::min<hsize_t>(m_file_size, std::numeric_limits<int>::max())) {
         fail(name, fmt::format("has {} members", info.nlinks));
     }
     return static_cast<int>(info.nlinks);

@@ -34,6 +34,10 @@ void JsonValue::fail(const std::string& what) const {
     throw InputError(*m_file_name, m_pointer, what);
 }
 
+void JsonValue::fail_below(const std::string& pointer, const std::string& what) const {
+    throw InputError(*m_file_name, m_pointer + pointer, what);
+}
+
 void JsonValue::fail_type(const std::string& expected) const {
     fail(fmt::format("{}, expected {}", describe(*m_value), expected));
 }
@@ -87,6 +91,16 @@ const std::string& JsonValue::text() const {
     return m_value->get_ref<const std::string&>();
 }
 
+bool JsonValue::flag() const {
+    if (m_value->is_boolean()) {
+        return m_value->get<bool>();
+    }
+    if (*m_value != 0 && *m_value != 1) {
+        fail_type("true or false");
+    }
+    return *m_value == 1;
+}
+
 JsonValue JsonValue::at(size_t index) const {
     return {(*m_value)[index], *m_file_name, fmt::format("{}/{}", m_pointer, index)};
 }
@@ -96,7 +110,8 @@ std::optional<JsonValue> JsonValue::find(const std::string& key) const {
     if (found == m_value->end()) {
         return std::nullopt;
     }
-    return JsonValue(*found, *m_file_name, fmt::format("{}/{}", m_pointer, key));
+    const nlohmann::json::json_pointer pointer(m_pointer);
+    return JsonValue(*found, *m_file_name, (pointer / key).to_string());
 }
 
 JsonValue JsonValue::require(const std::string& key, const std::string& expected) const {

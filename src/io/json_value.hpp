@@ -17,6 +17,10 @@ public:
         : m_value(&value), m_file_name(&file_name), m_pointer(std::move(pointer)) {}
 
     [[noreturn]] void fail(const std::string& what) const;
+    [[nodiscard]] const std::string& pointer() const { return m_pointer; }
+    /// @param pointer to the culprit, from here
+    [[noreturn]] void fail_below(const std::string& pointer, const std::string& what) const;
+    [[nodiscard]] const std::string& file_name() const { return *m_file_name; }
     [[nodiscard]] const nlohmann::json& json() const { return *m_value; }
 
     /// @param expected what to ask for where it is of another type, "an object" say
@@ -29,6 +33,8 @@ public:
     /// A whole number that fits an int, written without fraction or exponent.
     [[nodiscard]] int integer() const;
     [[nodiscard]] const std::string& text() const;
+    /// true or false, or 1 or 0.
+    [[nodiscard]] bool flag() const;
 
     /// Entry of an array that holds it.
     [[nodiscard]] JsonValue at(size_t index) const;

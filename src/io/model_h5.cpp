@@ -145,7 +145,7 @@ void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) 
 
 }  // namespace
 
-void write_model(const std::filesystem::path& path, const LengthModel& model, const NetFile& net) {
+std::string model_bytes(const LengthModel& model, const NetFile& net) {
     const FittedProcesses& fitted = model.processes;
     check(fitted, net.net);
     hdf5::Writer writer;
@@ -168,7 +168,11 @@ void write_model(const std::filesystem::path& path, const LengthModel& model, co
         writer.vector(name + "/eigenvalues", spectrum.eigenvalues, "1");
         writer.matrix(name + "/eigenvectors", spectrum.eigenvectors, "1");
     }
-    write_file(path, writer.finish());
+    return writer.finish();
+}
+
+void write_model(const std::filesystem::path& path, const LengthModel& model, const NetFile& net) {
+    write_file(path, model_bytes(model, net));
 }
 
 StoredModel read_model(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 #include "io/json_parse.hpp"
 #include "io/json_value.hpp"
 #include "io/message.hpp"
+#include "io/net_json_value.hpp"
 #include "io/net_keys.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/input_error.hpp"
@@ -89,11 +90,11 @@ std::string default_name(const std::string& file_name) {
         stem.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-CableNetData read_data(const JsonValue& root, const std::string& file_name) {
+CableNetData read_data(const JsonValue& root) {
     const auto list = [&root](const std::string& key) { return root.require(key, "an array"); };
     CableNetData data;
     const auto name = root.find("name");
-    data.name = name ? name->text() : default_name(file_name);
+    data.name = name ? name->text() : default_name(root.file_name());
     data.nodes = read_points(list("nodes"));
     data.supports = read_indices(list("supports"));
     data.edges = read_edges(list("edges"));
@@ -110,20 +111,22 @@ CableNetData read_data(const JsonValue& root, const std::string& file_name) {
     return data;
 }
 
-/// The net, its broken rules told as those of the file.
-CableNet make_net(CableNetData data, bool one_stiffness, const std::string& file_name) {
+}  // namespace
+
+CableNet read_net_value(const JsonValue& root) {
+    check_format(root);
+    CableNetData data = read_data(root);
+    const std::string stiffness = "/axial_stiffness";
+    const bool one_stiffness = root.json().at("axial_stiffness").is_number();
     try {
         return CableNet(std::move(data));
     } catch (const NetError& error) {
         // "<pointer>: <what>"
         const std::string what = std::string(error.what()).substr(error.where().size() + 2);
-        const std::string stiffness = "/axial_stiffness";
         const bool of_the_one = one_stiffness && error.where().starts_with(stiffness);
-        throw InputError(file_name, of_the_one ? stiffness : error.where(), what);
+        root.fail_below(of_the_one ? stiffness : error.where(), what);
     }
 }
-
-}  // namespace
 
 NetFile parse_net(std::string_view text, const std::string& file_name) {
     const nlohmann::json json = parse_json(text, file_name);
@@ -135,10 +138,7 @@ NetFile parse_net(std::string_view text, const std::string& file_name) {
             unknown[key] = value;
         }
     }
-    CableNetData data = read_data(root, file_name);
-    const bool one_stiffness = json["axial_stiffness"].is_number();
-    return {.net = make_net(std::move(data), one_stiffness, file_name),
-            .unknown_keys = unknown.dump()};
+    return {.net = read_net_value(root), .unknown_keys = unknown.dump()};
 }
 
 NetFile read_net(const std::filesystem::path& path) {

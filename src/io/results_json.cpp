@@ -3,15 +3,16 @@
 #include "taut/io/results_json.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "io/result_parts.hpp"
+#include "taut/statics/tensions.hpp"
 #include "taut/study/paper_figures.hpp"
 #include "taut/version.hpp"
 
 namespace taut {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = ResultJson;
 
 Json to_json(const FormErrorSummary& s) {
     return {{"max", s.max}, {"min", s.min}, {"mean", s.mean}, {"rmse", s.rmse}};
@@ -29,22 +30,113 @@ Json to_json(const MethodResult& method) {
             {"coverage_95", method.coverage}};
 }
 
+void add_run(Json& document, const RunRecord& run) {
+    for (const auto& [key, text] : {std::pair{"date", run.date}, {"command", run.command}}) {
+        if (!text.empty()) {
+            document[key] = text;
+        }
+    }
+}
+
+/// The first validation sample, the paper's k = 1: lengths in the order of the interior edges,
+/// forms of all nodes, tensions of all edges.
+Json sample_json(const Study& study) {
+    const CableNet& net = study.net;
+    const auto sample = study.validation.front();
+    const Eigen::VectorXd truth = study.data.length_deviations.col(sample);
+    const Eigen::VectorXd identified = study.estimates.mean.col(0);
+    const Points true_form = with_free_coordinates(
+        net, study.data.nominal_form + study.data.form_deviations.col(sample));
+    return {{"index", sample},
+            {"true", numbers_json(truth, 9)},
+            {"identified", numbers_json(identified, 9)},
+            {"std", numbers_json(study.estimates.std.col(0), 6)},
+            {"true_form", points_json(true_form)},
+            {"identified_form", points_json(study.identified_form)},
+            {"true_tension",
+             numbers_json(tensions(net, with_length_deviations(net, truth), true_form), 6)},
+            {"identified_tension",
+             numbers_json(
+                 tensions(net, with_length_deviations(net, identified), study.identified_form), 6)},
+            {"form_error",
+             {{"nominal", numbers_json(study.nominal_form_error, 6)},
+              {"identified", numbers_json(study.identified_form_error, 6)}}}};
+}
+
+/// Statistics of the errors of each interior edge, and all errors where they are few enough.
+Json errors_json(const Study& study) {
+    constexpr Eigen::Index most_errors = 100'000;
+    const LengthErrors& errors = study.gp_as_in_paper.errors;
+    Json result{{"mean", numbers_json(errors.mean, 6)}, {"std", numbers_json(errors.std, 6)}};
+    if (study.estimates.mean.size() <= most_errors) {
+        Json all = Json::array();
+        for (Eigen::Index i = 0; i < study.estimates.mean.rows(); ++i) {
+            const Eigen::VectorXd of_edge =
+                study.data.length_deviations(i, study.validation) - study.estimates.mean.row(i);
+            all.push_back(numbers_json(of_edge, 4));
+        }
+        result["all"] = std::move(all);
+    }
+    return result;
+}
+
+/// What the survey says against the predicted form: surveyed less predicted coordinates.
+Json residuals_json(const Survey& survey, const Points& predicted) {
+    Json residuals = Json::array();
+    for (const int node : survey.surveyed) {
+        const Eigen::Vector3d d = survey.form.col(node) - predicted.col(node);
+        Json residual{{"node", node}, {"dx", d.x()}, {"dy", d.y()}, {"dz", d.z()}};
+        if (survey.noise_std.cols() > 0 && survey.noise_std.col(node).minCoeff() > 0.0) {
+            const Eigen::Vector3d s = d.cwiseQuotient(survey.noise_std.col(node));
+            residual["standardised"] = {s.x(), s.y(), s.z()};
+        }
+        residuals.push_back(residual);
+    }
+    return residuals;
+}
+
+Json unmatched_json(const CableNet& net, const Survey& survey) {
+    Json points = Json::array();
+    for (const UnmatchedPoint& p : survey.unmatched) {
+        points.push_back(
+            {{"id", p.point.id.empty() ? "line " + std::to_string(p.point.line) : p.point.id},
+             {"line", p.point.line},
+             {"reason", to_string(p.reason)},
+             {"nearest", net.node_id(p.nearest)},
+             {"distance", p.distance}});
+    }
+    return points;
+}
+
+/// Residuals of the control points that the survey's frame was fitted to.
+Json control_json(const Survey& survey) {
+    Json points = Json::array();
+    for (const auto& [id, residual] : survey.control) {
+        points.push_back(
+            {{"id", id}, {"dx", residual.x()}, {"dy", residual.y()}, {"dz", residual.z()}});
+    }
+    return points;
+}
+
+/// Of all edges, in the predicted form with the identified lengths.
+Json tension_json(const CableNet& net, const Identification& identification) {
+    Eigen::VectorXd lengths = net.unstressed_lengths();
+    for (const IdentifiedEdge& e : identification.edges) {
+        lengths(e.edge) += e.length_deviation;
+    }
+    return numbers_json(tensions(net, lengths, identification.predicted.form), 6);
+}
+
 }  // namespace
 
-std::string study_to_json(const Study& study) {
+std::string study_to_json(const Study& study, const RunRecord& run) {
     const CableNet& net = study.net;
     const PaperFigures paper;
-    const Json document{
+    Json document{
         {"format", "taut-study"},
         {"version", 1},
         {"program", "taut " + std::string(version())},
-        {"net",
-         {{"name", net.name()},
-          {"free_nodes", net.free_node_count()},
-          {"supports", net.supports().size()},
-          {"interior_edges", net.interior_edge_count()},
-          {"adjustable_edges", net.adjustable_edges().size()},
-          {"fingerprint", net.fingerprint()}}},
+        {"net", counts_json(net)},
         {"law", study.settings.law.to_string()},
         {"seed", study.settings.seed},
         {"samples",
@@ -64,11 +156,16 @@ std::string study_to_json(const Study& study) {
           {"training", study.seconds.training},
           {"identification", study.seconds.identification},
           {"total", study.seconds.total}}}};
-    return document.dump(2) + "\n";
+    add_run(document, run);
+    document["cable_net"] = net_json(net);
+    document["nominal_form"] = points_json(with_free_coordinates(net, study.data.nominal_form));
+    document["sample"] = sample_json(study);
+    document["errors"] = errors_json(study);
+    return to_text(document);
 }
 
 std::string identification_to_json(const CableNet& net, const Survey& survey,
-                                   const Identification& identification) {
+                                   const Identification& identification, const RunRecord& run) {
     Json edges = Json::array();
     for (const IdentifiedEdge& e : identification.edges) {
         const auto [s, t] = net.edges()[static_cast<size_t>(e.edge)];
@@ -86,22 +183,48 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     for (const auto& node : identification.predicted.form.colwise()) {
         form.push_back({node.x(), node.y(), node.z()});
     }
+    Json outliers = Json::array();
+    for (const Outlier& outlier : identification.outliers) {
+        outliers.push_back({{"node", outlier.node},
+                            {"id", net.node_id(outlier.node)},
+                            {"distance", outlier.distance},
+                            {"statistic", outlier.statistic}});
+    }
+    double noise = 0.0;
+    if (survey.noise_std.cols() > 0) {
+        const Points stds = survey.noise_std(Eigen::all, survey.surveyed);
+        noise = std::sqrt(stds.squaredNorm() / static_cast<double>(stds.size()));
+    }
     const Eigen::VectorXd& residuals = identification.residuals;
-    const Json document{{"format", "taut-identification"},
-                        {"version", 1},
-                        {"program", "taut " + std::string(version())},
-                        {"method", identification.method},
-                        {"net_fingerprint", net.fingerprint()},
-                        {"edges", edges},
-                        {"form", form},
-                        {"survey",
-                         {{"used", survey.surveyed.size()},
-                          {"missing", survey.missing.size()},
-                          {"outliers", Json::array()},
-                          {"rms_residual", std::sqrt(residuals.squaredNorm() /
-                                                     static_cast<double>(residuals.size()))},
-                          {"max_residual", residuals.maxCoeff()}}}};
-    return document.dump(2) + "\n";
+    Json document{{"format", "taut-identification"},
+                  {"version", 1},
+                  {"program", "taut " + std::string(version())},
+                  {"method", identification.method},
+                  {"method_reason", identification.method_reason},
+                  {"status", to_string(identification.status)},
+                  {"noise", noise},
+                  {"net_fingerprint", net.fingerprint()},
+                  {"edges", edges},
+                  {"form", form},
+                  {"survey",
+                   {{"used", survey.surveyed.size()},
+                    {"missing", survey.missing.size()},
+                    {"noise", noise},
+                    {"noise_ratio", identification.noise_ratio},
+                    {"outliers", outliers},
+                    {"outlier_threshold", identification.outlier_threshold},
+                    {"rms_residual",
+                     std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()))},
+                    {"max_residual", residuals.maxCoeff()}}}};
+    add_run(document, run);
+    document["net"] = counts_json(net);
+    document["survey"]["residuals"] = residuals_json(survey, identification.predicted.form);
+    document["survey"]["missing_nodes"] = survey.missing;
+    document["survey"]["unmatched"] = unmatched_json(net, survey);
+    document["survey"]["control"] = control_json(survey);
+    document["cable_net"] = net_json(net);
+    document["tension"] = tension_json(net, identification);
+    return to_text(document);
 }
 
 }  // namespace taut

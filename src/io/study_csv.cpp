@@ -6,20 +6,10 @@
 
 #include <iterator>
 
+#include "io/csv_field.hpp"
+
 namespace taut {
 namespace {
-
-/// A name as one CSV field.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text) {
-        quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return quoted + '"';
-}
 
 std::string edges_csv(const Study& study, const Eigen::MatrixXd& truth) {
     const CableNet& net = study.net;
@@ -31,9 +21,10 @@ std::string edges_csv(const Study& study, const Eigen::MatrixXd& truth) {
         const int edge = net.interior_edges()[static_cast<size_t>(i)];
         const auto [s, t] = net.edges()[static_cast<size_t>(edge)];
         fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{},{},{}\n",
-                       field(net.edge_id(edge)), field(net.node_id(s)), field(net.node_id(t)),
-                       net.unstressed_lengths()(edge), truth(i, 0), study.estimates.mean(i, 0),
-                       study.estimates.std(i, 0), truth(i, 0) - study.estimates.mean(i, 0),
+                       csv_field(net.edge_id(edge)), csv_field(net.node_id(s)),
+                       csv_field(net.node_id(t)), net.unstressed_lengths()(edge), truth(i, 0),
+                       study.estimates.mean(i, 0), study.estimates.std(i, 0),
+                       truth(i, 0) - study.estimates.mean(i, 0),
                        study.gp_as_in_paper.errors.mean(i), study.gp_as_in_paper.errors.std(i));
     }
     return csv;
@@ -47,7 +38,7 @@ std::string errors_csv(const Study& study, const Eigen::MatrixXd& truth) {
     }
     csv += '\n';
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        csv += field(net.edge_id(net.interior_edges()[static_cast<size_t>(i)]));
+        csv += csv_field(net.edge_id(net.interior_edges()[static_cast<size_t>(i)]));
         for (Eigen::Index k = 0; k < truth.cols(); ++k) {
             fmt::format_to(std::back_inserter(csv), ",{}",
                            truth(i, k) - study.estimates.mean(i, k));
@@ -63,7 +54,7 @@ std::string nodes_csv(const Study& study) {
     for (int i = 0; i < net.free_node_count(); ++i) {
         const auto place = study.data.nominal_form.segment<3>(3 * i);
         fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{}\n",
-                       field(net.node_id(net.free_nodes()[static_cast<size_t>(i)])), place.x(),
+                       csv_field(net.node_id(net.free_nodes()[static_cast<size_t>(i)])), place.x(),
                        place.y(), place.z(), study.nominal_form_error(i),
                        study.identified_form_error(i));
     }

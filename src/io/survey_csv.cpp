@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
-#include <ranges>
 
+#include "io/csv_field.hpp"
 #include "io/csv_reader.hpp"
 #include "io/message.hpp"
+#include "io/parse_number.hpp"
+#include "io/plain_text.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/input_error.hpp"
 
@@ -20,21 +21,21 @@ namespace taut {
 namespace {
 
 constexpr std::array<std::string_view, 7> columns{"id", "x", "y", "z", "sx", "sy", "sz"};
-constexpr size_t without_std = 4;  ///< columns
-constexpr size_t with_std = 7;
 
-std::optional<double> parse_number(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
-        text.remove_prefix(1);
+/// What the fields of a line are, told by their number: the columns, and which is the first.
+struct Layout {
+    size_t count = 0;  ///< 3 or 6 without ids, 4 or 7 with; 0: not known yet
+
+    [[nodiscard]] bool valid() const {
+        return count == 3 || count == 4 || count == 6 || count == 7;
     }
-    double value = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || rest != end || !std::isfinite(value)) {
-        return std::nullopt;
-    }
-    return value;
-}
+    [[nodiscard]] size_t x() const { return count % 3; }  ///< field of the first coordinate
+    [[nodiscard]] bool has_ids() const { return x() == 1; }
+    [[nodiscard]] bool has_std() const { return count > 4; }
+    [[nodiscard]] std::string_view name(size_t field) const { return columns[field + 1 - x()]; }
+};
+
+constexpr std::string_view layouts = "[id,]x,y,z[,sx,sy,sz]";
 
 /// "1,5", "-0,25": digits on both sides of one comma.
 bool has_decimal_comma(std::string text) {
@@ -59,30 +60,35 @@ std::string lower(std::string text) {
 class PointParser {
 public:
     PointParser(const CsvRecord& record, const std::string& file_name)
-        : m_record(record), m_file_name(file_name) {}
+        : m_record(record), m_file_name(file_name), m_layout{record.fields.size()} {}
 
     [[noreturn]] void fail(const std::string& what) const {
         throw InputError(m_file_name, std::to_string(m_record.line), what);
     }
 
-    /// @param expected fields of the records before, 0 for the first
-    void check_count(size_t expected) const {
-        const size_t found = m_record.fields.size();
-        if (expected == 0 && found != without_std && found != with_std) {
-            fail(fmt::format("has {} fields, expected {} (id,x,y,z) or {} (id,x,y,z,sx,sy,sz)",
-                             found, without_std, with_std));
+    /// @param expected layout of the records before
+    void check_count(const Layout& expected) const {
+        const size_t found = m_layout.count;
+        if (expected.count == 0 && !m_layout.valid()) {
+            fail(fmt::format("has {} fields, expected {}: 3, 4, 6 or 7", found, layouts));
         }
-        if (expected != 0 && found != expected) {
+        if (expected.count != 0 && found != expected.count) {
             // Each coordinate cut in two.
-            const bool cut = expected == without_std && found == with_std;
-            fail(fmt::format("has {} fields, expected {} as in the lines before{}", found, expected,
-                             cut ? " (with a decimal point, not a comma)" : ""));
+            const bool cut = !expected.has_std() && found == expected.count + 3;
+            fail(fmt::format("has {} fields, expected {} as in the lines before{}", found,
+                             expected.count, cut ? " (with a decimal point, not a comma)" : ""));
         }
     }
 
+    [[nodiscard]] const Layout& layout() const { return m_layout; }
+
     [[nodiscard]] bool is_header() const {
-        return std::ranges::equal(m_record.fields,
-                                  columns | std::views::take(m_record.fields.size()), {}, lower);
+        for (size_t k = 0; k < m_layout.count; ++k) {
+            if (lower(m_record.fields[k]) != m_layout.name(k)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     [[nodiscard]] SurveyPoint point(bool is_first) const {
@@ -90,20 +96,16 @@ public:
             return parse_number(field) || has_decimal_comma(field);
         };
         if (is_first && std::ranges::none_of(m_record.fields, is_number)) {
-            fail("is neither a point nor the header id,x,y,z or id,x,y,z,sx,sy,sz");
+            fail(fmt::format("is neither a point nor the header {}", layouts));
         }
-        if (m_record.fields[0].empty()) {
-            fail("has an empty id");
+        const size_t x = m_layout.x();
+        SurveyPoint point{.id = m_layout.has_ids() ? m_record.fields[0] : "",
+                          .position = {number(x), number(x + 1), number(x + 2)},
+                          .line = m_record.line};
+        if (m_layout.has_std()) {
+            point.noise_std = Eigen::Vector3d(std_of(x + 3), std_of(x + 4), std_of(x + 5));
         }
-        for (size_t k = without_std; k < m_record.fields.size(); ++k) {
-            if (number(k) < 0.0) {
-                fail(fmt::format("{} is {}, expected a standard deviation of at least 0",
-                                 columns[k], quote(m_record.fields[k])));
-            }
-        }
-        return {.id = m_record.fields[0],
-                .position = {number(1), number(2), number(3)},
-                .line = m_record.line};
+        return point;
     }
 
 private:
@@ -111,36 +113,38 @@ private:
         const std::string& field = m_record.fields[column];
         const auto value = parse_number(field);
         if (!value) {
-            fail(fmt::format("{} is {}, expected a {}", columns[column], quote(field),
+            fail(fmt::format("{} is {}, expected a {}", m_layout.name(column), quote(field),
                              has_decimal_comma(field) ? "number with a decimal point, not a comma"
                                                       : "finite number"));
         }
         return *value;
     }
 
+    [[nodiscard]] double std_of(size_t column) const {
+        const double value = number(column);
+        if (value < 0.0) {
+            fail(fmt::format("{} is {}, expected a standard deviation of at least 0",
+                             m_layout.name(column), quote(m_record.fields[column])));
+        }
+        return value;
+    }
+
     const CsvRecord& m_record;
     const std::string& m_file_name;
+    Layout m_layout;
 };
 
 }  // namespace
 
 std::vector<SurveyPoint> parse_survey_points(std::string_view text, const std::string& file_name) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) {
-        text.remove_prefix(byte_order_mark.size());
-    }
-    if (text.find('\0') != std::string_view::npos) {
-        const auto lines = std::ranges::count(text.substr(0, text.find('\0')), '\n');
-        throw InputError(file_name, std::to_string(1 + lines), "holds a zero byte, expected text");
-    }
     std::vector<SurveyPoint> points;
-    CsvReader reader(text, file_name);
-    size_t field_count = 0;
+    CsvReader reader(plain_text(text, file_name), file_name);
+    Layout layout;
     while (const auto record = reader.next()) {
         const PointParser parser(*record, file_name);
-        parser.check_count(field_count);
-        const bool is_first = field_count == 0;
-        field_count = record->fields.size();
+        parser.check_count(layout);
+        const bool is_first = layout.count == 0;
+        layout = parser.layout();
         if (!is_first || !parser.is_header()) {
             points.push_back(parser.point(is_first));
         }
@@ -151,8 +155,55 @@ std::vector<SurveyPoint> parse_survey_points(std::string_view text, const std::s
     return points;
 }
 
+std::vector<SurveyPoint> parse_pts_points(std::string_view text, const std::string& file_name) {
+    CsvReader reader(plain_text(text, file_name), file_name);
+    const auto head = reader.next();
+    const auto announced =
+        head && head->fields.size() == 1 ? parse_number(head->fields[0]) : std::nullopt;
+    if (!announced || *announced < 1.0 || *announced != std::floor(*announced)) {
+        throw InputError(file_name, "1", "is not the number of points that a PTS file starts with");
+    }
+    std::vector<SurveyPoint> points;
+    while (auto record = reader.next()) {
+        constexpr size_t coordinates = 3;
+        if (record->fields.size() < coordinates) {
+            throw InputError(file_name, std::to_string(record->line),
+                             fmt::format("has {} fields, expected x y z, with or without intensity "
+                                         "and colour behind",
+                                         record->fields.size()));
+        }
+        record->fields.resize(coordinates);
+        points.push_back(PointParser(*record, file_name).point(false));
+    }
+    if (static_cast<double>(points.size()) != *announced) {
+        throw InputError(file_name, "",
+                         fmt::format("holds {} points, expected {} as its first line says",
+                                     points.size(), *announced));
+    }
+    return points;
+}
+
 std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path) {
-    return parse_survey_points(read_file(path), path.string());
+    const std::string text = read_file(path);
+    return lower(path.extension().string()) == ".pts" ? parse_pts_points(text, path.string())
+                                                      : parse_survey_points(text, path.string());
+}
+
+std::string survey_to_csv(const std::vector<SurveyPoint>& points) {
+    const bool has_std = std::ranges::any_of(
+        points, [](const SurveyPoint& point) { return point.noise_std.has_value(); });
+    std::string result = has_std ? "id,x,y,z,sx,sy,sz\n" : "id,x,y,z\n";
+    for (const SurveyPoint& point : points) {
+        const Eigen::Vector3d& p = point.position;
+        result += fmt::format("{},{},{},{}", point.id.empty() ? "" : csv_field(point.id), p.x(),
+                              p.y(), p.z());
+        if (has_std) {
+            const Eigen::Vector3d std = point.noise_std.value_or(Eigen::Vector3d::Zero());
+            result += fmt::format(",{},{},{}", std.x(), std.y(), std.z());
+        }
+        result += '\n';
+    }
+    return result;
 }
 
 }  // namespace taut

@@ -86,6 +86,62 @@ TEST(SurveyCsv, ReadsAFile) {
     EXPECT_EQ(read_survey_points(scratch / "survey.csv").size(), 1U);
 }
 
+TEST(SurveyCsv, TakesLinesWithoutIdsAndEmptyIdsForTargetsWithoutNames) {
+    for (const char* text :
+         {"x,y,z\n1,2,3\n4,5,6\n", "1 2 3\n4 5 6\n", "id,x,y,z\n,1,2,3\n\"\",4,5,6\n"}) {
+        const auto points = parse_survey_points(text, "survey.csv");
+        ASSERT_EQ(points.size(), 2U) << text;
+        EXPECT_EQ(points[0].id, "");
+        EXPECT_EQ(points[0].position, Eigen::Vector3d(1, 2, 3));
+        EXPECT_EQ(points[1].position, Eigen::Vector3d(4, 5, 6));
+    }
+}
+
+TEST(SurveyCsv, ReadsTheStandardDeviationsOfNamedAndUnnamedTargets) {
+    for (const char* text : {"A,1,2,3,0.1,0.2,0.3\n", "x;y;z;sx;sy;sz\n1;2;3;0.1;0.2;0.3\n"}) {
+        const auto points = parse_survey_points(text, "survey.csv");
+        ASSERT_EQ(points.size(), 1U) << text;
+        ASSERT_TRUE(points[0].noise_std.has_value());
+        EXPECT_EQ(*points[0].noise_std, Eigen::Vector3d(0.1, 0.2, 0.3));
+    }
+    EXPECT_FALSE(parse_survey_points("A,1,2,3\n", "survey.csv")[0].noise_std.has_value());
+}
+
+TEST(SurveyCsv, WritesWhatItReadsBackToTheLastBit) {
+    const std::vector<SurveyPoint> points{
+        {.id = "a, \"b\"", .position = {1.0 / 3.0, -2e-17, 1e6 + 0.1}},
+        {.id = "", .position = {1, 2, 3}, .noise_std = Eigen::Vector3d(0.1, 1.0 / 3.0, 0)}};
+    const auto read = parse_survey_points(survey_to_csv(points), "survey.csv");
+    ASSERT_EQ(read.size(), 2U);
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(read[i].id, points[i].id);
+        EXPECT_EQ(read[i].position, points[i].position);
+        EXPECT_EQ(read[i].noise_std, points[i].noise_std.value_or(Eigen::Vector3d::Zero()));
+    }
+}
+
+TEST(SurveyCsv, ReadsPtsWithIntensityAndColour) {
+    const test::ScratchDirectory scratch;
+    test::put_bytes(scratch / "scan.PTS", "2\r\n1.5 2 3 -1200 12 13 14\r\n4 5 6\r\n");
+    const auto points = read_survey_points(scratch / "scan.PTS");
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].id, "");
+    EXPECT_EQ(points[0].position, Eigen::Vector3d(1.5, 2, 3));
+}
+
+TEST(SurveyCsv, RefusesAPtsFileThatIsNotWhole) {
+    const auto message = [](const std::string& text) {
+        return input_error_of([&] { return parse_pts_points(text, "scan.pts"); });
+    };
+    EXPECT_EQ(message("3\n1 2 3\n"), "scan.pts: holds 1 points, expected 3 as its first line says");
+    EXPECT_EQ(message("1 2 3\n"),
+              "scan.pts:1: is not the number of points that a PTS file starts with");
+    EXPECT_EQ(message("1\n1 2\n"),
+              "scan.pts:2: has 2 fields, expected x y z, with or without intensity and colour "
+              "behind");
+    EXPECT_EQ(message("1\n1 2 nan\n"), "scan.pts:2: z is 'nan', expected a finite number");
+}
+
 struct BadText {
     const char* name;
     std::string text;
@@ -101,9 +157,8 @@ TEST_P(BadSurvey, IsRefusedWithItsLine) {
 }
 
 constexpr const char* no_point = ": holds no point, expected lines id,x,y,z";
-constexpr const char* no_header =
-    ":1: is neither a point nor the header id,x,y,z or id,x,y,z,sx,sy,sz";
-constexpr const char* wrong_count = " fields, expected 4 (id,x,y,z) or 7 (id,x,y,z,sx,sy,sz)";
+constexpr const char* no_header = ":1: is neither a point nor the header [id,]x,y,z[,sx,sy,sz]";
+constexpr const char* wrong_count = " fields, expected [id,]x,y,z[,sx,sy,sz]: 3, 4, 6 or 7";
 
 INSTANTIATE_TEST_SUITE_P(
     Text, BadSurvey,
@@ -111,11 +166,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"Empty", "", no_point}, BadText{"CommentsOnly", "# nothing\n\n", no_point},
         BadText{"HeaderOnly", "id,x,y,z\n", no_point},
         BadText{"ByteOrderMarkOnly", "\xEF\xBB\xBF", no_point},
-        BadText{"HeaderWithoutId", "x,y,z\n1,2,3\n", std::string(":1: has 3") + wrong_count},
         BadText{"HeaderInOtherOrder", "id,x,z,y\nA,1,2,3\n", no_header},
         BadText{"HeaderOfOtherNames", "point,x,y,z\nA,1,2,3\n", no_header},
         BadText{"SecondHeader", "id,x,y,z\nid,x,y,z\n", ":2: x is 'x', expected a finite number"},
-        BadText{"FewFields", "A,1,2\n", std::string(":1: has 3") + wrong_count},
+        BadText{"FewFields", "A,1\n", std::string(":1: has 2") + wrong_count},
+        BadText{"NameInThreeFields", "A,1,2\n", ":1: x is 'A', expected a finite number"},
         BadText{"ManyFields", "A,1,2,3,4\n", std::string(":1: has 5") + wrong_count},
         BadText{"TrailingSeparator", "A,1,2,3,\n", std::string(":1: has 5") + wrong_count},
         BadText{"FewerFieldsLater", "A,1,2,3\nB,1,2\n",
@@ -133,8 +188,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"Nan", "A,1,2,nan\n", ":1: z is 'nan', expected a finite number"},
         BadText{"Infinite", "A,-inf,2,3\n", ":1: x is '-inf', expected a finite number"},
         BadText{"TooLarge", "A,1e999,2,3\n", ":1: x is '1e999', expected a finite number"},
-        BadText{"EmptyId", "A,1,2,3\n,1,2,3\n", ":2: has an empty id"},
-        BadText{"QuotedEmptyId", "\"\",1,2,3\n", ":1: has an empty id"},
         BadText{"NegativeStd", "A,1,2,3,0,-0.1,0\n",
                 ":1: sy is '-0.1', expected a standard deviation of at least 0"},
         BadText{"StdNoNumber", "A,1,2,3,0,0,?\n", ":1: sz is '?', expected a finite number"},
@@ -150,6 +203,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"OpenQuote", "A,1,2,3\n\"B,1,2,3\nC,1,2,3\n",
                 ":2: opens a quote that is never closed"},
         BadText{"TextBehindQuote", "\"A\"b,1,2,3\n",
+                ":1: has text behind a closing quote, expected a separator"},
+        BadText{"TextBehindQuoteAndBlank", "\"A\" 91,2,3\n",
+                ":1: has text behind a closing quote, expected a separator"},
+        BadText{"NumberBehindQuotedNumber", "A,\"4\" 7,2,3\n",
                 ":1: has text behind a closing quote, expected a separator"},
         BadText{"ZeroByte", std::string("A,1,2,3\nB,1,2,\0", 15),
                 ":2: holds a zero byte, expected text"},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/data_set.hpp"
@@ -27,8 +28,12 @@ struct StoredDataSet {
 /// Not for two threads at the same time, as all that uses HDF5.
 /// @throws std::invalid_argument where data and net do not belong together (both fingerprints are
 ///   named), their sizes differ or a number is not finite
-/// @throws OutputError
+/// @throws OutputError where the file cannot be written
 void write_data_set(const std::filesystem::path& path, const DataSet& data, const NetFile& net);
+
+/// The content of such a file.
+/// @throws std::invalid_argument likewise
+[[nodiscard]] std::string data_set_bytes(const DataSet& data, const NetFile& net);
 
 /// Reads what write_data_set() wrote, to the last bit. Every size is checked against the net inside
 /// and the size of the file before anything is allocated.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "taut/identification/model.hpp"
 #include "taut/io/net_json.hpp"
@@ -35,8 +36,12 @@ struct StoredModel {
 /// Not for two threads at the same time, as all that uses HDF5.
 /// @throws std::invalid_argument where model and net do not belong together (both fingerprints are
 ///   named), their sizes differ or a number is not finite
-/// @throws OutputError
+/// @throws OutputError where the file cannot be written
 void write_model(const std::filesystem::path& path, const LengthModel& model, const NetFile& net);
+
+/// The content of such a file.
+/// @throws std::invalid_argument likewise
+[[nodiscard]] std::string model_bytes(const LengthModel& model, const NetFile& net);
 
 /// Reads what write_model() wrote: predicts to the last bit as before. Every size is checked
 /// against the net inside and the size of the file before anything is allocated.

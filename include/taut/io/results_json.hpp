@@ -11,12 +11,19 @@
 
 namespace taut {
 
+/// How a result came about; a field that is empty is left out of the file.
+struct RunRecord {
+    std::string date;     ///< "2026-11-21 06:30 UTC"
+    std::string command;  ///< the command line
+};
+
 /// results.json of a study: format "taut-study", version 1; all numbers in SI units.
-[[nodiscard]] std::string study_to_json(const Study& study);
+[[nodiscard]] std::string study_to_json(const Study& study, const RunRecord& run = {});
 
 /// result.json of an identification: format "taut-identification", version 1; all numbers in SI
 /// units.
 [[nodiscard]] std::string identification_to_json(const CableNet& net, const Survey& survey,
-                                                 const Identification& identification);
+                                                 const Identification& identification,
+                                                 const RunRecord& run = {});
 
 }  // namespace taut

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// A form as a legacy VTK file, an unstructured grid of lines that ParaView and meshio open: at the
+/// points is_support and load [N]; on the lines tension [N], force_density [N/m], length and
+/// unstressed_length [m], axial_stiffness [N], is_slack and is_adjustable. Points and lines stand
+/// in the order of the net's nodes and edges.
+/// @param form 3 x n [m]
+/// @throws std::invalid_argument for another size, or a coordinate that is not finite
+[[nodiscard]] std::string form_to_vtk(const CableNet& net, const Points& form);
+
+}  // namespace taut

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taut {
+
+/// A node as another program's file gives it.
+struct ImportedNode {
+    std::string id;
+    std::string place;                        ///< in the file, for messages: JSON pointer or line
+    Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m]
+    Eigen::Vector3d load{0.0, 0.0, 0.0};      ///< in the file's unit of force
+    bool is_support = false;
+    bool is_boundary = false;  ///< at a side of one face only; without faces: at one edge only
+};
+
+/// An edge as another program's file gives it.
+struct ImportedEdge {
+    std::string id;
+    std::string place;
+    int s = 0;
+    int t = 0;
+    /// What the file says of it in numbers, in the file's units, by the names that it uses; true
+    /// and false are 1 and 0. Those that taut understands: q, f or force, l or length, l0, E, r,
+    /// EA, px, py, pz, is_adjustable.
+    std::map<std::string, double> numbers;
+};
+
+/// What a reader found in another program's file, before taut makes a net of it. Every format is
+/// read into this.
+struct ImportedStructure {
+    std::string file;    ///< name, for messages
+    std::string format;  ///< in words: "COMPAS mesh"
+    std::string name;
+    std::vector<ImportedNode> nodes;
+    std::vector<ImportedEdge> edges;   ///< each pair of nodes once
+    int inactive_edges = 0;            ///< those whose is_edge is false, which are not in `edges`
+    std::optional<double> force_unit;  ///< [N], where the file tells it
+    std::vector<std::string> notes;  ///< what the reader left out or took for granted, a line each
+};
+
+/// Marks the nodes at the boundary as supports.
+void support_boundary(ImportedStructure& structure);
+
+/// Marks the nodes that a text names as supports: ids between blanks, commas, semicolons or ends of
+/// lines; # starts a comment.
+/// @param file_name of the text, for messages
+/// @throws InputError with the line, for a name that is no node's, and where there is none
+void support_named(ImportedStructure& structure, std::string_view text,
+                   const std::string& file_name);
+
+}  // namespace taut

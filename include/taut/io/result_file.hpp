@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "taut/identification/identification.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// What a saved study tells, as far as its figures need it. Lengths are in the order of the
+/// interior edges, form errors in that of the free nodes.
+struct StudyResult {
+    CableNet net;
+    Points nominal_form;  ///< equilibrium of the nominal lengths (3 x n) [m]
+    int validation = 0;   ///< samples
+    /// Of the first validation sample: length deviations (m_I) and form errors (n_I) [m].
+    Eigen::VectorXd true_deviation;
+    Eigen::VectorXd identified_deviation;
+    Eigen::VectorXd nominal_form_error;
+    Eigen::VectorXd identified_form_error;
+    /// Of the errors over all validation samples (m_I) [m].
+    Eigen::VectorXd error_mean;
+    Eigen::VectorXd error_std;
+    Eigen::MatrixXd errors;  ///< all of them (m_I x samples), or m_I x 0 where not saved [m]
+};
+
+/// What a saved identification tells, as far as its figures need it.
+struct IdentificationResult {
+    CableNet net;
+    std::vector<IdentifiedEdge> edges;  ///< in the order of the file
+    Points form;                        ///< predicted (3 x n) [m]
+    struct Residual {
+        int node = 0;
+        Eigen::Vector3d surveyed_less_predicted;      ///< [m]
+        std::optional<Eigen::Vector3d> standardised;  ///< in standard deviations
+    };
+    std::vector<Residual> residuals;
+};
+
+/// What a saved comparison of methods tells.
+struct ComparisonResult {
+    struct Row {
+        std::string method;
+        double noise = 0.0;  ///< standard deviation of a surveyed coordinate [m]
+        /// Empty for a method that learns from no samples.
+        std::optional<double> training_samples;
+        std::optional<double> mse;                ///< [m2]; empty where the method gave none
+        std::optional<double> best_possible_mse;  ///< [m2]
+        double hidden_fraction = 0.0;             ///< of the free nodes, not surveyed
+    };
+    std::vector<Row> rows;
+};
+
+/// A saved result of `taut reproduce`, `identify` or `compare`.
+struct ResultFile {
+    std::variant<StudyResult, IdentificationResult, ComparisonResult> content;
+    std::string json;  ///< the whole document, without white space
+};
+
+/// Reads a result in one of the formats "taut-study", "taut-identification" and "taut-comparison",
+/// version 1. All that a report shows is checked: kinds, sizes, indices, finite numbers.
+/// @param file_name for messages
+/// @throws InputError at a line and column for what is no JSON, and at a JSON pointer for what is
+///   missing, of another type or size, or breaks a rule
+[[nodiscard]] ResultFile parse_result(std::string_view text, const std::string& file_name);
+
+/// @throws InputError as parse_result() and read_file()
+[[nodiscard]] ResultFile read_result(const std::filesystem::path& path);
+
+}  // namespace taut

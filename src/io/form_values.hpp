@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// What an exporter tells of the edges of a net in a form.
+struct FormValues {
+    Eigen::VectorXd lengths;          ///< [m]
+    Eigen::VectorXd tensions;         ///< [N]
+    Eigen::VectorXd force_densities;  ///< T / l [N/m]
+
+    [[nodiscard]] bool is_slack(int edge) const { return tensions(edge) <= 0.0; }
+};
+
+/// @param form 3 x n [m]
+/// @throws std::invalid_argument for another size, a coordinate that is not finite, and an edge
+///   without length
+[[nodiscard]] FormValues form_values(const CableNet& net, const Points& form);
+
+/// Whether each edge is adjustable.
+[[nodiscard]] std::vector<bool> adjustable_flags(const CableNet& net);
+
+}  // namespace taut

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Models, as HDF5. HDF5 opens files only: the input stands in one that is in memory.
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "fuzz.hpp"
+#include "taut/io/model_h5.hpp"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace taut;
+    const int file = memfd_create("model.h5", 0);
+    fuzz::require(file >= 0 && write(file, data, size) == static_cast<ssize_t>(size));
+    const int result = fuzz::refuse_or_read(
+        [&] { static_cast<void>(read_model("/proc/self/fd/" + std::to_string(file))); });
+    close(file);
+    return result;
+}

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+#include "fuzz.hpp"
+#include "taut/io/obj.hpp"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace taut;
+    return fuzz::refuse_or_read(
+        [&] { fuzz::import(parse_obj(fuzz::text_of(data, size), "net.obj")); });
+}
