@@ -92,9 +92,12 @@ void check_settings(const FitSettings& settings) {
     check(settings.max_spectra >= 1, "max_spectra", settings.max_spectra, "at least 1");
     if (settings.noise_ratio) {
         const auto [lower, upper] = *settings.noise_ratio;
-        check(positive(lower), "noise_ratio.lower", lower, "a positive and finite number");
-        check(positive(upper) && upper >= lower, "noise_ratio.upper", upper,
-              "a finite number not below noise_ratio.lower");
+        // Products of ratios over some processes must neither underflow nor overflow.
+        constexpr double limit = 1e18;
+        check(lower >= 1.0 / limit && lower <= limit, "noise_ratio.lower", lower,
+              "a number from 1e-18 to 1e18");
+        check(upper >= lower && upper <= limit, "noise_ratio.upper", upper,
+              "a number from noise_ratio.lower to 1e18");
     }
 }
 

@@ -50,12 +50,12 @@ struct NoiseScan {
     Eigen::MatrixXd values;
 };
 
-/// Steps of at most 2 in log eta: an eigenvalue's term turns within about 4, so that no valley
-/// hides between two points.
+/// Steps of at most 1 in log eta: an eigenvalue's term turns within about 4, so that hardly a
+/// valley hides between two points.
 NoiseScan scan_noise_ratios(const Eigen::VectorXd& eigenvalues, const Eigen::MatrixXd& squared_z,
                             const NoiseRatioBounds& bounds) {
     const double range = std::log(bounds.upper / bounds.lower);
-    const auto intervals = static_cast<Eigen::Index>(std::ceil(range / 2.0));
+    const auto intervals = static_cast<Eigen::Index>(std::ceil(range));
     NoiseScan scan{.lower = std::log(bounds.lower),
                    .step = intervals > 0 ? range / static_cast<double>(intervals) : 0.0,
                    .values = Eigen::MatrixXd(intervals + 1, squared_z.cols())};

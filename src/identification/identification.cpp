@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "taut/statics/tensions.hpp"
+
 namespace taut {
 namespace {
 
@@ -41,6 +43,18 @@ std::string_view to_string(EdgeStatus status) {
     return "unknown";
 }
 
+std::string_view to_string(IdentificationStatus status) {
+    switch (status) {
+        case IdentificationStatus::converged:
+            return "converged";
+        case IdentificationStatus::iteration_limit:
+            return "iteration limit";
+        case IdentificationStatus::survey_does_not_fit:
+            return "survey does not fit";
+    }
+    return "unknown";
+}
+
 LengthEstimates estimate_lengths(const LengthModel& model,
                                  const Eigen::Ref<const Eigen::MatrixXd>& form_deviations) {
     gp::Prediction prediction = model.processes.predict(form_deviations);
@@ -63,6 +77,15 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
         estimate_lengths(model, free_coordinates(net, survey.form) - model.nominal_form);
     const Eigen::VectorXd lengths = with_length_deviations(net, estimates.mean.col(0));
 
+    for (const int edge : net.interior_edges()) {
+        if (!(lengths(edge) > 0.0)) {
+            throw std::runtime_error(fmt::format(
+                "the survey gives edge '{}' the unstressed length {:.4g} m: it is not of this net, "
+                "or far noisier than what the model was trained on",
+                net.edge_id(edge), lengths(edge)));
+        }
+    }
+
     Identification result;
     result.method = "gp";
     result.predicted = EquilibriumSolver(net).solve(lengths, survey.form);
@@ -72,23 +95,29 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
             "iterations",
             result.predicted.out_of_balance, result.predicted.iterations));
     }
+    const Eigen::VectorXd measured = edge_lengths(net, survey.form);
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[static_cast<size_t>(i)];
         const double mean = estimates.mean(i, 0);
         const double std = estimates.std(i, 0);
-        EdgeStatus status = EdgeStatus::identified;
+        IdentifiedEdge e{.edge = edge,
+                         .nominal = net.unstressed_lengths()(edge),
+                         .length_deviation = mean,
+                         .std = std,
+                         .lower = mean - half_interval_95 * std,
+                         .upper = mean + half_interval_95 * std,
+                         .status = std > unobserved_ratio * model.law.std()
+                                       ? EdgeStatus::unobserved
+                                       : EdgeStatus::identified};
         if (std::ranges::binary_search(result.predicted.slack_edges, edge)) {
-            status = EdgeStatus::slack;
-        } else if (std > unobserved_ratio * model.law.std()) {
-            status = EdgeStatus::unobserved;
+            // No shorter than it was measured, and no longer than the law lets it be.
+            e.lower = measured(edge) - e.nominal;
+            e.upper = std::max(e.lower, model.law.reach());
+            e.length_deviation = std::clamp(mean, e.lower, e.upper);
+            e.std = model.law.std();
+            e.status = EdgeStatus::slack;
         }
-        result.edges.push_back({.edge = edge,
-                                .nominal = net.unstressed_lengths()(edge),
-                                .length_deviation = mean,
-                                .std = std,
-                                .lower = mean - half_interval_95 * std,
-                                .upper = mean + half_interval_95 * std,
-                                .status = status});
+        result.edges.push_back(e);
     }
     const Eigen::MatrixXd differences =
         (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);

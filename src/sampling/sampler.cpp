@@ -52,8 +52,8 @@ struct Sampler::State {
     FormSensitivity sensitivity;
     mutable tbb::enumerable_thread_specific<EquilibriumSolver> solvers;
 
-    State(const CableNet& cable_net, const LengthLaw& with_law, std::uint64_t with_seed)
-        : net(cable_net),
+    State(CableNet cable_net, const LengthLaw& with_law, std::uint64_t with_seed)
+        : net(std::move(cable_net)),
           law(with_law),
           seed(with_seed),
           nominal(nominal_equilibrium(net)),
@@ -109,11 +109,16 @@ bool Sampler::extend(DataSet& data, int count, const std::stop_token& stop) cons
         return true;
     }
     resize(count);
-    tbb::parallel_for(first, count, [&](int k) {
-        if (!stop.stop_requested()) {
-            m_state->draw(data, k);
-        }
-    });
+    try {
+        tbb::parallel_for(first, count, [&](int k) {
+            if (!stop.stop_requested()) {
+                m_state->draw(data, k);
+            }
+        });
+    } catch (...) {
+        resize(first);
+        throw;
+    }
     if (stop.stop_requested()) {
         resize(first);
         return false;

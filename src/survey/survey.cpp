@@ -4,30 +4,74 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
+
+#include "survey/match_by_place.hpp"
+#include "survey/mean_edge_length.hpp"
 
 namespace taut {
 namespace {
 
-double mean_edge_length(const CableNet& net) {
-    double sum = 0.0;
-    for (const auto& [s, t] : net.edges()) {
-        sum += (net.nodes().col(s) - net.nodes().col(t)).norm();
-    }
-    return sum / net.edge_count();
+constexpr double largest_far_part = 0.05;   ///< of the named free nodes
+constexpr double least_matched_part = 0.5;  ///< of the targets without a name
+
+std::string far_away(const CableNet& net, const SurveyPoint& point, int node, double distance,
+                     double limit) {
+    return fmt::format(
+        "{} '{}' lies {:.4g} m from its nominal place, expected at most {:.4g} m: "
+        "is the survey of this net, in its frame and in metres?",
+        net.free_index(node) < 0 ? "support" : "node", point.id, distance, limit);
 }
 
-}  // namespace
+/// Puts points on nodes, each once.
+class Matching {
+public:
+    Matching(const CableNet& net, double noise_std)
+        : m_net(net), m_default_noise_std(Eigen::Vector3d::Constant(noise_std)) {
+        m_survey.form = net.nodes();
+        m_survey.noise_std = Points::Zero(3, net.node_count());
+        m_seen.assign(static_cast<size_t>(net.node_count()), false);
+    }
 
-Survey match_by_name(const CableNet& net, const std::vector<SurveyPoint>& points) {
+    [[nodiscard]] bool seen(int node) const { return m_seen[static_cast<size_t>(node)]; }
+
+    /// Of a support, only that it was seen: its place is known.
+    void put(const SurveyPoint& point, int node) {
+        m_seen[static_cast<size_t>(node)] = true;
+        if (m_net.free_index(node) >= 0) {
+            m_survey.form.col(node) = point.position;
+            m_survey.noise_std.col(node) = point.noise_std.value_or(m_default_noise_std);
+        }
+    }
+
+    void leave_out(UnmatchedPoint point) { m_survey.unmatched.push_back(std::move(point)); }
+
+    [[nodiscard]] Survey finished() && {
+        for (const int node : m_net.free_nodes()) {
+            (seen(node) ? m_survey.surveyed : m_survey.missing).push_back(node);
+        }
+        std::ranges::stable_sort(m_survey.unmatched, {},
+                                 [](const UnmatchedPoint& p) { return p.point.line; });
+        return std::move(m_survey);
+    }
+
+private:
+    const CableNet& m_net;
+    Eigen::Vector3d m_default_noise_std;
+    std::vector<bool> m_seen;
+    Survey m_survey;
+};
+
+void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matching& matching) {
     std::map<std::string, int> node_of;
     for (int node = 0; node < net.node_count(); ++node) {
         node_of.emplace(net.node_id(node), node);
     }
     const double mean_length = mean_edge_length(net);
-    Survey survey;
-    survey.form = net.nodes();
-    std::vector<bool> seen(static_cast<size_t>(net.node_count()), false);
+    std::map<int, int> line_of;
+    std::vector<UnmatchedPoint> far;
+    int free_points = 0;
     for (const SurveyPoint& point : points) {
         const auto found = node_of.find(point.id);
         if (found == node_of.end()) {
@@ -35,33 +79,87 @@ Survey match_by_name(const CableNet& net, const std::vector<SurveyPoint>& points
                               fmt::format("'{}' is no node of the net '{}'", point.id, net.name()));
         }
         const int node = found->second;
-        if (seen[static_cast<size_t>(node)]) {
+        if (!line_of.emplace(node, point.line).second) {
             throw SurveyError(point.line, fmt::format("surveys node '{}' a second time", point.id));
         }
-        seen[static_cast<size_t>(node)] = true;
+        const bool is_support = net.free_index(node) < 0;
+        const double distance = (point.position - net.nodes().col(node)).norm();
+        if (is_support && distance > 0.1 * mean_length) {
+            throw SurveyError(point.line, far_away(net, point, node, distance, 0.1 * mean_length));
+        }
+        free_points += is_support ? 0 : 1;
+        if (distance > mean_length) {
+            far.push_back({.point = point,
+                           .nearest = node,
+                           .distance = distance,
+                           .reason = UnmatchedReason::far_from_its_node});
+        } else {
+            matching.put(point, node);
+        }
+    }
+    if (static_cast<double>(far.size()) > largest_far_part * free_points) {
+        const UnmatchedPoint& first = far.front();
+        throw SurveyError(first.point.line,
+                          far_away(net, first.point, first.nearest, first.distance, mean_length));
+    }
+    std::ranges::for_each(far, [&](UnmatchedPoint& p) { matching.leave_out(std::move(p)); });
+}
+
+void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, Matching& matching) {
+    const std::vector<PlaceMatch> matches =
+        match_by_place(net, targets, [&](int node) { return matching.seen(node); });
+    size_t matched = 0;
+    for (size_t i = 0; i < targets.size(); ++i) {
+        const PlaceMatch& match = matches[i];
+        if (match.unmatched) {
+            matching.leave_out({.point = targets[i],
+                                .nearest = match.node,
+                                .distance = match.distance,
+                                .reason = *match.unmatched});
+        } else {
+            matching.put(targets[i], match.node);
+            ++matched;
+        }
+    }
+    if (static_cast<double>(matched) < least_matched_part * static_cast<double>(targets.size())) {
+        throw SurveyError(
+            0, fmt::format("{} of {} targets without a name lie on a node beyond doubt, expected "
+                           "at least half: is the survey of this net, in its frame and in metres?",
+                           matched, targets.size()));
+    }
+}
+
+}  // namespace
+
+std::string_view to_string(UnmatchedReason reason) {
+    switch (reason) {
+        case UnmatchedReason::far_from_its_node:
+            return "far from its node";
+        case UnmatchedReason::far_from_every_node:
+            return "far from every node";
+        case UnmatchedReason::between_nodes:
+            return "between nodes";
+        case UnmatchedReason::node_taken:
+            return "node taken";
+    }
+    return "unknown";
+}
+
+Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& points,
+                      double noise_std) {
+    std::vector<SurveyPoint> named;
+    std::vector<SurveyPoint> unnamed;
+    for (const SurveyPoint& point : points) {
         if (!point.position.allFinite()) {
             throw SurveyError(
                 point.line, fmt::format("node '{}' has a coordinate that is not finite", point.id));
         }
-        const bool is_support = net.free_index(node) < 0;
-        const double distance = (point.position - net.nodes().col(node)).norm();
-        const double limit = is_support ? 0.1 * mean_length : mean_length;
-        if (distance > limit) {
-            throw SurveyError(
-                point.line,
-                fmt::format(
-                    "{} '{}' lies {:.4g} m from its nominal place, expected at most {:.4g} m: "
-                    "is the survey of this net, in its frame and in metres?",
-                    is_support ? "support" : "node", point.id, distance, limit));
-        }
-        if (!is_support) {
-            survey.form.col(node) = point.position;
-        }
+        (point.id.empty() ? unnamed : named).push_back(point);
     }
-    for (const int node : net.free_nodes()) {
-        (seen[static_cast<size_t>(node)] ? survey.surveyed : survey.missing).push_back(node);
-    }
-    return survey;
+    Matching matching(net, noise_std);
+    put_named(net, named, matching);
+    put_unnamed(net, unnamed, matching);
+    return std::move(matching).finished();
 }
 
 }  // namespace taut

@@ -52,14 +52,14 @@ CableNet named_net() {
 /// The error with which points are refused; line -1 where they are not.
 SurveyError refusal(const CableNet& net, const std::vector<SurveyPoint>& points) {
     try {
-        (void)match_by_name(net, points);
+        (void)match_to_nodes(net, points);
     } catch (const SurveyError& error) {
         return error;
     }
     return {-1, "not refused"};
 }
 
-class MatchByName : public testing::Test {
+class MatchToNodes : public testing::Test {
 protected:
     const CableNet m_net = hypar(3, 4);
     std::vector<SurveyPoint> m_points = survey_of(m_net);
@@ -69,11 +69,11 @@ protected:
     SurveyPoint& at(int node) { return m_points[static_cast<size_t>(node)]; }
 };
 
-TEST_F(MatchByName, PutsEachPointOnItsNode) {
+TEST_F(MatchToNodes, PutsEachPointOnItsNode) {
     for (const int node : m_net.free_nodes()) {
         at(node).position += Eigen::Vector3d(0.001 * node, -0.002, 0.003);
     }
-    const Survey survey = match_by_name(m_net, m_points);
+    const Survey survey = match_to_nodes(m_net, m_points);
     for (const int node : m_net.free_nodes()) {
         EXPECT_EQ(survey.form.col(node), at(node).position) << "node " << node;
     }
@@ -81,35 +81,35 @@ TEST_F(MatchByName, PutsEachPointOnItsNode) {
     EXPECT_TRUE(survey.missing.empty());
 }
 
-TEST_F(MatchByName, DoesNotMindTheOrderOfThePoints) {
+TEST_F(MatchToNodes, DoesNotMindTheOrderOfThePoints) {
     at(m_free).position.x() += 0.004;
-    const Survey in_order = match_by_name(m_net, m_points);
+    const Survey in_order = match_to_nodes(m_net, m_points);
     std::ranges::shuffle(m_points, std::mt19937(1));
-    const Survey shuffled = match_by_name(m_net, m_points);
+    const Survey shuffled = match_to_nodes(m_net, m_points);
     EXPECT_EQ(shuffled.form, in_order.form);
     EXPECT_EQ(shuffled.surveyed, in_order.surveyed);
 }
 
-TEST_F(MatchByName, KeepsTheKnownPlaceOfSupports) {
+TEST_F(MatchToNodes, KeepsTheKnownPlaceOfSupports) {
     at(m_support).position.z() += 0.001;
-    EXPECT_EQ(match_by_name(m_net, m_points).form.col(m_support), m_net.nodes().col(m_support));
+    EXPECT_EQ(match_to_nodes(m_net, m_points).form.col(m_support), m_net.nodes().col(m_support));
 }
 
-TEST_F(MatchByName, NeedsNoSupports) {
+TEST_F(MatchToNodes, NeedsNoSupports) {
     std::erase_if(m_points,
                   [&](const SurveyPoint& p) { return m_net.free_index(std::stoi(p.id)) < 0; });
-    const Survey survey = match_by_name(m_net, m_points);
+    const Survey survey = match_to_nodes(m_net, m_points);
     EXPECT_EQ(survey.surveyed, m_net.free_nodes());
     EXPECT_TRUE(survey.missing.empty());
 }
 
-TEST_F(MatchByName, ListsTheFreeNodesThatAreMissingAndLeavesThemInTheirNominalPlace) {
+TEST_F(MatchToNodes, ListsTheFreeNodesThatAreMissingAndLeavesThemInTheirNominalPlace) {
     const int other = m_net.free_nodes()[1];
     std::erase_if(m_points, [&](const SurveyPoint& p) {
         return p.id == std::to_string(m_free) || p.id == std::to_string(other) ||
                p.id == std::to_string(m_support);
     });
-    const Survey survey = match_by_name(m_net, m_points);
+    const Survey survey = match_to_nodes(m_net, m_points);
     EXPECT_THAT(survey.missing, testing::ElementsAre(other, m_free));
     EXPECT_EQ(survey.surveyed.size(), m_net.free_nodes().size() - 2);
     EXPECT_THAT(survey.surveyed, testing::Not(testing::Contains(m_free)));
@@ -117,11 +117,11 @@ TEST_F(MatchByName, ListsTheFreeNodesThatAreMissingAndLeavesThemInTheirNominalPl
     EXPECT_EQ(survey.form.col(m_free), m_net.nodes().col(m_free));
 }
 
-TEST_F(MatchByName, TakesASurveyWithoutPointsForOneThatMissesAllNodes) {
-    EXPECT_EQ(match_by_name(m_net, {}).missing, m_net.free_nodes());
+TEST_F(MatchToNodes, TakesASurveyWithoutPointsForOneThatMissesAllNodes) {
+    EXPECT_EQ(match_to_nodes(m_net, {}).missing, m_net.free_nodes());
 }
 
-TEST_F(MatchByName, KnowsNodesByTheirNames) {
+TEST_F(MatchToNodes, KnowsNodesByTheirNames) {
     const CableNet net = named_net();
     std::vector<SurveyPoint> points = survey_of(net);
     std::ranges::reverse(points);
@@ -132,28 +132,28 @@ TEST_F(MatchByName, KnowsNodesByTheirNames) {
         }
     }
     const Eigen::Vector3d expected = net.nodes().col(node) + Eigen::Vector3d(0.0, 0.002, 0.0);
-    EXPECT_EQ(match_by_name(net, points).form.col(node), expected);
+    EXPECT_EQ(match_to_nodes(net, points).form.col(node), expected);
 }
 
-TEST_F(MatchByName, DoesNotKnowNodesByTheirIndexWhereTheyHaveNames) {
+TEST_F(MatchToNodes, DoesNotKnowNodesByTheirIndexWhereTheyHaveNames) {
     const CableNet net = named_net();
     EXPECT_THAT(refusal(net, {{"0", net.nodes().col(0), 3}}).what(), HasSubstr("'0' is no node"));
 }
 
-TEST_F(MatchByName, RefusesANameThatIsNoNodes) {
+TEST_F(MatchToNodes, RefusesANameThatIsNoNodes) {
     m_points[7].id = "T1";
     const SurveyError error = refusal(m_net, m_points);
     EXPECT_EQ(error.line(), 17);
     EXPECT_THAT(error.what(), AllOf(HasSubstr("'T1' is no node"), HasSubstr("hypar:3x4")));
 }
 
-TEST_F(MatchByName, RefusesIndicesThatAreNotWrittenAsTheNetWritesThem) {
-    for (const std::string id : {"-1", "01", "1.0", " 1", "1 ", "+1", "", "29", "4294967296"}) {
+TEST_F(MatchToNodes, RefusesIndicesThatAreNotWrittenAsTheNetWritesThem) {
+    for (const std::string id : {"-1", "01", "1.0", " 1", "1 ", "+1", "29", "4294967296"}) {
         EXPECT_EQ(refusal(m_net, {{id, m_net.nodes().col(1), 5}}).line(), 5) << "'" << id << "'";
     }
 }
 
-TEST_F(MatchByName, RefusesANameThatComesTwice) {
+TEST_F(MatchToNodes, RefusesANameThatComesTwice) {
     m_points.push_back(at(m_free));
     m_points.back().line = 99;
     const SurveyError error = refusal(m_net, m_points);
@@ -162,12 +162,12 @@ TEST_F(MatchByName, RefusesANameThatComesTwice) {
                 AllOf(HasSubstr("'" + std::to_string(m_free) + "'"), HasSubstr("second time")));
 }
 
-TEST_F(MatchByName, RefusesASupportThatComesTwice) {
+TEST_F(MatchToNodes, RefusesASupportThatComesTwice) {
     m_points.push_back(at(m_support));
     EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("second time"));
 }
 
-TEST_F(MatchByName, RefusesPositionsThatAreNotFinite) {
+TEST_F(MatchToNodes, RefusesPositionsThatAreNotFinite) {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
           -std::numeric_limits<double>::infinity()}) {
@@ -181,14 +181,14 @@ TEST_F(MatchByName, RefusesPositionsThatAreNotFinite) {
     }
 }
 
-TEST_F(MatchByName, RefusesASurveyInMillimetres) {
+TEST_F(MatchToNodes, RefusesASurveyInMillimetres) {
     for (SurveyPoint& point : m_points) {
         point.position *= 1000.0;
     }
     EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("in metres?"));
 }
 
-TEST_F(MatchByName, RefusesASurveyOfFreeNodesInMillimetres) {
+TEST_F(MatchToNodes, RefusesASurveyOfFreeNodesInMillimetres) {
     std::erase_if(m_points,
                   [&](const SurveyPoint& p) { return m_net.free_index(std::stoi(p.id)) < 0; });
     for (SurveyPoint& point : m_points) {
@@ -197,7 +197,7 @@ TEST_F(MatchByName, RefusesASurveyOfFreeNodesInMillimetres) {
     EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("in metres?"));
 }
 
-TEST_F(MatchByName, RefusesAFreeNodeFurtherAwayThanTheMeanEdgeIsLong) {
+TEST_F(MatchToNodes, RefusesAFreeNodeFurtherAwayThanTheMeanEdgeIsLong) {
     const double limit = mean_edge_length(m_net);
     at(m_free).position = m_net.nodes().col(m_free) + Eigen::Vector3d(0.0, 0.0, 0.99 * limit);
     EXPECT_EQ(refusal(m_net, m_points).line(), -1);
@@ -208,7 +208,7 @@ TEST_F(MatchByName, RefusesAFreeNodeFurtherAwayThanTheMeanEdgeIsLong) {
                                     HasSubstr("expected at most")));
 }
 
-TEST_F(MatchByName, RefusesASupportThatMovedByATenthOfTheMeanEdgeLength) {
+TEST_F(MatchToNodes, RefusesASupportThatMovedByATenthOfTheMeanEdgeLength) {
     const double limit = 0.1 * mean_edge_length(m_net);
     at(m_support).position = m_net.nodes().col(m_support) + Eigen::Vector3d(0.99 * limit, 0.0, 0.0);
     EXPECT_EQ(refusal(m_net, m_points).line(), -1);

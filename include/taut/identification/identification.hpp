@@ -27,6 +27,23 @@ enum class EdgeStatus {
 /// Half the width of the 95 % interval of a normal distribution, in standard deviations.
 inline constexpr double half_interval_95 = 1.959963984540054;
 
+/// How an identification ended.
+enum class IdentificationStatus {
+    converged,
+    iteration_limit,      ///< lengths and form still moved
+    survey_does_not_fit,  ///< so many targets contradict the rest that it is not they who are wrong
+};
+
+/// "converged", "iteration limit", "survey does not fit".
+[[nodiscard]] std::string_view to_string(IdentificationStatus status);
+
+/// A target that contradicts all others: left out of the identification.
+struct Outlier {
+    int node = 0;
+    double distance = 0.0;   ///< of the surveyed place from the one that all others tell [m]
+    double statistic = 0.0;  ///< its square in standard deviations, to be compared with threshold
+};
+
 /// What is known of one interior edge's unstressed length after a survey.
 struct IdentifiedEdge {
     int edge = 0;
@@ -40,11 +57,20 @@ struct IdentifiedEdge {
 
 /// The outcome of an identification, by whatever method.
 struct Identification {
-    std::string method;                 ///< "gp"
+    std::string method;         ///< "gp", "balance", "map"
+    std::string method_reason;  ///< why this method, in words, where somebody chose
+    IdentificationStatus status = IdentificationStatus::converged;
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order
     Equilibrium predicted;              ///< of the net with the identified lengths
     /// |predicted - surveyed| at the surveyed free nodes, in the order of Survey::surveyed [m]
     Eigen::VectorXd residuals;
+
+    // Of the test for gross errors, where the method has one.
+    std::vector<Outlier> outliers;  ///< the worst first
+    double outlier_threshold = 0.0;
+    /// Root mean square of the residuals over what the stated noise lets expect; about 1 where the
+    /// noise is stated right. 0 where it was not computed.
+    double noise_ratio = 0.0;
 };
 
 /// Estimates of many length deviations at once, before any form is predicted from them.
@@ -64,7 +90,8 @@ struct LengthEstimates {
 /// the form by solving the equilibrium with the identified lengths.
 /// @throws std::invalid_argument where the model was trained for another net (both fingerprints are
 ///   named), and where a free node was not surveyed, which this method needs
-/// @throws std::runtime_error where the identified lengths find no equilibrium
+/// @throws std::runtime_error where an identified length is not positive, or the lengths find no
+///   equilibrium
 [[nodiscard]] Identification identify_by_processes(const CableNet& net, const LengthModel& model,
                                                    const Survey& survey);
 

@@ -30,7 +30,9 @@ struct DataSet {
     [[nodiscard]] int with_slack() const;
     /// Samples whose forces do not balance: not to be learnt from.
     [[nodiscard]] int not_converged() const;
-    /// Indices in [first, last) of the samples whose forces balance.
+    /// Indices in [first, last) of the samples whose forces balance. Slack mechanisms are among
+    /// them: their loose nodes' places are one choice of many, but always the one that the solver
+    /// comes to from the linear prediction, and all other nodes tell as much as in any sample.
     [[nodiscard]] std::vector<int> converged_in(int first, int last) const;
 };
 

@@ -2,26 +2,59 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
 
-/// One surveyed point: a name and a place in the frame of the net.
+/// One surveyed point: a name and a place.
 struct SurveyPoint {
-    std::string id;            ///< a node's name or index
+    std::string id;            ///< a node's name or index; empty for a target without a name
     Eigen::Vector3d position;  ///< [m]
     int line = 0;              ///< of the file it came from, for messages; 0 if none
+    std::optional<Eigen::Vector3d> noise_std;  ///< of each coordinate, where it is told [m]
+};
+
+/// Why a surveyed point was put on no node.
+enum class UnmatchedReason {
+    far_from_its_node,    ///< named, but further away than the net's mean edge length
+    far_from_every_node,  ///< further than half the mean edge length from the nearest node
+    between_nodes,        ///< not twice as near to the nearest node as to the next
+    node_taken,           ///< its node is another point's, too
+};
+
+/// "far from its node", "far from every node", "between nodes", "node taken".
+[[nodiscard]] std::string_view to_string(UnmatchedReason reason);
+
+/// A surveyed point that was put on no node.
+struct UnmatchedPoint {
+    SurveyPoint point;
+    int nearest = 0;        ///< node: its own if it is named, else the nearest
+    double distance = 0.0;  ///< to the nominal place of that node [m]
+    UnmatchedReason reason = UnmatchedReason::far_from_every_node;
+};
+
+/// How far a control point lies from its known place after the fit of the survey's frame.
+struct ControlResidual {
+    std::string id;
+    Eigen::Vector3d residual;  ///< measured, moved, less known [m]
 };
 
 /// A survey brought to the nodes of a net.
 struct Survey {
-    Points form;                ///< 3 x n: surveyed where it was, nominal elsewhere [m]
-    std::vector<int> surveyed;  ///< free nodes that were measured, ascending
-    std::vector<int> missing;   ///< free nodes that were not, ascending
+    Points form;  ///< 3 x n: surveyed where it was, nominal elsewhere [m]
+    /// 3 x n, standard deviation of each coordinate, 0 for an exact one; ignored where no free node
+    /// was surveyed. 3 x 0: all exact [m].
+    Points noise_std;
+    std::vector<int> surveyed;              ///< free nodes that were measured, ascending
+    std::vector<int> missing;               ///< free nodes that were not, ascending
+    std::vector<UnmatchedPoint> unmatched;  ///< in the order of the points
+    std::vector<ControlResidual> control;   ///< empty where the frame was not fitted
 };
 
 /// A rule of a survey that is broken, at a point of it.
@@ -35,12 +68,16 @@ private:
     int m_line;
 };
 
-/// Matches surveyed points to the nodes of a net by their names (CableNet::node_id). Points on
-/// supports are compared with the rigid frame, whose place is known.
+/// Puts surveyed points, in the net's frame, on its nodes. Named ones by their names
+/// (CableNet::node_id). Targets without a name by their place: on the nearest node, where that is
+/// beyond doubt (see UnmatchedReason), one to one. Points on supports are compared with the rigid
+/// frame, whose place is known, and left at that.
+/// @param noise_std of the coordinates of points that do not tell their own [m]
 /// @throws SurveyError for a name that is not a node's or comes twice, a position that is not
-/// finite,
-///   and where the survey is not of this net, in its frame and in metres: a free node further from
-///   its nominal place than the net's mean edge length, or a support further than a tenth of that.
-[[nodiscard]] Survey match_by_name(const CableNet& net, const std::vector<SurveyPoint>& points);
+///   finite, and where the survey is not of this net, in its frame and in metres: more than 5 % of
+///   the named free nodes further from their nominal place than the net's mean edge length, a named
+///   support further than a tenth of that, less than half of the unnamed targets on a node
+[[nodiscard]] Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& points,
+                                    double noise_std = 0.0);
 
 }  // namespace taut

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include "taut/identification/identification.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+/// What a survey tells of one length deviation x, whatever the law: its likelihood. While the edge
+/// is taut this has the shape of a normal density. Where it is slack, any x beyond slack_from is as
+/// likely as any other, as likely as the survey finds an edge without tension: with z the extension
+/// of the edge in standard deviations and phi, Phi the standard normal density and distribution,
+///
+///   taut:  Phi(z) N(x; mean, std^2)       slack: phi(z) / std   for x > slack_from
+struct LengthLikelihood {
+    double mean = 0.0;                                     ///< [m]
+    double std = std::numeric_limits<double>::infinity();  ///< [m]; infinite: it tells nothing
+    /// Length of the edge in the surveyed form less nominal unstressed length [m].
+    double slack_from = std::numeric_limits<double>::infinity();
+    /// z, negative for pressure; infinite: surely taut. -infinite: surely slack.
+    double extension = std::numeric_limits<double>::infinity();
+};
+
+/// Takes a normal prior out of a normal posterior: 1/std^2 = 1/posterior_std^2 - 1/prior_std^2.
+/// Where the posterior is no narrower, nothing is left.
+[[nodiscard]] LengthLikelihood without_prior(double prior_mean, double prior_std,
+                                             double posterior_mean, double posterior_std);
+
+/// A distribution of one length deviation.
+struct LengthPosterior {
+    double mean = 0.0;   ///< [m]
+    double std = 0.0;    ///< [m]
+    double lower = 0.0;  ///< 95 % interval [m]
+    double upper = 0.0;
+    double slack_probability = 0.0;  ///< that the deviation exceeds slack_from
+};
+
+/// Likelihood times the density of the law itself, normalised: exactly, a mixture of truncated
+/// normal and uniform distributions. The interval holds 95 %, 2.5 % on either side; it never leaves
+/// the bounds of a uniform law. Where the edge is rather slack than not, all that is known is that
+/// bound: the interval begins at slack_from or where it would anyway, if that is lower, and ends at
+/// the bound of a uniform law.
+/// @throws std::invalid_argument for a mean that is not finite, or a std that is not positive
+[[nodiscard]] LengthPosterior posterior_of(const LengthLaw& law,
+                                           const LengthLikelihood& likelihood);
+
+/// What a posterior says of its edge: slack where that is more probable than not; unobserved where
+/// its standard deviation is no smaller than 0.95 of the law's; identified else.
+[[nodiscard]] EdgeStatus status_of(const LengthLaw& law, const LengthPosterior& posterior);
+
+}  // namespace taut

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// A point whose place is known in the net's frame and was measured in the instrument's.
+struct ControlPoint {
+    std::string id;
+    Eigen::Vector3d known;     ///< [m]
+    Eigen::Vector3d measured;  ///< [m]
+    int line = 0;              ///< of the survey's file, for messages
+};
+
+/// A rotation and a translation, x -> R (x - from) + to. Kept with two centres, so that coordinates
+/// of a national grid (10^6 m) lose nothing.
+struct RigidMotion {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< [m]
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< [m]
+
+    [[nodiscard]] Eigen::Vector3d operator()(const Eigen::Vector3d& x) const {
+        return rotation * (x - from) + to;
+    }
+};
+
+/// A rigid motion fitted to control points.
+struct Registration {
+    RigidMotion motion;                ///< from the instrument's frame to the net's
+    std::vector<ControlPoint> points;  ///< those it was fitted to
+    Eigen::Matrix3Xd residuals;        ///< measured, moved, less known; a column a point [m]
+
+    /// Root of the mean squared length of the residuals [m].
+    [[nodiscard]] double rms() const;
+};
+
+/// The rigid motion, without scale, that moves the measured places nearest to the known ones in
+/// the sense of least squares (Kabsch 1976; Umeyama 1991).
+/// @throws SurveyError for fewer than three points, points on a line, and where measured and known
+///   points differ in scale by more than 1 % of their spread: a survey in millimetres, another net
+[[nodiscard]] Registration register_rigidly(std::vector<ControlPoint> points);
+
+/// Points that the net's own supports control: those that are named after one.
+[[nodiscard]] std::vector<ControlPoint> support_control_points(
+    const CableNet& net, const std::vector<SurveyPoint>& points);
+
+/// The points in the frame that a registration leads to. Standard deviations turn with them: the
+/// diagonal of R diag(s^2) R'.
+[[nodiscard]] std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points,
+                                             const RigidMotion& motion);
+
+}  // namespace taut

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/identification/best_possible.hpp"
+
+#include <stdexcept>
+
+#include "identification/survey_knowledge.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+
+Eigen::VectorXd best_possible_variances(const CableNet& net,
+                                        const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                                        const Eigen::Ref<const Points>& form, const Survey& survey,
+                                        const LengthLaw& law) {
+    check_survey(net, survey);
+    std::vector<bool> slack(static_cast<size_t>(net.edge_count()), false);
+    for (const int edge : slack_edges(net, unstressed_lengths, form)) {
+        slack[static_cast<size_t>(edge)] = true;
+    }
+    const std::vector<bool> none_left_out(static_cast<size_t>(net.node_count()), false);
+    ConditionedStatics statics(net);
+    statics.set_slack(slack);
+    const Guess truth{
+        .form = form,
+        .deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges())};
+    if (!statics.linearise(truth, knowledge_of(net, survey, reckoned_noise(net, survey),
+                                               none_left_out, law.std()))) {
+        throw std::runtime_error("the statics of the net are singular at this form");
+    }
+    statics.invert();
+    return statics.length_variances();
+}
+
+}  // namespace taut

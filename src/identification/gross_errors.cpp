@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/gross_errors.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <limits>
+
+namespace taut {
+namespace {
+
+/// A direction in which the fit follows a target to this part of its variance cannot be tested.
+constexpr double smallest_redundancy = 1e-3;
+
+/// Before anything is identified only what lies this much beyond the threshold is left out (twice
+/// as far): large deviations and slack edges move nodes further than their linearised statics tell.
+constexpr double screening_factor = 4.0;
+
+}  // namespace
+
+GrossErrorTest::GrossErrorTest(const CableNet& net, const Survey& survey, const Points& noise,
+                               double false_alarm_rate)
+    : m_survey(survey),
+      m_noise(noise),
+      m_threshold(std::numeric_limits<double>::infinity()),
+      m_neighbours(static_cast<size_t>(net.node_count())),
+      m_left_out(static_cast<size_t>(net.node_count()), false),
+      m_taken_back(static_cast<size_t>(net.node_count()), false) {
+    if (false_alarm_rate > 0.0) {
+        const auto targets = static_cast<double>(survey.surveyed.size());
+        const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / targets);
+        m_threshold = boost::math::quantile(
+            boost::math::complement(boost::math::chi_squared_distribution<>(3.0), of_one));
+    }
+    for (const auto& [s, t] : net.edges()) {
+        m_neighbours[static_cast<size_t>(s)].push_back(t);
+        m_neighbours[static_cast<size_t>(t)].push_back(s);
+    }
+}
+
+int GrossErrorTest::left_out_count() const {
+    return static_cast<int>(std::ranges::count(m_left_out, true));
+}
+
+void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& fitted_form) {
+    m_statistics = Eigen::VectorXd::Zero(m_noise.cols());
+    m_distances = Eigen::VectorXd::Zero(m_noise.cols());
+    m_squares = 0.0;
+    m_redundancy = 0.0;
+    for (const int node : m_survey.surveyed) {
+        const Eigen::Vector3d residual = m_survey.form.col(node) - fitted_form.col(node);
+        m_distances(node) = residual.norm();
+        // In units of the noise: I -+ Sigma^-1/2 C Sigma^-1/2.
+        const Eigen::DiagonalMatrix<double, 3> whiten(m_noise.col(node).cwiseInverse());
+        const Eigen::Vector3d e = whiten * residual;
+        const double sign = is_left_out(node) ? 1.0 : -1.0;
+        const Eigen::Matrix3d Q =
+            Eigen::Matrix3d::Identity() + sign * (whiten * statics.form_covariance(node) * whiten);
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
+        for (int k = 0; k < 3; ++k) {
+            if (eigen.eigenvalues()(k) > smallest_redundancy) {
+                const double along = eigen.eigenvectors().col(k).dot(e);
+                m_statistics(node) += along * along / eigen.eigenvalues()(k);
+            }
+        }
+        if (!is_left_out(node)) {
+            m_squares += e.squaredNorm();
+            m_redundancy += Q.trace();
+        }
+    }
+}
+
+bool GrossErrorTest::is_worst_around(int node) const {
+    const auto beats = [&](int other) {
+        return is_left_out(other) || m_statistics(node) >= m_statistics(other);
+    };
+    return std::ranges::all_of(m_neighbours[static_cast<size_t>(node)], [&](int near) {
+        return beats(near) && std::ranges::all_of(m_neighbours[static_cast<size_t>(near)], beats);
+    });
+}
+
+bool GrossErrorTest::revise() {
+    std::vector<int> changing;
+    for (const int node : m_survey.surveyed) {
+        if (!is_left_out(node) && m_statistics(node) > m_threshold && is_worst_around(node)) {
+            changing.push_back(node);
+        }
+    }
+    if (changing.empty()) {
+        for (const int node : m_survey.surveyed) {
+            if (is_left_out(node) && !m_taken_back[static_cast<size_t>(node)] &&
+                m_statistics(node) <= m_threshold) {
+                changing.push_back(node);
+                m_taken_back[static_cast<size_t>(node)] = true;
+            }
+        }
+    }
+    for (const int node : changing) {
+        m_left_out[static_cast<size_t>(node)] = !is_left_out(node);
+    }
+    return !changing.empty();
+}
+
+void GrossErrorTest::screen(const ConditionedStatics& statics, const Points& expected_form) {
+    m_left_out.assign(m_left_out.size(), true);
+    evaluate(statics, expected_form);
+    for (Eigen::Index node = 0; node < m_statistics.size(); ++node) {
+        m_left_out[static_cast<size_t>(node)] = m_statistics(node) > screening_factor * m_threshold;
+    }
+}
+
+std::vector<Outlier> GrossErrorTest::outliers() const {
+    std::vector<Outlier> result;
+    for (const int node : m_survey.surveyed) {
+        if (is_left_out(node)) {
+            result.push_back(
+                {.node = node, .distance = m_distances(node), .statistic = m_statistics(node)});
+        }
+    }
+    std::ranges::sort(result, std::greater{}, &Outlier::statistic);
+    return result;
+}
+
+double GrossErrorTest::noise_ratio() const {
+    return m_redundancy > 0.0 ? std::sqrt(m_squares / m_redundancy) : 0.0;
+}
+
+}  // namespace taut

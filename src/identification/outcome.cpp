@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/outcome.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+
+std::vector<LengthLikelihood> likelihoods(const CableNet& net, const ConditionedStatics& statics,
+                                          const Knowledge& knowledge, const Guess& fitted) {
+    const Eigen::VectorXd variances = statics.length_variances();
+    const Eigen::VectorXd extension_variances = statics.extension_variances();
+    const Eigen::VectorXd lengths = edge_lengths(net, fitted.form);
+    std::vector<LengthLikelihood> result;
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        LengthLikelihood likelihood =
+            without_prior(knowledge.mean(i), std::sqrt(knowledge.variance(i)), fitted.deviations(i),
+                          std::sqrt(variances(i)));
+        likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
+        likelihood.extension = statics.slack()[static_cast<size_t>(edge)]
+                                   ? -std::numeric_limits<double>::infinity()
+                                   : (likelihood.slack_from - fitted.deviations(i)) /
+                                         std::sqrt(extension_variances(i));
+        result.push_back(likelihood);
+    }
+    return result;
+}
+
+void complete(Identification& result, const CableNet& net, const Survey& survey,
+              const LengthLaw& law, const std::vector<LengthLikelihood>& likelihoods,
+              const Points& start) {
+    Eigen::VectorXd deviations(net.interior_edge_count());
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const LengthPosterior posterior = posterior_of(law, likelihoods[static_cast<size_t>(i)]);
+        deviations(i) = posterior.mean;
+        result.edges.push_back({.edge = edge,
+                                .nominal = net.unstressed_lengths()(edge),
+                                .length_deviation = posterior.mean,
+                                .std = posterior.std,
+                                .lower = posterior.lower,
+                                .upper = posterior.upper,
+                                .status = status_of(law, posterior)});
+    }
+    result.predicted = EquilibriumSolver(net).solve(with_length_deviations(net, deviations), start);
+    if (!result.predicted.balanced()) {
+        throw std::runtime_error(fmt::format(
+            "the identified lengths find no equilibrium: {:.4g} N out of balance after {} "
+            "iterations",
+            result.predicted.out_of_balance, result.predicted.iterations));
+    }
+    const Eigen::MatrixXd differences =
+        (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);
+    result.residuals = differences.colwise().norm().transpose();
+}
+
+}  // namespace taut

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/survey/registration.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <cmath>
+#include <map>
+
+namespace taut {
+namespace {
+
+/// The second largest spread of points that count as on a line, in parts of the largest: a
+/// rotation about that line would be ill determined.
+constexpr double line_ratio = 1e-3;
+
+constexpr double scale_tolerance = 0.01;
+
+/// Columns less their mean.
+Eigen::Matrix3Xd centred(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& centre) {
+    return points.colwise() - centre;
+}
+
+void check_spread(const Eigen::Matrix3Xd& points, const char* which) {
+    const Eigen::Vector3d spread = Eigen::JacobiSVD<Eigen::Matrix3Xd>(points).singularValues();
+    if (!(spread(1) > line_ratio * spread(0))) {
+        throw SurveyError(0, fmt::format("the {} places of the {} control points lie on a line, "
+                                         "expected three that do not",
+                                         which, points.cols()));
+    }
+}
+
+void check_scale(const Eigen::Matrix3Xd& known, const Eigen::Matrix3Xd& measured) {
+    const double scale = measured.norm() / known.norm();
+    if (std::abs(scale - 1.0) > scale_tolerance) {
+        throw SurveyError(
+            0, fmt::format("the control points are measured {:.4g} times as far apart as they are, "
+                           "expected 1: is the survey of this net, and in metres?",
+                           scale));
+    }
+}
+
+}  // namespace
+
+double Registration::rms() const {
+    return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.cols()));
+}
+
+Registration register_rigidly(std::vector<ControlPoint> points) {
+    constexpr size_t needed = 3;
+    if (points.size() < needed) {
+        throw SurveyError(0, fmt::format("holds {} named supports or control points, expected at "
+                                         "least {} to find the frame",
+                                         points.size(), needed));
+    }
+    const auto count = static_cast<Eigen::Index>(points.size());
+    Eigen::Matrix3Xd known(3, count);
+    Eigen::Matrix3Xd measured(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        known.col(i) = points[static_cast<size_t>(i)].known;
+        measured.col(i) = points[static_cast<size_t>(i)].measured;
+    }
+    Registration result;
+    result.motion.from = measured.rowwise().mean();
+    result.motion.to = known.rowwise().mean();
+    const Eigen::Matrix3Xd a = centred(measured, result.motion.from);
+    const Eigen::Matrix3Xd b = centred(known, result.motion.to);
+    check_spread(b, "known");
+    check_spread(a, "measured");
+    check_scale(b, a);
+    result.motion.rotation = Eigen::umeyama(a, b, false).topLeftCorner<3, 3>();
+    result.residuals = result.motion.rotation * a - b;
+    result.points = std::move(points);
+    return result;
+}
+
+std::vector<ControlPoint> support_control_points(const CableNet& net,
+                                                 const std::vector<SurveyPoint>& points) {
+    std::map<std::string, int> support_of;
+    for (const int node : net.supports()) {
+        support_of.emplace(net.node_id(node), node);
+    }
+    std::vector<ControlPoint> control;
+    for (const SurveyPoint& point : points) {
+        if (const auto found = support_of.find(point.id); found != support_of.end()) {
+            control.push_back({.id = point.id,
+                               .known = net.nodes().col(found->second),
+                               .measured = point.position,
+                               .line = point.line});
+        }
+    }
+    return control;
+}
+
+std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points, const RigidMotion& motion) {
+    for (SurveyPoint& point : points) {
+        point.position = motion(point.position);
+        if (point.noise_std) {
+            const Eigen::Vector3d variance = point.noise_std->cwiseAbs2();
+            point.noise_std = (motion.rotation.cwiseAbs2() * variance).cwiseSqrt();
+        }
+    }
+    return points;
+}
+
+}  // namespace taut

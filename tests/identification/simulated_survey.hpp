@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <random>
+
+#include "taut/sampling/data_set.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut::testing {
+
+/// Lengths drawn from a law, their form, and a survey of it with normal noise.
+struct SimulatedSurvey {
+    Eigen::VectorXd deviations;  ///< m_I, the truth [m]
+    Equilibrium truth;
+    Survey survey;
+};
+
+inline SimulatedSurvey simulate(const CableNet& net, const LengthLaw& law, double noise_std,
+                                std::uint64_t seed) {
+    SimulatedSurvey s;
+    s.deviations = draw_length_deviations(law, 11, seed, net.interior_edge_count());
+    s.truth = EquilibriumSolver(net).solve(with_length_deviations(net, s.deviations), net.nodes());
+    s.survey = {.form = s.truth.form,
+                .noise_std = Points::Constant(3, net.node_count(), noise_std),
+                .surveyed = net.free_nodes(),
+                .missing = {}};
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    for (const int node : net.free_nodes()) {
+        for (int k = 0; k < 3; ++k) {
+            s.survey.form(k, node) += noise_std * normal(random);
+        }
+    }
+    return s;
+}
+
+/// Takes a target out of a survey.
+inline void hide(const CableNet& net, Survey& survey, int node) {
+    std::erase(survey.surveyed, node);
+    survey.missing.push_back(node);
+    survey.form.col(node) = net.nodes().col(node);
+}
+
+}  // namespace taut::testing

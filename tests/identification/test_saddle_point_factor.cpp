@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a sparse solution or covariance that is not that of the dense matrix.
+
+#include "identification/saddle_point_factor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "taut/design/builtin_nets.hpp"
+
+namespace {
+
+using namespace taut;
+
+class OnAHypar : public testing::Test {
+protected:
+    OnAHypar() {
+        srand(1);
+        m_factor.place_weights = Eigen::Matrix3Xd::Random(3, n).cwiseAbs();
+        m_factor.place_weights.col(3).setZero();  // a hidden node
+        m_factor.length_weights.setConstant(0.5);
+        m_factor.length_rates.setRandom();
+        for (int e = 0; e < m_net.edge_count(); ++e) {
+            const Eigen::Vector3d v = Eigen::Vector3d::Random();
+            const Eigen::Matrix3d k = v * v.transpose() + 0.1 * Eigen::Matrix3d::Identity();
+            m_factor.edge_stiffness[static_cast<size_t>(e)] = k;
+            for (const int node : m_local.edges[static_cast<size_t>(e)]) {
+                if (node < n) {
+                    m_factor.node_stiffness[static_cast<size_t>(node)] += k;
+                }
+            }
+        }
+    }
+
+    /// The matrix in the order places, multipliers, lengths of all edges.
+    [[nodiscard]] Eigen::MatrixXd dense() const {
+        const int m = m_net.edge_count();
+        Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * n + m, 6 * n + m);
+        for (int i = 0; i < n; ++i) {
+            K.block<3, 3>(3 * i, 3 * i) = m_factor.place_weights.col(i).asDiagonal();
+            K.block<3, 3>(3 * (n + i), 3 * i) = m_factor.node_stiffness[static_cast<size_t>(i)];
+        }
+        for (int e = 0; e < m; ++e) {
+            const auto [s, t] = m_local.edges[static_cast<size_t>(e)];
+            if (std::max(s, t) < n) {
+                const auto& k = m_factor.edge_stiffness[static_cast<size_t>(e)];
+                K.block<3, 3>(3 * (n + s), 3 * t) -= k;
+                K.block<3, 3>(3 * (n + t), 3 * s) -= k;
+            }
+            const int row = 6 * n + e;
+            K(row, row) = 1.0;
+            if (m_interior[static_cast<size_t>(e)]) {
+                K(row, row) = m_factor.length_weights(e);
+                if (s < n) {
+                    K.block<1, 3>(row, 3 * (n + s)) = m_factor.length_rates.col(e).transpose();
+                }
+                if (t < n) {
+                    K.block<1, 3>(row, 3 * (n + t)) = -m_factor.length_rates.col(e).transpose();
+                }
+            }
+        }
+        return K.selfadjointView<Eigen::Lower>();
+    }
+
+    const CableNet m_net = hypar(4, 5);
+    const LocalNet m_local = number_for_elimination(m_net);
+    const int n = m_local.free_count;
+    std::vector<bool> m_interior = interior_flags();
+    SaddlePointFactor m_factor{m_local, m_interior};
+
+private:
+    [[nodiscard]] std::vector<bool> interior_flags() const {
+        std::vector<bool> flags(static_cast<size_t>(m_net.edge_count()), false);
+        for (const int e : m_net.interior_edges()) {
+            flags[static_cast<size_t>(e)] = true;
+        }
+        return flags;
+    }
+};
+
+TEST_F(OnAHypar, TheSolutionIsThatOfTheDenseMatrix) {
+    ASSERT_TRUE(m_factor.factorize());
+    const int m = m_net.edge_count();
+    Eigen::VectorXd b = Eigen::VectorXd::Random(6 * n + m);
+    for (int e = 0; e < m; ++e) {
+        b(6 * n + e) *= m_interior[static_cast<size_t>(e)] ? 1.0 : 0.0;
+    }
+    const Eigen::VectorXd x = dense().partialPivLu().solve(b);
+    const auto found = m_factor.solve({.places = b.head(3 * n).reshaped(3, n),
+                                       .lengths = b.tail(m),
+                                       .multipliers = b.segment(3 * n, 3 * n).reshaped(3, n)});
+    EXPECT_LT((found.places.reshaped() - x.head(3 * n)).norm(), 1e-9 * x.norm());
+    EXPECT_LT((found.multipliers.reshaped() - x.segment(3 * n, 3 * n)).norm(), 1e-9 * x.norm());
+    EXPECT_LT((found.lengths - x.tail(m)).norm(), 1e-9 * x.norm());
+}
+
+TEST_F(OnAHypar, TheCovarianceIsThatOfTheDenseInverse) {
+    ASSERT_TRUE(m_factor.factorize());
+    const Eigen::MatrixXd Z = dense().inverse();
+    const auto covariance = m_factor.covariance();
+    for (int i = 0; i < n; ++i) {
+        const Eigen::Matrix3d expected = Z.block<3, 3>(3 * i, 3 * i);
+        EXPECT_LT((covariance.places[static_cast<size_t>(i)] - expected).norm(),
+                  1e-8 * (1.0 + expected.norm()));
+    }
+    for (const int e : m_net.interior_edges()) {
+        const int row = 6 * n + e;
+        EXPECT_NEAR(covariance.lengths(e), Z(row, row), 1e-8);
+        // Extension: the ends' distance along -B, less the length.
+        Eigen::VectorXd w = Eigen::VectorXd::Zero(Z.rows());
+        const Eigen::Vector3d u = -m_factor.length_rates.col(e).normalized();
+        const auto [s, t] = m_local.edges[static_cast<size_t>(e)];
+        if (s < n) {
+            w.segment<3>(3 * s) = u;
+        }
+        if (t < n) {
+            w.segment<3>(3 * t) = -u;
+        }
+        w(row) = -1.0;
+        EXPECT_NEAR(covariance.extensions(e), w.dot(Z * w), 1e-8);
+    }
+}
+
+TEST_F(OnAHypar, ASingularPivotIsTold) {
+    m_factor.place_weights.setZero();
+    std::ranges::fill(m_factor.node_stiffness, Eigen::Matrix3d::Zero());
+    std::ranges::fill(m_factor.edge_stiffness, Eigen::Matrix3d::Zero());
+    EXPECT_FALSE(m_factor.factorize());
+}
+
+}  // namespace

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against lengths, intervals and outliers of the force balance and of maximum a posteriori
+// that do not hold over many simulated surveys. Seeds are fixed; tolerances are some three standard
+// deviations of the figures.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/best_possible.hpp"
+#include "taut/identification/force_balance.hpp"
+#include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/statics/form_sensitivity.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::testing;
+
+constexpr LengthLaw uniform{LengthLaw::Kind::uniform, 0.003};
+constexpr LengthLaw normal{LengthLaw::Kind::normal, 0.0015};
+
+Identification map(const CableNet& net, const Survey& survey, const LengthLaw& law) {
+    return identify_by_maximum_a_posteriori(net, survey, law);
+}
+
+double squared_error(const Identification& result, const Eigen::VectorXd& truth) {
+    double sum = 0.0;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const double error = result.edges[i].length_deviation - truth(static_cast<int>(i));
+        sum += error * error;
+    }
+    return sum / static_cast<double>(result.edges.size());
+}
+
+int inside(const Identification& result, const Eigen::VectorXd& truth) {
+    int count = 0;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const double x = truth(static_cast<int>(i));
+        count += result.edges[i].lower <= x && x <= result.edges[i].upper ? 1 : 0;
+    }
+    return count;
+}
+
+const CableNet net = hypar(7, 7);
+
+TEST(Ways, AreExactWithoutNoise) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        const SimulatedSurvey s = simulate(net, uniform, 0.0, seed);
+        ASSERT_TRUE(s.truth.slack_edges.empty());
+        EXPECT_LT(squared_error(identify_by_force_balance(net, s.survey, uniform), s.deviations),
+                  1e-20);
+        EXPECT_LT(squared_error(map(net, s.survey, uniform), s.deviations), 1e-14);
+    }
+}
+
+TEST(Ways, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
+    using Way = std::function<Identification(const CableNet&, const Survey&, const LengthLaw&)>;
+    constexpr int surveys = 40;
+    for (const LengthLaw& law : {uniform, normal}) {
+        for (const double noise : {0.0001, 0.0005, 0.002}) {
+            for (const Way& way : {Way(map), Way(identify_by_force_balance)}) {
+                double errors = 0.0;
+                double best = 0.0;
+                int covered = 0;
+                std::string method;
+                for (std::uint64_t seed = 0; seed < surveys; ++seed) {
+                    const SimulatedSurvey s = simulate(net, law, noise, seed);
+                    const Identification result = way(net, s.survey, law);
+                    EXPECT_EQ(result.status, IdentificationStatus::converged);
+                    method = result.method;
+                    errors += squared_error(result, s.deviations);
+                    covered += inside(result, s.deviations);
+                    best += best_possible_variances(net, with_length_deviations(net, s.deviations),
+                                                    s.truth.form, s.survey, law)
+                                .mean();
+                }
+                const double coverage = covered / double(surveys * net.interior_edge_count());
+                EXPECT_NEAR(coverage, 0.95, 0.02)
+                    << method << ' ' << law.to_string() << ' ' << noise;
+                EXPECT_LT(errors, (method == "map" ? 1.05 : 1.3) * best)
+                    << method << ' ' << law.to_string() << ' ' << noise;
+            }
+        }
+    }
+}
+
+TEST(BestPossible, IsTheTextbookPosteriorVariance) {
+    const SimulatedSurvey s = simulate(net, uniform, 0.0004, 3);
+    Survey survey = s.survey;
+    hide(net, survey, net.free_nodes()[10]);
+    const Eigen::VectorXd lengths = with_length_deviations(net, s.deviations);
+    const Eigen::MatrixXd J =
+        FormSensitivity(net, lengths, s.truth.form).columns(net.interior_edges());
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(J.rows(), 1.0 / (0.0004 * 0.0004));
+    weights.segment<3>(30).setZero();
+    Eigen::MatrixXd precision = J.transpose() * weights.asDiagonal() * J;
+    precision.diagonal().array() += 1.0 / (uniform.std() * uniform.std());
+    const Eigen::VectorXd expected = precision.inverse().diagonal();
+    const Eigen::VectorXd found =
+        best_possible_variances(net, lengths, s.truth.form, survey, uniform);
+    EXPECT_LT((found - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(MaximumAPosteriori, IsTheTextbookPosteriorMeanForSmallDeviations) {
+    // So small that the statics are linear: mean = C J' S (r - nominal).
+    const LengthLaw small{LengthLaw::Kind::normal, 1e-6};
+    const SimulatedSurvey s = simulate(net, small, 1e-6, 4);
+    const Equilibrium nominal = solve_equilibrium(net);
+    const Eigen::MatrixXd J =
+        FormSensitivity(net, net.unstressed_lengths(), nominal.form).columns(net.interior_edges());
+    Eigen::MatrixXd precision = 1e12 * J.transpose() * J;
+    precision.diagonal().array() += 1e12;
+    const Eigen::VectorXd expected = precision.ldlt().solve(
+        1e12 * J.transpose() * free_coordinates(net, s.survey.form - nominal.form));
+    const Identification result = map(net, s.survey, small);
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        EXPECT_NEAR(result.edges[i].length_deviation, expected(static_cast<int>(i)), 3e-9);
+        EXPECT_NEAR(result.edges[i].std, std::sqrt(precision.inverse()(i, i)), 1e-8);
+    }
+}
+
+TEST(MaximumAPosteriori, ReachesTheBestPossibleWithHiddenNodes) {
+    double errors = 0.0;
+    double best = 0.0;
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        SimulatedSurvey s = simulate(net, uniform, 0.0005, seed);
+        for (int i = static_cast<int>(seed % 10); i < net.free_node_count(); i += 10) {
+            hide(net, s.survey, net.free_nodes()[static_cast<size_t>(i)]);
+        }
+        errors += squared_error(map(net, s.survey, uniform), s.deviations);
+        best += best_possible_variances(net, with_length_deviations(net, s.deviations),
+                                        s.truth.form, s.survey, uniform)
+                    .mean();
+    }
+    EXPECT_LT(errors, 1.05 * best);
+}
+
+TEST(MaximumAPosteriori, FindsGrossErrorsAndLeavesThemOut) {
+    double clean = 0.0;
+    double spoilt = 0.0;
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        SimulatedSurvey s = simulate(net, uniform, 0.0005, seed);
+        clean += squared_error(map(net, s.survey, uniform), s.deviations);
+        const int moved = net.free_nodes()[seed];
+        const int a = net.free_nodes()[30];
+        const int b = net.free_nodes()[31];
+        s.survey.form.col(moved) += Eigen::Vector3d(0.03, -0.03, 0.026);
+        const Eigen::Vector3d place = s.survey.form.col(a);
+        s.survey.form.col(a) = s.survey.form.col(b);
+        s.survey.form.col(b) = place;
+        const Identification result = map(net, s.survey, uniform);
+        std::vector<int> found;
+        for (const Outlier& outlier : result.outliers) {
+            found.push_back(outlier.node);
+            EXPECT_GT(outlier.statistic, result.outlier_threshold);
+        }
+        EXPECT_THAT(found, ::testing::UnorderedElementsAre(moved, a, b));
+        spoilt += squared_error(result, s.deviations);
+    }
+    EXPECT_LT(std::sqrt(spoilt), 1.5 * std::sqrt(clean));
+}
+
+TEST(MaximumAPosteriori, SaysWhereTheWholeSurveyDoesNotFit) {
+    SimulatedSurvey s = simulate(net, uniform, 0.0005, 1);
+    s.survey.noise_std *= 0.01;
+    EXPECT_EQ(map(net, s.survey, uniform).status, IdentificationStatus::survey_does_not_fit);
+}
+
+TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
+    SimulatedSurvey s = simulate(net, uniform, 0.0005, 1);
+    s.survey.form.col(net.free_nodes()[20]).z() += 0.01;
+    EXPECT_TRUE(identify_by_maximum_a_posteriori(net, s.survey, uniform, {.false_alarm_rate = 0.0})
+                    .outliers.empty());
+    EXPECT_EQ(map(net, s.survey, uniform).outliers.size(), 1U);
+}
+
+TEST(Ways, TellASlackEdgeByNoMoreThanItsLength) {
+    const LengthLaw wide{LengthLaw::Kind::uniform, 0.007};
+    int slack = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const SimulatedSurvey s = simulate(net, wide, 0.0, seed);
+        const Eigen::VectorXd lengths = edge_lengths(net, s.truth.form);
+        for (const Identification& result :
+             {map(net, s.survey, wide), identify_by_force_balance(net, s.survey, wide)}) {
+            for (const IdentifiedEdge& e : result.edges) {
+                const bool is_slack = std::ranges::binary_search(s.truth.slack_edges, e.edge);
+                EXPECT_EQ(e.status == EdgeStatus::slack, is_slack) << result.method << e.edge;
+                if (is_slack) {
+                    ++slack;
+                    EXPECT_NEAR(e.lower, lengths(e.edge) - e.nominal, 1e-6);
+                    EXPECT_EQ(e.upper, wide.scale);
+                }
+            }
+        }
+    }
+    EXPECT_GT(slack, 2);
+}
+
+TEST(Ways, RefuseSurveysThatMakeNoSense) {
+    const Survey good = simulate(net, uniform, 0.0005, 1).survey;
+    const int node = good.surveyed[5];
+    const auto expect_refused = [&](const Survey& bad, const std::string& told) {
+        for (const auto& way : {std::function(map), std::function(identify_by_force_balance)}) {
+            try {
+                (void)way(net, bad, uniform);
+                ADD_FAILURE() << "not refused: " << told;
+            } catch (const std::invalid_argument& error) {
+                EXPECT_THAT(error.what(), ::testing::HasSubstr(told));
+            }
+        }
+    };
+    Survey bad = good;
+    bad.form = Points::Zero(3, 2);
+    expect_refused(bad, "form has 2 columns");
+    bad = good;
+    bad.noise_std = Points::Zero(3, 2);
+    expect_refused(bad, "noise_std has 2 columns");
+    bad = good;
+    bad.noise_std(1, node) = -0.001;
+    expect_refused(bad, "standard deviation of -0.001");
+    bad = good;
+    bad.form(2, node) = NAN;
+    expect_refused(bad, "not finite");
+    bad = good;
+    bad.surveyed[5] = bad.surveyed[4];
+    expect_refused(bad, "ascending order");
+    bad = good;
+    bad.surveyed.clear();
+    expect_refused(bad, "no free node");
+    bad = good;
+    hide(net, bad, node);
+    EXPECT_THROW((void)identify_by_force_balance(net, bad, uniform), std::invalid_argument);
+    EXPECT_THROW((void)identify_by_maximum_a_posteriori(net, good, uniform, {.max_iterations = 0}),
+                 std::invalid_argument);
+    EXPECT_THROW(
+        (void)identify_by_maximum_a_posteriori(net, good, uniform, {.false_alarm_rate = 1.0}),
+        std::invalid_argument);
+}
+
+}  // namespace

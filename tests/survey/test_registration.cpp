@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a survey moved to the wrong place: mirrored, scaled to fit, blurred by large
+// coordinates, or fitted to points that do not determine a frame.
+
+#include "taut/survey/registration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck/gtest.h>
+#include <Eigen/Geometry>
+
+#include <numbers>
+
+#include "taut/design/builtin_nets.hpp"
+
+namespace {
+
+using namespace taut;
+
+RigidMotion some_motion(const Eigen::Vector3d& to) {
+    return {.rotation = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().toRotationMatrix(),
+            .from = Eigen::Vector3d(1, 2, 3),
+            .to = to};
+}
+
+/// Supports of the built-in net as an instrument elsewhere sees them.
+std::vector<ControlPoint> control_points(const CableNet& net, const RigidMotion& motion) {
+    std::vector<ControlPoint> points;
+    for (const int node : net.supports()) {
+        points.push_back({.id = net.node_id(node),
+                          .known = net.nodes().col(node),
+                          .measured = motion(net.nodes().col(node))});
+    }
+    return points;
+}
+
+std::string refusal(std::vector<ControlPoint> points) {
+    try {
+        (void)register_rigidly(std::move(points));
+    } catch (const SurveyError& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+TEST(RegisterRigidly, BringsAFarAwayFrameBackToTheNetToTheRoundingOfItsCoordinates) {
+    const CableNet net = hilo_quarter();
+    const RigidMotion away = some_motion({2.6e6, 1.2e6, 400.0});
+    const Registration found = register_rigidly(control_points(net, away));
+    // One rounding error of 2.6e6 m is 5e-10 m.
+    EXPECT_LT(found.residuals.cwiseAbs().maxCoeff(), 1e-9);
+    for (const int node : net.free_nodes()) {
+        const Eigen::Vector3d place = net.nodes().col(node);
+        EXPECT_LT((found.motion(away(place)) - place).norm(), 1e-9);
+    }
+}
+
+TEST(RegisterRigidly, DoesNotMirror) {
+    std::vector<ControlPoint> points = control_points(hilo_quarter(), some_motion({0, 0, 0}));
+    for (ControlPoint& point : points) {
+        point.measured.x() *= -1.0;
+    }
+    const Registration found = register_rigidly(points);
+    EXPECT_NEAR(found.motion.rotation.determinant(), 1.0, 1e-12);
+    EXPECT_GT(found.rms(), 0.1);
+}
+
+TEST(RegisterRigidly, TellsTheResidualOfEachPoint) {
+    std::vector<ControlPoint> points = control_points(hilo_quarter(), some_motion({9, 8, 7}));
+    points[5].measured += Eigen::Vector3d(0.0, 0.03, 0.0);
+    const Registration found = register_rigidly(points);
+    Eigen::Index worst = 0;
+    found.residuals.colwise().norm().maxCoeff(&worst);
+    EXPECT_EQ(worst, 5);
+    EXPECT_NEAR(found.residuals.col(5).norm(), 0.03, 0.002);
+}
+
+RC_GTEST_PROP(RegisterRigidly, LeavesNoRigidMotionThatFitsBetter, ()) {
+    std::vector<ControlPoint> points;
+    const auto coordinate = [] { return *rc::gen::inRange(-1000, 1000) * 1e-3; };
+    for (int i = 0; i < 6; ++i) {
+        const Eigen::Vector3d known(coordinate(), coordinate(), coordinate());
+        const Eigen::Vector3d noise(coordinate(), coordinate(), coordinate());
+        points.push_back({.known = known, .measured = known + 1e-3 * noise});
+    }
+    Registration found;
+    try {
+        found = register_rigidly(points);
+    } catch (const SurveyError&) {
+        RC_DISCARD("points on a line, or all alike");
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double angle : {-1e-4, 1e-4}) {
+            RigidMotion other = found.motion;
+            other.rotation = Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)) * other.rotation;
+            double squares = 0.0;
+            for (const ControlPoint& point : points) {
+                squares += (other(point.measured) - point.known).squaredNorm();
+            }
+            RC_ASSERT(squares >= found.residuals.squaredNorm());
+        }
+    }
+}
+
+TEST(RegisterRigidly, RefusesFewerThanThreePoints) {
+    std::vector<ControlPoint> points = control_points(hilo_quarter(), some_motion({0, 0, 0}));
+    points.resize(2);
+    EXPECT_EQ(refusal(points),
+              "holds 2 named supports or control points, expected at least 3 to find the frame");
+}
+
+TEST(RegisterRigidly, RefusesPointsOnALine) {
+    std::vector<ControlPoint> points;
+    for (int i = 0; i < 5; ++i) {
+        const Eigen::Vector3d place(i, 2.0 * i, 3.0 * i);
+        points.push_back({.known = place, .measured = place});
+    }
+    EXPECT_EQ(refusal(points),
+              "the known places of the 5 control points lie on a line, expected three that do not");
+}
+
+TEST(RegisterRigidly, RefusesPointsThatAreAllTheSame) {
+    EXPECT_NE(refusal(std::vector<ControlPoint>(4)), "not refused");
+}
+
+TEST(RegisterRigidly, RefusesMillimetresTakenForMetres) {
+    std::vector<ControlPoint> points = control_points(hilo_quarter(), some_motion({0, 0, 0}));
+    for (ControlPoint& point : points) {
+        point.measured *= 1000.0;
+    }
+    EXPECT_EQ(refusal(points),
+              "the control points are measured 1000 times as far apart as they are, expected 1: is "
+              "the survey of this net, and in metres?");
+}
+
+TEST(Moved, TurnsStandardDeviations) {
+    RigidMotion quarter_turn;
+    quarter_turn.rotation = Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
+    const auto points = moved(
+        {{.id = "A", .position = {1, 0, 0}, .noise_std = Eigen::Vector3d(1, 2, 3)}}, quarter_turn);
+    EXPECT_TRUE(points[0].position.isApprox(Eigen::Vector3d(0, 1, 0)));
+    EXPECT_TRUE(points[0].noise_std->isApprox(Eigen::Vector3d(2, 1, 3)));
+}
+
+TEST(SupportControlPoints, AreTheNamedSupportsOnly) {
+    const CableNet net = hypar(3, 3);
+    const int support = net.supports().front();
+    const int free = net.free_nodes().front();
+    const auto control = support_control_points(
+        net,
+        {{net.node_id(free), {1, 1, 1}, 1}, {net.node_id(support), {2, 2, 2}, 2}, {"", {}, 3}});
+    ASSERT_EQ(control.size(), 1U);
+    EXPECT_EQ(control[0].id, net.node_id(support));
+    EXPECT_EQ(control[0].known, net.nodes().col(support));
+    EXPECT_EQ(control[0].measured, Eigen::Vector3d(2, 2, 2));
+}
+
+}  // namespace
