@@ -20,6 +20,9 @@ namespace taut::report {
 ///   true, predicted, error  length deviations, as dots
 ///   link                    between what belongs together
 ///   all-errors, mean, std   statistics of the errors
+///   slack, unobserved       edges whose length the survey does not tell, as dots
+///   bar                     of a histogram
+///   series0 ... series5     curves of methods; best: the best possible
 ///   faint                   a net behind something else
 ///   outline                 what separates a coloured dot from the ground
 ///   level                   a dot that brings its colour with it: no rule here

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/svg.hpp"
-#include "taut/study/study.hpp"
+#include "taut/io/result_file.hpp"
 
 namespace taut::report {
 
@@ -17,22 +17,37 @@ struct Figure {
     std::string caption;  ///< plain text, not escaped yet
 };
 
-/// The net in parallel projection and in plan (the paper's figure 3D).
-[[nodiscard]] Figure net_figure(const Study& study);
+/// A net in parallel projection and in plan (the paper's figure 3D).
+/// @param which form it is: "nominal"
+[[nodiscard]] Figure net_figure(const CableNet& net, const Points& form, const std::string& which);
 
 /// True, identified and error over the interior edges for the first validation sample (figure
 /// errorplot_q1).
-[[nodiscard]] Figure length_deviation_figure(const Study& study);
+[[nodiscard]] Figure length_deviation_figure(const StudyResult& study);
 
 /// All errors e_i(k) with mean and standard deviation over the interior edges (figure boxplot).
-[[nodiscard]] Figure length_error_figure(const Study& study);
+[[nodiscard]] Figure length_error_figure(const StudyResult& study);
 
-/// Nominal and identified form error of the first validation sample over the net in plan (figure
-/// deviations).
-[[nodiscard]] Figure form_error_figure(const Study& study);
+/// Nominal and identified form error of the first validation sample over the net in plan, on one
+/// scale (figure deviations).
+[[nodiscard]] Figure form_error_figure(const StudyResult& study);
 
-/// All of these, in this order.
-[[nodiscard]] std::vector<Figure> study_figures(const Study& study);
+/// Length deviations with their 95 % intervals over the edges.
+[[nodiscard]] Figure length_interval_figure(const IdentificationResult& result);
+
+/// Distance between surveyed and predicted nodes in plan; without a drawing where none was saved.
+[[nodiscard]] Figure residual_map_figure(const IdentificationResult& result);
+
+/// Histogram of the standardised residuals with the normal law beside it; without a drawing where
+/// none was saved.
+[[nodiscard]] Figure residual_histogram_figure(const IdentificationResult& result);
+
+/// Mean squared error of each method over the noise of the survey and over the number of training
+/// samples, with the best possible as a line.
+[[nodiscard]] Figure comparison_figure(const ComparisonResult& comparison);
+
+/// All that a result has, in this order.
+[[nodiscard]] std::vector<Figure> result_figures(const ResultFile& result);
 
 /// Width of a drawing that takes the whole page, and of one that shares it with another.
 inline constexpr double full_width = 960.0;

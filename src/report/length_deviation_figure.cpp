@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/chart.hpp"
 #include "report/edge_axes.hpp"
 #include "report/figures.hpp"
 #include "report/number_text.hpp"
@@ -37,9 +38,9 @@ PathData links(const Axes& axes, const Eigen::VectorXd& truth_mm,
 
 }  // namespace
 
-Figure length_deviation_figure(const Study& study) {
-    const Eigen::VectorXd truth = 1e3 * study.data.length_deviations.col(study.validation.front());
-    const Eigen::VectorXd estimate = 1e3 * study.estimates.mean.col(0);
+Figure length_deviation_figure(const StudyResult& study) {
+    const Eigen::VectorXd truth = 1e3 * study.true_deviation;
+    const Eigen::VectorXd estimate = 1e3 * study.identified_deviation;
     const Eigen::VectorXd error = truth - estimate;
     const double largest_error = error.cwiseAbs().maxCoeff();
     const double reach =
@@ -77,7 +78,8 @@ Figure length_deviation_figure(const Study& study) {
                           .title = "True and identified length deviations of the interior edges",
                           .width = full_width,
                           .height = edge_drawing_height,
-                          .body = svg.take()}},
+                          .body = svg.take(),
+                          .attributes = edge_chart(axes)}},
             .heading = "Length deviations: true, identified, error",
             .caption = std::move(caption)};
 }

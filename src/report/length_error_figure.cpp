@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/chart.hpp"
 #include "report/edge_axes.hpp"
 #include "report/figures.hpp"
 #include "report/number_text.hpp"
@@ -49,21 +50,19 @@ PathData curve(const Axes& axes, const Eigen::VectorXd& values_mm, const std::ve
     return path;
 }
 
-std::string caption(const Study& study, int edge_limit) {
-    const LengthErrors& errors = study.gp_as_in_paper.errors;
+std::string caption(const StudyResult& study, int edge_limit) {
     Eigen::Index worst = 0;
-    errors.mean.cwiseAbs().maxCoeff(&worst);
+    const double largest_mean = study.error_mean.cwiseAbs().maxCoeff(&worst);
     const int edge = study.net.interior_edges()[static_cast<size_t>(worst)];
     std::string text = fmt::format(
         "Error (true minus identified) of every interior edge in {}, with its mean over them and "
         "one standard deviation to both sides. The largest mean error is {} mm, at edge {} (i = "
         "{}); the "
         "standard deviation is {} mm in the mean of the edges.",
-        study.validation.size() == 1
-            ? "the one validation sample"
-            : fmt::format("all {} validation samples", study.validation.size()),
-        millimetres(errors.mean_max_abs()), study.net.edge_id(edge), worst + 1,
-        millimetres(errors.std_mean()));
+        study.validation == 1 ? "the one validation sample"
+                              : fmt::format("all {} validation samples", study.validation),
+        millimetres(largest_mean), study.net.edge_id(edge), worst + 1,
+        millimetres(study.error_std.mean()));
     const std::string drawn = thinning_words(study.net.interior_edge_count(), edge_limit, "edge");
     if (!drawn.empty()) {
         text += fmt::format(" So that the page stays small, only {} are drawn.", drawn);
@@ -73,17 +72,20 @@ std::string caption(const Study& study, int edge_limit) {
 
 }  // namespace
 
-Figure length_error_figure(const Study& study) {
-    const Eigen::MatrixXd errors =
-        1e3 * (study.data.length_deviations(Eigen::all, study.validation) - study.estimates.mean);
-    const Eigen::VectorXd mean = 1e3 * study.gp_as_in_paper.errors.mean;
-    const Eigen::VectorXd std = 1e3 * study.gp_as_in_paper.errors.std;
+Figure length_error_figure(const StudyResult& study) {
+    const Eigen::MatrixXd errors = 1e3 * study.errors;
+    const Eigen::VectorXd mean = 1e3 * study.error_mean;
+    const Eigen::VectorXd std = 1e3 * study.error_std;
+    double reach = (mean.cwiseAbs() + std).maxCoeff();
+    if (errors.size() > 0) {
+        reach = std::max(reach, errors.cwiseAbs().maxCoeff());
+    }
 
     const auto count = static_cast<int>(errors.rows());
     const auto samples = static_cast<int>(errors.cols());
-    const int edge_limit = std::clamp(most_dots / samples, 1, most_edges);
+    const int edge_limit = std::clamp(most_dots / std::max(samples, 1), 1, most_edges);
     const std::vector<int> edges = thinned(count, edge_limit);
-    const Axes axes = edge_axes(count, errors.cwiseAbs().maxCoeff(), "error [mm]");
+    const Axes axes = edge_axes(count, reach, "error [mm]");
     SvgBody svg;
     draw_axes(svg, axes, true);
     draw_legend(svg, {axes.x.from, edge_legend_y},
@@ -93,8 +95,8 @@ Figure length_error_figure(const Study& study) {
                  {.style = "mean", .words = "mean", .mark = Mark::dash},
                  {.style = "std", .words = "mean ± standard deviation", .mark = Mark::dash}});
     // Few dots may be larger than the style has them.
-    const double dot_width =
-        std::clamp(150.0 / std::sqrt(static_cast<double>(edges.size()) * samples), 1.5, 5.0);
+    const double dot_width = std::clamp(
+        150.0 / std::sqrt(static_cast<double>(edges.size()) * std::max(samples, 1)), 1.5, 5.0);
     svg.path("all-errors", dots(axes, errors, edges),
              fmt::format("style=\"stroke-width:{:.1f}\"", dot_width));
     svg.path("std", curve(axes, mean + std, edges));
@@ -104,7 +106,8 @@ Figure length_error_figure(const Study& study) {
                           .title = "Errors of the identified lengths over the interior edges",
                           .width = full_width,
                           .height = edge_drawing_height,
-                          .body = svg.take()}},
+                          .body = svg.take(),
+                          .attributes = edge_chart(axes)}},
             .heading = "Errors over all validation samples",
             .caption = caption(study, edge_limit)};
 }

@@ -50,7 +50,7 @@ double nice_arm(const Points& form) {
     return power * (times >= 5.0 ? 5.0 : times >= 2.0 ? 2.0 : 1.0);
 }
 
-Drawing slanting_drawing(const Study& study, const Points& form, double arm_metres) {
+Drawing slanting_drawing(const CableNet& net, const Points& form, double arm_metres) {
     const Projection view = slanting_view();
     const Places points = view * form;
     const Eigen::Vector2d low = points.rowwise().minCoeff();
@@ -70,7 +70,7 @@ Drawing slanting_drawing(const Study& study, const Points& form, double arm_metr
                  {.style = "support", .words = "support", .mark = Mark::square},
                  {.style = "interior", .words = "interior edge", .mark = Mark::dash},
                  {.style = "adjustable", .words = "adjustable edge", .mark = Mark::dash}});
-    draw_net(svg, study.net, places);
+    draw_net(svg, net, places);
     const double arm = scale * arm_metres;
     const double bottom = legend_height + margin + scale * size.y();
     // Below the net: as far up as the highest of the arms goes, and as far down as the lowest.
@@ -84,11 +84,11 @@ Drawing slanting_drawing(const Study& study, const Points& form, double arm_metr
             .body = svg.take()};
 }
 
-Drawing plan_drawing(const Study& study, const Plan& plan, const Points& form) {
+Drawing plan_drawing(const CableNet& net, const Plan& plan, const Points& form) {
     const Axes axes = plan_axes(plan, form, {0.0, legend_height}, {half_width - 10.0, most_height});
     SvgBody svg;
     draw_axes(svg, axes, false);
-    draw_net(svg, study.net, places_in(axes, plan, form));
+    draw_net(svg, net, places_in(axes, plan, form));
     return {.name = "net_plan",
             .title = "The net, seen " + plan.seen,
             .width = half_width,
@@ -98,18 +98,16 @@ Drawing plan_drawing(const Study& study, const Plan& plan, const Points& form) {
 
 }  // namespace
 
-Figure net_figure(const Study& study) {
-    const CableNet& net = study.net;
-    const Points form = nominal_form(study);
+Figure net_figure(const CableNet& net, const Points& form, const std::string& which) {
     const Plan plan = plan_of(form);
     const double arm = nice_arm(form);
-    return {.drawings = {slanting_drawing(study, form, arm), plan_drawing(study, plan, form)},
+    return {.drawings = {slanting_drawing(net, form, arm), plan_drawing(net, plan, form)},
             .heading = "The net",
             .caption = fmt::format(
-                "The nominal form in parallel projection (the arms of the cross are {} m long) and "
+                "The {} form in parallel projection (the arms of the cross are {} m long) and "
                 "seen {}: {}, {}, {} of uncertain unstressed length and {} of known unstressed "
                 "length.{}",
-                short_number(arm), plan.seen, counted(net.free_node_count(), "free node"),
+                which, short_number(arm), plan.seen, counted(net.free_node_count(), "free node"),
                 counted(static_cast<int>(net.supports().size()), "support"),
                 counted(net.interior_edge_count(), "interior edge"),
                 counted(static_cast<int>(net.adjustable_edges().size()), "adjustable edge"),

@@ -7,10 +7,6 @@
 
 namespace taut::report {
 
-Points nominal_form(const Study& study) {
-    return with_free_coordinates(study.net, study.data.nominal_form);
-}
-
 Eigen::Vector3d extent(const Points& form) {
     return form.rowwise().maxCoeff() - form.rowwise().minCoeff();
 }

@@ -5,15 +5,12 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "taut/study/study.hpp"
+#include "taut/io/result_file.hpp"
 
 namespace taut::report {
 
 /// A parallel projection: its rows are the directions in space that become right and up.
 using Projection = Eigen::Matrix<double, 2, 3>;
-
-/// The nominal form of the study's net, supports included (3 x n) [m].
-[[nodiscard]] Points nominal_form(const Study& study);
 
 /// Extent of a form along x, y and z [m].
 [[nodiscard]] Eigen::Vector3d extent(const Points& form);

@@ -70,7 +70,7 @@ void SvgBody::upward_text(const Eigen::Vector2d& place, std::string_view text) {
 }
 
 std::string inline_svg(const Drawing& drawing) {
-    return svg_start(drawing, "") + '\n' + drawing.body + "</svg>";
+    return svg_start(drawing, drawing.attributes) + '\n' + drawing.body + "</svg>";
 }
 
 std::string standalone_svg(const Drawing& drawing) {

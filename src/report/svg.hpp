@@ -18,6 +18,8 @@ struct Drawing {
     double width = 0.0;
     double height = 0.0;
     std::string body;  ///< SVG elements
+    /// More attributes of the svg element: how the page finds what it shows (see chart.hpp).
+    std::string attributes;
 };
 
 /// Collects SVG elements. Places are in units of the drawing, y downwards; `style` is a class of

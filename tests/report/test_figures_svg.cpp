@@ -4,7 +4,7 @@
 // Guards against figures that no program opens, that are too large for a page, or that leave out
 // what they should show.
 
-#include "taut/report/study_figures.hpp"
+#include "taut/report/figures_svg.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 #include "report/figures.hpp"
 #include "report/markup_tree.hpp"
-#include "report/studies.hpp"
+#include "support/studies.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace taut {
@@ -34,23 +34,28 @@ std::string path(const std::string& svg, const std::string& style) {
     return "";
 }
 
-std::map<std::string, std::string> figures_of(const Study& study) {
-    const auto files = study_figures_svg(study);
+std::map<std::string, std::string> figures_of(const ResultFile& result) {
+    const auto files = figures_svg(result);
     return {files.begin(), files.end()};
+}
+
+std::vector<std::string> names_of(const ResultFile& result) {
+    std::vector<std::string> names;
+    for (const auto& [name, content] : figures_svg(result)) {
+        names.push_back(name);
+    }
+    return names;
 }
 
 class StudyFigures : public ::testing::Test {
 protected:
     const Study m_study = testing::made_up_study(hypar(5, 6));
-    const std::map<std::string, std::string> m_figures = figures_of(m_study);
+    const ResultFile m_result = testing::saved(m_study);
+    const std::map<std::string, std::string> m_figures = figures_of(m_result);
 };
 
 TEST_F(StudyFigures, AreNamedAsPromised) {
-    std::vector<std::string> names;
-    for (const auto& [name, content] : study_figures_svg(m_study)) {
-        names.push_back(name);
-    }
-    EXPECT_THAT(names,
+    EXPECT_THAT(names_of(m_result),
                 ::testing::ElementsAre("net_view.svg", "net_plan.svg", "length_deviations.svg",
                                        "length_errors.svg", "form_error_nominal.svg",
                                        "form_error_identified.svg"));
@@ -129,7 +134,7 @@ TEST_F(StudyFigures, ColourEveryFreeNode) {
 }
 
 TEST_F(StudyFigures, StayWithinTheirDrawing) {
-    for (const report::Figure& figure : report::study_figures(m_study)) {
+    for (const report::Figure& figure : report::result_figures(m_result)) {
         for (const report::Drawing& drawing : figure.drawings) {
             const testing::Tree tree = testing::parse_xml(report::inline_svg(drawing));
             for (const testing::Tree& element : testing::elements(tree, "text")) {
@@ -144,38 +149,89 @@ TEST_F(StudyFigures, StayWithinTheirDrawing) {
     }
 }
 
+TEST_F(StudyFigures, ShowBothFormErrorsOnOneScale) {
+    // The largest mark of the colour bar stands beside both maps.
+    EXPECT_THAT(m_figures.at("form_error_nominal.svg"), HasSubstr(">10<"));
+    EXPECT_THAT(m_figures.at("form_error_identified.svg"), HasSubstr(">10<"));
+}
+
+TEST(StudyFiguresOf, ErrorsThatWereNotSavedShowTheirStatisticsStill) {
+    ResultFile study = testing::saved(testing::made_up_study(hypar(5, 6)));
+    auto& content = std::get<StudyResult>(study.content);
+    content.errors.resize(content.errors.rows(), 0);
+    const std::string svg = figures_of(study).at("length_errors.svg");
+    EXPECT_EQ(path(svg, "all-errors"), "") << "no dots";
+    EXPECT_THAT(svg, HasSubstr("class=\"mean\""));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(IdentificationFigures, AreNamedAsPromisedAndLeaveOutWhatIsNotThere) {
+    EXPECT_THAT(names_of(testing::made_up_identification(hypar(5, 6))),
+                ::testing::ElementsAre("net_view.svg", "net_plan.svg", "length_intervals.svg",
+                                       "residual_map.svg"));
+}
+
+TEST(IdentificationFigures, TellASlackEdgeFromAnIdentifiedOne) {
+    const auto figures = figures_of(testing::made_up_identification(hypar(5, 6)));
+    EXPECT_THAT(figures.at("length_intervals.svg"), HasSubstr(">slack<"));
+    EXPECT_THAT(figures.at("length_intervals.svg"), HasSubstr(">identified<"));
+    EXPECT_THAT(figures.at("length_intervals.svg"), Not(HasSubstr(">unobserved<")));
+}
+
+TEST(IdentificationFigures, CountEveryStandardisedResidual) {
+    ResultFile result = testing::made_up_identification(hypar(5, 6));
+    auto& content = std::get<IdentificationResult>(result.content);
+    for (auto& residual : content.residuals) {
+        residual.standardised = Eigen::Vector3d(0.1, -0.3, 40.0);
+    }
+    const report::Figure figure = report::residual_histogram_figure(content);
+    ASSERT_EQ(figure.drawings.size(), 1U);
+    EXPECT_THAT(figure.caption, HasSubstr("90 coordinates"));
+    EXPECT_THAT(figure.caption, HasSubstr("30 lie beyond three"));
+}
+
+TEST(ComparisonFigures, DrawEachMethodAndTheBestPossible) {
+    const auto figures = figures_of(testing::made_up_comparison());
+    ASSERT_EQ(figures.size(), 2U);
+    EXPECT_THAT(figures.at("error_over_noise.svg"), HasSubstr(">gp<"));
+    EXPECT_THAT(figures.at("error_over_noise.svg"), HasSubstr(">balance<"));
+    EXPECT_THAT(figures.at("error_over_noise.svg"), HasSubstr(">best possible<"));
+    EXPECT_THAT(figures.at("error_over_training.svg"), HasSubstr(">900<"));
+}
+
 TEST(StudyFiguresOf, TheBuiltInNetAreSmallEnoughForAPage) {
     std::size_t bytes = 0;
-    for (const auto& [name, svg] : figures_of(testing::made_up_study(hilo_quarter(), 50))) {
+    for (const auto& [name, svg] :
+         figures_of(testing::saved(testing::made_up_study(hilo_quarter(), 50)))) {
         bytes += svg.size();
     }
     EXPECT_LT(bytes, 350'000U);
 }
 
 TEST(StudyFiguresOf, ALargeNetAreThinnedOutAndSaySo) {
-    const Study study = testing::made_up_study(hypar(75, 75), 2);
-    ASSERT_GT(study.net.interior_edge_count(), 10'000);
+    const ResultFile study = testing::saved(testing::made_up_study(hypar(75, 75), 2));
+    ASSERT_GT(std::get<StudyResult>(study.content).net.interior_edge_count(), 10'000);
     std::size_t bytes = 0;
     for (const auto& [name, svg] : figures_of(study)) {
         bytes += svg.size();
     }
     EXPECT_LT(bytes, 1'500'000U);
-    for (const report::Figure& figure : report::study_figures(study)) {
+    for (const report::Figure& figure : report::result_figures(study)) {
         EXPECT_THAT(figure.caption, HasSubstr("So that the page stays small, only"))
             << figure.heading;
     }
 }
 
 TEST(StudyFiguresOf, ManyValidationSamplesAreThinnedOut) {
-    const report::Figure figure =
-        report::length_error_figure(testing::made_up_study(hypar(5, 6), 2000));
+    const ResultFile study = testing::saved(testing::made_up_study(hypar(5, 6), 2000));
+    const report::Figure figure = report::length_error_figure(std::get<StudyResult>(study.content));
     EXPECT_LT(figure.drawings.front().body.size(), 300'000U);
     EXPECT_THAT(figure.caption, HasSubstr("of 49 edges are drawn"));
 }
 
 TEST(StudyFiguresOf, ASmallNetAreNotThinnedOut) {
     for (const report::Figure& figure :
-         report::study_figures(testing::made_up_study(hypar(5, 6)))) {
+         report::result_figures(testing::saved(testing::made_up_study(hypar(5, 6))))) {
         EXPECT_THAT(figure.caption, Not(HasSubstr("stays small"))) << figure.heading;
     }
 }

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "taut/io/result_file.hpp"
+
+namespace taut {
+
+/// Whether this build holds the report's viewer: it takes Node.js to build that.
+[[nodiscard]] bool has_report_viewer();
+
+/// A result as one HTML page that needs nothing else and asks for nothing over the network: the
+/// viewer (viewer/), the figures of figures_svg(), and the result itself, from which the viewer
+/// makes summary, 3D view, tables and lists. Text of the result, the names in it say, is never
+/// taken for markup, and the page's content security policy lets no script run but the viewer.
+/// @return the page in UTF-8
+/// @throws std::runtime_error where has_report_viewer() is false
+[[nodiscard]] std::string report_html(const ResultFile& result);
+
+}  // namespace taut

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/report/report_html.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "report/figure_style.hpp"
+#include "report/figures.hpp"
+#include "report/markup.hpp"
+#include "report/viewer_page.hpp"
+
+namespace taut {
+namespace report {
+namespace {
+
+std::string html(const Figure& figure) {
+    std::string drawings;
+    for (const Drawing& drawing : figure.drawings) {
+        drawings += fmt::format("<div class=\"{}\" data-figure=\"{}\">{}</div>\n",
+                                drawing.width == full_width ? "wide" : "half", drawing.name,
+                                inline_svg(drawing));
+    }
+    return fmt::format(
+        "<figure>\n<h3>{}</h3>\n<div class=\"drawings\">\n{}</div>\n<figcaption>{}</figcaption>\n"
+        "</figure>\n",
+        escape(figure.heading), drawings, escape(figure.caption));
+}
+
+std::string all_html(const std::vector<Figure>& figures) {
+    std::string text;
+    for (const Figure& figure : figures) {
+        text += html(figure);
+    }
+    return text;
+}
+
+/// A result's own title: its net's name.
+std::string title(const ResultFile& result) {
+    return std::visit(
+        [](const auto& content) -> std::string {
+            if constexpr (requires { content.net; }) {
+                return content.net.name().empty() ? "A net" : content.net.name();
+            } else {
+                return "Comparison of methods";
+            }
+        },
+        result.content);
+}
+
+/// JSON as it may stand in a script element, which ends at the first "</script" and changes its
+/// mode at "<!--": no "<" is left. It only ever stands inside of strings.
+std::string in_script(std::string_view json) {
+    std::string text;
+    text.reserve(json.size());
+    for (const char c : json) {
+        c == '<' ? void(text += "\\u003c") : text.push_back(c);
+    }
+    return text;
+}
+
+}  // namespace
+}  // namespace report
+
+bool has_report_viewer() {
+    return !report::viewer_page().empty();
+}
+
+std::string report_html(const ResultFile& result) {
+    using namespace report;
+    std::string_view rest = viewer_page();
+    if (rest.empty()) {
+        throw std::runtime_error("this taut was built without Node.js and holds no report viewer");
+    }
+    const std::pair<std::string_view, std::string> parts[] = {
+        {"<!--taut:title-->", escape(title(result))},
+        {"<!--taut:style-->",
+         fmt::format("{}@media screen and (prefers-color-scheme:dark){{\n{}}}\n", figure_style(),
+                     dark_figure_style())},
+        {"<!--taut:figures-->", all_html(result_figures(result))},
+        {"<!--taut:result-->", in_script(result.json)},
+    };
+    std::string page;
+    for (const auto& [place, text] : parts) {
+        const size_t found = rest.find(place);
+        if (found == std::string_view::npos) {
+            throw std::logic_error(fmt::format("the viewer's page has no place {}", place));
+        }
+        page += rest.substr(0, found);
+        page += text;
+        rest.remove_prefix(found + place.size());
+    }
+    return page.append(rest);
+}
+
+}  // namespace taut

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+import { h, section } from "./dom";
+import { fixed, millimetres, number, percent, short } from "./format";
+import type { Model } from "./model";
+import { type Comparison, type FormErrorSummary, type Identification, type Method, methodsOf, type Result, type Study } from "./result";
+import type { Selection } from "./selection";
+import { Table } from "./table";
+
+function plainTable(caption: string, head: (string | HTMLElement)[], rows: (string | number)[][], classes: string[] = []): HTMLElement {
+  const cells = (row: (string | number)[]): HTMLElement[] =>
+    row.map((text, i) => (i === 0 ? h("th", { scope: "row" }, text) : h("td", { class: classes[i] ?? "" }, text)));
+  return h("div", { class: "scroll" }, h("table", { class: "plain" },
+    h("caption", { class: "hidden" }, caption),
+    h("thead", {}, h("tr", {}, ...head.map((text, i) => h("th", { scope: "col", class: classes[i] ?? "" }, text)))),
+    h("tbody", {}, ...rows.map((row) => h("tr", {}, ...cells(row))))));
+}
+
+/** The paper's numbers and the ones measured here, told apart. */
+export function paperSection(study: Study): HTMLElement {
+  const { paper } = study;
+  const methods = methodsOf(study);
+  const source = (text: string, kind: "paper" | "here"): HTMLElement => h("span", {}, text, " ", h("span", { class: `tag ${kind}` }, kind === "paper" ? "paper" : "measured here"));
+  const mean = study.form_error_mean_over_validation;
+  const keys: [keyof FormErrorSummary, string][] = [["max", "max"], ["min", "min"], ["mean", "mean"], ["rmse", "RMSE"]];
+  const row = (label: string, ofPaper: string, own: (method: Method) => string): string[] => [label, ofPaper, ...methods.map(([, m]) => own(m))];
+  const lengths = plainTable("Error of the identified lengths, paper and measured here",
+    ["Error of the identified lengths", source("", "paper"), ...methods.map(([name]) => source(methods.length > 1 ? name : "", "here"))],
+    [
+      row("mean squared error, MSE [m²]", short(paper?.mse), (m) => number(m.mse)),
+      row("mean relative squared error, MRSE [%]", short(paper && 100 * paper.mrse), (m) => percent(m.mrse)),
+      row("largest mean error of an edge [mm]", "–", (m) => millimetres(m.error_mean_max_abs)),
+      row("standard deviation, mean of the edges [mm]", "–", (m) => millimetres(m.error_std_mean)),
+      row("true lengths inside their 95 % interval [%]", "–", (m) => percent(m.coverage_95)),
+    ], ["", "paper", ...methods.map(() => "here")]);
+  const forms = plainTable("Form error, paper and measured here",
+    ["Form error [mm]", source("nominal", "paper"), source("nominal", "here"), source("identified", "paper"), source("identified", "here"), "identified, mean of all trials"],
+    keys.map(([key, label]) => [label,
+      short(paper && 1e3 * paper.form_error.nominal[key]), millimetres(study.form_error.nominal[key]),
+      short(paper && 1e3 * paper.form_error.identified[key]), millimetres(study.form_error.identified[key]),
+      millimetres(mean?.identified[key])]), ["", "paper", "here", "paper", "here", "here"]);
+  const alike = study.net.free_nodes === 300 && study.net.interior_edges === 536;
+  return section("paper", "Beside the paper's numbers", lengths, forms,
+    h("p", { class: "quiet" }, "Form errors are those of the first validation sample, as in the paper. ",
+      alike ? "The net has the paper's counts of free nodes and interior edges, not its geometry, which was not published."
+        : "The paper's net is another one: it has 300 free nodes and 536 interior edges."));
+}
+
+/** What in a survey needs a look: told by name, each a button that shows it. */
+export function listsSection(result: Identification, model: Model, selection: Selection): HTMLElement {
+  const most = 200;
+  const list = (heading: string, of: "edge" | "node", items: { index: number; text?: string }[], none: string): HTMLElement => {
+    const name = (index: number): string => (of === "edge" ? model.edgeId(index) : model.nodeId(index));
+    const entries = items.slice(0, most).map(({ index, text }) =>
+      h("li", {}, h("button", { type: "button", class: "chip", onclick: () => selection.select({ of, index }) }, name(index), text ? h("small", {}, ` ${text}`) : null)));
+    return h("div", { class: "list" },
+      h("h3", {}, heading, h("span", { class: "count" }, String(items.length))),
+      items.length === 0 ? h("p", { class: "quiet" }, none) : h("ul", {}, ...entries),
+      items.length > most ? h("p", { class: "quiet" }, `and ${items.length - most} more, in the table`) : null);
+  };
+  const { survey, edges } = result;
+  const ofStatus = (status: string) => edges.filter((e) => e.status === status).map((e) => ({ index: e.edge }));
+  const unmatched = (survey.unmatched ?? []).map((u) => (typeof u === "object" && u !== null && "id" in u ? String(u.id) : typeof u === "object" ? JSON.stringify(u) : String(u)));
+  return section("lists", "To look at", h("div", { class: "lists" },
+    list("Slack edges", "edge", ofStatus("slack"), "None: every cable carries tension."),
+    list("Unobserved edges", "edge", ofStatus("unobserved"), "None: the survey tells about every cable."),
+    list("Suspected blunders", "node", survey.outliers.map((o) => ({ index: o.node, ...(o.statistic == null ? {} : { text: fixed(o.statistic, 1) }) })), "None: no surveyed point contradicts the net."),
+    list("Hidden nodes", "node", (survey.missing_nodes ?? []).map((index) => ({ index })), survey.missing > 0 ? `${survey.missing}, which the result does not name.` : "None: every free node was surveyed."),
+    h("div", { class: "list" }, h("h3", {}, "Unmatched targets", h("span", { class: "count" }, String(unmatched.length))),
+      unmatched.length === 0 ? h("p", { class: "quiet" }, "None: every target fits a node.")
+        : h("ul", {}, ...unmatched.slice(0, most).map((text) => h("li", { class: "chip" }, text))))));
+}
+
+export function comparisonSection(comparison: Comparison): HTMLElement {
+  const { rows } = comparison;
+  const value = (key: "training_samples" | "hidden_fraction" | "mse" | "mrse" | "form_error" | "coverage" | "seconds" | "best_possible_mse", factor = 1) =>
+    (row: number): number => factor * (rows[row]![key] ?? NaN);
+  const table = new Table({
+    caption: "All methods, noises and training sizes", rowCount: rows.length, fileName: "comparison.csv",
+    columns: [
+      { label: "method", value: (row) => rows[row]!.method },
+      { label: "noise", unit: "mm", value: (row) => 1e3 * rows[row]!.noise },
+      { label: "training samples", decimals: 0, value: value("training_samples") },
+      { label: "hidden", unit: "%", value: value("hidden_fraction", 100) },
+      { label: "MSE", unit: "m²", value: value("mse") },
+      { label: "best possible MSE", unit: "m²", value: value("best_possible_mse") },
+      { label: "MRSE", unit: "%", value: value("mrse", 100) },
+      { label: "form error", unit: "mm", value: value("form_error", 1e3) },
+      { label: "coverage", unit: "%", value: value("coverage", 100) },
+      { label: "time", unit: "s", value: value("seconds") },
+    ],
+  });
+  return section("tables", "All numbers", table.element);
+}
+
+/** By what, how and in which time. */
+export function settingsSection(result: Result): HTMLElement {
+  const rows: [string, string][] = [];
+  const add = (name: string, value: unknown): void => {
+    if (value !== undefined && value !== null && value !== "") rows.push([name, String(value)]);
+  };
+  add("program", result.program);
+  add("date", result.date);
+  add("command", result.command);
+  add("net", result.net.name);
+  add("net fingerprint", result.net.fingerprint);
+  add("law of the length deviations", result.law);
+  add("seed", result.seed);
+  if (result.format === "taut-study") {
+    const { samples, seconds } = result;
+    add("samples drawn", samples.total);
+    add("of these trained on", samples.training);
+    add("of these validated on", samples.validation);
+    add("with slack edges", samples.with_slack);
+    add("not converged", samples.not_converged);
+    add("identified forms not converged", result.forms_not_converged);
+    for (const stage of ["sampling", "training", "identification", "total"]) add(stage === "total" ? "time in all" : `time, ${stage}`, `${number(seconds[stage])} s`);
+  }
+  if (result.format === "taut-identification") {
+    add("method", result.method);
+    add("surveyed free nodes", result.survey.used);
+    add("hidden free nodes", result.survey.missing);
+  }
+  return section("settings", "Settings", plainTable("Settings", ["what", "value"], rows, ["", "text"]));
+}

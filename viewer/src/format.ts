@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** Significant digits with a true minus sign: "0.0123", "4.56", "1234", "1.70×10⁻⁸"; a dash for none. */
+export function number(value: number | null | undefined, digits = 3): string {
+  if (value == null || !Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const [mantissa, power] = value.toExponential(digits - 1).split("e") as [string, string];
+  const exponent = Number(power);
+  if (exponent < -3 || exponent > 5) {
+    const raised = [...String(Math.abs(exponent))].map((d) => superscripts[Number(d)]).join("");
+    return `${mantissa}×10${exponent < 0 ? "⁻" : ""}${raised}`.replace("-", "−");
+  }
+  return value.toFixed(Math.max(0, digits - 1 - exponent)).replace("-", "−");
+}
+
+/** The same without zeros at the end of a fraction, for what was set or published. */
+export function short(value: number | null | undefined): string {
+  const [mantissa, power] = number(value).split("×") as [string, string?];
+  const plain = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
+  return power ? `${plain}×${power}` : plain;
+}
+
+/** With a fixed number of decimals, for columns. */
+export function fixed(value: number, decimals: number): string {
+  return Number.isFinite(value) ? value.toFixed(decimals).replace("-", "−") : "–";
+}
+
+export const millimetres = (metres: number | undefined): string => number(1e3 * (metres ?? NaN));
+export const percent = (part: number | undefined): string => number(1e2 * (part ?? NaN));
+
+/** A count with its noun: "1 edge", "536 edges". */
+export function counted(count: number, noun: string): string {
+  const text = count < 10_000 ? String(count) : count.toLocaleString("en").replaceAll(",", "\u202f");
+  return `${text} ${noun}${count === 1 ? "" : "s"}`;
+}

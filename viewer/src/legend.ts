@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+import { colourAt, css } from "./colours";
+import { h } from "./dom";
+import { short } from "./format";
+import { type Model, type Quantity, rangeOf } from "./model";
+
+/** The key to a quantity's colours: a bar with numbers and unit, or names. */
+export function legend(model: Model, quantity: Quantity): HTMLElement {
+  const box = h("div", { class: "legend", role: "img" });
+  if (quantity.kind === "names") {
+    const used = new Set(quantity.values);
+    const names = quantity.names!.filter((_, i) => used.has(i));
+    for (const { text, colour } of names) {
+      const swatch = h("span", { class: "swatch" });
+      swatch.style.backgroundColor = css(colour);
+      box.append(h("span", { class: "name" }, swatch, text));
+    }
+    if (quantity.key === "kind") {
+      for (const text of ["free node", "support"]) box.append(h("span", { class: "name" }, h("span", { class: `swatch ${text.split(" ")[0]}` }), text));
+    }
+    box.setAttribute("aria-label", `Colours: ${names.map((n) => n.text).join(", ")}`);
+    return box;
+  }
+  const [low, high] = rangeOf(model, quantity);
+  const kind = quantity.kind;
+  const bar = h("div", { class: "bar" });
+  const stops = Array.from({ length: 17 }, (_, i) => css(colourAt(kind, i / 16)));
+  bar.style.backgroundImage = `linear-gradient(to right, ${stops.join(",")})`;
+  const ticks = [0, 0.25, 0.5, 0.75, 1].map((part) => h("span", {}, short(low + part * (high - low))));
+  box.append(bar, h("div", { class: "ticks" }, ...ticks), h("div", { class: "unit" }, `${quantity.label} [${quantity.unit}]`));
+  box.setAttribute("aria-label", `Colour scale of ${quantity.label}, from ${short(low)} to ${short(high)} ${quantity.unit}`);
+  return box;
+}

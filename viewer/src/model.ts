@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+import { palette, type Rgb } from "./colours";
+import type { EdgeStatus, Identification, NetFile, Study } from "./result";
+
+/** A number for each edge or node, in the unit it is shown in; NaN where there is none. */
+export interface Quantity {
+  key: string;
+  label: string;
+  unit: string;
+  /** Its name where there is little room. */
+  head?: string;
+  of: "edge" | "node";
+  /** Told by colour on a scale from 0, on one around 0, or by names: values are then their indices. */
+  kind: "sequential" | "diverging" | "names";
+  values: Float64Array;
+  names?: { text: string; colour: Rgb }[];
+  /** Half the 95 % interval, where the value has one. */
+  interval?: Float64Array;
+  decimals: number;
+  /** Whether the colour scale begins at the lowest value, not at zero. */
+  fromLowest?: boolean;
+  /** Quantities with the same name share one colour scale. */
+  scale?: string;
+}
+
+/** A form and how another one departs from it. */
+export interface Displacement {
+  label: string;
+  base: Float32Array;
+  vectors: Float32Array;
+}
+
+/** A net with all that a result tells of it, the same for every kind of result. */
+export interface Model {
+  nodeCount: number;
+  edgeCount: number;
+  ends: Uint32Array;
+  isSupport: Uint8Array;
+  isAdjustable: Uint8Array;
+  /** Edges in the order of the charts. */
+  charted: number[];
+  form: Float32Array;
+  quantities: Quantity[];
+  displacements: Displacement[];
+  unstressed: number[];
+  nodeId(node: number): string;
+  edgeId(edge: number): string;
+}
+
+type Spec = Omit<Quantity, "values"> & { values: ArrayLike<number> };
+
+const quantity = (spec: Spec): Quantity => ({ ...spec, values: Float64Array.from(spec.values) });
+
+const flat = (points: [number, number, number][]): Float32Array => {
+  const result = new Float32Array(3 * points.length);
+  points.forEach((p, i) => result.set(p, 3 * i));
+  return result;
+};
+
+function difference(to: [number, number, number][], from: [number, number, number][]): Float32Array {
+  const result = new Float32Array(3 * to.length);
+  to.forEach((p, i) => p.forEach((x, k) => (result[3 * i + k] = x - from[i]![k]!)));
+  return result;
+}
+
+/** Lengths of vectors in millimetres, at the nodes that are free. */
+function distances(vectors: Float32Array, isSupport: Uint8Array): Float64Array {
+  return Float64Array.from(isSupport, (support, i) =>
+    support ? NaN : 1e3 * Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!),
+  );
+}
+
+/** Values of some edges at their places among all. */
+function spread(count: number, edges: number[], values: number[], factor = 1e3): Float64Array {
+  const result = new Float64Array(count).fill(NaN);
+  edges.forEach((e, i) => (result[e] = factor * values[i]!));
+  return result;
+}
+
+function marks(count: number, indices: number[]): Uint8Array {
+  const result = new Uint8Array(count);
+  for (const i of indices) result[i] = 1;
+  return result;
+}
+
+function netOf(net: NetFile, form: [number, number, number][]): Model {
+  const isAdjustable = marks(net.edges.length, net.adjustable);
+  return {
+    nodeCount: net.nodes.length,
+    edgeCount: net.edges.length,
+    ends: Uint32Array.from(net.edges.flat()),
+    isSupport: marks(net.nodes.length, net.supports),
+    isAdjustable,
+    charted: net.edges.map((_, e) => e).filter((e) => !isAdjustable[e]),
+    form: flat(form),
+    quantities: [
+      quantity({
+        key: "kind", label: "kind of edge", unit: "", of: "edge", kind: "names", decimals: 0, values: isAdjustable,
+        names: [{ text: "interior", colour: palette.grey }, { text: "adjustable", colour: palette.orange }],
+      }),
+    ],
+    displacements: [],
+    unstressed: net.unstressed_lengths,
+    nodeId: (node) => net.node_ids?.[node] ?? String(node),
+    edgeId: (edge) => net.edge_ids?.[edge] ?? String(edge),
+  };
+}
+
+function tensionAndStrain(net: NetFile, tension: number[], which: string, key: string): Quantity[] {
+  const stiffness = (e: number) => (typeof net.axial_stiffness === "number" ? net.axial_stiffness : net.axial_stiffness[e]!);
+  return [
+    quantity({ key: `${key}tension`, label: `tension${which}`, unit: "kN", of: "edge", kind: "sequential", decimals: 3, scale: "tension", fromLowest: true, values: tension.map((t) => t / 1e3) }),
+    quantity({ key: `${key}strain`, label: `strain${which}`, unit: "%", of: "edge", kind: "sequential", decimals: 3, scale: "strain", fromLowest: true, values: tension.map((t, e) => (100 * t) / stiffness(e)) }),
+  ];
+}
+
+const statusNames = [
+  { text: "identified", colour: palette.blue },
+  { text: "slack", colour: palette.orange },
+  { text: "unobserved", colour: palette.yellow },
+  { text: "adjustable: known and set", colour: palette.grey },
+];
+const statuses: EdgeStatus[] = ["identified", "slack", "unobserved"];
+
+function statusQuantity(model: Model, statusOf: (edge: number) => EdgeStatus): Quantity {
+  return quantity({
+    key: "status", label: "status", unit: "", of: "edge", kind: "names", decimals: 0, names: statusNames,
+    values: Float64Array.from(model.isAdjustable, (adjustable, e) => (adjustable ? 3 : statuses.indexOf(statusOf(e)))),
+  });
+}
+
+export function modelOfStudy(study: Study): Model {
+  const net = study.cable_net;
+  const model = netOf(net, study.nominal_form);
+  const { sample, errors } = study;
+  const edge = (key: string, label: string, head: string, kind: "sequential" | "diverging", values: number[], scale?: string): Quantity =>
+    quantity({ key, label, head, unit: "mm", of: "edge", kind, decimals: 4, values: spread(model.edgeCount, model.charted, values), ...(scale ? { scale } : {}) });
+  const free = net.nodes.map((_, i) => i).filter((i) => !model.isSupport[i]);
+  const node = (key: string, label: string, values: number[]): Quantity =>
+    quantity({ key, label, unit: "mm", of: "node", kind: "sequential", decimals: 4, values: spread(model.nodeCount, free, values) });
+  model.quantities.push(
+    statusQuantity(model, (e) => (sample.identified_tension[e]! > 0 ? "identified" : "slack")),
+    edge("true", "length deviation, true", "true", "diverging", sample.true, "deviation"),
+    edge("identified", "length deviation, identified", "identified", "diverging", sample.identified, "deviation"),
+    edge("error", "length deviation, error (true − identified)", "error", "diverging", sample.true.map((t, i) => t - sample.identified[i]!)),
+    edge("std", "standard deviation of the identified length", "std", "sequential", sample.std),
+    edge("error_mean", "mean error over the validation samples", "mean error", "diverging", errors.mean),
+    edge("error_std", "std of the errors over the validation samples", "std of errors", "sequential", errors.std),
+    ...tensionAndStrain(net, sample.identified_tension, ", identified", ""),
+    ...tensionAndStrain(net, sample.true_tension, ", true", "true_"),
+    node("form_nominal", "form deviation, true − nominal", sample.form_error.nominal),
+    node("form_identified", "form deviation, true − identified", sample.form_error.identified),
+  );
+  model.displacements = [
+    { label: "true form, from nominal", base: model.form, vectors: difference(sample.true_form, study.nominal_form) },
+    { label: "identified form, from nominal", base: model.form, vectors: difference(sample.identified_form, study.nominal_form) },
+    { label: "what is left: true, from identified", base: flat(sample.identified_form), vectors: difference(sample.true_form, sample.identified_form) },
+  ];
+  return model;
+}
+
+export function modelOfIdentification(result: Identification): Model {
+  const net = result.cable_net;
+  const model = netOf(net, result.form);
+  model.charted = result.edges.map((e) => e.edge);
+  const of = (key: "length_deviation" | "std"): Float64Array =>
+    spread(model.edgeCount, model.charted, result.edges.map((e) => e[key]));
+  const statusOf = new Map(result.edges.map((e) => [e.edge, e.status]));
+  const fromNominal = difference(result.form, net.nodes);
+  model.quantities.push(
+    statusQuantity(model, (e) => statusOf.get(e) ?? "unobserved"),
+    quantity({
+      key: "identified", label: "length deviation, identified", head: "deviation", unit: "mm", of: "edge", kind: "diverging", decimals: 3, values: of("length_deviation"),
+      interval: spread(model.edgeCount, model.charted, result.edges.map((e) => (e.upper - e.lower) / 2)),
+    }),
+    quantity({ key: "std", label: "standard deviation of the identified length", head: "std", unit: "mm", of: "edge", kind: "sequential", decimals: 3, values: of("std") }),
+    ...(result.tension ? tensionAndStrain(net, result.tension, ", predicted", "") : []),
+    quantity({ key: "form_predicted", label: "form deviation, predicted − nominal", unit: "mm", of: "node", kind: "sequential", decimals: 3, values: distances(fromNominal, model.isSupport) }),
+  );
+  model.displacements = [{ label: "predicted form, from nominal", base: flat(net.nodes), vectors: fromNominal }];
+
+  const residuals = result.survey.residuals ?? [];
+  if (residuals.length > 0) {
+    const vectors = new Float32Array(3 * model.nodeCount);
+    const values = new Float64Array(model.nodeCount).fill(NaN);
+    for (const { node, dx, dy, dz } of residuals) {
+      vectors.set([dx, dy, dz], 3 * node);
+      values[node] = 1e3 * Math.hypot(dx, dy, dz);
+    }
+    model.quantities.push(quantity({ key: "residual", label: "surveyed − predicted", unit: "mm", of: "node", kind: "sequential", decimals: 3, values }));
+    model.displacements.push({ label: "surveyed form, from predicted", base: model.form, vectors });
+  }
+  return model;
+}
+
+/** The ends of a quantity's colour scale, over all quantities that share it. */
+export function rangeOf(model: Model, quantity: Quantity): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const other of model.quantities) {
+    if (other !== quantity && !(quantity.scale && other.scale === quantity.scale)) continue;
+    for (const value of other.values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  if (low > high) return [0, 1];
+  const reach = Math.max(Math.abs(low), Math.abs(high)) || 1;
+  if (quantity.kind === "diverging") return [-reach, reach];
+  return quantity.fromLowest && high > low ? [low, high] : [0, reach];
+}

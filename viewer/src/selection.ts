@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+/** An edge or a node of the net. */
+export interface Item {
+  of: "edge" | "node";
+  index: number;
+}
+
+export const same = (a: Item | null, b: Item | null): boolean => a?.of === b?.of && a?.index === b?.index;
+
+/** What is selected and what is pointed at, shared by the view, the charts and the table. */
+export class Selection {
+  selected: Item | null = null;
+  hovered: Item | null = null;
+  private readonly listeners: (() => void)[] = [];
+
+  /** Calls back after each change. */
+  subscribe(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  select(item: Item | null): void {
+    if (same(item, this.selected)) return;
+    this.selected = item;
+    this.tell();
+  }
+
+  hover(item: Item | null): void {
+    if (same(item, this.hovered)) return;
+    this.hovered = item;
+    this.tell();
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+}

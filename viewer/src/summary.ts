@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+import { h } from "./dom";
+import { counted, millimetres, number, percent, short } from "./format";
+import { type Comparison, type ComparisonRow, type Counts, type Identification, methodsOf, type Result, type Study } from "./result";
+
+/** What the top of the page says: a title, what was done, three sentences, some numbers. */
+interface Summary {
+  title: string;
+  done: string;
+  sentences: string[];
+  figures: { value: string; unit: string; label: string }[];
+}
+
+const nameOf = (net: Counts): string => (net.name ? `“${net.name}”` : "the net");
+
+function netWords(net: Counts): string {
+  return [
+    [net.free_nodes, "free node"], [net.supports, "support"],
+    [net.interior_edges, "interior edge"], [net.adjustable_edges, "adjustable edge"],
+  ].filter(([count]) => typeof count === "number")
+    .map(([count, noun]) => counted(count as number, noun as string)).join(", ");
+}
+
+function lawWords(law = ""): string {
+  const [kind, size = ""] = law.split(":");
+  const scale = size.replace(/([\d.])([a-z])/, "$1 $2");
+  if (kind === "uniform") return `anywhere within ±${scale}`;
+  if (kind === "normal") return `by a normal law with a standard deviation of ${scale}`;
+  if (kind === "bimodal") return `by close to −${scale} or +${scale}`;
+  return law ? `by the law ${law}` : "at random";
+}
+
+/** "17 times smaller". */
+function times(before: number, after: number): string {
+  if (!(before > 0) || !(after > 0)) return "";
+  const [ratio, word] = before >= after ? [before / after, "smaller"] : [after / before, "larger"];
+  return `${short(Number(ratio.toPrecision(2)))} times ${word}`;
+}
+
+function ofStudy(study: Study): Summary {
+  const [name, method] = methodsOf(study)[0]!;
+  const error = 1e3 * Math.sqrt(method.mse);
+  const { nominal, identified } = study.form_error;
+  const ratio = times(nominal.mean, identified.mean);
+  return {
+    title: "How long the cables really are, told from the form",
+    done:
+      `A numerical experiment on the net ${nameOf(study.net)}: ${netWords(study.net)}. Its interior cables were made too long or too short ` +
+      `${lawWords(study.law)}, ${counted(study.samples.total, "time")}; Gaussian processes learnt from ${study.samples.training} of these forms ` +
+      `to tell the lengths, and were tried on ${study.samples.validation} that they had not seen.`,
+    sentences: [
+      `From the form alone, each cable's unstressed length is told to within ${number(error)} mm (root mean square over all cables and trials), where it was unknown ${lawWords(study.law)}: ${percent(method.mrse)} % of the squared deviation is left.`,
+      `A model with the identified lengths predicts the net's true form to ${millimetres(identified.mean)} mm in the mean (${millimetres(identified.max)} mm at most); with the lengths as designed it is ${millimetres(nominal.mean)} mm off${ratio ? `. The error is ${ratio}` : ""}.`,
+      method.coverage_95 === undefined
+        ? `The worst cable's error is ${millimetres(method.error_mean_max_abs)} mm in the mean of the trials.`
+        : `${method.coverage_95 > 0.9 ? "The stated uncertainty holds" : "The stated uncertainty is too small"}: ${percent(method.coverage_95)} % of the true lengths lie inside their 95 % interval.` +
+          (study.samples.with_slack > 0 ? ` In ${counted(study.samples.with_slack, "sample")} of ${study.samples.total} some cable went slack, whose length the form does not show.` : ""),
+    ],
+    figures: [
+      { value: number(error), unit: "mm", label: "error of a length, RMS" },
+      { value: percent(method.mrse), unit: "%", label: "of the deviation left (MRSE)" },
+      { value: millimetres(nominal.mean), unit: "mm", label: "form error as designed, mean" },
+      { value: millimetres(identified.mean), unit: "mm", label: "form error as identified, mean" },
+      { value: percent(method.coverage_95), unit: "%", label: `inside 95 % intervals (${name === "gp_as_in_paper" ? "method as in the paper" : name})` },
+    ],
+  };
+}
+
+const methodNames: Record<string, string> = {
+  gp: "Gaussian processes", gp_as_in_paper: "Gaussian processes as in the paper",
+  balance: "the balance of forces", map: "maximum a posteriori estimation",
+};
+
+function warnings(result: Identification): string {
+  const slack = result.edges.filter((e) => e.status === "slack").length;
+  const unobserved = result.edges.filter((e) => e.status === "unobserved").length;
+  const { outliers, missing, unmatched = [] } = result.survey;
+  const found = [
+    slack && `${counted(slack, "slack cable")}, whose length shows in nothing`,
+    unobserved && `${counted(unobserved, "cable")} that the survey does not tell about`,
+    outliers.length && counted(outliers.length, "suspected blunder"),
+    missing && counted(missing, "node") + " not surveyed",
+    unmatched.length && counted(unmatched.length, "target") + " that fit no node",
+  ].filter(Boolean);
+  return found.length > 0
+    ? `To look at: ${found.join("; ")}.`
+    : "No cable is slack, every cable is observed, and the survey shows no blunder and no hidden node.";
+}
+
+function ofIdentification(result: Identification): Summary {
+  const { edges, survey } = result;
+  const longest = edges.reduce((a, b) => (Math.abs(b.length_deviation) > Math.abs(a.length_deviation) ? b : a));
+  const halves = edges.map((e) => (e.upper - e.lower) / 2).sort((a, b) => a - b);
+  const median = halves[Math.floor(halves.length / 2)]!;
+  const identified = edges.filter((e) => e.status === "identified").length;
+  const id = result.cable_net.edge_ids?.[longest.edge] ?? String(longest.edge);
+  const rms = Math.sqrt(edges.reduce((sum, e) => sum + e.length_deviation ** 2, 0) / edges.length);
+  const noise = result.noise == null ? "" : ` The survey's noise was taken as ${typeof result.noise === "number" ? `${short(1e3 * result.noise)} mm` : result.noise} a coordinate.`;
+  return {
+    title: "How long each cable is, from one survey",
+    done:
+      `One survey of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed. ` +
+      `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}.${noise}`,
+    sentences: [
+      `${identified} of ${counted(edges.length, "interior cable")} are identified, to ±${millimetres(median)} mm (95 %, median); ` +
+        `the cable ${id} deviates most: ${millimetres(Math.abs(longest.length_deviation))} mm ${longest.length_deviation >= 0 ? "longer" : "shorter"} than designed.`,
+      `With these lengths the model's form lies ${millimetres(survey.rms_residual)} mm (RMS) from the surveyed one, at most ${millimetres(survey.max_residual)} mm.`,
+      warnings(result),
+    ],
+    figures: [
+      { value: `${identified} / ${edges.length}`, unit: "", label: "cables identified" },
+      { value: millimetres(rms), unit: "mm", label: "length deviation, RMS" },
+      { value: `±${millimetres(median)}`, unit: "mm", label: "95 % interval, median" },
+      { value: millimetres(survey.rms_residual), unit: "mm", label: "predicted to surveyed, RMS" },
+      { value: String(survey.outliers.length), unit: "", label: "suspected blunders" },
+    ],
+  };
+}
+
+const coverageWords = (least: number, most: number): string =>
+  percent(least) === percent(most) ? `${percent(least)} %` : `Between ${percent(least)} and ${percent(most)} %`;
+
+function ofComparison(comparison: Comparison): Summary {
+  const rows = comparison.rows.filter((r) => typeof r.mse === "number");
+  const methods = [...new Set(comparison.rows.map((r) => r.method))];
+  const noises = [...new Set(comparison.rows.map((r) => r.noise))].sort((a, b) => a - b);
+  const mm = (mse: number): string => `${number(1e3 * Math.sqrt(mse))} mm`;
+  const best = (noise: number): ComparisonRow | undefined =>
+    rows.filter((r) => r.noise === noise && !((r.hidden_fraction ?? 0) > 0)).sort((a, b) => a.mse! - b.mse!)[0];
+  const at = (noise: number): string => {
+    const row = best(noise);
+    if (!row) return `At a noise of ${short(1e3 * noise)} mm no method gave a result.`;
+    const possible = row.best_possible_mse;
+    return `At a noise of ${short(1e3 * noise)} mm a coordinate, ${row.method} does best: ${mm(row.mse!)} a length (RMS)` +
+      (possible ? `, where the best possible is ${mm(possible)}.` : ".");
+  };
+  const covered = rows.filter((r) => typeof r.coverage === "number").map((r) => r.coverage!);
+  const sentences = [at(noises[0]!)];
+  if (noises.length > 1) sentences.push(at(noises.at(-1)!));
+  sentences.push(covered.length > 0
+    ? `${coverageWords(Math.min(...covered), Math.max(...covered))} of the true lengths lie inside the stated 95 % intervals.`
+    : `${counted(methods.length, "method")} were compared at ${counted(noises.length, "noise level")}.`);
+  return {
+    title: "Which method tells the lengths best",
+    done: `${counted(methods.length, "method")} (${methods.join(", ")}) compared on the net ${nameOf(comparison.net)}${netWords(comparison.net) ? `: ${netWords(comparison.net)}` : ""}.`,
+    sentences,
+    figures: [],
+  };
+}
+
+function summaryOf(result: Result): Summary {
+  if (result.format === "taut-study") return ofStudy(result);
+  return result.format === "taut-identification" ? ofIdentification(result) : ofComparison(result);
+}
+
+/** The top of the page, for who reads nothing else. */
+export function summary(result: Result): HTMLElement {
+  const { title, done, sentences, figures } = summaryOf(result);
+  document.title = `${result.net.name || "A net"} – taut report`;
+  const cards = figures.map(({ value, unit, label }) =>
+    h("div", { class: "card" }, h("div", { class: "value" }, value, h("small", {}, unit ? ` ${unit}` : "")), h("div", { class: "label" }, label)));
+  const provenance = [result.program, result.date, result.net.fingerprint && `net ${result.net.fingerprint}`].filter(Boolean).join(" · ");
+  return h("header", {},
+    h("div", { class: "brand" }, h("span", { class: "logo", "aria-hidden": "true" }), h("span", {}, "taut report"), h("span", { class: "quiet provenance" }, provenance)),
+    h("h1", {}, result.net.name || "A net", h("small", {}, title)),
+    h("p", { class: "done" }, done),
+    h("ol", { class: "sentences", "aria-label": "What matters" }, ...sentences.map((text) => h("li", {}, text))),
+    cards.length > 0 ? h("div", { class: "cards" }, ...cards) : null);
+}

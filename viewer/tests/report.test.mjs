@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards, in a real browser, against a report that needs the network, shows other numbers than its
+// result's, loses a selection on the way, runs what stands in a name, or is empty.
+// TAUT_PROGRAM names the program; TAUT_CHROMIUM the browser (default: Debian's).
+
+import assert from "node:assert/strict";
+import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "playwright-core";
+import { folder, makeReports } from "./results.mjs";
+
+const executablePath = process.env.TAUT_CHROMIUM ?? "/usr/bin/chromium";
+if (!existsSync(executablePath)) {
+  console.log(`skipped: no Chromium at ${executablePath}, install the package chromium or set TAUT_CHROMIUM`);
+  process.exit(0);
+}
+
+let browser;
+let reports;
+
+before(async () => {
+  reports = makeReports();
+  // Without a graphics card Chromium draws in software only when told that it may.
+  browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+});
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/** Opens a report; whatever it asks for or complains about fails the test. */
+async function open(path, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  page.complaints = [];
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) page.complaints.push(`request ${request.url()}`);
+  });
+  page.on("console", (message) => {
+    // Reading pixels back is slow, says the driver; only tests and print do.
+    if (["error", "warning"].includes(message.type()) && !message.text().includes("GPU stall")) page.complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => page.complaints.push(error.message));
+  page.on("dialog", (dialog) => page.complaints.push(`dialog ${dialog.message()}`));
+  await page.goto(`file://${path}`);
+  await page.waitForSelector("body[data-ready]");
+  return page;
+}
+
+async function close(page) {
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** The picture of the view. */
+async function pixels(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return page.$eval(".canvas canvas", (canvas) => canvas.toDataURL());
+}
+
+const inspected = (page) => page.textContent(".inspector h3");
+const plainNumber = (text) => Number(text.replaceAll("−", "-").replace(/[^\d.e-]/g, ""));
+
+async function inspectedValue(page, name) {
+  return page.$eval(".inspector dl", (list, name) => {
+    const term = [...list.querySelectorAll("dt")].find((dt) => dt.textContent === name);
+    return term?.nextElementSibling.textContent;
+  }, name);
+}
+
+test("every report opens from disk, without a request or a complaint", async () => {
+  for (const { page: path, result } of Object.values(reports)) {
+    const page = await open(path);
+    assert.ok((await page.textContent("h1")).includes(result.net.name));
+    assert.equal(await page.locator(".sentences li").count(), 3);
+    assert.ok((await page.locator("#figures svg").count()) > 0);
+    assert.equal(await page.locator(".failure[role=alert]").count(), 0);
+    await close(page);
+  }
+});
+
+test("a click on an edge in the view selects it in charts and table too", async () => {
+  const { page: path, result } = reports.study;
+  const page = await open(path);
+  const edge = result.cable_net.edges.findIndex((_, e) => !result.cable_net.adjustable.includes(e));
+  const place = await page.$eval(".canvas", ({ netView }, [s, t]) => {
+    const [a, b] = [netView.placeOf(s), netView.placeOf(t)];
+    return { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2 };
+  }, result.cable_net.edges[edge]);
+  await page.click(".canvas canvas", { position: place });
+  assert.equal(await inspected(page), `Edge ${edge}`);
+  assert.equal(await page.locator("#figures svg[data-chart] .mark.selected").count(), 4);
+  assert.equal(await page.textContent("#tables tr[aria-selected=true] td"), String(edge));
+  await close(page);
+});
+
+test("a click on a node in the view tells its place and values", async () => {
+  const { page: path, result } = reports.study;
+  const page = await open(path);
+  const node = result.cable_net.nodes.findIndex((_, i) => !result.cable_net.supports.includes(i));
+  const [x, y] = await page.$eval(".canvas", ({ netView }, node) => netView.placeOf(node), node);
+  await page.click(".canvas canvas", { position: { x, y } });
+  assert.equal(await inspected(page), `Free node ${node}`);
+  const shown = plainNumber(await inspectedValue(page, "form deviation, true − identified"));
+  assert.ok(Math.abs(shown - 1e3 * result.sample.form_error.identified[0]) < 1e-4);
+  await close(page);
+});
+
+test("a click in a chart selects the edge that stands there", async () => {
+  const page = await open(reports.study.page);
+  const chart = page.locator("[data-figure=length_deviations] svg");
+  await chart.scrollIntoViewIfNeeded();
+  const { from, edge, box } = await chart.evaluate((svg) => {
+    const [low, high, from, to] = svg.dataset.x.split(" ").map(Number);
+    const frame = svg.getBoundingClientRect();
+    return { from: ((from + ((10 - low) / (high - low)) * (to - from)) * frame.width) / svg.viewBox.baseVal.width, edge: 9, box: frame.height };
+  });
+  await chart.click({ position: { x: from, y: box / 2 } });
+  const { adjustable, edges } = reports.study.result.cable_net;
+  const interior = edges.map((_, e) => e).filter((e) => !adjustable.includes(e));
+  assert.equal(await inspected(page), `Edge ${interior[edge]}`);
+  await close(page);
+});
+
+test("the arrows go through the table, and turn the view", async () => {
+  const page = await open(reports.study.page);
+  await page.focus("#tables .rows");
+  await page.keyboard.press("ArrowDown");
+  const first = await inspected(page);
+  await page.keyboard.press("ArrowDown");
+  assert.notEqual(await inspected(page), first);
+  const before = await pixels(page);
+  await page.focus(".canvas canvas");
+  await page.keyboard.press("ArrowLeft");
+  const turned = await pixels(page);
+  assert.notEqual(turned, before);
+  await page.keyboard.press("+");
+  assert.notEqual(await pixels(page), turned);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".inspector h3").count(), 0);
+  await close(page);
+});
+
+test("every colouring, viewpoint and displacement draws another picture", async () => {
+  const page = await open(reports.study.page);
+  const seen = new Map();
+  for (const key of await page.$$eval("#colour-by option", (options) => options.map((o) => o.value))) {
+    await page.selectOption("#colour-by", key);
+    const legend = await page.getAttribute(".legend", "aria-label");
+    // Where all edges are of one axial stiffness, strain is tension in another unit.
+    const picture = (key.endsWith("strain") ? legend : "") + (await pixels(page));
+    assert.ok(!seen.has(picture), `${key} looks like ${seen.get(picture)}`);
+    seen.set(picture, key);
+    assert.ok(legend.length > 10);
+  }
+  await page.selectOption("#colour-by", "identified");
+  const perspective = await pixels(page);
+  await page.click("[data-view=top]");
+  const top = await pixels(page);
+  assert.notEqual(top, perspective);
+  await page.selectOption("#displacement", "0");
+  const moved = await pixels(page);
+  assert.notEqual(moved, top);
+  await page.fill("#exaggeration", "90");
+  assert.notEqual(await pixels(page), moved);
+  assert.match(await page.textContent(".slider output"), /^× \d/);
+  await close(page);
+});
+
+test("the view is turned by a drag and zoomed by the wheel", async () => {
+  const page = await open(reports.study.page);
+  const box = await page.locator(".canvas canvas").boundingBox();
+  const before = await pixels(page);
+  await page.mouse.move(box.x + 200, box.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 300, box.y + 230, { steps: 4 });
+  await page.mouse.up();
+  const turned = await pixels(page);
+  assert.notEqual(turned, before);
+  assert.equal(await page.locator(".inspector h3").count(), 0, "the end of a drag is no click");
+  await page.mouse.wheel(0, -300);
+  assert.notEqual(await pixels(page), turned);
+  await close(page);
+});
+
+test("the numbers on the page are the result's", async () => {
+  const { page: path, result } = reports.study;
+  const page = await open(path);
+  const method = result.methods.gp_as_in_paper;
+  const cards = (await page.locator(".card .value").allTextContents()).map(plainNumber);
+  const expected = [1e3 * Math.sqrt(method.mse), 100 * method.mrse, 1e3 * result.form_error.nominal.mean, 1e3 * result.form_error.identified.mean, 100 * method.coverage_95];
+  cards.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= 0.006 * expected[i], `${value} for ${expected[i]}`));
+
+  const rows = await page.$$eval("#paper table:last-of-type tbody tr", (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+  const forms = Object.fromEntries(rows.slice(-4).map(([name, ...cells]) => [name.toLowerCase(), cells.map(plainNumber)]));
+  for (const key of ["max", "min", "mean", "rmse"]) {
+    const [paperNominal, nominal, paperIdentified, identified] = forms[key];
+    for (const [shown, metres] of [
+      [paperNominal, result.paper.form_error.nominal[key]], [nominal, result.form_error.nominal[key]],
+      [paperIdentified, result.paper.form_error.identified[key]], [identified, result.form_error.identified[key]],
+    ]) {
+      assert.ok(Math.abs(shown - 1e3 * metres) <= 0.006 * 1e3 * metres, `${key}: ${shown} for ${1e3 * metres}`);
+    }
+  }
+  const settings = await page.textContent("#settings");
+  for (const text of [result.law, result.net.fingerprint, result.date, result.command, String(result.samples.training)]) assert.ok(settings.includes(text), text);
+  await close(page);
+});
+
+/** Rows of a CSV text without quotes in it. */
+const parse = (text) => text.trim().split("\r\n").map((line) => line.split(","));
+
+test("the table is sorted, filtered and downloaded with all digits", async () => {
+  const { page: path, result } = reports.plain;
+  const page = await open(path);
+  const download = async () => {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.click("#tables .csv >> nth=0")]);
+    return parse(readFileSync(await file.path(), "utf8"));
+  };
+  const [head, ...all] = await download();
+  assert.equal(all.length, result.cable_net.edges.length);
+  const column = head.indexOf("deviation [mm]");
+  for (const edge of result.edges) {
+    const row = all.find((cells) => cells[0] === String(edge.edge));
+    assert.equal(Number(row[column]), 1e3 * edge.length_deviation);
+    assert.ok(Math.abs(Number(row[head.indexOf("95 % from [mm]")]) - 1e3 * edge.lower) < 1e-9);
+  }
+  const magnitudes = all.map((cells) => cells[column]).filter(Boolean).map((text) => Math.abs(Number(text)));
+  assert.deepEqual(magnitudes, magnitudes.toSorted?.((a, b) => b - a) ?? [...magnitudes].sort((a, b) => b - a), "the largest first");
+
+  await page.click("#tables th button >> nth=0");
+  const [, ...byName] = await download();
+  assert.equal(byName[0][0], "0");
+  await page.fill("#tables input >> nth=0", "adjustable");
+  const [, ...adjustable] = await download();
+  assert.equal(adjustable.length, result.cable_net.adjustable.length);
+  assert.match(await page.textContent("#tables [role=status]"), /of \d+ rows/);
+  await close(page);
+});
+
+test("only the rows that are seen exist", async () => {
+  const page = await open(reports.study.page);
+  const rows = () => page.locator("#tables .rows >> nth=0 >> tr[data-row]").count();
+  assert.ok((await rows()) < 60);
+  const first = await page.textContent("#tables tr[data-row] td");
+  await page.$eval("#tables .rows", (scroller) => (scroller.scrollTop = scroller.scrollHeight));
+  await page.waitForFunction((first) => document.querySelector("#tables tr[data-row] td").textContent !== first, first);
+  assert.ok((await rows()) < 60);
+  await close(page);
+});
+
+test("troubles of a survey are listed and lead to their place", async () => {
+  const { page: path, result } = reports.troubled;
+  const page = await open(path);
+  const text = await page.textContent("#lists");
+  for (const words of ["T-900", "<b>T-901</b>"]) assert.ok(text.includes(words), words);
+  const counts = await page.locator("#lists .count").allTextContents();
+  assert.deepEqual(counts, ["1", "1", "1", "2", "2"]);
+  await page.click("#lists .list:nth-child(3) .chip");
+  assert.equal(await inspected(page), "Free node 8");
+  await page.click("#lists .list:nth-child(1) .chip");
+  assert.equal(await inspected(page), `Edge ${result.edges[0].edge}`);
+  assert.equal(await inspectedValue(page, "status"), "slack");
+  assert.equal(await page.locator("[data-figure=residual_histogram]").count(), 1);
+  assert.match(await page.textContent(".sentences"), /1 slack cable.*1 suspected blunder.*2 nodes not surveyed/s);
+  await close(page);
+});
+
+test("what a result does not tell is said, not left empty", async () => {
+  const plain = await open(reports.plain.page);
+  assert.match(await plain.textContent("#lists"), /None: every cable carries tension/);
+  assert.match(await plain.textContent(".sentences"), /No cable is slack/);
+  assert.equal(await plain.locator("[data-figure=residual_histogram]").count(), 0);
+  await close(plain);
+  const bare = await open(reports.bare.page);
+  assert.equal(await bare.locator("[data-figure=residual_map]").count(), 0);
+  assert.equal(await bare.locator("#colour-by option[value=tension]").count(), 0);
+  await close(bare);
+  const one = await open(reports.one.page);
+  assert.match(await one.textContent("#figures"), /the one validation sample/);
+  assert.doesNotMatch(await one.innerText("body"), /NaN|undefined|Infinity/);
+  await close(one);
+});
+
+test("names with markup are shown as text and run nothing", async () => {
+  const { page: path, result } = reports.hostile;
+  const page = await open(path);
+  assert.ok((await page.textContent("h1")).includes(result.net.name));
+  await page.click("#tables tr[data-row] >> nth=0");
+  assert.ok((await inspected(page)).includes("<img src=x onerror"));
+  assert.equal(await page.evaluate(() => window.harmed), undefined);
+  assert.equal(await page.locator("img:not(.print-only)").count(), 0);
+  // A cell that begins like a formula would be run by a spreadsheet.
+  const [file] = await Promise.all([page.waitForEvent("download"), page.click("#tables .csv >> nth=0")]);
+  assert.ok(readFileSync(await file.path(), "utf8").includes("\"'=<img"));
+  await close(page);
+});
+
+test("a comparison shows each method and the best possible", async () => {
+  const { page: path, result } = reports.comparison;
+  const page = await open(path);
+  assert.equal(await page.locator("#figures [data-figure]").count(), 2);
+  assert.match(await page.textContent("#figures"), /best possible/);
+  assert.equal(await page.locator("#tables tr[data-row]").count(), result.rows.length);
+  assert.match(await page.textContent(".sentences"), /map does best/);
+  await close(page);
+});
+
+test("a page whose result is damaged says so", async () => {
+  const whole = readFileSync(reports.plain.page, "utf8");
+  const start = whole.indexOf("id=\"result\">") + 12;
+  const end = whole.indexOf("</script>", start);
+  for (const damaged of [whole.slice(start, start + 500), "{\"format\": \"taut-net\"}", ""]) {
+    const path = join(folder, "damaged.html");
+    writeFileSync(path, whole.slice(0, start) + damaged + whole.slice(end));
+    const page = await browser.newPage();
+    await page.goto(`file://${path}`);
+    assert.match(await page.textContent("[role=alert]"), /cannot be shown.*taut report/s);
+    await page.close();
+  }
+});
+
+test("tablets and phones see all of the page without scrolling sideways", async () => {
+  for (const [width, height] of [[1180, 820], [820, 1180], [390, 844]]) {
+    for (const { page: path } of [reports.study, reports.troubled, reports.comparison]) {
+      const page = await open(path, { viewport: { width, height }, hasTouch: true, isMobile: true });
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${path} at ${width}`);
+      await close(page);
+    }
+  }
+});
+
+test("a tap selects", async () => {
+  const { page: path, result } = reports.study;
+  const page = await open(path, { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
+  const node = result.cable_net.nodes.findIndex((_, i) => !result.cable_net.supports.includes(i));
+  const [x, y] = await page.$eval(".canvas", ({ netView }, node) => netView.placeOf(node), node);
+  await page.tap(".canvas canvas", { position: { x, y } });
+  assert.equal(await inspected(page), `Free node ${node}`);
+  await close(page);
+});
+
+test("it prints on A4, black on white, with the view as a picture", async () => {
+  const page = await open(reports.study.page, { colorScheme: "dark" });
+  const pdf = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+  assert.match(pdf, /\/MediaBox \[0 0 59[45][.\d]* 84[12]/);
+  const pages = pdf.match(/\/Type \/Page\b/g).length;
+  assert.ok(pages >= 2 && pages <= 9, `${pages} pages`);
+  await page.emulateMedia({ media: "print" });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
+  assert.equal(await page.locator(".canvas canvas").isVisible(), false);
+  assert.equal(await page.locator(".canvas img").isVisible(), true);
+  assert.ok((await page.locator("#tables .rows >> nth=0 >> tr[data-row]").count()) <= 40);
+  await close(page);
+});
+
+test("light and dark differ, in page and view", async () => {
+  const grounds = [];
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await open(reports.study.page, { colorScheme });
+    grounds.push([await page.evaluate(() => getComputedStyle(document.body).backgroundColor), await pixels(page)]);
+    await close(page);
+  }
+  assert.notEqual(grounds[0][0], grounds[1][0]);
+  assert.notEqual(grounds[0][1], grounds[1][1]);
+});
+
+test("every control and drawing has a name for a screen reader", async () => {
+  for (const { page: path } of [reports.study, reports.troubled, reports.comparison]) {
+    const page = await open(path);
+    const nameless = await page.evaluate(() =>
+      [...document.querySelectorAll("button, select, input, svg, canvas, section, [role=region]")]
+        .filter((e) => !(e.ariaLabel || e.labels?.length || e.textContent.trim() && e.matches("button") || document.getElementById(e.getAttribute("aria-labelledby"))))
+        .map((e) => e.outerHTML.slice(0, 80)));
+    assert.deepEqual(nameless, []);
+    const levels = await page.$$eval("h1, h2, h3", (heads) => heads.map((h) => Number(h.tagName[1])));
+    levels.forEach((level, i) => assert.ok(i === 0 ? level === 1 : level <= levels[i - 1] + 1, `heading ${i}`));
+    await close(page);
+  }
+});
+
+test("without WebGL all but the view is there, and it says so", async () => {
+  const blind = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"] });
+  const page = await blind.newPage();
+  await page.goto(`file://${reports.study.page}`);
+  await page.waitForSelector("body[data-ready]");
+  assert.match(await page.textContent(".canvas"), /no WebGL/);
+  assert.equal(await page.locator("[data-figure=net_plan]").isVisible(), true);
+  await blind.close();
+});

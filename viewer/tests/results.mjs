@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Makes results of every kind with the program, and reports of them, in a temporary folder.
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+const program = process.env.TAUT_PROGRAM;
+export const folder = mkdtempSync(join(tmpdir(), "taut-viewer-"));
+
+function taut(...words) {
+  return execFileSync(program, words, { cwd: folder, encoding: "utf8" });
+}
+
+function write(name, result) {
+  writeFileSync(join(folder, `${name}.json`), JSON.stringify(result));
+}
+
+/** The report of a result in the folder: its path and the result. */
+function report(name) {
+  taut("report", `${name}.json`, "-o", `${name}.html`);
+  return { page: join(folder, `${name}.html`), result: JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8")) };
+}
+
+/** What a survey with troubles gives: blunders, hidden nodes, slack edges, targets of no node. */
+function troubled(identification) {
+  const result = structuredClone(identification);
+  result.survey.residuals.forEach((r, i) => (r.standardised = [Math.sin(i), Math.cos(3 * i), Math.sin(7 * i)]));
+  Object.assign(result.survey, {
+    outliers: [{ node: 8, id: "8", statistic: 5.25 }],
+    missing: 2, missing_nodes: [9, 10],
+    unmatched: ["T-900", { id: "<b>T-901</b>" }],
+  });
+  result.edges[0].status = "slack";
+  result.edges[1].status = "unobserved";
+  return result;
+}
+
+/** Names that would do harm where they were taken for markup. */
+function hostile(identification) {
+  const result = structuredClone(identification);
+  const attack = "<img src=x onerror=\"window.harmed=1\"></script><script>window.harmed=1</script><!--";
+  result.net.name = result.cable_net.name = attack;
+  result.cable_net.node_ids = result.cable_net.nodes.map((_, i) => `${attack}${i}`);
+  result.cable_net.edge_ids = result.cable_net.edges.map((_, e) => `=${attack}${e}`);
+  result.method = attack;
+  return result;
+}
+
+function comparison() {
+  const rows = [];
+  for (const [method, factor] of [["gp", 1.6], ["map", 1.05], ["balance", 3]]) {
+    for (const [noise, best] of [[0, 1e-10], [1e-4, 1.86e-8], [5e-4, 4.3e-7]]) {
+      for (const training of method === "gp" ? [100, 900] : [null]) {
+        rows.push({ method, noise, training_samples: training, hidden_fraction: 0, mse: factor * best, mrse: 0.002, form_error: 2e-4, coverage: 0.94, seconds: 1.5, best_possible_mse: best });
+      }
+    }
+  }
+  return { format: "taut-comparison", version: 1, program: "taut", net: { name: "hypar", free_nodes: 30 }, rows };
+}
+
+export function makeReports() {
+  taut("example", "hypar:5x6", "-o", "net.json");
+  const run = ["reproduce", "--net", "net.json", "--law", "uniform:2mm", "--quiet"];
+  taut(...run, "--samples", "60", "--validation", "5", "-o", "study", "--keep");
+  taut(...run, "--samples", "30", "--validation", "1", "-o", "one");
+  taut("form", "net.json", "-o", "survey.csv");
+  taut("identify", "net.json", "survey.csv", "--model", "study/model.h5", "-o", "plain.json", "--quiet");
+  const plain = JSON.parse(readFileSync(join(folder, "plain.json"), "utf8"));
+  const bare = structuredClone(plain);
+  for (const key of ["residuals", "missing_nodes"]) delete bare.survey[key];
+  for (const key of ["tension", "date", "command", "program"]) delete bare[key];
+  write("bare", bare);
+  write("troubled", troubled(plain));
+  write("hostile", hostile(plain));
+  write("comparison", comparison());
+  return Object.fromEntries(["study/results", "one/results", "plain", "bare", "troubled", "hostile", "comparison"].map((name) => [name.split("/")[0], report(name)]));
+}
