@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test examples bench lint format sanitize clean
+.PHONY: help build demo test examples bench lint format sanitize fuzz clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -53,6 +53,10 @@ sanitize: ## run the tests with the address and undefined behaviour sanitizers
 	$(configure) --preset asan
 	cmake --build --preset asan
 	ctest --preset asan
+
+fuzz: ## feed the readers damaged files, SECONDS=600 each
+	scripts/install_dependencies.sh fuzz
+	scripts/fuzz.sh $(or $(SECONDS),600)
 
 clean: ## remove the build folder
 	rm -rf build

@@ -5,6 +5,8 @@
 
 #include "taut/design/builtin_nets.hpp"
 #include "taut/sampling/data_set.hpp"
+#include "taut/statics/cone_program.hpp"
+#include "taut/statics/duality.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
@@ -15,7 +17,8 @@ using taut::CableNet;
 constexpr taut::LengthLaw five_millimetres{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};
 constexpr double spacing = 0.132;  // m, of the built-in nets
 
-Eigen::VectorXd drawn_lengths(const CableNet& net, const taut::LengthLaw& law, std::uint64_t sample) {
+Eigen::VectorXd drawn_lengths(const CableNet& net, const taut::LengthLaw& law,
+                              std::uint64_t sample) {
     return taut::with_length_deviations(
         net, taut::draw_length_deviations(law, 1, sample, net.interior_edge_count()));
 }
@@ -26,7 +29,8 @@ void solve_from_nominal_form(benchmark::State& state) {
     std::uint64_t sample = 0;
     std::int64_t steps = 0;
     for (auto _ : state) {
-        const auto found = solver.solve(drawn_lengths(net, five_millimetres, sample++), net.nodes());
+        const auto found =
+            solver.solve(drawn_lengths(net, five_millimetres, sample++), net.nodes());
         steps += found.iterations;
     }
     state.counters["newton_steps"] =
@@ -52,6 +56,38 @@ void solve_from_linear_prediction(benchmark::State& state) {
         static_cast<double>(steps) / static_cast<double>(state.iterations());
 }
 BENCHMARK(solve_from_linear_prediction)->Unit(benchmark::kMillisecond);
+
+/// The same by the paper's cone program, each time from nothing: it knows no start.
+void solve_cone_program(benchmark::State& state, taut::ConeForm form) {
+    if (!taut::cone_solver_available()) {
+        state.SkipWithError("built without Clarabel");
+        return;
+    }
+    const CableNet net = taut::hilo_quarter();
+    std::uint64_t sample = 0;
+    std::int64_t iterations = 0;
+    for (auto _ : state) {
+        const auto found = taut::solve_cone_program(
+            net, drawn_lengths(net, five_millimetres, sample++), {.form = form});
+        iterations += found.iterations;
+        if (!found.solved()) {
+            state.SkipWithError("not solved");
+        }
+    }
+    state.counters["newton_steps"] =
+        static_cast<double>(iterations) / static_cast<double>(state.iterations());
+}
+BENCHMARK_CAPTURE(solve_cone_program, quadratic, taut::ConeForm::quadratic)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_cone_program, paper, taut::ConeForm::paper)->Unit(benchmark::kMillisecond);
+
+void certify_a_form(benchmark::State& state) {
+    const CableNet net = taut::hilo_quarter();
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(taut::certify(net, net.unstressed_lengths(), net.nodes()));
+    }
+}
+BENCHMARK(certify_a_form)->Unit(benchmark::kMillisecond);
 
 /// Symbolic work and one solve for lengths within +-1 % of the spacing.
 void solve_hypar(benchmark::State& state) {

@@ -17,7 +17,7 @@ def medians(file):
     """Name -> (median real time in ms, counters) of a Google Benchmark output."""
     rows = {}
     for row in json.loads(file.read_text())["benchmarks"]:
-        if row.get("aggregate_name") == "median":
+        if row.get("aggregate_name") == "median" and not row.get("error_occurred"):
             scale = {"ms": 1.0, "s": 1e3, "us": 1e-3, "ns": 1e-6}[row["time_unit"]]
             name = row["run_name"].removesuffix("/real_time").removesuffix("/iterations:1")
             rows[name.removesuffix("/iterations:2")] = (row["real_time"] * scale, row)
@@ -37,7 +37,9 @@ def main():
     def load(name):
         return json.loads((folder / name).read_text())
 
-    rows = medians(folder / "statics.json") | medians(folder / "learning.json")
+    rows = {}
+    for name in ("statics", "learning", "identification"):
+        rows |= medians(folder / f"{name}.json")
     study = load("reproduce.json")
     whole = load("reproduce_process.json")
     large = load("hypar300_process.json")
@@ -53,6 +55,16 @@ def main():
     def steps(name):
         return f"{rows[name][1]['newton_steps']:.2g}"
 
+    def cone_rows():
+        """Table rows of the cone program; none where taut was built without Clarabel."""
+        newton = rows["solve_from_nominal_form"][0]
+        return "".join(
+            f"| the same by the paper's SOCP, Clarabel, {form} form | {ms(name)}: "
+            f"{rows[name][0] / newton:.0f} times Newton's | {steps(name)} |\n"
+            for form in ("quadratic", "paper")
+            if (name := f"solve_cone_program/{form}") in rows
+        )
+
     print(f"""# Performance
 
 Written by `make bench` on {datetime.date.today()}: {cores} cores of {processor()},
@@ -61,11 +73,11 @@ processes were run once. Times depend on the machine; ratios are taken within on
 
 ## Equilibrium, one core
 
-| solve | time | Newton steps |
+| solve | time | Newton or interior point steps |
 |---|---|---|
 | built-in net, +-5 mm, from the nominal form | {ms('solve_from_nominal_form')} | {steps('solve_from_nominal_form')} |
 | the same from the linear prediction | {ms('solve_from_linear_prediction')} | {steps('solve_from_linear_prediction')} |
-| `hypar:30x30`, +-1 % of the spacing, symbolic work included | {ms('solve_hypar/30')} | {steps('solve_hypar/30')} |
+{cone_rows()}| `hypar:30x30`, +-1 % of the spacing, symbolic work included | {ms('solve_hypar/30')} | {steps('solve_hypar/30')} |
 | `hypar:100x100`, likewise | {ms('solve_hypar/100')} | {steps('solve_hypar/100')} |
 | `hypar:300x300` (90,000 free nodes), likewise | {ms('solve_hypar/300')} | {steps('solve_hypar/300')} |
 
@@ -79,6 +91,18 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 | one eigendecomposition, n = 950 | {ms('one_kernel_spectrum')} |
 | train 536 processes on 950 samples | {ms('train_536_processes')} |
 | estimate the 536 lengths of one form | {ms('estimate_lengths_of_one_form')} |
+
+## Identification, built-in net, standard deviations included
+
+| way | survey's noise | time |
+|---|---|---|
+| force balance | none | {ms('balance/0')} |
+| force balance | 0.5 mm | {ms('balance/5')} |
+| maximum a posteriori | none | {ms('map/0')} |
+| maximum a posteriori | 0.1 mm | {ms('map/1')} |
+| maximum a posteriori | 0.5 mm | {ms('map/5')} |
+| maximum a posteriori | 2 mm | {ms('map/20')} |
+| maximum a posteriori, `hypar:30x30` | as in `bench_identification.cpp` | {ms('map_of_hypar/30')} |
 
 ## The paper's experiment as one process
 

@@ -8,6 +8,11 @@ set(TAUT_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/taut)
 
 install(TARGETS taut EXPORT tautTargets FILE_SET HEADERS)
 install(EXPORT tautTargets NAMESPACE taut:: DESTINATION ${TAUT_CMAKE_DIR})
+if(TAUT_HAS_CLARABEL)
+    # libtaut.a is static, so whoever links it links this one, too: tautConfig.cmake names it.
+    get_target_property(clarabel_c taut::clarabel_c IMPORTED_LOCATION)
+    install(FILES ${clarabel_c} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
 if(TAUT_BUILD_APP)
     install(TARGETS taut_app)
 endif()

@@ -17,6 +17,10 @@ for name in statics learning; do
     build/release/benchmarks/bench_$name --benchmark_repetitions=3 \
         --benchmark_out="$out/$name.json" --benchmark_out_format=json
 done
+# map_of_hypar/158, 50,000 edges, takes minutes: by hand.
+build/release/benchmarks/bench_identification --benchmark_filter='^(balance|map)/|map_of_hypar/30' \
+    --benchmark_repetitions=3 --benchmark_out="$out/identification.json" \
+    --benchmark_out_format=json
 
 # The whole of reproduce, with its largest use of memory.
 /usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/reproduce_process.json" \

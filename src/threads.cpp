@@ -11,18 +11,18 @@
 namespace taut {
 
 struct ThreadLimit::State {
+    explicit State(int threads)
+        : tbb_limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads)) {}
+
     tbb::global_control tbb_limit;
-    int blas_threads_before;
+    int blas_threads_before = openblas_get_num_threads();
 };
 
 ThreadLimit::ThreadLimit(int threads) {
     if (threads < 1) {
         throw std::invalid_argument(fmt::format("{} threads, expected at least 1", threads));
     }
-    m_state.reset(new State{
-        .tbb_limit = tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                         static_cast<size_t>(threads)),
-        .blas_threads_before = openblas_get_num_threads()});
+    m_state = std::make_unique<State>(threads);
     openblas_set_num_threads(threads);
 }
 

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "taut/threads.hpp"
 
@@ -33,12 +36,26 @@ struct CommonOptions {
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description,
                       const std::string& example, CommonOptions& options);
 
+/// Fails before the work, not after it, where an output cannot be written or is one of the inputs.
+/// @throws OutputError
+void check_output(const std::string& output, const std::vector<std::string>& inputs);
+
+/// --seed: a whole number from 0 to 2^64 - 1.
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
+
+/// A document as it is printed; bytes that are no UTF-8, as a file's name may hold, are replaced.
+std::string to_text(const nlohmann::ordered_json& document);
+
 void add_example(CLI::App& program);
+void add_import(CLI::App& program);
 void add_inspect(CLI::App& program);
+void add_export(CLI::App& program);
 void add_form(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_train(CLI::App& program);
 void add_identify(CLI::App& program);
 void add_reproduce(CLI::App& program);
+void add_survey(CLI::App& program);
+void add_report(CLI::App& program);
 
 }  // namespace taut::app

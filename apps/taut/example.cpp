@@ -17,10 +17,11 @@ struct Options : CommonOptions {
 };
 
 void run(const Options& options) {
+    const auto threads = options.limit_threads();
     const CableNet net = builtin_net(options.name);
     write_file(options.output, net_to_json(net));
     if (options.json) {
-        fmt::print("{}\n", counts_json(net).dump(2));
+        fmt::print("{}\n", to_text(counts_json(net)));
     } else {
         fmt::print("{}\nwritten to {}\n", counts_text(net), options.output);
     }

@@ -7,7 +7,11 @@
 #include "taut/io/file.hpp"
 #include "taut/io/form_csv.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/sampling/data_set.hpp"
+#include "taut/statics/cone_program.hpp"
+#include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut::app {
 namespace {
@@ -16,45 +20,145 @@ struct Options : CommonOptions {
     std::string net;
     std::string output;
     std::string solver = "newton";
+    std::string cone_form = "quadratic";
+    std::string law;
+    std::uint64_t seed = 1;
+    std::string lengths;
 };
+
+/// The net as it might be built: its lengths drawn from a law. No sample of a data set is drawn so.
+CableNet built_net(const CableNet& net, const Options& options) {
+    constexpr std::uint64_t beyond_all_samples = std::uint64_t{1} << 63U;
+    CableNetData data = net.data();
+    data.unstressed_lengths = with_length_deviations(
+        net, draw_length_deviations(parse_length_law(options.law), options.seed, beyond_all_samples,
+                                    net.interior_edge_count()));
+    return CableNet(std::move(data));
+}
+
+std::string lengths_csv(const CableNet& nominal, const CableNet& net) {
+    std::string csv = "edge,nominal,length_deviation\n";
+    for (const int edge : net.interior_edges()) {
+        const double length = nominal.unstressed_lengths()(edge);
+        csv += fmt::format("{},{},{}\n", edge, length, net.unstressed_lengths()(edge) - length);
+    }
+    return csv;
+}
+
+/// What either solver found.
+struct Found {
+    Points form;
+    std::string status;
+    std::string text;  ///< the status with its numbers
+    int iterations;
+    double out_of_balance;
+    double mean_tension;
+    std::vector<int> slack_edges;
+    EnergyCertificate certificate;
+    nlohmann::ordered_json details;  ///< what only this solver knows
+};
+
+Found find_by_newton(const Options& options, const CableNet& net) {
+    Equilibrium e = solve_equilibrium(net);
+    if (!e.balanced()) {
+        throw NumericalFailure(
+            fmt::format("{}: no equilibrium: {}", options.net, equilibrium_text(e)));
+    }
+    std::string text = equilibrium_text(e);
+    if (e.status == EquilibriumStatus::slack_mechanism) {
+        text += "\nslack edges leave some nodes loose: their places are one choice of many";
+    }
+    const EnergyCertificate certificate = certify(net, net.unstressed_lengths(), e.form);
+    return {.form = std::move(e.form),
+            .status = std::string(to_string(e.status)),
+            .text = text,
+            .iterations = e.iterations,
+            .out_of_balance = e.out_of_balance,
+            .mean_tension = e.mean_tension,
+            .slack_edges = std::move(e.slack_edges),
+            .certificate = certificate,
+            .details = {}};
+}
+
+Found find_by_cone_program(const Options& options, const CableNet& net) {
+    const ConeForm cone_form = options.cone_form == "paper" ? ConeForm::paper : ConeForm::quadratic;
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    const ConeSolution s = solve_cone_program(net, lengths, {.form = cone_form});
+    const std::string text = fmt::format(
+        "cone program ({}): {} after {} iterations, objectives {:.10g} J and {:.10g} J (dual), "
+        "residuals {:.1g} and {:.1g} (dual)",
+        to_string(cone_form), to_string(s.status), s.iterations, s.primal_objective,
+        s.dual_objective, s.primal_residual, s.dual_residual);
+    if (!s.solved()) {
+        throw NumericalFailure(fmt::format("{}: no equilibrium: {}", options.net, text));
+    }
+    const Eigen::VectorXd forces = out_of_balance_forces(net, lengths, s.form);
+    const Eigen::VectorXd tension = tensions(net, lengths, s.form);
+    const auto taut_count = static_cast<double>((tension.array() > 0.0).count());
+    return {.form = s.form,
+            .status = std::string(to_string(s.status)),
+            .text = text,
+            .iterations = s.iterations,
+            .out_of_balance = forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff(),
+            .mean_tension = taut_count > 0.0 ? tension.sum() / taut_count : 0.0,
+            .slack_edges = slack_edges(net, lengths, s.form),
+            .certificate = certify(net, lengths, s.form, s.edge_forces),
+            .details = {{"form", to_string(cone_form)},
+                        {"primal_objective", s.primal_objective},
+                        {"dual_objective", s.dual_objective},
+                        {"gap", s.primal_objective - s.dual_objective},
+                        {"primal_residual", s.primal_residual},
+                        {"dual_residual", s.dual_residual}}};
+}
+
+nlohmann::ordered_json to_json(const Options& options, const CableNet& net, const Found& found,
+                               double move) {
+    nlohmann::ordered_json document{{"format", "taut-form"},
+                                    {"version", 1},
+                                    {"net", counts_json(net)},
+                                    {"solver", options.solver},
+                                    {"status", found.status},
+                                    {"iterations", found.iterations},
+                                    {"out_of_balance", found.out_of_balance},
+                                    {"mean_tension", found.mean_tension},
+                                    {"largest_move", move},
+                                    {"slack_edges", found.slack_edges}};
+    add_certificate(document, found.certificate);
+    if (!found.details.is_null()) {
+        document["cone_program"] = found.details;
+    }
+    document["form"] = nlohmann::ordered_json::array();
+    for (const auto& node : found.form.colwise()) {
+        document["form"].push_back({node.x(), node.y(), node.z()});
+    }
+    return document;
+}
 
 void run(const Options& options) {
     const auto threads = options.limit_threads();
-    const CableNet net = read_net(options.net).net;
-    const Equilibrium equilibrium = solve_equilibrium(net);
-    if (!equilibrium.balanced()) {
-        throw NumericalFailure(
-            fmt::format("{}: no equilibrium: {}", options.net, equilibrium_text(equilibrium)));
-    }
-    if (!options.output.empty()) {
-        write_file(options.output, form_to_csv(net, equilibrium.form));
-    }
-    const double move = (equilibrium.form - net.nodes()).colwise().norm().maxCoeff();
-    if (options.json) {
-        nlohmann::ordered_json form = nlohmann::ordered_json::array();
-        for (const auto& node : equilibrium.form.colwise()) {
-            form.push_back({node.x(), node.y(), node.z()});
+    const CableNet nominal = read_net(options.net).net;
+    const CableNet net = options.law.empty() ? nominal : built_net(nominal, options);
+    for (const std::string& output : {options.output, options.lengths}) {
+        if (!output.empty()) {
+            check_output(output, {options.net});
         }
-        const nlohmann::ordered_json document{{"format", "taut-form"},
-                                              {"version", 1},
-                                              {"net", counts_json(net)},
-                                              {"solver", options.solver},
-                                              {"status", to_string(equilibrium.status)},
-                                              {"iterations", equilibrium.iterations},
-                                              {"out_of_balance", equilibrium.out_of_balance},
-                                              {"mean_tension", equilibrium.mean_tension},
-                                              {"largest_move", move},
-                                              {"slack_edges", equilibrium.slack_edges},
-                                              {"form", form}};
-        fmt::print("{}\n", document.dump(2));
+    }
+    const Found found = options.solver == "socp" ? find_by_cone_program(options, net)
+                                                 : find_by_newton(options, net);
+    if (!options.output.empty()) {
+        write_file(options.output, form_to_csv(net, found.form));
+    }
+    if (!options.lengths.empty()) {
+        write_file(options.lengths, lengths_csv(nominal, net));
+    }
+    const double move = (found.form - net.nodes()).colwise().norm().maxCoeff();
+    if (options.json) {
+        fmt::print("{}\n", to_text(to_json(options, net, found, move)));
         return;
     }
-    fmt::print("{}\n{}\n", counts_text(net), equilibrium_text(equilibrium));
+    fmt::print("{}\n{}\n{}\n", counts_text(net), found.text, certificate_text(found.certificate));
     fmt::print("largest move of a node from its nominal place: {:.4g} mm\nslack edges: {}\n",
-               1e3 * move, edges_text(net, equilibrium.slack_edges));
-    if (equilibrium.status == EquilibriumStatus::slack_mechanism) {
-        fmt::print("slack edges leave some nodes loose: their places are one choice of many\n");
-    }
+               1e3 * move, edges_text(net, found.slack_edges));
     if (!options.output.empty()) {
         fmt::print("written to {}\n", options.output);
     }
@@ -66,12 +170,29 @@ void add_form(CLI::App& program) {
     auto options = std::make_shared<Options>();
     CLI::App& command =
         add_command(program, "form", "Compute the form a net takes in equilibrium",
-                    "  taut form net.json -o form.csv", *options);
+                    "  taut form net.json -o form.csv\n"
+                    "  taut form net.json --solver socp    (the paper's cone program, as a check)",
+                    *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("-o,--output", options->output, "Form file to write (id,x,y,z; in m)");
-    command.add_option("--solver", options->solver, "How to solve: newton (Newton on the energy)")
-        ->check(CLI::IsMember({"newton"}))
+    command
+        .add_option("--solver", options->solver,
+                    "How to solve: newton (Newton on the energy), socp (the paper's cone program, "
+                    "by Clarabel)")
+        ->check(CLI::IsMember({"newton", "socp"}))
         ->capture_default_str();
+    command
+        .add_option(
+            "--cone-form", options->cone_form,
+            "Of socp: quadratic (the energy as objective), paper (with v and its large cone)")
+        ->check(CLI::IsMember({"quadratic", "paper"}))
+        ->capture_default_str();
+    command.add_option("--law", options->law,
+                       "Draw the interior edges' lengths from this law first, as of a built net: "
+                       "uniform:5mm, normal:2mm, bimodal:5mm");
+    add_seed_option(command, options->seed);
+    command.add_option("--lengths", options->lengths,
+                       "File to write the length deviations to (CSV, m): the truth of a trial");
     command.callback([options] { run(*options); });
 }
 

@@ -4,20 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <numeric>
 
 #include "command.hpp"
 #include "interruption.hpp"
 #include "net_summary.hpp"
 #include "progress.hpp"
+#include "run_record.hpp"
+#include "survey_input.hpp"
+#include "taut/identification/force_balance.hpp"
 #include "taut/identification/identification.hpp"
+#include "taut/identification/maximum_a_posteriori.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/input_error.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/results_json.hpp"
 #include "taut/io/survey_csv.hpp"
+#include "taut/net/units.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/study/study.hpp"
 #include "training.hpp"
@@ -28,22 +31,47 @@ namespace {
 /// Samples to train on where no model is given.
 constexpr int default_samples = 1000;
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, SurveyOptions {
     std::string net;
-    std::string survey;
-    std::string method = "gp";
+    std::string method;  ///< empty: chosen by what is there
     std::string model;
     std::string law = "uniform:5mm";
     bool law_given = false;
     std::string output;
 };
 
-Survey read_survey(const CableNet& net, const std::string& file) {
-    try {
-        return match_by_name(net, read_survey_points(file));
-    } catch (const SurveyError& error) {
-        throw InputError(file, error.line() > 0 ? std::to_string(error.line()) : "", error.what());
+struct Choice {
+    std::string method;
+    std::string reason;
+};
+
+/// The method that was asked for, or the one that suits what is there.
+Choice choose_method(const Options& options, const CableNet& net, const Survey& survey) {
+    const bool is_noisy = survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() > 0.0;
+    const bool has_hidden = !survey.missing.empty();
+    Choice choice{.method = options.method, .reason = "asked for by --method"};
+    if (choice.method.empty() && !options.model.empty()) {
+        choice = {.method = "gp", .reason = "a model is given"};
+    } else if (choice.method.empty() && has_hidden) {
+        choice = {.method = "map",
+                  .reason = fmt::format("{} free nodes were not surveyed", survey.missing.size())};
+    } else if (choice.method.empty() && is_noisy) {
+        choice = {.method = "map", .reason = "the survey has noise"};
+    } else if (choice.method.empty()) {
+        choice = {.method = "balance",
+                  .reason = "all free nodes were surveyed, and no noise is told"};
     }
+    if (has_hidden && (choice.method != "map" || !is_noisy)) {
+        const std::string expected =
+            choice.method != "map" ? fmt::format("all for --method {}", choice.method)
+                                   : "all, or their noise (--noise, or sx, sy, sz in the file)";
+        throw InputError(
+            options.survey, "",
+            fmt::format("holds {} of {} free nodes, expected {}: node '{}' is the first missing",
+                        survey.surveyed.size(), net.free_node_count(), expected,
+                        net.node_id(survey.missing.front())));
+    }
+    return choice;
 }
 
 LengthModel stored_model(const Options& options, const CableNet& net) {
@@ -79,17 +107,58 @@ LengthModel trained_model(const Options& options, const CableNet& net) {
     return train_with_progress(data, data.converged_in(0, data.size()), options.quiet);
 }
 
+/// The identification, and how it came about, in words.
+struct Outcome {
+    Identification result;
+    std::string how;
+};
+
+Outcome identify(const Options& options, const CableNet& net, const Survey& survey,
+                 const std::string& method) {
+    if (method == "gp") {
+        const LengthModel model =
+            options.model.empty() ? trained_model(options, net) : stored_model(options, net);
+        return {
+            identify_by_processes(net, model, survey),
+            fmt::format(
+                "Gaussian processes trained on {} samples of {}{}", model.training_count(),
+                model.law.to_string(),
+                options.model.empty() ? " (no --model was given, so they were drawn now)" : "") +
+                (survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() > 0.0
+                     ? "\n  they take the survey for exact: its noise is not in their intervals; "
+                       "--method map carries it"
+                     : "")};
+    }
+    const LengthLaw law = parse_length_law(options.law);
+    if (method == "map") {
+        return {identify_by_maximum_a_posteriori(net, survey, law),
+                fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string())};
+    }
+    return {identify_by_force_balance(net, survey, law),
+            fmt::format("force balance at the surveyed form, lengths {}", law.to_string())};
+}
+
 int count(const Identification& result, EdgeStatus status) {
     return static_cast<int>(std::ranges::count(result.edges, status, &IdentifiedEdge::status));
 }
 
-void print(const Options& options, const CableNet& net, const LengthModel& model,
-           const Survey& survey, const Identification& result) {
-    fmt::print("{}\nsurvey {}: {} free nodes\n", counts_text(net), options.survey,
-               survey.surveyed.size());
-    fmt::print("method gp: Gaussian processes trained on {} samples of {}{}\n\n",
-               model.training_count(), model.law.to_string(),
-               options.model.empty() ? " (no --model was given, so they were drawn now)" : "");
+void print(const Options& options, const CableNet& net, const SurveyInput& input,
+           const Outcome& outcome) {
+    const Identification& result = outcome.result;
+    fmt::print("{}\n{}", counts_text(net), survey_text(net, options, input));
+    fmt::print("method {}: {}\n  chosen because: {}\n\n", result.method, outcome.how,
+               result.method_reason);
+    if (!result.outliers.empty()) {
+        fmt::print("gross errors, left out: {} targets\n", result.outliers.size());
+        for (const Outlier& outlier : result.outliers) {
+            fmt::print("  {:<12}{:>12.3f} mm from where all others tell\n",
+                       net.node_id(outlier.node), 1e3 * outlier.distance);
+        }
+    }
+    if (result.noise_ratio > 0.0) {
+        fmt::print("the survey's residuals are {:.2f} times what its noise lets expect\n",
+                   result.noise_ratio);
+    }
     fmt::print("edges: {} identified, {} slack, {} unobserved\n",
                count(result, EdgeStatus::identified), count(result, EdgeStatus::slack),
                count(result, EdgeStatus::unobserved));
@@ -116,31 +185,40 @@ void print(const Options& options, const CableNet& net, const LengthModel& model
     }
 }
 
+std::string failure_text(const Options& options, const Survey& survey,
+                         const Identification& result) {
+    if (result.status == IdentificationStatus::survey_does_not_fit) {
+        return fmt::format(
+            "{}: {} of {} targets contradict the others: are net, frame, law and noise ({}) right?",
+            options.survey, result.outliers.size(), survey.surveyed.size(),
+            format_length(survey.noise_std(Eigen::all, survey.surveyed).maxCoeff()));
+    }
+    return fmt::format("{}: method {} found no lengths that settle: {}", options.survey,
+                       result.method, to_string(result.status));
+}
+
 void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
-    const Survey survey = read_survey(net, options.survey);
-    if (!survey.missing.empty()) {
-        throw InputError(options.survey, "",
-                         fmt::format("holds {} of {} free nodes, expected all for --method gp: node "
-                                     "'{}' is the first missing",
-                                     survey.surveyed.size(), net.free_node_count(),
-                                     net.node_id(survey.missing.front())));
-    }
+    const SurveyInput input = read_survey(net, options);
+    const Survey& survey = input.survey;
+    const Choice choice = choose_method(options, net, survey);
     if (!options.output.empty()) {
-        AtomicFile{options.output};  // fails here, not after the work, where it cannot be written
+        check_output(options.output, {options.net, options.survey, options.model, options.control});
     }
-    const LengthModel model =
-        options.model.empty() ? trained_model(options, net) : stored_model(options, net);
-    const Identification result = identify_by_processes(net, model, survey);
-    const std::string document = identification_to_json(net, survey, result);
+    Outcome outcome = identify(options, net, survey, choice.method);
+    outcome.result.method_reason = choice.reason;
+    if (outcome.result.status != IdentificationStatus::converged) {
+        throw NumericalFailure(failure_text(options, survey, outcome.result));
+    }
+    const std::string document = identification_to_json(net, survey, outcome.result, run_record());
     if (!options.output.empty()) {
         write_file(options.output, document);
     }
     if (options.json) {
         fmt::print("{}", document);
     } else {
-        print(options, net, model, survey, result);
+        print(options, net, input, outcome);
     }
 }
 
@@ -150,22 +228,23 @@ void add_identify(CLI::App& program) {
     auto options = std::make_shared<Options>();
     CLI::App& command = add_command(
         program, "identify", "Tell each edge's unstressed length from one survey of the form",
-        "  taut identify net.json survey.csv --model model.h5 -o result.json", *options);
+        "  taut identify net.json survey.csv --noise 0.5mm -o result.json", *options);
     command.add_option("NET", options->net, "Net file")->required();
-    command.add_option("SURVEY", options->survey, "Surveyed nodes: id,x,y,z in m")->required();
-    command.add_option("--method", options->method, "How to identify: gp (Gaussian processes)")
-        ->check(CLI::IsMember({"gp"}))
-        ->capture_default_str();
-    command.add_option("--model", options->model,
-                       "Model of taut train (default: trained now, on 1000 samples)");
+    add_survey_options(command, *options);
     command
-        .add_option_function<std::string>(
-            "--law",
-            [options](const std::string& law) {
-                options->law = law;
-                options->law_given = true;
-            },
-            "Law of the length deviations (default: the model's, or uniform:5mm)");
+        .add_option("--method", options->method,
+                    "gp (Gaussian processes), balance (force balance) or map (maximum a "
+                    "posteriori); default: by what is there")
+        ->check(CLI::IsMember({"gp", "balance", "map"}));
+    command.add_option("--model", options->model,
+                       "Model of taut train, for gp (default: trained now, on 1000 samples)");
+    command.add_option_function<std::string>(
+        "--law",
+        [options](const std::string& law) {
+            options->law = law;
+            options->law_given = true;
+        },
+        "Law of the length deviations (default: the model's, or uniform:5mm)");
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
     command.callback([options] { run(*options); });
 }

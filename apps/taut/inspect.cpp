@@ -2,15 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <optional>
+
 #include "command.hpp"
 #include "net_summary.hpp"
+#include "taut/identification/identifiability.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/equilibrium_matrix.hpp"
+#include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut::app {
 namespace {
+
+/// Beyond these sizes the work takes minutes.
+constexpr int most_edges_for_identifiability = 50'000;
+constexpr int most_edges_for_sensitivity = 3'000;
+
+constexpr int sensitive_edges = 10;
 
 struct Options : CommonOptions {
     std::string net;
@@ -30,20 +41,55 @@ nlohmann::ordered_json to_json(const Range& range) {
     return {{"min", range.min}, {"mean", range.mean}, {"max", range.max}};
 }
 
+/// What the equilibrium form tells; left out where it would take too long, or there is no form.
+struct Analysis {
+    std::optional<StressStates> stress;
+    std::optional<Identifiability> identifiability;
+    std::vector<EdgeSensitivity> most_sensitive;
+    std::string left_out;  ///< what, and why; empty: nothing
+};
+
 /// What is worth knowing of a net before anything is done with it.
 struct Inspection {
-    Eigen::Vector3d lower;            ///< corners of the bounding box [m]
+    Eigen::Vector3d lower;  ///< corners of the bounding box [m]
     Eigen::Vector3d upper;
-    Range lengths;                    ///< at the given nodes [m]
-    Range unstressed_lengths;         ///< [m]
-    Range tensions;                   ///< at the given nodes [N]
-    Range strains;                    ///< likewise
-    double out_of_balance;            ///< at the given nodes, largest nodal force [N]
-    std::vector<int> slack_edges;     ///< at the given nodes
-    Eigen::Vector3d load;             ///< sum over the free nodes [N]
+    Range lengths;                 ///< at the given nodes [m]
+    Range unstressed_lengths;      ///< [m]
+    Range tensions;                ///< at the given nodes [N]
+    Range strains;                 ///< likewise
+    double out_of_balance;         ///< at the given nodes, largest nodal force [N]
+    std::vector<int> slack_edges;  ///< at the given nodes
+    Eigen::Vector3d load;          ///< sum over the free nodes [N]
     Equilibrium equilibrium;
-    double move;                      ///< largest distance of a given node from its equilibrium [m]
+    EnergyCertificate certificate;  ///< of the equilibrium
+    double move;                    ///< largest distance of a given node from its equilibrium [m]
+    Analysis analysis;              ///< of the equilibrium
 };
+
+Analysis analyse(const CableNet& net, const Equilibrium& equilibrium) {
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    Analysis result;
+    if (!equilibrium.balanced()) {
+        result.left_out = "self-stress, identifiability, sensitivities: there is no equilibrium";
+        return result;
+    }
+    result.stress = stress_states(net, lengths, equilibrium.form);
+    if (net.edge_count() <= most_edges_for_identifiability) {
+        result.identifiability = identifiability(net, lengths, equilibrium.form);
+    } else {
+        result.left_out =
+            fmt::format("identifiability: more than {} edges", most_edges_for_identifiability);
+    }
+    if (net.interior_edge_count() <= most_edges_for_sensitivity) {
+        result.most_sensitive = most_sensitive_edges(
+            FormSensitivity(net, lengths, equilibrium.form), net.interior_edges(), sensitive_edges);
+    } else {
+        result.left_out += result.left_out.empty() ? "" : "; ";
+        result.left_out +=
+            fmt::format("sensitivities: more than {} interior edges", most_edges_for_sensitivity);
+    }
+    return result;
+}
 
 Inspection inspect(const CableNet& net) {
     const Eigen::VectorXd& unstressed = net.unstressed_lengths();
@@ -51,6 +97,8 @@ Inspection inspect(const CableNet& net) {
     const Eigen::VectorXd forces = out_of_balance_forces(net, unstressed, net.nodes());
     const Eigen::VectorXd edge_tensions = tensions(net, unstressed, net.nodes());
     Equilibrium equilibrium = solve_equilibrium(net);
+    Analysis analysis = analyse(net, equilibrium);
+    const EnergyCertificate certificate = certify(net, unstressed, equilibrium.form);
     const double move = (equilibrium.form - net.nodes()).colwise().norm().maxCoeff();
     return {.lower = net.nodes().rowwise().minCoeff(),
             .upper = net.nodes().rowwise().maxCoeff(),
@@ -62,36 +110,98 @@ Inspection inspect(const CableNet& net) {
             .slack_edges = slack_edges(net, unstressed, net.nodes()),
             .load = net.loads()(Eigen::all, net.free_nodes()).rowwise().sum(),
             .equilibrium = std::move(equilibrium),
-            .move = move};
+            .certificate = certificate,
+            .move = move,
+            .analysis = std::move(analysis)};
 }
 
 nlohmann::ordered_json to_json(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+/// Adds the keys "self_stress_states", "mechanisms", "identifiability" and "most_sensitive_edges":
+/// null where left out, and then "left_out" tells why.
+void add_analysis(nlohmann::ordered_json& document, const Analysis& it) {
+    document["self_stress_states"] = nullptr;
+    document["mechanisms"] = nullptr;
+    document["identifiability"] = nullptr;
+    document["most_sensitive_edges"] = nullptr;
+    if (it.stress) {
+        document["self_stress_states"] = it.stress->self_stress;
+        document["mechanisms"] = it.stress->mechanisms;
+    }
+    if (it.identifiability) {
+        const Identifiability& i = *it.identifiability;
+        document["identifiability"] = {{"determined", i.determined.size()},
+                                       {"undetermined", i.undetermined},
+                                       {"slack", i.slack},
+                                       {"free_self_stress_states", i.free_self_stress},
+                                       {"largest_singular_value", i.largest_singular_value},
+                                       {"smallest_singular_value", i.smallest_singular_value},
+                                       {"condition", i.condition()}};
+    }
+    for (const EdgeSensitivity& edge : it.most_sensitive) {
+        document["most_sensitive_edges"].push_back({{"edge", edge.edge}, {"move", edge.move}});
+    }
+    if (!it.left_out.empty()) {
+        document["left_out"] = it.left_out;
+    }
+}
+
 nlohmann::ordered_json to_json(const CableNet& net, const Inspection& it) {
-    return {{"format", "taut-inspection"},
-            {"version", 1},
-            {"net", counts_json(net)},
-            {"bounding_box", {{"lower", to_json(it.lower)}, {"upper", to_json(it.upper)}}},
-            {"lengths", to_json(it.lengths)},
-            {"unstressed_lengths", to_json(it.unstressed_lengths)},
-            {"tensions", to_json(it.tensions)},
-            {"strains", to_json(it.strains)},
-            {"load", to_json(it.load)},
-            {"out_of_balance", it.out_of_balance},
-            {"slack_edges", it.slack_edges},
-            {"equilibrium",
-             {{"status", to_string(it.equilibrium.status)},
-              {"iterations", it.equilibrium.iterations},
-              {"out_of_balance", it.equilibrium.out_of_balance},
-              {"mean_tension", it.equilibrium.mean_tension},
-              {"largest_move", it.move},
-              {"slack_edges", it.equilibrium.slack_edges}}}};
+    nlohmann::ordered_json equilibrium{{"status", to_string(it.equilibrium.status)},
+                                       {"iterations", it.equilibrium.iterations},
+                                       {"out_of_balance", it.equilibrium.out_of_balance},
+                                       {"mean_tension", it.equilibrium.mean_tension},
+                                       {"largest_move", it.move},
+                                       {"slack_edges", it.equilibrium.slack_edges}};
+    add_certificate(equilibrium, it.certificate);
+    nlohmann::ordered_json document{
+        {"format", "taut-inspection"},
+        {"version", 1},
+        {"net", counts_json(net)},
+        {"bounding_box", {{"lower", to_json(it.lower)}, {"upper", to_json(it.upper)}}},
+        {"lengths", to_json(it.lengths)},
+        {"unstressed_lengths", to_json(it.unstressed_lengths)},
+        {"tensions", to_json(it.tensions)},
+        {"strains", to_json(it.strains)},
+        {"load", to_json(it.load)},
+        {"out_of_balance", it.out_of_balance},
+        {"slack_edges", it.slack_edges},
+        {"equilibrium", equilibrium}};
+    add_analysis(document, it.analysis);
+    return document;
+}
+
+void print(const CableNet& net, const Analysis& it) {
+    if (it.stress) {
+        fmt::print("states of self-stress: {}; mechanisms: {}\n", it.stress->self_stress,
+                   it.stress->mechanisms);
+    }
+    if (it.identifiability) {
+        const Identifiability& i = *it.identifiability;
+        fmt::print("lengths that follow from the form: {} of {} interior edges, condition {:.3g}\n",
+                   i.determined.size(), net.interior_edge_count(), i.condition());
+        fmt::print("  not, for {} free states of self-stress: {}\n", i.free_self_stress,
+                   edges_text(net, i.undetermined));
+        fmt::print("  not, since slack: {}\n", edges_text(net, i.slack));
+    }
+    if (!it.most_sensitive.empty()) {
+        fmt::print("a length 1 mm longer moves the form most at edge");
+        for (size_t k = 0; k < std::min<size_t>(5, it.most_sensitive.size()); ++k) {
+            fmt::print("{} {} ({:.3g} mm)", k > 0 ? "," : "",
+                       net.edge_id(it.most_sensitive[k].edge), it.most_sensitive[k].move);
+        }
+        fmt::print(", over all coordinates\n");
+    }
+    if (!it.left_out.empty()) {
+        fmt::print("left out: {}\n", it.left_out);
+    }
 }
 
 void print(const CableNet& net, const Inspection& it) {
-    const auto line = [](std::string_view name, std::string_view unit, const Range& r, double scale) {
+    const auto line = [](std::string_view name, std::string_view unit, const Range& r,
+                         double scale) {
         fmt::print("  {:<28}{:>12.4g}{:>12.4g}{:>12.4g}  {}\n", name, scale * r.min, scale * r.mean,
                    scale * r.max, unit);
     };
@@ -107,8 +217,10 @@ void print(const CableNet& net, const Inspection& it) {
     fmt::print("  largest out-of-balance force: {:.4g} N\n", it.out_of_balance);
     fmt::print("  slack edges: {}\n\n", edges_text(net, it.slack_edges));
     fmt::print("in equilibrium: {}\n", equilibrium_text(it.equilibrium));
+    fmt::print("  {}\n", certificate_text(it.certificate));
     fmt::print("  largest move of a node from where it is given: {:.4g} mm\n", 1e3 * it.move);
-    fmt::print("  slack edges: {}\n", edges_text(net, it.equilibrium.slack_edges));
+    fmt::print("  slack edges: {}\n\n", edges_text(net, it.equilibrium.slack_edges));
+    print(net, it.analysis);
 }
 
 void run(const Options& options) {
@@ -116,7 +228,7 @@ void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
     const Inspection inspection = inspect(net);
     if (options.json) {
-        fmt::print("{}\n", to_json(net, inspection).dump(2));
+        fmt::print("{}\n", to_text(to_json(net, inspection)));
     } else {
         print(net, inspection);
     }
@@ -127,7 +239,9 @@ void run(const Options& options) {
 void add_inspect(CLI::App& program) {
     auto options = std::make_shared<Options>();
     CLI::App& command =
-        add_command(program, "inspect", "Tell what a net is: counts, lengths, tensions, balance",
+        add_command(program, "inspect",
+                    "Tell what a net is: counts, lengths, tensions, balance, self-stress, what a "
+                    "form tells of its lengths, and which lengths move it most",
                     "  taut inspect net.json", *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.callback([options] { run(*options); });

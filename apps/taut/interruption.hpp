@@ -7,9 +7,9 @@
 
 namespace taut::app {
 
-/// What SIGINT, SIGTERM and SIGHUP do. A command that says nothing is ended at once with exit code 130;
-/// its outputs appear in one piece or not at all, so nothing is left half done. A command that asks
-/// for a stop token is told through it, and ended at once by a second signal.
+/// What SIGINT, SIGTERM and SIGHUP do. A command that says nothing is ended at once with exit code
+/// 130; its outputs appear in one piece or not at all, so nothing is left half done. A command that
+/// asks for a stop token is told through it, and ended at once by a second signal.
 class Interruption {
 public:
     /// Call once. Signals that are ignored stay so.

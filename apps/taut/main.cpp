@@ -11,6 +11,7 @@
 
 #include "command.hpp"
 #include "interruption.hpp"
+#include "run_record.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/input_error.hpp"
 #include "taut/study/study.hpp"
@@ -36,12 +37,22 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     program.footer("taut COMMAND --help shows a command's options and an example.");
     taut::app::add_example(program);
+    taut::app::add_import(program);
     taut::app::add_inspect(program);
     taut::app::add_form(program);
+    taut::app::add_export(program);
     taut::app::add_sample(program);
     taut::app::add_train(program);
     taut::app::add_identify(program);
     taut::app::add_reproduce(program);
+    taut::app::add_report(program);
+    taut::app::add_survey(program);
+    const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+    if (argc > 1 && argv[1][0] != '-' &&
+        std::ranges::find(commands, argv[1], &CLI::App::get_name) == commands.end()) {
+        return fail(wrong_input,
+                    fmt::format("'{}' is no command; taut --help lists them", argv[1]));
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -60,6 +71,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     taut::app::Interruption::watch();
+    taut::app::remember_command_line(argc, argv);
     try {
         return run(argc, argv);
     } catch (const taut::Interrupted&) {

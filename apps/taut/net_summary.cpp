@@ -7,10 +7,9 @@
 namespace taut::app {
 
 std::string counts_text(const CableNet& net) {
-    return fmt::format(
-        "net {}: {} free nodes, {} supports, {} interior and {} adjustable edges", net.name(),
-        net.free_node_count(), net.supports().size(), net.interior_edge_count(),
-        net.adjustable_edges().size());
+    return fmt::format("net {}: {} free nodes, {} supports, {} interior and {} adjustable edges",
+                       net.name(), net.free_node_count(), net.supports().size(),
+                       net.interior_edge_count(), net.adjustable_edges().size());
 }
 
 nlohmann::ordered_json counts_json(const CableNet& net) {
@@ -23,15 +22,28 @@ nlohmann::ordered_json counts_json(const CableNet& net) {
 }
 
 std::string equilibrium_text(const Equilibrium& equilibrium) {
-    std::string text =
-        fmt::format("{} after {} iterations, {:.2g} N out of balance", to_string(equilibrium.status),
-                    equilibrium.iterations, equilibrium.out_of_balance);
+    std::string text = fmt::format("{} after {} iterations, {:.2g} N out of balance",
+                                   to_string(equilibrium.status), equilibrium.iterations,
+                                   equilibrium.out_of_balance);
     if (equilibrium.mean_tension > 0.0) {
         text += fmt::format(" ({:.1g} of the mean tension, {:.4g} N)",
                             equilibrium.out_of_balance / equilibrium.mean_tension,
                             equilibrium.mean_tension);
     }
     return text;
+}
+
+std::string certificate_text(const EnergyCertificate& certificate) {
+    return fmt::format(
+        "energy {:.6g} J, above the lowest by at most {:.1g} J ({:.1g} of the elastic energy)",
+        certificate.energy, certificate.duality_gap, certificate.relative_gap);
+}
+
+void add_certificate(nlohmann::ordered_json& document, const EnergyCertificate& certificate) {
+    document["energy"] = certificate.energy;
+    document["complementary_energy"] = certificate.complementary_energy;
+    document["duality_gap"] = certificate.duality_gap;
+    document["relative_gap"] = certificate.relative_gap;
 }
 
 std::string edges_text(const CableNet& net, const std::vector<int>& edges) {

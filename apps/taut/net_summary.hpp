@@ -6,6 +6,7 @@
 #include <string>
 
 #include "taut/net/cable_net.hpp"
+#include "taut/statics/duality.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut::app {
@@ -18,6 +19,12 @@ namespace taut::app {
 
 /// "converged after 4 iterations, 3e-09 N out of balance (7e-13 of the mean tension, 4466 N)"
 [[nodiscard]] std::string equilibrium_text(const Equilibrium& equilibrium);
+
+/// "energy 5804 J, above the lowest by at most 5e-23 J (8e-27 of the elastic energy)"
+[[nodiscard]] std::string certificate_text(const EnergyCertificate& certificate);
+
+/// Keys "energy", "complementary_energy", "duality_gap" and "relative_gap", added to a document.
+void add_certificate(nlohmann::ordered_json& document, const EnergyCertificate& certificate);
 
 /// "0", or "3: 17, 20, 21" with the edges' names, the first twelve of them.
 [[nodiscard]] std::string edges_text(const CableNet& net, const std::vector<int>& edges);

@@ -10,7 +10,7 @@ namespace taut::app {
 namespace {
 
 std::string form_error_line(std::string_view name, const FormErrors& paper, const FormErrors& first,
-                            const FormErrors& mean, double FormErrorSummary::*number) {
+                            const FormErrors& mean, double FormErrorSummary::* number) {
     const auto mm = [number](const FormErrorSummary& summary) { return 1e3 * (summary.*number); };
     return fmt::format("  {:<8}{:>12.3g}{:>12.3g}{:>12.3g}{:>14.3g}{:>12.3g}{:>12.3g}\n", name,
                        mm(paper.nominal), mm(first.nominal), mm(mean.nominal), mm(paper.identified),
@@ -40,15 +40,15 @@ std::string paper_table(const Study& study) {
                         100.0 * paper.mrse, 100.0 * errors.mrse);
     text += fmt::format("  {:<36}{:>12}{:>12.2g}  mm\n", "largest mean error of an edge", "-",
                         1e3 * errors.mean_max_abs());
-    text += fmt::format("  {:<36}{:>12}{:>12.2g}  mm\n", "standard deviation, mean of the edges", "-",
-                        1e3 * errors.std_mean());
+    text += fmt::format("  {:<36}{:>12}{:>12.2g}  mm\n", "standard deviation, mean of the edges",
+                        "-", 1e3 * errors.std_mean());
     text += fmt::format("  {:<36}{:>12}{:>12.1f}  %\n", "inside the 95 % interval", "-",
                         100.0 * study.gp_as_in_paper.coverage);
 
     text += fmt::format("\nForm error [mm]{:>18}{:>29}\n", "nominal", "identified");
     text += fmt::format("  {:<8}{:>12}{:>12}{:>12}{:>14}{:>12}{:>12}\n", "", "paper", "here",
                         "here, mean", "paper", "here", "here, mean");
-    const auto line = [&](std::string_view name, double FormErrorSummary::*number) {
+    const auto line = [&](std::string_view name, double FormErrorSummary::* number) {
         text += form_error_line(name, paper.form_errors, study.form_errors, study.mean_form_errors,
                                 number);
     };

@@ -12,10 +12,6 @@ namespace taut::app {
 Progress::Progress(bool quiet) : m_active(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-    clear();
-}
-
-void Progress::clear() {
     if (m_shown) {
         fmt::print(stderr, "\r\033[K");
         std::fflush(stderr);

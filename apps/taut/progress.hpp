@@ -8,8 +8,8 @@
 
 namespace taut::app {
 
-/// A line on a terminal's standard error that tells how far a stage of the work is, how fast it goes and
-/// how long it still takes. Silent where standard error is no terminal.
+/// A line on a terminal's standard error that tells how far a stage of the work is, how fast it
+/// goes and how long it still takes. Silent where standard error is no terminal.
 class Progress {
 public:
     explicit Progress(bool quiet);
@@ -23,7 +23,6 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    void clear();
 
     bool m_active;
     bool m_shown = false;

@@ -1,29 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include <fmt/chrono.h>
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <ctime>
 #include <filesystem>
-#include <iterator>
 
 #include "command.hpp"
 #include "interruption.hpp"
 #include "net_summary.hpp"
 #include "paper_table.hpp"
 #include "progress.hpp"
+#include "run_record.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/file.hpp"
+#include "taut/io/input_error.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/io/result_file.hpp"
 #include "taut/io/results_json.hpp"
 #include "taut/io/study_csv.hpp"
-#include "taut/report/study_figures.hpp"
-#include "taut/report/study_report.hpp"
+#include "taut/report/report_html.hpp"
 #include "taut/study/study.hpp"
-#include "taut/version.hpp"
 
 namespace taut::app {
 namespace {
@@ -41,10 +38,19 @@ NetFile net_of(const Options& options) {
                                : read_net(options.net);
 }
 
-/// Refuses a directory that could not be written to, before the work and without making it.
-void check_directory(const std::filesystem::path& directory) {
+/// Refuses a directory that could not be written to, before the work and without making it, and one
+/// where a data set and a model would stay behind that are not of the new study.
+void check_directory(const Options& options) {
+    const std::filesystem::path directory(options.directory);
     if (directory.empty()) {
         throw std::invalid_argument("the output directory has no name");
+    }
+    for (const char* name : {"data.h5", "model.h5"}) {
+        if (!options.keep && std::filesystem::exists(directory / name)) {
+            throw InputError((directory / name).string(), "",
+                             "is of an earlier study; replace it with --keep, or name another "
+                             "directory");
+        }
     }
     std::filesystem::path first_new = std::filesystem::absolute(directory) / "results.json";
     while (!std::filesystem::exists(first_new.parent_path())) {
@@ -53,34 +59,12 @@ void check_directory(const std::filesystem::path& directory) {
     AtomicFile{first_new};
 }
 
-/// Writes the text files, and the data set and the model if they are to be kept: all or nothing.
-void write_outputs(const Options& options, const Study& study, const NetFile& net,
-                   const std::vector<std::pair<std::string, std::string>>& files) {
-    const std::filesystem::path directory(options.directory);
-    if (!options.keep) {
-        write_files(directory, files);
-        return;
-    }
-    std::filesystem::create_directories(directory);
-    AtomicFile data(directory / "data.h5");
-    AtomicFile model(directory / "model.h5");
-    write_data_set(data.temporary(), study.data, net);
-    write_model(model.temporary(), study.model, net);
-    write_files(directory, files);
-    data.commit();
-    model.commit();
-}
-
-std::string now() {
-    return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
-}
-
 void run(Options options) {
     const auto threads = options.limit_threads();
     options.study.law = parse_length_law(options.law);
     options.study.check();
     const NetFile file = net_of(options);
-    check_directory(options.directory);
+    check_directory(options);
 
     const std::stop_token stop = Interruption::stop_token();
     Study study = [&] {
@@ -91,21 +75,27 @@ void run(Options options) {
             stop);
     }();
     const std::filesystem::path directory(options.directory);
-    const std::string results = study_to_json(study);
+    const std::string results = study_to_json(study, run_record());
     auto files = study_to_csv(study);
     files.emplace_back("results.json", results);
-    files.emplace_back("report.html", study_report_html(study, version(), now()));
-    std::ranges::move(study_figures_svg(study), std::back_inserter(files));
-    write_outputs(options, study, file, files);
+    if (has_report_viewer()) {
+        files.emplace_back("report.html", report_html(parse_result(results, "results.json")));
+    }
+    if (options.keep) {
+        files.emplace_back("data.h5", data_set_bytes(study.data, file));
+        files.emplace_back("model.h5", model_bytes(study.model, file));
+    }
+    write_files(directory, files);
 
     if (options.json) {
         fmt::print("{}", results);
         return;
     }
     fmt::print("{}\n{}\n", counts_text(file.net), paper_table(study));
-    fmt::print("written to {}: results.json, CSV files, figures (SVG){}\nreport: {}\n",
-               options.directory, options.keep ? ", data.h5, model.h5" : "",
-               (directory / "report.html").string());
+    fmt::print("written to {}: results.json, CSV files{}\nreport: {}\n", options.directory,
+               options.keep ? ", data.h5, model.h5" : "",
+               has_report_viewer() ? (directory / "report.html").string()
+                                   : "left out, this taut was built without Node.js");
 }
 
 }  // namespace
@@ -126,7 +116,7 @@ void add_reproduce(CLI::App& program) {
         ->capture_default_str();
     command.add_option("--law", options->law, "Law of the length deviations")
         ->capture_default_str();
-    command.add_option("--seed", options->study.seed, "Seed of the draws")->check(CLI::NonNegativeNumber)->capture_default_str();
+    add_seed_option(command, options->study.seed);
     command.add_flag("--keep", options->keep, "Write the data set and the model too");
     command.callback([options] { run(*options); });
 }

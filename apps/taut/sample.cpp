@@ -49,8 +49,9 @@ std::optional<DataSet> earlier_samples(const Options& options, const DataSet& wa
         const auto require = [&](bool same, std::string_view what, const std::string& has,
                                  const std::string& asked) {
             if (!same) {
-                throw InputError(file, "", fmt::format("was made with the {} {}, expected {} to resume",
-                                                       what, has, asked));
+                throw InputError(file, "",
+                                 fmt::format("was made with the {} {}, expected {} to resume", what,
+                                             has, asked));
             }
         };
         require(data.net_fingerprint == wanted.net_fingerprint, "net", data.net_fingerprint,
@@ -59,8 +60,9 @@ std::optional<DataSet> earlier_samples(const Options& options, const DataSet& wa
         require(data.seed == wanted.seed, "seed", std::to_string(data.seed),
                 std::to_string(wanted.seed));
         if (data.size() > options.count) {
-            throw InputError(file, "", fmt::format("holds {} samples, more than the {} asked for",
-                                                   data.size(), options.count));
+            throw InputError(file, "",
+                             fmt::format("holds {} samples, more than the {} asked for",
+                                         data.size(), options.count));
         }
         if (!found || data.size() > found->size()) {
             found = std::move(data);
@@ -69,7 +71,8 @@ std::optional<DataSet> earlier_samples(const Options& options, const DataSet& wa
     return found;
 }
 
-/// Draws until the data set is complete; keeps what is done from time to time, and when interrupted.
+/// Draws until the data set is complete; keeps what is done from time to time, and when
+/// interrupted.
 void draw(const Options& options, const NetFile& net, const Sampler& sampler, DataSet& data) {
     const std::stop_token stop = Interruption::stop_token();
     Progress progress(options.quiet);
@@ -113,7 +116,7 @@ void tell(const Options& options, const CableNet& net, const DataSet& data, int 
                                               {"with_slack", data.with_slack()},
                                               {"not_converged", data.not_converged()},
                                               {"output", options.output}};
-        fmt::print("{}\n", document.dump(2));
+        fmt::print("{}\n", to_text(document));
         return;
     }
     fmt::print("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n",
@@ -135,8 +138,13 @@ void run(const Options& options) {
             data = std::move(*earlier);
         }
     }
+    if (!options.resume && std::filesystem::exists(options.partial())) {
+        throw InputError(
+            options.partial(), "",
+            "holds the samples of an interrupted run; go on with --resume, or delete it");
+    }
     const int resumed_from = data.size();
-    AtomicFile{options.output};  // fails here, not after the work, where it cannot be written
+    check_output(options.output, {options.net});
     draw(options, net, sampler, data);
     write_data_set(options.output, data, net);
     std::filesystem::remove(options.partial());
@@ -162,7 +170,7 @@ void add_sample(CLI::App& program) {
                     "Law of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (std), "
                     "bimodal:5mm (around +-5 mm)")
         ->capture_default_str();
-    command.add_option("--seed", options->seed, "Seed of the draws")->check(CLI::NonNegativeNumber)->capture_default_str();
+    add_seed_option(command, options->seed);
     command.add_option("-o,--output", options->output, "Data set to write (HDF5)")->required();
     command.add_flag("--resume", options->resume, "Go on with an earlier data set");
     command.callback([options] { run(*options); });

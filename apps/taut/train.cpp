@@ -44,11 +44,11 @@ void run(const Options& options) {
     const StoredDataSet stored = read_data_set(options.data);
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
     if (samples.size() < 2) {
-        throw InputError(options.data, "",
-                         fmt::format("holds {} samples in equilibrium, expected at least 2",
-                                     samples.size()));
+        throw InputError(
+            options.data, "",
+            fmt::format("holds {} samples in equilibrium, expected at least 2", samples.size()));
     }
-    AtomicFile{options.output};  // fails here, not after the work, where it cannot be written
+    check_output(options.output, {options.data});
     const auto start = std::chrono::steady_clock::now();
     const LengthModel model = train_with_progress(stored.data, samples, options.quiet);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -75,7 +75,7 @@ void run(const Options& options) {
             {"leave_one_out_rmse", std::sqrt(mean_square)},
             {"seconds", took.count()},
             {"output", options.output}};
-        fmt::print("{}\n", document.dump(2));
+        fmt::print("{}\n", to_text(document));
         return;
     }
     fmt::print("{}\n{} processes trained on {} samples in {:.1f} s\n", counts_text(net),

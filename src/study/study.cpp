@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 
 namespace taut {
@@ -85,6 +84,9 @@ void compare_forms(Study& study, const Points& nominal_form, const std::stop_tok
         converged[static_cast<size_t>(k)] = static_cast<char>(predicted.balanced());
         nominal.col(k) = node_distances(true_form, free_coordinates(net, nominal_form));
         identified.col(k) = node_distances(true_form, free_coordinates(net, predicted.form));
+        if (k == 0) {
+            study.identified_form = predicted.form;
+        }
     });
     if (stop.stop_requested()) {
         throw Interrupted();

@@ -26,7 +26,7 @@ class RunningProgram {
 public:
     /// @param folder its working directory, @param records where to keep what it prints
     RunningProgram(const std::filesystem::path& folder, const std::filesystem::path& records,
-        const std::vector<std::string>& arguments);
+                   const std::vector<std::string>& arguments);
     /// Ends it, if it still works.
     ~RunningProgram();
     RunningProgram(const RunningProgram&) = delete;

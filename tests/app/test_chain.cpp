@@ -13,6 +13,7 @@
 #include "taut/io/form_csv.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/sampler.hpp"
+#include "taut/statics/cone_program.hpp"
 
 namespace {
 
@@ -45,6 +46,39 @@ TEST_F(Chain, InspectTellsTheCounts) {
                           "12 free nodes, 14 supports, 17 interior and 14 adjustable edges"));
     EXPECT_THAT(text, testing::HasSubstr(m_net.fingerprint()));
     EXPECT_THAT(text, testing::HasSubstr("slack edges: 0"));
+}
+
+TEST_F(Chain, InspectTellsWhatTheFormTells) {
+    const json it = json::parse(must_run({"inspect", "net.json", "--json"}));
+    EXPECT_GE(it["self_stress_states"].get<int>(), 1);
+    EXPECT_EQ(it["mechanisms"].get<int>(),
+              36 - (31 - it["self_stress_states"].get<int>()));  // 3 n_I less rank, m = 31
+    EXPECT_EQ(it["identifiability"]["determined"], 17);
+    EXPECT_TRUE(it["identifiability"]["undetermined"].empty());
+    EXPECT_GT(it["identifiability"]["condition"].get<double>(), 1.0);
+    EXPECT_EQ(it["most_sensitive_edges"].size(), 10U);
+    EXPECT_LT(it["equilibrium"]["relative_gap"].get<double>(), 1e-12);
+    EXPECT_FALSE(it.contains("left_out"));
+}
+
+TEST_F(Chain, FormByTheConeProgramIsNewtonsAndBothAreCertified) {
+    const json newton = json::parse(must_run({"form", "net.json", "--json"}));
+    EXPECT_LT(newton["relative_gap"].get<double>(), 1e-12);
+    if (!cone_solver_available()) {
+        expect_error(run({"form", "net.json", "--solver", "socp"}), 2, "without the conic solver");
+        return;
+    }
+    const double energy = newton["energy"].get<double>();
+    for (const std::string cone_form : {"quadratic", "paper"}) {
+        const json cone = json::parse(
+            must_run({"form", "net.json", "--solver", "socp", "--cone-form", cone_form, "--json"}));
+        EXPECT_EQ(cone["solver"], "socp");
+        EXPECT_EQ(cone["cone_program"]["form"], cone_form);
+        EXPECT_LT(cone["relative_gap"].get<double>(), 1e-8);
+        EXPECT_NEAR(cone["energy"].get<double>(), energy, 1e-8 * energy);
+        EXPECT_NEAR(cone["cone_program"]["primal_objective"].get<double>(), energy, 1e-6 * energy);
+        EXPECT_LT(cone["largest_move"].get<double>(), 1e-5);
+    }
 }
 
 TEST_F(Chain, FormWritesARowForEachNode) {
@@ -150,9 +184,33 @@ TEST_F(Chain, ResultHasTheKeysOfTheContract) {
 
 TEST_F(Chain, IdentifyTrainsAModelWhereNoneIsGiven) {
     must_run({"form", "net.json", "-o", "form.csv"});
-    const std::string text = must_run({"identify", "net.json", "form.csv", "-o", "result.json"});
+    const std::string text =
+        must_run({"identify", "net.json", "form.csv", "--method", "gp", "-o", "result.json"});
     EXPECT_THAT(text, testing::HasSubstr("1000 samples of uniform:5mm"));
     EXPECT_EQ(json::parse(read("result.json"))["edges"].size(), 17U);
+}
+
+TEST_F(Chain, IdentifyChoosesTheMethodByWhatIsThere) {
+    must_run({"form", "net.json", "-o", "form.csv"});
+    const std::string form = read("form.csv");
+    write("part.csv", form.substr(0, form.rfind("\n7,") + 1));
+    const auto chosen = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"identify", "net.json"});
+        arguments.emplace_back("--json");
+        return json::parse(must_run(arguments));
+    };
+    json result = chosen({"form.csv"});
+    EXPECT_EQ(result["method"], "balance");
+    EXPECT_THAT(result["method_reason"].get<std::string>(), testing::HasSubstr("no noise"));
+    result = chosen({"form.csv", "--noise", "0.5mm"});
+    EXPECT_EQ(result["method"], "map");
+    EXPECT_DOUBLE_EQ(result["survey"]["noise"].get<double>(), 0.0005);
+    result = chosen({"part.csv", "--noise", "0.5mm"});
+    EXPECT_EQ(result["method"], "map");
+    EXPECT_THAT(result["method_reason"].get<std::string>(), testing::HasSubstr("not surveyed"));
+    EXPECT_GT(result["survey"]["missing"], 0);
+    result = chosen({"form.csv", "--noise", "0.5mm", "--method", "balance"});
+    EXPECT_EQ(result["method"], "balance");
 }
 
 TEST_F(Chain, JsonIsAllThatStandardOutputHolds) {
@@ -170,7 +228,8 @@ TEST_F(Chain, JsonIsAllThatStandardOutputHolds) {
         EXPECT_TRUE(document.is_object()) << testing::PrintToString(command);
     }
     EXPECT_EQ(json::parse(must_run({"inspect", "net.json", "--json"}))["net"]["free_nodes"], 12);
-    EXPECT_EQ(must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "--json"}),
+    EXPECT_EQ(must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "-o",
+                        "result.json", "--json"}),
               read("result.json"));
 }
 

@@ -9,8 +9,9 @@ namespace {
 
 using namespace taut::test;
 
-const std::vector<std::string> commands{"example", "inspect",  "form",     "sample",
-                                        "train",   "identify", "reproduce"};
+const std::vector<std::string> commands{"example",  "import",    "inspect", "form",
+                                        "export",   "sample",    "train",   "survey",
+                                        "identify", "reproduce", "report"};
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 

@@ -50,6 +50,13 @@ protected:
         write("other.json", net_to_json(other));
         write("no_interior.json", net_to_json(hypar(1, 1)));
         write("truncated.json", net_to_json(net).substr(0, 500));
+        const std::string comparison =
+            R"({"format": "taut-comparison", "version": 1, "net": {"name": "a"},
+            "rows": [{"method": "gp", "noise": 0, "mse": 1e-8}]})";
+        write("result.json", comparison);
+        write("truncated_result.json", comparison.substr(0, 60));
+        write("later_result.json", R"({"format": "taut-study", "version": 2})");
+        write("nan_result.json", R"({"format": "taut-study", "version": NaN})");
         write("text", "what a net is, in words\n");
         write("empty", "");
         std::filesystem::create_directory(folder() / "directory");
@@ -93,7 +100,7 @@ std::string name_of(const testing::TestParamInfo<Request>& request) {
 INSTANTIATE_TEST_SUITE_P(
     Program, Refused,
     testing::Values(Request{"no_subcommand", "", "subcommand"},
-                    Request{"unknown_subcommand", "tension net.json", "subcommand"},
+                    Request{"unknown_subcommand", "tension net.json", "'tension' is no command"},
                     Request{"two_subcommands", "inspect net.json inspect net.json", "inspect"},
                     Request{"unknown_option", "inspect net.json --colour", "--colour"},
                     Request{"no_threads", "inspect net.json --threads 0", "--threads"},
@@ -130,6 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
         Request{"form_of_missing", "form nothing.json -o old.csv", "nothing.json"},
         Request{"form_of_truncated", "form truncated.json -o old.csv", "truncated.json:"},
         Request{"form_by_unknown_solver", "form net.json -o old.csv --solver guess", "--solver"},
+        Request{"form_by_unknown_cone_form",
+                "form net.json -o old.csv --solver socp --cone-form big", "--cone-form"},
         Request{"form_into_no_directory", "form net.json -o nowhere/form.csv", "nowhere/form.csv"},
         Request{"form_into_a_directory", "form net.json -o directory", "directory"}),
     name_of);
@@ -165,6 +174,10 @@ INSTANTIATE_TEST_SUITE_P(
         Request{"bound_too_large_to_be_a_number",
                 "sample net.json -n 5 -o old.h5 --law uniform:1e999mm", "'1e999mm'"},
         Request{"negative_seed", "sample net.json -n 5 -o old.h5 --seed -1", "--seed"},
+        Request{"output_that_is_the_net", "sample net.json -n 5 -o net.json",
+                "net.json: is an input of this command"},
+        Request{"seed_beyond_64_bits", "sample net.json -n 5 -o old.h5 --seed 99999999999999999999",
+                "--seed: is '99999999999999999999', expected a whole number from 0 to 2^64 - 1"},
         Request{"seed_that_is_a_word", "sample net.json -n 5 -o old.h5 --seed one", "--seed"},
         Request{"resume_of_another_nets_data", "sample net.json -n 9 -o other_data.h5 --resume",
                 hypar(2, 4).fingerprint()},
@@ -198,6 +211,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "identify net.json survey_mm.csv --model model.h5 -o old.json", "in metres?"},
         Request{"survey_with_missing_nodes",
                 "identify net.json survey_part.csv --model model.h5 -o old.json", "first missing"},
+        Request{"hidden_nodes_without_noise", "identify net.json survey_part.csv -o old.json",
+                "--noise"},
+        Request{"hidden_nodes_without_noise_for_map",
+                "identify net.json survey_part.csv --method map -o old.json", "--noise"},
+        Request{"hidden_nodes_for_balance",
+                "identify net.json survey_part.csv --method balance --noise 1mm -o old.json",
+                "--method balance"},
+        Request{"noise_of_unknown_unit", "identify net.json survey.csv --noise 0.5in -o old.json",
+                "'0.5in'"},
+        Request{"negative_noise", "identify net.json survey.csv --noise=-1mm -o old.json",
+                "'-1mm'"},
         Request{"survey_with_a_node_twice",
                 "identify net.json survey_twice.csv --model model.h5 -o old.json",
                 "survey_twice.csv:18: "},
@@ -230,6 +254,24 @@ INSTANTIATE_TEST_SUITE_P(
                 "nowhere/result.json"},
         Request{"into_a_directory", "identify net.json survey.csv --model model.h5 -o directory",
                 "directory"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Report, Refused,
+    testing::Values(
+        Request{"missing_result", "report nothing.json --svg new", "nothing.json"},
+        Request{"truncated_result", "report truncated_result.json --svg new",
+                "truncated_result.json:1:61"},
+        Request{"later_version", "report later_result.json --svg new",
+                "later_result.json:/version: is 2, expected 1"},
+        Request{"not_a_number", "report nan_result.json --svg new", "nan_result.json:1:"},
+        Request{"net_for_a_result", "report net.json --svg new", "net.json:/format"},
+        Request{"data_for_a_result", "report data.h5 --svg new", "is an HDF5 file"},
+        Request{"empty_result", "report empty --svg new", "empty:"},
+        Request{"nothing_to_write", "report result.json", "--svg"},
+        Request{"into_no_directory", "report result.json -o nowhere/report.html", "report"},
+        Request{"into_a_directory", "report result.json -o directory", "directory"},
+        Request{"svg_into_a_file", "report result.json --svg text", "text"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(

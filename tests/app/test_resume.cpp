@@ -75,11 +75,12 @@ TEST_F(Resume, TakesTheLargerOfTheFinishedAndTheUnfinishedDataSet) {
     EXPECT_EQ(read("data.h5"), read("straight.h5"));
 }
 
-TEST_F(Resume, IsNotDoneUnlessAskedFor) {
+TEST_F(Resume, IsNotDoneUnlessAskedForAndTheInterruptedRunIsKept) {
     write_partial(10);
-    EXPECT_EQ(json::parse(must_run(
-                  {"sample", "net.json", "-n", "12", "-o", "data.h5", "--json"}))["resumed_from"],
-              0);
+    const Files before = files();
+    expect_error(run({"sample", "net.json", "-n", "12", "-o", "data.h5"}), 2,
+                 "data.h5.partial: holds the samples of an interrupted run");
+    EXPECT_EQ(files(), before);
 }
 
 TEST_F(Resume, RefusesADataSetOfAnotherNetAndNamesBoth) {

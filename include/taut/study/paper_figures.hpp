@@ -10,7 +10,7 @@ namespace taut {
 struct PaperFigures {
     int free_nodes = 300;
     int interior_edges = 536;
-    double mse = 1.7e-8;   ///< [m2]
+    double mse = 1.7e-8;  ///< [m2]
     double mrse = 0.002;
     /// Table "Error Statistics", there in 1e-4 m.
     FormErrors form_errors{

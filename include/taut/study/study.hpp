@@ -55,6 +55,7 @@ struct Study {
     /// Per free node (n_I) for the first validation sample, the paper's k = 1 [m].
     Eigen::VectorXd nominal_form_error;
     Eigen::VectorXd identified_form_error;
+    Points identified_form;       ///< all nodes' (3 x n), of that sample [m]
     FormErrors form_errors;       ///< of that sample
     FormErrors mean_form_errors;  ///< each number's mean over the validation samples
     int forms_not_converged = 0;  ///< validation samples left out of these means

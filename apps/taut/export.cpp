@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include "command.hpp"
+#include "net_summary.hpp"
+#include "taut/io/compas_json.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/form_vtk.hpp"
+#include "taut/io/input_error.hpp"
+#include "taut/io/net_csv.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/io/obj.hpp"
+#include "taut/io/survey_csv.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Options : CommonOptions {
+    std::string net;
+    std::string form;
+    std::string format;
+    std::string output;
+};
+
+/// A form that holds every free node of the net.
+Points read_form(const CableNet& net, const std::string& path) {
+    const Survey survey = [&] {
+        try {
+            return match_to_nodes(net, read_survey_points(path));
+        } catch (const SurveyError& error) {
+            throw InputError(path, error.line() > 0 ? std::to_string(error.line()) : "",
+                             error.what());
+        }
+    }();
+    if (!survey.missing.empty()) {
+        throw InputError(
+            path, "",
+            fmt::format("lacks {} of {} free nodes, node {} among them", survey.missing.size(),
+                        net.free_node_count(), net.node_id(survey.missing.front())));
+    }
+    return survey.form;
+}
+
+Points equilibrium_form(const CableNet& net, const std::string& path) {
+    Equilibrium equilibrium = solve_equilibrium(net);
+    if (!equilibrium.balanced()) {
+        throw NumericalFailure(
+            fmt::format("{}: no equilibrium: {}", path, equilibrium_text(equilibrium)));
+    }
+    return std::move(equilibrium.form);
+}
+
+/// Writes the files of the format, and gives their names.
+std::vector<std::string> write(const Options& options, const CableNet& net, const Points& form) {
+    if (options.format == "csv") {
+        const std::filesystem::path nodes = options.output;
+        std::filesystem::path edges = nodes;
+        edges.replace_filename(nodes.stem().string() + "_edges" + nodes.extension().string());
+        const NetCsv csv = form_to_net_csv(net, form);
+        const std::filesystem::path folder = nodes.parent_path();
+        write_files(folder.empty() ? "." : folder, {{nodes.filename().string(), csv.nodes},
+                                                    {edges.filename().string(), csv.edges}});
+        return {nodes.string(), edges.string()};
+    }
+    write_file(options.output, options.format == "compas" ? form_to_compas(net, form)
+                               : options.format == "obj"  ? form_to_obj(net, form)
+                                                          : form_to_vtk(net, form));
+    return {options.output};
+}
+
+void run(const Options& options) {
+    const auto threads = options.limit_threads();
+    const CableNet net = read_net(options.net).net;
+    const bool is_given = !options.form.empty();
+    const Points form =
+        is_given ? read_form(net, options.form) : equilibrium_form(net, options.net);
+    const std::vector<std::string> files = write(options, net, form);
+    const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
+    if (options.json) {
+        const nlohmann::ordered_json document{
+            {"format", "taut-export"}, {"version", 1},
+            {"net", counts_json(net)}, {"form", is_given ? options.form : "equilibrium"},
+            {"to", options.format},    {"slack_edges", slack},
+            {"files", files}};
+        fmt::print("{}\n", to_text(document));
+        return;
+    }
+    fmt::print("{}\nform: {}\nslack edges: {}\n", counts_text(net),
+               is_given ? options.form : "equilibrium of the net", edges_text(net, slack));
+    for (const std::string& file : files) {
+        fmt::print("written to {}\n", file);
+    }
+}
+
+}  // namespace
+
+void add_export(CLI::App& program) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command =
+        add_command(program, "export", "Write a net and its form for another program",
+                    "  taut export net.json --to vtk -o net.vtk\n"
+                    "  taut export net.json form.csv --to compas -o graph.json",
+                    *options);
+    command.add_option("NET", options->net, "Net file")->required();
+    command.add_option("FORM", options->form,
+                       "Form file (id,x,y,z; default: the equilibrium of the net)");
+    command.add_option("--to", options->format, "Format; csv writes a second file, ..._edges")
+        ->required()
+        ->check(CLI::IsMember({"compas", "obj", "csv", "vtk"}));
+    command.add_option("-o,--output", options->output, "File to write")->required();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

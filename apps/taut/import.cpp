@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include "command.hpp"
+#include "net_summary.hpp"
+#include "taut/io/compas_json.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/foreign_format.hpp"
+#include "taut/io/net_csv.hpp"
+#include "taut/io/net_import.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/io/obj.hpp"
+#include "taut/net/units.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Options : CommonOptions {
+    std::string file;
+    std::string output;
+    std::string format;
+    std::string select;
+    std::string edges;
+    std::string supports;
+    std::string axial_stiffness;
+    std::string young;
+    std::string diameter;
+    std::string force_unit;
+    std::string loads = "file";
+};
+
+/// The structure in the file, and a line that tells how it was taken.
+ImportedStructure read_structure(const Options& options) {
+    const std::string text = read_file(options.file);
+    const ForeignFormat format = options.format.empty() ? detect_format(text, options.file)
+                                                        : format_named(options.format, text);
+    if (format != ForeignFormat::json && !options.select.empty()) {
+        throw std::invalid_argument("--select names a structure in a JSON file, which this is not");
+    }
+    if ((format == ForeignFormat::csv) == options.edges.empty()) {
+        throw std::invalid_argument(
+            format == ForeignFormat::csv
+                ? fmt::format("{}: is taken as the CSV file of the nodes: name that of the edges "
+                              "with --edges",
+                              options.file)
+                : "--edges names the edges of a CSV file of nodes, which this is not");
+    }
+    switch (format) {
+        case ForeignFormat::json:
+            return parse_compas(text, options.file, options.select);
+        case ForeignFormat::obj:
+            return parse_obj(text, options.file);
+        default:
+            return parse_net_csv({.nodes = text, .edges = read_file(options.edges)}, options.file,
+                                 options.edges);
+    }
+}
+
+void add_supports(const std::string& supports, ImportedStructure& structure) {
+    if (supports == "boundary") {
+        support_boundary(structure);
+    } else if (!supports.empty()) {
+        support_named(structure, read_file(supports), supports);
+    }
+}
+
+ImportSettings settings_of(const Options& options) {
+    ImportSettings settings;
+    if (!options.axial_stiffness.empty()) {
+        settings.axial_stiffness = parse_force(options.axial_stiffness);
+    }
+    if (!options.young.empty()) {
+        settings.young = parse_stress(options.young);
+    }
+    if (!options.diameter.empty()) {
+        // A bare number is in mm, as cables are named.
+        const bool is_number =
+            options.diameter.find_first_not_of("0123456789.") == std::string::npos;
+        const bool is_length =
+            !is_number && options.diameter[0] >= '0' && options.diameter[0] <= '9';
+        if (is_number || is_length) {
+            settings.diameter = parse_length(options.diameter + (is_number ? "mm" : ""));
+        } else {
+            settings.diameter_attribute = options.diameter;
+        }
+    }
+    if (!options.force_unit.empty()) {
+        settings.force_unit = options.force_unit == "kN" ? 1e3 : 1.0;
+    }
+    using Loads = ImportSettings::Loads;
+    settings.loads = options.loads == "balance" ? Loads::balance
+                     : options.loads == "none"  ? Loads::none
+                                                : Loads::file;
+    return settings;
+}
+
+nlohmann::ordered_json to_json(const Options& options, const ImportedNet& imported) {
+    const ImportReport& it = imported.report;
+    return {{"format", "taut-import"},
+            {"version", 1},
+            {"net", counts_json(imported.net)},
+            {"file", options.file},
+            {"detected", options.format.empty()},
+            {"read", it.read},
+            {"left_out",
+             {{"inactive_edges", it.inactive_edges},
+              {"edges_between_supports", it.edges_between_supports},
+              {"isolated_nodes", it.isolated_nodes},
+              {"all", it.left_out}}},
+            {"assumed", it.assumed},
+            {"warnings", it.warnings},
+            {"loads",
+             {{"from", options.loads},
+              {"sum", {it.load_sum.x(), it.load_sum.y(), it.load_sum.z()}},
+              {"largest_horizontal", it.largest_horizontal_load}}},
+            {"strains", {{"min", it.least_strain}, {"max", it.largest_strain}}},
+            {"mean_tension", it.mean_tension},
+            {"out_of_balance", it.largest_out_of_balance}};
+}
+
+void print(const std::string& heading, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+        fmt::print("{:<10}{}\n", heading, line);
+    }
+}
+
+void print(const Options& options, const ImportedNet& imported) {
+    const ImportReport& it = imported.report;
+    fmt::print("{}\n", counts_text(imported.net));
+    print("read", it.read);
+    print("left out", it.left_out);
+    print("assumed", it.assumed);
+    print("warning", it.warnings);
+    fmt::print("loads     {}: sum {:.4g}, {:.4g}, {:.4g} N, largest horizontal part {:.3g} N\n",
+               options.loads, it.load_sum.x(), it.load_sum.y(), it.load_sum.z(),
+               it.largest_horizontal_load);
+    fmt::print("strains   {:.3g} to {:.3g} %, mean tension {:.4g} N\n", 100.0 * it.least_strain,
+               100.0 * it.largest_strain, it.mean_tension);
+    fmt::print("balance   {:.2g} N out of balance in the given form", it.largest_out_of_balance);
+    if (it.mean_tension > 0.0) {
+        fmt::print(" ({:.1g} of the mean tension)", it.largest_out_of_balance / it.mean_tension);
+    }
+    fmt::print("\nwritten to {}\n", options.output);
+}
+
+void run(const Options& options) {
+    const ImportSettings settings = settings_of(options);
+    ImportedStructure structure = read_structure(options);
+    add_supports(options.supports, structure);
+    ImportedNet imported = import_net(structure, settings);
+    if (options.format.empty()) {
+        imported.report.read.front() += ", by its content";
+    }
+    write_file(options.output, net_to_json(imported.net));
+    if (options.json) {
+        fmt::print("{}\n", to_text(to_json(options, imported)));
+    } else {
+        print(options, imported);
+    }
+}
+
+}  // namespace
+
+void add_import(CLI::App& program) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command =
+        add_command(program, "import", "Read a net that another program wrote",
+                    "  taut import cablenet.json --young 205GPa --diameter size --force-unit kN"
+                    " --loads balance -o hilo.json\n"
+                    "  taut import nodes.csv --edges edges.csv --axial-stiffness 200kN -o net.json",
+                    *options);
+    command
+        .add_option("FILE", options->file, "COMPAS or JAX FDM file (JSON), OBJ, or CSV of nodes")
+        ->required();
+    command.add_option("-o,--output", options->output, "Net file to write")->required();
+    command.add_option("--from", options->format, "Format of FILE (default: by its content)")
+        ->check(CLI::IsMember({"compas", "jax-fdm", "csv", "obj"}));
+    command.add_option("--select", options->select,
+                       "Key of the mesh or network in FILE, where it holds more than one");
+    command.add_option("--edges", options->edges,
+                       "CSV file of the edges, where FILE is that of nodes");
+    command.add_option("--supports", options->supports,
+                       "Further supports: boundary, or a file of node ids");
+    command.add_option("--axial-stiffness", options->axial_stiffness,
+                       "EA of all edges, as 200kN (a bare number is in N)");
+    command.add_option("--young", options->young,
+                       "Young's modulus of all edges, as 205GPa (a bare number is in Pa)");
+    command.add_option("--diameter", options->diameter,
+                       "Diameter of all edges in mm, or the name of the attribute that gives it");
+    command
+        .add_option("--force-unit", options->force_unit,
+                    "Unit of forces, force densities and loads in FILE")
+        ->check(CLI::IsMember({"N", "kN"}));
+    command
+        .add_option("--loads", options->loads,
+                    "file: the file's loads; balance: those that hold the given form; none")
+        ->check(CLI::IsMember({"balance", "file", "none"}))
+        ->capture_default_str();
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

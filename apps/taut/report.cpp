@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/result_file.hpp"
+#include "taut/report/figures_svg.hpp"
+#include "taut/report/report_html.hpp"
+
+namespace taut::app {
+namespace {
+
+struct Options : CommonOptions {
+    std::string result;
+    std::string output;
+    std::string svg_directory;
+};
+
+void run(const Options& options) {
+    const auto threads = options.limit_threads();
+    if (options.output.empty() && options.svg_directory.empty()) {
+        throw std::invalid_argument("nothing to write: expected -o FILE or --svg DIR, or both");
+    }
+    if (!options.output.empty() && !has_report_viewer()) {
+        throw std::invalid_argument(
+            "this taut was built without Node.js and makes no reports; --svg still writes figures");
+    }
+    const ResultFile result = read_result(options.result);
+    std::vector<std::string> written;
+    // The page first, under its temporary name: a failure to write figures leaves it away.
+    std::optional<AtomicFile> page;
+    if (!options.output.empty()) {
+        page.emplace(options.output);
+        write_file(page->temporary(), report_html(result));
+    }
+    if (!options.svg_directory.empty()) {
+        const auto figures = figures_svg(result);
+        write_files(options.svg_directory, figures);
+        for (const auto& [name, content] : figures) {
+            written.push_back((std::filesystem::path(options.svg_directory) / name).string());
+        }
+    }
+    if (page) {
+        page->commit();
+        written.insert(written.begin(), options.output);
+    }
+    if (options.json) {
+        fmt::print("{}\n", nlohmann::json{{"written", written}}.dump());
+        return;
+    }
+    for (const std::string& file : written) {
+        fmt::print("written: {}\n", file);
+    }
+}
+
+}  // namespace
+
+void add_report(CLI::App& program) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = add_command(
+        program, "report", "Make the report of a saved result: one HTML file, or figures as SVG",
+        "  taut report study/results.json -o report.html\n"
+        "  taut report result.json --svg figures",
+        *options);
+    command.add_option("RESULT", options->result, "Result of reproduce, identify or compare")
+        ->required();
+    command.add_option("-o,--output", options->output, "HTML file to write");
+    command.add_option("--svg", options->svg_directory, "Directory to write the figures into");
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

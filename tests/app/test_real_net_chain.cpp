@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards the way of a real net through every command: the cable net of the HiLo roof as its
+// designers published it. It is no part of this repository; the tests are skipped where it is not.
+
+#include <cmath>
+
+#include "app/program.hpp"
+#include "support/real_data.hpp"
+
+namespace {
+
+using namespace taut::test;
+using nlohmann::json;
+
+class Hilo : public ProgramTest {
+protected:
+    void import_with_loads(const std::string& loads) const {
+        must_run({"import", real_file("hilo/cablenet.json").string(), "--young", "205GPa",
+                  "--diameter", "size", "--force-unit", "kN", "--loads", loads, "-o", "net.json"});
+    }
+
+    json form(const std::string& solver) const {
+        return json::parse(must_run({"form", "net.json", "--solver", solver, "--json"}));
+    }
+};
+
+/// Largest distance of two forms' nodes [m].
+double distance(const json& a, const json& b) {
+    double largest = 0.0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        double squares = 0.0;
+        for (size_t k = 0; k < 3; ++k) {
+            squares += std::pow(a[i][k].get<double>() - b[i][k].get<double>(), 2);
+        }
+        largest = std::max(largest, std::sqrt(squares));
+    }
+    return largest;
+}
+
+TEST_F(Hilo, TakesTheSameFormByNewtonsMethodAndByTheConicSolver) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    for (const std::string loads : {"balance", "none"}) {
+        import_with_loads(loads);
+        const Outcome cone = run({"form", "net.json", "--solver", "socp", "--json"});
+        if (cone.exit_code == 2) {
+            GTEST_SKIP() << "built without the conic solver: " << cone.err;
+        }
+        const json newton = form("newton");
+        const json socp = json::parse(cone.out);
+        EXPECT_LT(distance(newton["form"], socp["form"]), 1e-6) << loads;
+        EXPECT_NEAR(newton["energy"].get<double>() / socp["energy"].get<double>(), 1.0, 1e-9);
+        // The designers' form, with its load; without it the net rises by some 33 mm.
+        EXPECT_NEAR(newton["largest_move"].get<double>(), loads == "none" ? 0.0343 : 0.0, 2e-4);
+    }
+}
+
+TEST_F(Hilo, GoesThroughSamplingTrainingAndIdentificationAndItsSlackEdgesAreTold) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    import_with_loads("balance");
+    const json drawn = json::parse(must_run(
+        {"sample", "net.json", "-n", "30", "--law", "uniform:1mm", "-o", "data.h5", "--json"}));
+    EXPECT_EQ(drawn["not_converged"], 0);
+    EXPECT_GT(drawn["with_slack"], 20);
+    must_run({"train", "data.h5", "-o", "model.h5", "--quiet"});
+    // Of a net as built, some edges are slack.
+    const json built = json::parse(must_run(
+        {"form", "net.json", "--law", "uniform:5mm", "--seed", "3", "-o", "built.csv", "--json"}));
+    EXPECT_GT(built["slack_edges"].size(), 0U);
+    const json result = json::parse(
+        must_run({"identify", "net.json", "built.csv", "--model", "model.h5", "--json"}));
+    ASSERT_EQ(result["edges"].size(), 1511U);
+    for (const json& edge : result["edges"]) {
+        EXPECT_LE(edge["lower"], edge["length_deviation"]);
+        EXPECT_LE(edge["length_deviation"], edge["upper"]);
+    }
+}
+
+}  // namespace
