@@ -38,8 +38,9 @@ NetFile net_of(const Options& options) {
                                : read_net(options.net);
 }
 
-/// Refuses a directory that could not be written to, before the work and without making it, and one
-/// where a data set and a model would stay behind that are not of the new study.
+/// Refuses a directory that could not be written to, before the work and without making it, one
+/// where a data set and a model would stay behind that are not of the new study, and one where the
+/// net would be written over.
 void check_directory(const Options& options) {
     const std::filesystem::path directory(options.directory);
     if (directory.empty()) {
@@ -51,6 +52,10 @@ void check_directory(const Options& options) {
                              "is of an earlier study; replace it with --keep, or name another "
                              "directory");
         }
+    }
+    for (const char* name : {"results.json", "report.html", "edges.csv", "errors.csv", "nodes.csv",
+                             "data.h5", "model.h5"}) {
+        refuse_overwriting({(directory / name).string()}, {options.net});
     }
     std::filesystem::path first_new = std::filesystem::absolute(directory) / "results.json";
     while (!std::filesystem::exists(first_new.parent_path())) {
