@@ -62,7 +62,7 @@ std::string prospect_text(const CableNet& net, const Prospect& prospect,
         lengths.count(EdgeStatus::slack), lengths.count(EdgeStatus::unobserved),
         1e3 * lengths.rms_std(), 1e3 * lengths.prior_std, "worst edges", "std [mm]", "of before");
     std::vector<EdgeProspect> worst = lengths.edges;
-    std::ranges::stable_sort(worst, std::greater{}, &EdgeProspect::std);
+    std::ranges::sort(worst, {}, [](const EdgeProspect& e) { return std::pair(-e.std, e.edge); });
     constexpr size_t shown = 8;
     for (size_t i = 0; i < std::min(shown, worst.size()); ++i) {
         const EdgeProspect& e = worst[i];
