@@ -36,16 +36,16 @@ DataSet draw_samples(const Sampler& sampler, int count, const StudyProgress& pro
     return data;
 }
 
-LengthModel train_on(const DataSet& data, const std::vector<int>& samples,
+LengthModel train_on(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
                      const StudyProgress& progress, const std::stop_token& stop) {
-    gp::FitSettings settings;
-    settings.progress = [&](int made) {
+    TrainingSettings settings = TrainingSettings::as_in_paper();
+    settings.fit.progress = [&](int made) {
         if (stop.stop_requested()) {
             throw Interrupted();
         }
-        progress("training", made, settings.max_spectra);
+        progress("training", made, settings.fit.max_spectra);
     };
-    return train(data, samples, settings);
+    return train(net, data, samples, settings);
 }
 
 double coverage(const Eigen::MatrixXd& truth, const LengthEstimates& estimates) {
@@ -144,14 +144,14 @@ Study run_study(const CableNet& net, const StudySettings& settings, const StudyP
                         training_samples.size(), study.validation.size()));
     }
     const Stopwatch training;
-    study.model = train_on(study.data, training_samples, tell, stop);
+    study.model = train_on(net, study.data, training_samples, tell, stop);
     study.seconds.training = training.seconds();
 
     tell("identification", 0, 1);
     const Stopwatch identification;
     const Eigen::MatrixXd truth = study.data.length_deviations(Eigen::all, study.validation);
     study.estimates =
-        estimate_lengths(study.model, study.data.form_deviations(Eigen::all, study.validation));
+        estimate_lengths(net, study.model, study.data.form_deviations(Eigen::all, study.validation));
     study.gp_as_in_paper = {.name = "gp_as_in_paper",
                             .errors = length_errors(truth, study.estimates.mean),
                             .coverage = coverage(truth, study.estimates)};
