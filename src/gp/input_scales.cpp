@@ -50,7 +50,7 @@ struct Problem {
     Eigen::MatrixXd inputs;
     Eigen::MatrixXd outputs;
     const std::vector<int>& groups;
-    std::vector<double> best_log_scales = {};
+    std::vector<double> best_log_scales;
     double best_value = std::numeric_limits<double>::infinity();
 };
 
@@ -67,7 +67,8 @@ Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     }
     return {.inputs = inputs.leftCols(n),
             .outputs = outputs.topRows(n)(Eigen::all, usable),
-            .groups = groups};
+            .groups = groups,
+            .best_log_scales = {}};
 }
 
 double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
@@ -173,6 +174,9 @@ Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& i
         (void)optimizer.optimize(problem.best_log_scales);
     } catch (const std::runtime_error&) {
         // The line search found nothing lower: it is at the bottom, as near as rounding lets it be.
+        if (!std::isfinite(problem.best_value)) {
+            throw;
+        }
     }
     const Eigen::VectorXd found = Eigen::VectorXd::Map(problem.best_log_scales.data(), count);
     Eigen::VectorXd result = scales_of(groups, found);
