@@ -19,7 +19,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct ExportOptions : CommonOptions {
     std::string net;
     std::string form;
     std::string format;
@@ -55,7 +55,8 @@ Points equilibrium_form(const CableNet& net, const std::string& path) {
 }
 
 /// Writes the files of the format, and gives their names.
-std::vector<std::string> write(const Options& options, const CableNet& net, const Points& form) {
+std::vector<std::string> write(const ExportOptions& options, const CableNet& net,
+                               const Points& form) {
     if (options.format == "csv") {
         const std::filesystem::path nodes = options.output;
         std::filesystem::path edges = nodes;
@@ -72,7 +73,7 @@ std::vector<std::string> write(const Options& options, const CableNet& net, cons
     return {options.output};
 }
 
-void run(const Options& options) {
+void run(const ExportOptions& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
     const bool is_given = !options.form.empty();
@@ -99,7 +100,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     CLI::App& command =
         add_command(program, "export", "Write a net and its form for another program",
                     "  taut export net.json --to vtk -o net.vtk\n"

@@ -23,7 +23,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct TrainOptions : CommonOptions {
     std::string data;
     std::string output;
 };
@@ -39,7 +39,7 @@ std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
     return edges;
 }
 
-void run(const Options& options) {
+void run(const TrainOptions& options) {
     const auto threads = options.limit_threads();
     const StoredDataSet stored = read_data_set(options.data);
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
@@ -93,7 +93,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_train(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<TrainOptions>();
     CLI::App& command = add_command(
         program, "train", "Train one Gaussian process an interior edge on a data set (Algorithm 1)",
         "  taut train data.h5 -o model.h5", *options);

@@ -6,10 +6,15 @@
 #include "taut/design/unstressed_lengths.hpp"
 
 namespace taut {
+namespace {
+
+constexpr double axial_stiffness = 200e3;                // N
+constexpr double force_density = 4e3 / lattice_spacing;  // N/m: 4 kN in an edge as long as that
+
+}  // namespace
 
 CableNet form_found_net(std::string name, const Points& nodes, const std::vector<int>& supports,
-                        const std::vector<Edge>& edges, double force_density,
-                        double axial_stiffness) {
+                        const std::vector<Edge>& edges) {
     const auto m = static_cast<Eigen::Index>(edges.size());
     CableNetData data;
     data.name = std::move(name);

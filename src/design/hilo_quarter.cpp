@@ -13,13 +13,10 @@
 namespace taut {
 namespace {
 
-constexpr double length = 4.26;                  // m, of the rectangle
-constexpr double width = 1.96;                   // m
-constexpr double spacing = 0.132;                // m, of the lattice
-constexpr double roof_height = 1.0;              // m, of the rectangle above the touch-downs
-constexpr double radius = 0.66;                  // m, of the largest circle
-constexpr double axial_stiffness = 200e3;        // N
-constexpr double force_density = 4e3 / spacing;  // N/m
+constexpr double length = 4.26;      // m, of the rectangle
+constexpr double width = 1.96;       // m
+constexpr double roof_height = 1.0;  // m, of the rectangle above the touch-downs
+constexpr double radius = 0.66;      // m, of the largest circle
 
 using LatticePoint = std::array<int, 2>;
 constexpr std::array<LatticePoint, 4> directions{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
@@ -44,7 +41,7 @@ const std::array<Circle, 5>& circles() {
 /// counts; three quarters in one of them does not.
 Eigen::Vector2d in_plan(LatticePoint p) {
     const Eigen::Vector2d middle(0.5 * length, 0.5 * width);
-    const Eigen::Vector2d q = spacing * Eigen::Vector2d(p[0] + 0.25, p[1] + 0.25);
+    const Eigen::Vector2d q = lattice_spacing * Eigen::Vector2d(p[0] + 0.25, p[1] + 0.25);
     return middle + std::numbers::sqrt2 / 2.0 * Eigen::Vector2d(q.x() - q.y(), q.x() + q.y());
 }
 
@@ -59,7 +56,7 @@ bool in_outline(const Eigen::Vector2d& p) {
 /// repeatedly. Gives each its index.
 std::map<LatticePoint, int> free_lattice_points() {
     std::map<LatticePoint, int> points;
-    const int reach = static_cast<int>(std::ceil((length + width) / spacing));
+    const int reach = static_cast<int>(std::ceil((length + width) / lattice_spacing));
     for (int i = -reach; i <= reach; ++i) {
         for (int j = -reach; j <= reach; ++j) {
             if (in_outline(in_plan({i, j}))) {
@@ -96,7 +93,7 @@ double frame_height(const Circle* circle, const Eigen::Vector2d& p) {
 /// by the rectangle; at least half the spacing away.
 Eigen::Vector3d support_on_outline(const Eigen::Vector2d& from, const Eigen::Vector2d& direction) {
     const Circle* cut_by = nullptr;
-    double distance = 2.0 * spacing;
+    double distance = 2.0 * lattice_spacing;
     const auto shorten = [&](double d, const Circle* circle) {
         if (d >= 0.0 && d < distance) {
             distance = d;
@@ -116,7 +113,7 @@ Eigen::Vector3d support_on_outline(const Eigen::Vector2d& from, const Eigen::Vec
             shorten(-b - std::sqrt(discriminant), &circle);
         }
     }
-    const Eigen::Vector2d p = from + std::max(distance, 0.5 * spacing) * direction;
+    const Eigen::Vector2d p = from + std::max(distance, 0.5 * lattice_spacing) * direction;
     return {p.x(), p.y(), frame_height(cut_by, p)};
 }
 
@@ -145,7 +142,7 @@ CableNet hilo_quarter() {
     }
     const Points points =
         Eigen::Map<const Points>(nodes.front().data(), 3, static_cast<Eigen::Index>(nodes.size()));
-    return form_found_net("hilo-quarter", points, supports, edges, force_density, axial_stiffness);
+    return form_found_net("hilo-quarter", points, supports, edges);
 }
 
 }  // namespace taut

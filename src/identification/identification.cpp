@@ -12,10 +12,6 @@
 namespace taut {
 namespace {
 
-/// A posterior is no narrower than the prior when its standard deviation exceeds this part of the
-/// law's: two processes trained on other samples differ by as much.
-constexpr double unobserved_ratio = 0.95;
-
 void check(const CableNet& net, const LengthModel& model, const Survey& survey) {
     if (model.net_fingerprint != net.fingerprint()) {
         throw std::invalid_argument(

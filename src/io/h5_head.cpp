@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t known_h5_version = 1;
 
 void check_format(const hdf5::Reader& reader, const std::string& format) {
     const std::string found = reader.text_attribute("format");
@@ -19,9 +19,9 @@ void check_format(const hdf5::Reader& reader, const std::string& format) {
         reader.fail("format", fmt::format("is {}, expected '{}'", quote(found), format));
     }
     const std::uint64_t found_version = reader.number_attribute("version");
-    if (found_version != version) {
+    if (found_version != known_h5_version) {
         reader.fail("version", fmt::format("is {}, expected {}, the only one that this taut knows",
-                                           found_version, version));
+                                           found_version, known_h5_version));
     }
 }
 
@@ -63,7 +63,7 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
     }
     require_matrix("nominal_form", head.nominal_form, 3 * net.free_node_count(), 1);
     writer.attribute("format", head.format);
-    writer.attribute("version", version);
+    writer.attribute("version", known_h5_version);
     writer.attribute("law", head.law.to_string());
     writer.attribute("seed", head.seed);
     writer.attribute("net_fingerprint", head.net_fingerprint);

@@ -27,6 +27,10 @@ enum class EdgeStatus {
 /// Half the width of the 95 % interval of a normal distribution, in standard deviations.
 inline constexpr double half_interval_95 = 1.959963984540054;
 
+/// An edge is unobserved when its standard deviation exceeds this part of that of the law of its
+/// length: two Gaussian processes trained on other samples differ by as much.
+inline constexpr double unobserved_ratio = 0.95;
+
 /// How an identification ended.
 enum class IdentificationStatus {
     converged,
