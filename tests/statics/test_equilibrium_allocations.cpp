@@ -13,7 +13,16 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// GCC tells of the sanitizers by macros, Clang by features.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TAUT_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TAUT_SANITIZED 1
+#endif
+#endif
+
+#if defined(__GLIBC__) && !defined(TAUT_SANITIZED)
 #define TAUT_COUNTS_ALLOCATIONS 1
 
 namespace {
