@@ -49,7 +49,7 @@ format: ## format all C++ sources in place
 	scripts/format.sh
 
 sanitize: ## run the tests with the address and undefined behaviour sanitizers
-	scripts/install_dependencies.sh test
+	scripts/install_dependencies.sh test fuzz
 	$(configure) --preset asan
 	cmake --build --preset asan
 	ctest --preset asan

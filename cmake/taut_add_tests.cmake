@@ -18,10 +18,8 @@ function(taut_add_tests room)
         GTest::gmock_main rapidcheck rapidcheck_gtest
         nlohmann_json::nlohmann_json fmt::fmt
         PkgConfig::TAUT_HDF5)
-    # Tests are compiled far longer than they run: little optimisation, and their headers once.
+    # Tests are compiled far longer than they run: little optimisation.
     target_compile_options(${target} PRIVATE -O1)
-    target_precompile_headers(${target} PRIVATE
-        <gmock/gmock.h> <gtest/gtest.h> <rapidcheck/gtest.h> <Eigen/Core>)
     gtest_discover_tests(${target}
         TEST_PREFIX "${room}."
         DISCOVERY_TIMEOUT 60

@@ -14,12 +14,13 @@ seconds=${1:?seconds per reader}
 readers=("${@:2}")
 ((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey obj model)
 
-build=build/fuzz
-cmake --log-level=WARNING --preset fuzz
-cmake --build --preset fuzz
+# The build that runs the tests under the sanitizers: nothing is compiled for the fuzzers alone.
+build=build/asan
+cmake --log-level=WARNING --preset asan
+cmake --build --preset asan --target taut_app "${readers[@]/#/fuzz_}"
 
 real=${TAUT_REAL_DATA:-../shared/data}
-seeds=$build/seeds
+seeds=$build/fuzz/seeds
 taut=$build/apps/taut/taut
 # What HDF5 and oneTBB keep until the end is no leak of ours.
 export ASAN_OPTIONS=detect_leaks=0
@@ -28,7 +29,7 @@ make_seeds() {
     local reader
     rm -rf $seeds
     for reader in "${readers[@]}"; do
-        mkdir -p $seeds/"$reader" $build/corpus/"$reader"
+        mkdir -p $seeds/"$reader" $build/fuzz/corpus/"$reader"
     done
     local work=$seeds/work
     mkdir -p $work
@@ -57,19 +58,25 @@ copy() { # reader file
     [[ ! -d $seeds/$1 ]] || cp "$2" $seeds/"$1"/
 }
 
-make_seeds
-status=0
-for reader in "${readers[@]}"; do
-    echo "fuzz: $reader for $seconds s"
-    found=tests/fuzz/found/$reader
+# Says nothing until it ends, since others run beside it.
+fuzz() { # reader
+    local reader=$1 found=tests/fuzz/found/$1 log=$build/fuzz/$1.log
     [[ -d $found ]] || found=
     # A file that takes longer than 10 s, or more than 1 GiB, counts as found.
-    if ! $build/tests/fuzz/fuzz_"$reader" $build/corpus/"$reader" $seeds/"$reader" $found \
+    # shellcheck disable=SC2086
+    if "$build/tests/fuzz/fuzz_$reader" "$build/fuzz/corpus/$reader" "$seeds/$reader" $found \
         -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -max_len=65536 \
-        -print_final_stats=1 -verbosity=0 -artifact_prefix=$build/"$reader"- 2>$build/"$reader".log; then
-        grep -E "ERROR|SUMMARY|Test unit written|what\(\)" $build/"$reader".log >&2 || tail -n 20 $build/"$reader".log >&2
-        status=1
+        -print_final_stats=1 -verbosity=0 -artifact_prefix="$build/fuzz/$reader-" 2>"$log"; then
+        echo "fuzz: $reader: $(grep -oE "number_of_executed_units: *[0-9]+" "$log")"
+        return 0
     fi
-    grep -E "number_of_executed_units" $build/"$reader".log || true
-done
-exit $status
+    echo "fuzz: $reader: FAILED, all of it in $log" >&2
+    grep -E "ERROR|SUMMARY|Test unit written|what\(\)" "$log" >&2 || tail -n 20 "$log" >&2
+    return 1
+}
+
+make_seeds
+export -f fuzz
+export build seeds seconds
+# A reader a core.
+printf '%s\n' "${readers[@]}" | xargs --max-args=1 --max-procs="$(nproc)" bash -c 'fuzz "$0"'

@@ -11,12 +11,12 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct ExampleOptions : CommonOptions {
     std::string name;
     std::string output;
 };
 
-void run(const Options& options) {
+void run(const ExampleOptions& options) {
     const auto threads = options.limit_threads();
     const CableNet net = builtin_net(options.name);
     check_outputs({options.output}, {});
@@ -31,7 +31,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_example(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExampleOptions>();
     CLI::App& command = add_command(
         program, "example", "Write a built-in net",
         "  taut example hilo-quarter -o net.json\n  taut example hypar:20x30 -o hypar.json",

@@ -17,7 +17,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct ExportOptions : CommonOptions {
     std::string net;
     std::string form;
     std::string format;
@@ -34,7 +34,7 @@ Points equilibrium_form(const CableNet& net, const std::string& path) {
 }
 
 /// The files that the format takes.
-std::vector<std::string> output_files(const Options& options) {
+std::vector<std::string> output_files(const ExportOptions& options) {
     if (options.format != "csv") {
         return {options.output};
     }
@@ -56,7 +56,7 @@ void write(const std::vector<std::string>& files, const std::string& format, con
     }
 }
 
-void run(const Options& options) {
+void run(const ExportOptions& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
     const std::vector<std::string> files = output_files(options);
@@ -85,7 +85,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     CLI::App& command =
         add_command(program, "export", "Write a net and its form for another program",
                     "  taut export net.json --to vtk -o net.vtk\n"

@@ -18,7 +18,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct FormOptions : CommonOptions {
     std::string net;
     std::string output;
     std::string solver = "newton";
@@ -29,7 +29,7 @@ struct Options : CommonOptions {
 };
 
 /// The net as designed, or as it might be built under the law.
-CableNet net_of(const Options& options, const CableNet& nominal) {
+CableNet net_of(const FormOptions& options, const CableNet& nominal) {
     if (options.law.empty()) {
         return nominal;
     }
@@ -54,7 +54,7 @@ struct Found {
     nlohmann::ordered_json details;  ///< what only this solver knows
 };
 
-Found find_by_newton(const Options& options, const CableNet& net) {
+Found find_by_newton(const FormOptions& options, const CableNet& net) {
     Equilibrium e = solve_equilibrium(net);
     if (!e.balanced()) {
         throw NumericalFailure(
@@ -76,7 +76,7 @@ Found find_by_newton(const Options& options, const CableNet& net) {
             .details = {}};
 }
 
-Found find_by_cone_program(const Options& options, const CableNet& net) {
+Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
     const ConeForm cone_form = options.cone_form == "paper" ? ConeForm::paper : ConeForm::quadratic;
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     const ConeSolution s = solve_cone_program(net, lengths, {.form = cone_form});
@@ -107,7 +107,7 @@ Found find_by_cone_program(const Options& options, const CableNet& net) {
                         {"dual_residual", s.dual_residual}}};
 }
 
-nlohmann::ordered_json to_json(const Options& options, const CableNet& net, const Found& found,
+nlohmann::ordered_json to_json(const FormOptions& options, const CableNet& net, const Found& found,
                                double move) {
     nlohmann::ordered_json document{{"format", "taut-form"},
                                     {"version", 1},
@@ -130,7 +130,7 @@ nlohmann::ordered_json to_json(const Options& options, const CableNet& net, cons
     return document;
 }
 
-void run(const Options& options) {
+void run(const FormOptions& options) {
     const auto threads = options.limit_threads();
     const CableNet nominal = read_net(options.net).net;
     const CableNet net = net_of(options, nominal);
@@ -161,7 +161,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_form(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FormOptions>();
     CLI::App& command =
         add_command(program, "form", "Compute the form a net takes in equilibrium",
                     "  taut form net.json -o form.csv\n"

@@ -31,7 +31,7 @@ namespace {
 /// Samples to train on where no model is given.
 constexpr int default_samples = 1000;
 
-struct Options : CommonOptions, SurveyOptions {
+struct IdentifyOptions : CommonOptions, SurveyOptions {
     std::string net;
     std::string method;  ///< empty: chosen by what is there
     std::string model;
@@ -46,7 +46,7 @@ struct Choice {
 };
 
 /// The method that was asked for, or the one that suits what is there.
-Choice choose_method(const Options& options, const CableNet& net, const Survey& survey) {
+Choice choose_method(const IdentifyOptions& options, const CableNet& net, const Survey& survey) {
     const bool has_noise = is_noisy(survey);
     const bool has_hidden = !survey.missing.empty();
     Choice choice{.method = options.method, .reason = "asked for by --method"};
@@ -69,7 +69,7 @@ Choice choose_method(const Options& options, const CableNet& net, const Survey& 
     return choice;
 }
 
-LengthModel stored_model(const Options& options, const CableNet& net) {
+LengthModel stored_model(const IdentifyOptions& options, const CableNet& net) {
     LengthModel model = read_model(options.model).model;
     if (model.net_fingerprint != net.fingerprint()) {
         throw InputError(options.model, "",
@@ -85,7 +85,7 @@ LengthModel stored_model(const Options& options, const CableNet& net) {
 }
 
 /// Where no model is given: one is trained for the net and the law, and forgotten.
-LengthModel trained_model(const Options& options, const CableNet& net) {
+LengthModel trained_model(const IdentifyOptions& options, const CableNet& net) {
     const std::stop_token stop = Interruption::stop_token();
     const Sampler sampler(net, parse_length_law(options.law), 1);
     DataSet data = sampler.empty();
@@ -108,7 +108,7 @@ struct Outcome {
     std::string how;
 };
 
-Outcome identify(const Options& options, const CableNet& net, const Survey& survey,
+Outcome identify(const IdentifyOptions& options, const CableNet& net, const Survey& survey,
                  const std::string& method) {
     if (method == "gp") {
         const LengthModel model =
@@ -140,7 +140,7 @@ int count(const Identification& result, EdgeStatus status) {
     return static_cast<int>(std::ranges::count(result.edges, status, &IdentifiedEdge::status));
 }
 
-void print(const Options& options, const CableNet& net, const Survey& survey,
+void print(const IdentifyOptions& options, const CableNet& net, const Survey& survey,
            const Outcome& outcome) {
     const Identification& result = outcome.result;
     fmt::print("{}\n{}", counts_text(net), survey_text(net, options, survey));
@@ -183,7 +183,7 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     }
 }
 
-std::string failure_text(const Options& options, const Survey& survey,
+std::string failure_text(const IdentifyOptions& options, const Survey& survey,
                          const Identification& result) {
     if (result.status == IdentificationStatus::survey_does_not_fit) {
         return fmt::format(
@@ -195,7 +195,7 @@ std::string failure_text(const Options& options, const Survey& survey,
                        result.method, to_string(result.status));
 }
 
-void run(const Options& options) {
+void run(const IdentifyOptions& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
     const Survey survey = read_survey(net, options);
@@ -220,7 +220,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_identify(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<IdentifyOptions>();
     CLI::App& command = add_command(
         program, "identify", "Tell each edge's unstressed length from one survey of the form",
         "  taut identify net.json survey.csv --noise 0.5mm -o result.json", *options);

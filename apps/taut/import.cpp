@@ -16,7 +16,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct ImportOptions : CommonOptions {
     std::string file;
     std::string output;
     std::string format;
@@ -31,7 +31,7 @@ struct Options : CommonOptions {
 };
 
 /// The structure in the file, and a line that tells how it was taken.
-ImportedStructure read_structure(const Options& options) {
+ImportedStructure read_structure(const ImportOptions& options) {
     const std::string text = read_file(options.file);
     const ForeignFormat format = options.format.empty() ? detect_format(text, options.file)
                                                         : format_named(options.format, text);
@@ -65,7 +65,7 @@ void add_supports(const std::string& supports, ImportedStructure& structure) {
     }
 }
 
-ImportSettings settings_of(const Options& options) {
+ImportSettings settings_of(const ImportOptions& options) {
     ImportSettings settings;
     if (!options.axial_stiffness.empty()) {
         settings.axial_stiffness = parse_force(options.axial_stiffness);
@@ -95,7 +95,7 @@ ImportSettings settings_of(const Options& options) {
     return settings;
 }
 
-nlohmann::ordered_json to_json(const Options& options, const ImportedNet& imported) {
+nlohmann::ordered_json to_json(const ImportOptions& options, const ImportedNet& imported) {
     const ImportReport& it = imported.report;
     return {{"format", "taut-import"},
             {"version", 1},
@@ -125,7 +125,7 @@ void print(const std::string& heading, const std::vector<std::string>& lines) {
     }
 }
 
-void print(const Options& options, const ImportedNet& imported) {
+void print(const ImportOptions& options, const ImportedNet& imported) {
     const ImportReport& it = imported.report;
     fmt::print("{}\n", counts_text(imported.net));
     print("read", it.read);
@@ -144,7 +144,7 @@ void print(const Options& options, const ImportedNet& imported) {
     fmt::print("\nwritten to {}\n", options.output);
 }
 
-void run(const Options& options) {
+void run(const ImportOptions& options) {
     const ImportSettings settings = settings_of(options);
     const bool is_file = options.supports != "boundary";
     check_outputs({options.output}, {options.file, options.edges, is_file ? options.supports : ""});
@@ -165,7 +165,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_import(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ImportOptions>();
     CLI::App& command =
         add_command(program, "import", "Read a net that another program wrote",
                     "  taut import cablenet.json --young 205GPa --diameter size --force-unit kN"

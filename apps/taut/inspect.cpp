@@ -24,7 +24,7 @@ constexpr int most_edges_for_sensitivity = 3'000;
 
 constexpr int sensitive_edges = 10;
 
-struct Options : CommonOptions, SurveyOptions {
+struct InspectOptions : CommonOptions, SurveyOptions {
     std::string net;
     std::string law = "uniform:5mm";
 };
@@ -225,7 +225,7 @@ void print(const CableNet& net, const Inspection& it) {
     print(net, it.analysis);
 }
 
-void run(const Options& options) {
+void run(const InspectOptions& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
     const LengthLaw law = parse_length_law(options.law);
@@ -251,7 +251,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_inspect(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InspectOptions>();
     CLI::App& command =
         add_command(program, "inspect",
                     "Tell what a net is: counts, lengths, tensions, balance, self-stress, what a "

@@ -13,8 +13,6 @@
 namespace taut::app {
 namespace {
 
-constexpr int interrupted = 130;
-
 /// Never destroyed: the thread that watches lives to the end of the process.
 std::stop_source& source() {
     static auto& the_source = *new std::stop_source;
@@ -32,7 +30,7 @@ void hand_over(int /*signal*/) {
 
 [[noreturn]] void end_at_once() {
     constexpr std::string_view line = "taut: error: interrupted\n";
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
     _exit(interrupted);
 }
 

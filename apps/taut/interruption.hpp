@@ -7,6 +7,9 @@
 
 namespace taut::app {
 
+/// The exit code after SIGINT, as shells have it.
+inline constexpr int interrupted = 130;
+
 /// What SIGINT, SIGTERM and SIGHUP do. A command that says nothing is ended at once with exit code
 /// 130; its outputs appear in one piece or not at all, so nothing is left half done. A command that
 /// asks for a stop token is told through it, and ended at once by a second signal.

@@ -21,7 +21,6 @@ namespace {
 
 constexpr int wrong_input = 2;
 constexpr int numerical_failure = 1;
-constexpr int interrupted = 130;
 
 /// The one line that tells a failure.
 int fail(int code, std::string message) {
@@ -75,9 +74,9 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const taut::Interrupted&) {
-        return fail(interrupted, "interrupted, nothing was written");
+        return fail(taut::app::interrupted, "interrupted, nothing was written");
     } catch (const taut::app::SampleInterrupted& interruption) {
-        return fail(interrupted, interruption.what());
+        return fail(taut::app::interrupted, interruption.what());
     } catch (const taut::InputError& error) {
         return fail(wrong_input, error.what());
     } catch (const taut::OutputError& error) {

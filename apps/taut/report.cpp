@@ -13,13 +13,13 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct ReportOptions : CommonOptions {
     std::string result;
     std::string output;
     std::string svg_directory;
 };
 
-void run(const Options& options) {
+void run(const ReportOptions& options) {
     const auto threads = options.limit_threads();
     if (options.output.empty() && options.svg_directory.empty()) {
         throw std::invalid_argument("nothing to write: expected -o FILE or --svg DIR, or both");
@@ -63,7 +63,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReportOptions>();
     CLI::App& command = add_command(
         program, "report", "Make the report of a saved result: one HTML file, or figures as SVG",
         "  taut report study/results.json -o report.html\n"

@@ -25,7 +25,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct ReproduceOptions : CommonOptions {
     std::string directory;
     std::string net;
     std::string law = "uniform:5mm";
@@ -33,7 +33,7 @@ struct Options : CommonOptions {
     bool keep = false;
 };
 
-NetFile net_of(const Options& options) {
+NetFile net_of(const ReproduceOptions& options) {
     return options.net.empty() ? NetFile{.net = hilo_quarter(), .unknown_keys = "{}"}
                                : read_net(options.net);
 }
@@ -41,7 +41,7 @@ NetFile net_of(const Options& options) {
 /// Refuses a directory that could not be written to, before the work and without making it, one
 /// where a data set and a model would stay behind that are not of the new study, and one where the
 /// net would be written over.
-void check_directory(const Options& options) {
+void check_directory(const ReproduceOptions& options) {
     const std::filesystem::path directory(options.directory);
     if (directory.empty()) {
         throw std::invalid_argument("the output directory has no name");
@@ -64,7 +64,7 @@ void check_directory(const Options& options) {
     AtomicFile{first_new};
 }
 
-void run(Options options) {
+void run(ReproduceOptions options) {
     const auto threads = options.limit_threads();
     options.study.law = parse_length_law(options.law);
     options.study.check();
@@ -106,7 +106,7 @@ void run(Options options) {
 }  // namespace
 
 void add_reproduce(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReproduceOptions>();
     CLI::App& command = add_command(
         program, "reproduce", "Run the paper's numerical experiment (its section 5) on a net",
         "  taut reproduce -o study\n  taut reproduce -o study --net net.json --law uniform:2mm",

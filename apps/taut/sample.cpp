@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 /// A killed run loses no more than this.
 constexpr std::chrono::seconds checkpoint_interval{30};
 
-struct Options : CommonOptions {
+struct SampleOptions : CommonOptions {
     std::string net;
     std::string output;
     std::string law = "uniform:5mm";
@@ -39,7 +39,7 @@ struct Options : CommonOptions {
 };
 
 /// The samples of an earlier run, from the larger of its finished and its unfinished data set.
-std::optional<DataSet> earlier_samples(const Options& options, const DataSet& wanted) {
+std::optional<DataSet> earlier_samples(const SampleOptions& options, const DataSet& wanted) {
     std::optional<DataSet> found;
     for (const std::string& file : {options.output, options.partial()}) {
         if (!std::filesystem::exists(file)) {
@@ -73,7 +73,7 @@ std::optional<DataSet> earlier_samples(const Options& options, const DataSet& wa
 
 /// Draws until the data set is complete; keeps what is done from time to time, and when
 /// interrupted.
-void draw(const Options& options, const NetFile& net, const Sampler& sampler, DataSet& data) {
+void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampler, DataSet& data) {
     const std::stop_token stop = Interruption::stop_token();
     Progress progress(options.quiet);
     const auto keep = [&] { write_data_set(options.partial(), data, net); };
@@ -104,7 +104,8 @@ void draw(const Options& options, const NetFile& net, const Sampler& sampler, Da
     progress.show("sampling", options.count, options.count);
 }
 
-void tell(const Options& options, const CableNet& net, const DataSet& data, int resumed_from) {
+void tell(const SampleOptions& options, const CableNet& net, const DataSet& data,
+          int resumed_from) {
     if (options.json) {
         const nlohmann::ordered_json document{{"format", "taut-sampling"},
                                               {"version", 1},
@@ -128,7 +129,7 @@ void tell(const Options& options, const CableNet& net, const DataSet& data, int 
     fmt::print("written to {}\n", options.output);
 }
 
-void run(const Options& options) {
+void run(const SampleOptions& options) {
     const auto threads = options.limit_threads();
     const NetFile net = read_net(options.net);
     const Sampler sampler(net.net, parse_length_law(options.law), options.seed);
@@ -154,7 +155,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_sample(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SampleOptions>();
     CLI::App& command = add_command(
         program, "sample", "Draw random lengths and solve for the forms that follow (Algorithm 2)",
         "  taut sample net.json -n 1000 --law uniform:5mm -o data.h5\n"

@@ -15,7 +15,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct SurveySimulationOptions : CommonOptions {
     std::string net;
     std::string form;
     std::string noise;
@@ -38,7 +38,7 @@ double parse_part(const std::string& text) {
     return percent / 100.0;
 }
 
-void run(Options options) {
+void run(SurveySimulationOptions options) {
     const auto threads = options.limit_threads();
     SurveySimulation& simulation = options.simulation;
     simulation.noise_std = parse_noise(options.noise);
@@ -75,7 +75,7 @@ void run(Options options) {
 }  // namespace
 
 void add_survey(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SurveySimulationOptions>();
     CLI::App& command = add_command(
         program, "survey", "Simulate a survey of a form, for trials and teaching",
         "  taut form net.json --law uniform:5mm --seed 7 -o built.csv\n"

@@ -24,7 +24,7 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions {
+struct TrainOptions : CommonOptions {
     std::string data;
     std::string output;
     std::string mean;
@@ -57,7 +57,7 @@ void choose(Setting& chosen, const std::string& name, const std::array<Setting, 
     }
 }
 
-TrainingSettings Options::settings() const {
+TrainingSettings TrainOptions::settings() const {
     TrainingSettings settings = as_in_paper ? TrainingSettings::as_in_paper() : TrainingSettings();
     choose(settings.mean, mean, all_means);
     choose(settings.metric, kernel, all_metrics);
@@ -86,7 +86,7 @@ void print_scales(const LengthModel& model) {
     }
 }
 
-void run(const Options& options) {
+void run(const TrainOptions& options) {
     const auto threads = options.limit_threads();
     const StoredDataSet stored = read_data_set(options.data);
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
@@ -145,7 +145,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_train(CLI::App& program) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<TrainOptions>();
     CLI::App& command = add_command(
         program, "train", "Train one Gaussian process an interior edge on a data set (Algorithm 1)",
         "  taut train data.h5 -o model.h5", *options);

@@ -8,12 +8,14 @@
 
 namespace taut {
 
-/// A net of equal axial stiffness and equal force density, in the form in which it balances.
+/// Between neighbouring nodes of the built-in nets, in plan [m].
+inline constexpr double lattice_spacing = 0.132;
+
+/// A net of equal axial stiffness and equal force density, those of the built-in nets, in the form
+/// in which it balances.
 /// @param nodes 3 x n; only the supports' coordinates matter [m]
-/// @param force_density of every edge [N/m]; @param axial_stiffness of every edge [N]
 [[nodiscard]] CableNet form_found_net(std::string name, const Points& nodes,
                                       const std::vector<int>& supports,
-                                      const std::vector<Edge>& edges, double force_density,
-                                      double axial_stiffness);
+                                      const std::vector<Edge>& edges);
 
 }  // namespace taut

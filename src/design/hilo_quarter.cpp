@@ -13,13 +13,10 @@
 namespace taut {
 namespace {
 
-constexpr double length = 4.26;                  // m, of the rectangle
-constexpr double width = 1.96;                   // m
-constexpr double spacing = 0.132;                // m, of the lattice
-constexpr double roof_height = 1.0;              // m, of the rectangle above the touch-downs
-constexpr double radius = 0.66;                  // m, of the largest circle
-constexpr double axial_stiffness = 200e3;        // N
-constexpr double force_density = 4e3 / spacing;  // N/m
+constexpr double roof_length = 4.26;  // m, of the rectangle
+constexpr double roof_width = 1.96;   // m
+constexpr double roof_height = 1.0;   // m, of the rectangle above the touch-downs
+constexpr double radius = 0.66;       // m, of the largest circle
 
 using LatticePoint = std::array<int, 2>;
 constexpr std::array<LatticePoint, 4> directions{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
@@ -31,11 +28,12 @@ struct Circle {
 };
 
 const std::array<Circle, 5>& circles() {
-    static const std::array<Circle, 5> all{{{{0.55 * length, 0.0}, radius, {0, 1}},
-                                            {{0.27 * length, width}, 0.80 * radius, {0, -1}},
-                                            {{0.70 * length, width}, 0.80 * radius, {0, -1}},
-                                            {{0.0, 0.40 * width}, 0.85 * radius, {1, 0}},
-                                            {{length, 0.62 * width}, 0.90 * radius, {-1, 0}}}};
+    static const std::array<Circle, 5> all{
+        {{{0.55 * roof_length, 0.0}, radius, {0, 1}},
+         {{0.27 * roof_length, roof_width}, 0.80 * radius, {0, -1}},
+         {{0.70 * roof_length, roof_width}, 0.80 * radius, {0, -1}},
+         {{0.0, 0.40 * roof_width}, 0.85 * radius, {1, 0}},
+         {{roof_length, 0.62 * roof_width}, 0.90 * radius, {-1, 0}}}};
     return all;
 }
 
@@ -43,13 +41,13 @@ const std::array<Circle, 5>& circles() {
 /// Its offset of a quarter of the spacing in both directions is the one that gives the paper's
 /// counts; three quarters in one of them does not.
 Eigen::Vector2d in_plan(LatticePoint p) {
-    const Eigen::Vector2d middle(0.5 * length, 0.5 * width);
-    const Eigen::Vector2d q = spacing * Eigen::Vector2d(p[0] + 0.25, p[1] + 0.25);
+    const Eigen::Vector2d middle(0.5 * roof_length, 0.5 * roof_width);
+    const Eigen::Vector2d q = lattice_spacing * Eigen::Vector2d(p[0] + 0.25, p[1] + 0.25);
     return middle + std::numbers::sqrt2 / 2.0 * Eigen::Vector2d(q.x() - q.y(), q.x() + q.y());
 }
 
 bool in_outline(const Eigen::Vector2d& p) {
-    return p.x() >= 0.0 && p.x() <= length && p.y() >= 0.0 && p.y() <= width &&
+    return p.x() >= 0.0 && p.x() <= roof_length && p.y() >= 0.0 && p.y() <= roof_width &&
            std::ranges::all_of(circles(), [&](const Circle& circle) {
                return (p - circle.centre).norm() >= circle.radius;
            });
@@ -59,7 +57,7 @@ bool in_outline(const Eigen::Vector2d& p) {
 /// repeatedly. Gives each its index.
 std::map<LatticePoint, int> free_lattice_points() {
     std::map<LatticePoint, int> points;
-    const int reach = static_cast<int>(std::ceil((length + width) / spacing));
+    const int reach = static_cast<int>(std::ceil((roof_length + roof_width) / lattice_spacing));
     for (int i = -reach; i <= reach; ++i) {
         for (int j = -reach; j <= reach; ++j) {
             if (in_outline(in_plan({i, j}))) {
@@ -96,7 +94,7 @@ double frame_height(const Circle* circle, const Eigen::Vector2d& p) {
 /// by the rectangle; at least half the spacing away.
 Eigen::Vector3d support_on_outline(const Eigen::Vector2d& from, const Eigen::Vector2d& direction) {
     const Circle* cut_by = nullptr;
-    double distance = 2.0 * spacing;
+    double distance = 2.0 * lattice_spacing;
     const auto shorten = [&](double d, const Circle* circle) {
         if (d >= 0.0 && d < distance) {
             distance = d;
@@ -104,7 +102,7 @@ Eigen::Vector3d support_on_outline(const Eigen::Vector2d& from, const Eigen::Vec
         }
     };
     for (int axis = 0; axis < 2; ++axis) {
-        const double limit = direction(axis) > 0.0 ? (axis == 0 ? length : width) : 0.0;
+        const double limit = direction(axis) > 0.0 ? (axis == 0 ? roof_length : roof_width) : 0.0;
         shorten((limit - from(axis)) / direction(axis), nullptr);
     }
     for (const Circle& circle : circles()) {
@@ -116,7 +114,7 @@ Eigen::Vector3d support_on_outline(const Eigen::Vector2d& from, const Eigen::Vec
             shorten(-b - std::sqrt(discriminant), &circle);
         }
     }
-    const Eigen::Vector2d p = from + std::max(distance, 0.5 * spacing) * direction;
+    const Eigen::Vector2d p = from + std::max(distance, 0.5 * lattice_spacing) * direction;
     return {p.x(), p.y(), frame_height(cut_by, p)};
 }
 
@@ -145,7 +143,7 @@ CableNet hilo_quarter() {
     }
     const Points points =
         Eigen::Map<const Points>(nodes.front().data(), 3, static_cast<Eigen::Index>(nodes.size()));
-    return form_found_net("hilo-quarter", points, supports, edges, force_density, axial_stiffness);
+    return form_found_net("hilo-quarter", points, supports, edges);
 }
 
 }  // namespace taut

@@ -10,10 +10,7 @@
 namespace taut {
 namespace {
 
-constexpr double spacing = 0.132;                // m, in plan
-constexpr double rise = 0.25;                    // height between corners, of the shorter side
-constexpr double axial_stiffness = 200e3;        // N
-constexpr double force_density = 4e3 / spacing;  // N/m: 4 kN in an edge as long as the spacing
+constexpr double rise = 0.25;  // height between corners, of the shorter side
 constexpr int largest_side = 300;
 
 }  // namespace
@@ -29,7 +26,7 @@ CableNet hypar(int rows, int columns) {
     const auto is_free = [&](int i, int j) {
         return i >= 1 && i <= rows && j >= 1 && j <= columns;
     };
-    const double height = rise * spacing * std::min(rows + 1, columns + 1);
+    const double height = rise * lattice_spacing * std::min(rows + 1, columns + 1);
     std::vector<Eigen::Vector3d> nodes;
     std::vector<int> supports;
     std::vector<int> node_at(static_cast<size_t>((rows + 2) * (columns + 2)), -1);
@@ -49,7 +46,8 @@ CableNet hypar(int rows, int columns) {
             }
             const double u = 2.0 * j / (columns + 1) - 1.0;
             const double v = 2.0 * i / (rows + 1) - 1.0;
-            nodes.emplace_back(spacing * j, spacing * i, 0.5 * height * (1.0 + u * v));
+            nodes.emplace_back(lattice_spacing * j, lattice_spacing * i,
+                               0.5 * height * (1.0 + u * v));
         }
     }
     std::vector<Edge> edges;
@@ -65,8 +63,7 @@ CableNet hypar(int rows, int columns) {
     }
     const Points points =
         Eigen::Map<const Points>(nodes.front().data(), 3, static_cast<Eigen::Index>(nodes.size()));
-    return form_found_net(fmt::format("hypar:{}x{}", rows, columns), points, supports, edges,
-                          force_density, axial_stiffness);
+    return form_found_net(fmt::format("hypar:{}x{}", rows, columns), points, supports, edges);
 }
 
 }  // namespace taut

@@ -21,10 +21,6 @@
 namespace taut {
 namespace {
 
-/// A posterior is no narrower than the prior when its standard deviation exceeds this part of the
-/// law's: two processes trained on other samples differ by as much.
-constexpr double unobserved_ratio = 0.95;
-
 void check_lengths(const CableNet& net, const Eigen::VectorXd& lengths) {
     for (const int edge : net.interior_edges()) {
         if (!(lengths(edge) > 0.0)) {

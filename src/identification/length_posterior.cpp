@@ -16,10 +16,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A posterior is no narrower than the law when its standard deviation exceeds this part of the
-/// law's.
-constexpr double unobserved_ratio = 0.95;
-
 /// log N(x; mean, std^2) but for a constant, the same for every std; 0 for an infinite one.
 double log_normal_density(double x, double mean, double std) {
     const double z = std < infinity ? (x - mean) / std : 0.0;

@@ -13,12 +13,13 @@
 namespace taut {
 namespace {
 
-const std::string format = "taut-data-set";
-constexpr std::uint64_t version = 1;
+const std::string data_set_format = "taut-data-set";
+constexpr std::uint64_t data_set_version = 1;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
-constexpr std::array all_statuses{EquilibriumStatus::converged, EquilibriumStatus::slack_mechanism,
-                                  EquilibriumStatus::iteration_limit};
+constexpr std::array equilibrium_statuses{EquilibriumStatus::converged,
+                                          EquilibriumStatus::slack_mechanism,
+                                          EquilibriumStatus::iteration_limit};
 
 void check(const DataSet& data, const CableNet& net) {
     const Eigen::Index n = data.form_deviations.cols();
@@ -38,8 +39,8 @@ std::string data_set_bytes(const DataSet& data, const NetFile& net) {
     check(data, net.net);
     hdf5::Writer writer;
     write_head(writer,
-               {.format = format,
-                .version = version,
+               {.format = data_set_format,
+                .version = data_set_version,
                 .net_fingerprint = data.net_fingerprint,
                 .law = data.law,
                 .seed = data.seed,
@@ -52,7 +53,7 @@ std::string data_set_bytes(const DataSet& data, const NetFile& net) {
     for (const EquilibriumStatus status : data.statuses) {
         codes.push_back(static_cast<std::uint8_t>(status));
     }
-    writer.codes("status", codes, meaning_of_codes(all_statuses));
+    writer.codes("status", codes, meaning_of_codes(equilibrium_statuses));
     writer.integers("slack_edges", data.slack_counts);
     return writer.finish();
 }
@@ -62,8 +63,8 @@ void write_data_set(const std::filesystem::path& path, const DataSet& data, cons
 }
 
 StoredDataSet read_data_set(const std::filesystem::path& path) {
-    const hdf5::Reader reader(path, format);
-    auto [head, file] = read_head(reader, format, version);
+    const hdf5::Reader reader(path, data_set_format);
+    auto [head, file] = read_head(reader, data_set_format, data_set_version);
     const CableNet& net = file.net;
     const Eigen::Index coordinates = 3 * net.free_node_count();
     const Eigen::Index n = reader.row_count("form_deviation", coordinates);
@@ -76,7 +77,7 @@ StoredDataSet read_data_set(const std::filesystem::path& path) {
         .length_deviations = reader.matrix("length_deviation", net.interior_edge_count(), n),
         .statuses = {},
         .slack_counts = reader.integers("slack_edges", n, 0, net.edge_count())};
-    const int highest = static_cast<int>(all_statuses.size()) - 1;
+    const int highest = static_cast<int>(equilibrium_statuses.size()) - 1;
     const std::vector<int> codes = reader.integers("status", n, 0, highest);
     data.statuses.reserve(codes.size());
     for (const int code : codes) {

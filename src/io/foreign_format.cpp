@@ -24,7 +24,7 @@ bool starts_json(std::string_view text) {
 }
 
 /// The first line that is neither empty nor a comment.
-std::string_view first_line(std::string_view text) {
+std::string_view first_line_with_content(std::string_view text) {
     while (!text.empty()) {
         std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
@@ -49,7 +49,7 @@ ForeignFormat detect_format(std::string_view text, const std::string& file_name)
     if (starts_json(text)) {
         return ForeignFormat::json;
     }
-    const std::string_view line = first_line(text);
+    const std::string_view line = first_line_with_content(text);
     const std::string_view word = line.substr(0, line.find_first_of(" \t\r"));
     if (std::ranges::find(obj_keywords, word) != obj_keywords.end()) {
         return ForeignFormat::obj;

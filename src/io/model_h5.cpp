@@ -19,14 +19,14 @@ using gp::FittedProcesses;
 using gp::KernelSpectrum;
 using gp::Process;
 
-const std::string format = "taut-model";
-constexpr std::uint64_t version = 2;
+const std::string model_format = "taut-model";
+constexpr std::uint64_t model_version = 2;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
-constexpr std::array all_means{MeanFunction::zero, MeanFunction::geometry};
-constexpr std::array all_metrics{KernelMetric::isotropic, KernelMetric::direction,
-                                 KernelMetric::node};
-constexpr std::array all_statuses{FitStatus::fitted, FitStatus::constant_output,
+constexpr std::array mean_functions{MeanFunction::zero, MeanFunction::geometry};
+constexpr std::array kernel_metrics{KernelMetric::isotropic, KernelMetric::direction,
+                                    KernelMetric::node};
+constexpr std::array fit_statuses{FitStatus::fitted, FitStatus::constant_output,
                                   FitStatus::non_finite_output};
 
 /// The numbers of a process, each a dataset [m_I].
@@ -35,7 +35,7 @@ struct Column {
     const char* units;
     double& (*of)(Process&);
 };
-constexpr std::array columns{
+constexpr std::array process_columns{
     Column{"inverse_length_scale", "1/m",
            [](Process& p) -> double& { return p.hyperparameters.inverse_length_scale; }},
     Column{"signal_std", "m", [](Process& p) -> double& { return p.hyperparameters.signal_std; }},
@@ -80,7 +80,7 @@ void check(const LengthModel& model, const CableNet& net) {
 }
 
 void write_processes(hdf5::Writer& writer, std::vector<Process> processes) {
-    for (const Column& column : columns) {
+    for (const Column& column : process_columns) {
         Eigen::VectorXd values(static_cast<Eigen::Index>(processes.size()));
         for (size_t j = 0; j < processes.size(); ++j) {
             values(static_cast<Eigen::Index>(j)) = column.of(processes[j]);
@@ -94,20 +94,20 @@ void write_processes(hdf5::Writer& writer, std::vector<Process> processes) {
         codes.push_back(static_cast<std::uint8_t>(process.status));
         spectra.push_back(process.spectrum);
     }
-    writer.codes("fit_status", codes, meaning_of_codes(all_statuses));
+    writer.codes("fit_status", codes, meaning_of_codes(fit_statuses));
     writer.integers("spectrum", spectra);
 }
 
 std::vector<Process> read_processes(const hdf5::Reader& reader, Eigen::Index m,
                                     int spectrum_count) {
     std::vector<Process> processes(static_cast<size_t>(m));
-    for (const Column& column : columns) {
+    for (const Column& column : process_columns) {
         const Eigen::VectorXd values = reader.vector(column.name, m);
         for (size_t j = 0; j < processes.size(); ++j) {
             column.of(processes[j]) = values(static_cast<Eigen::Index>(j));
         }
     }
-    const int highest = static_cast<int>(all_statuses.size()) - 1;
+    const int highest = static_cast<int>(fit_statuses.size()) - 1;
     const std::vector<int> codes = reader.integers("fit_status", m, 0, highest);
     const std::vector<int> spectra = reader.integers("spectrum", m, -1, spectrum_count - 1);
     for (size_t j = 0; j < processes.size(); ++j) {
@@ -171,8 +171,8 @@ std::string model_bytes(const LengthModel& model, const NetFile& net) {
     check(model, net.net);
     hdf5::Writer writer;
     write_head(writer,
-               {.format = format,
-                .version = version,
+               {.format = model_format,
+                .version = model_version,
                 .net_fingerprint = model.net_fingerprint,
                 .law = model.law,
                 .seed = model.seed,
@@ -202,8 +202,8 @@ void write_model(const std::filesystem::path& path, const LengthModel& model, co
 }
 
 StoredModel read_model(const std::filesystem::path& path) {
-    const hdf5::Reader reader(path, format);
-    auto [head, file] = read_head(reader, format, version);
+    const hdf5::Reader reader(path, model_format);
+    auto [head, file] = read_head(reader, model_format, model_version);
     const Eigen::Index m = file.net.interior_edge_count();
     const Eigen::Index coordinates = 3 * file.net.free_node_count();
     const Eigen::Index n = reader.row_count("training_inputs", coordinates);
@@ -220,8 +220,8 @@ StoredModel read_model(const std::filesystem::path& path) {
     return {.model = {.net_fingerprint = head.net_fingerprint,
                       .law = head.law,
                       .seed = head.seed,
-                      .mean = read_name(reader, "mean_function", all_means),
-                      .metric = read_name(reader, "kernel_metric", all_metrics),
+                      .mean = read_name(reader, "mean_function", mean_functions),
+                      .metric = read_name(reader, "kernel_metric", kernel_metrics),
                       .nominal_form = std::move(head.nominal_form),
                       .input_scales = std::move(scales),
                       .length_deviations = reader.matrix("training_outputs", m, n),

@@ -20,7 +20,7 @@
 namespace taut {
 namespace {
 
-constexpr std::array<std::string_view, 7> columns{"id", "x", "y", "z", "sx", "sy", "sz"};
+constexpr std::array<std::string_view, 7> survey_columns{"id", "x", "y", "z", "sx", "sy", "sz"};
 
 /// What the fields of a line are, told by their number: the columns, and which is the first.
 struct Layout {
@@ -32,7 +32,9 @@ struct Layout {
     [[nodiscard]] size_t x() const { return count % 3; }  ///< field of the first coordinate
     [[nodiscard]] bool has_ids() const { return x() == 1; }
     [[nodiscard]] bool has_std() const { return count > 4; }
-    [[nodiscard]] std::string_view name(size_t field) const { return columns[field + 1 - x()]; }
+    [[nodiscard]] std::string_view name(size_t field) const {
+        return survey_columns[field + 1 - x()];
+    }
 };
 
 constexpr std::string_view layouts = "[id,]x,y,z[,sx,sy,sz]";

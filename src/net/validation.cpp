@@ -18,8 +18,8 @@ namespace {
 /// So that no product in the energy, EA l^2 / l_0, overflows.
 constexpr double largest_magnitude = 1e50;
 
-void check_size(const std::string& key, Eigen::Index size, Eigen::Index expected,
-                const std::string& of_what) {
+void check_entry_count(const std::string& key, Eigen::Index size, Eigen::Index expected,
+                       const std::string& of_what) {
     if (size != expected) {
         throw NetError("/" + key, fmt::format("has {} entries, expected {}, one for each {}", size,
                                               expected, of_what));
@@ -35,14 +35,14 @@ void check_sizes(const CableNetData& data) {
     if (m == 0) {
         throw NetError("/edges", "is empty, expected at least one edge");
     }
-    check_size("axial_stiffness", data.axial_stiffness.size(), m, "edge");
-    check_size("unstressed_lengths", data.unstressed_lengths.size(), m, "edge");
-    check_size("loads", data.loads.cols(), n, "node");
+    check_entry_count("axial_stiffness", data.axial_stiffness.size(), m, "edge");
+    check_entry_count("unstressed_lengths", data.unstressed_lengths.size(), m, "edge");
+    check_entry_count("loads", data.loads.cols(), n, "node");
     if (!data.node_ids.empty()) {
-        check_size("node_ids", static_cast<Eigen::Index>(data.node_ids.size()), n, "node");
+        check_entry_count("node_ids", static_cast<Eigen::Index>(data.node_ids.size()), n, "node");
     }
     if (!data.edge_ids.empty()) {
-        check_size("edge_ids", static_cast<Eigen::Index>(data.edge_ids.size()), m, "edge");
+        check_entry_count("edge_ids", static_cast<Eigen::Index>(data.edge_ids.size()), m, "edge");
     }
 }
 

@@ -13,7 +13,7 @@ namespace taut::report {
 namespace {
 
 constexpr double distance = 14.0;
-constexpr double width = 12.0;
+constexpr double bar_width = 12.0;
 /// Between the bar and its labels.
 constexpr double gap = 7.0;
 /// Labels get this much at least, so that drawings side by side agree in size.
@@ -38,22 +38,22 @@ double ColourBar::room() const {
         label_room = std::max(label_room, text_width(label));
     }
     // The wider letters of some fonts need a little more than is estimated.
-    return distance + width + 2.0 * gap + label_room;
+    return distance + bar_width + 2.0 * gap + label_room;
 }
 
 void ColourBar::draw(SvgBody& svg, const Eigen::Vector2d& top_left, double height) const {
     const Eigen::Vector2d corner = top_left + Eigen::Vector2d(distance, 0.0);
-    const double right = corner.x() + width;
+    const double right = corner.x() + bar_width;
     // Two levels a rectangle are enough for the eye.
     constexpr int steps = levels / 2;
     for (int i = 0; i < steps; ++i) {
         const double y = corner.y() + height * (1.0 - (i + 1.0) / steps);
         // Each overlaps the one below a little, or thin lines would show between them.
         const double overlap = i == 0 ? 0.0 : 0.5;
-        svg.rectangle("level", {corner.x(), y}, {width, height / steps + overlap},
+        svg.rectangle("level", {corner.x(), y}, {bar_width, height / steps + overlap},
                       fmt::format("fill=\"{}\"", viridis((i + 0.5) / steps)));
     }
-    svg.rectangle("frame", corner, {width, height});
+    svg.rectangle("frame", corner, {bar_width, height});
     const Scale scale{.low = 0.0, .high = largest, .from = corner.y() + height, .to = corner.y()};
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         const double y = scale(ticks.values[i]);

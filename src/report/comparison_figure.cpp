@@ -79,8 +79,8 @@ std::optional<Drawing> drawing(const std::vector<Series>& series, const std::str
         return std::nullopt;
     }
     Axes axes;
-    constexpr double line_height = 18.0;
-    const double top = 10.0 + line_height * static_cast<double>(series.size());
+    constexpr double legend_line_height = 18.0;
+    const double top = 10.0 + legend_line_height * static_cast<double>(series.size());
     const double height = top + 280.0;
     axes.y = {.low = low_y - 0.1, .high = high_y + 0.1, .from = height - bottom_margin, .to = top};
     axes.y_ticks = log_ticks(axes.y.low, axes.y.high);
@@ -103,7 +103,7 @@ std::optional<Drawing> drawing(const std::vector<Series>& series, const std::str
         const std::string dots = "style=\"stroke-width:6\"";
         draw_legend(svg, {axes.x.from, legend_y},
                     {{.style = s.style, .words = s.name, .mark = Mark::dash}});
-        legend_y += line_height;
+        legend_y += legend_line_height;
         PathData line;
         PathData marks;
         for (const auto& [x, y] : s.points) {

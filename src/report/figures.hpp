@@ -49,8 +49,10 @@ struct Figure {
 /// All that a result has, in this order.
 [[nodiscard]] std::vector<Figure> result_figures(const ResultFile& result);
 
-/// Width of a drawing that takes the whole page, and of one that shares it with another.
+/// Width of a drawing that takes the whole page, of one that shares it with another, and height of
+/// a plan at most.
 inline constexpr double full_width = 960.0;
 inline constexpr double half_width = 480.0;
+inline constexpr double most_height = 460.0;
 
 }  // namespace taut::report

@@ -14,9 +14,6 @@
 namespace taut::report {
 namespace {
 
-/// More edges than this would stand closer than the dots are wide.
-constexpr int most_edges = 1000;
-
 PathData dots(const Axes& axes, const Eigen::VectorXd& values_mm, const std::vector<int>& edges) {
     PathData path;
     for (const int i : edges) {

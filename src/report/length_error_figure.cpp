@@ -16,9 +16,6 @@ namespace {
 
 /// More dots would make the page large and no clearer; a dot takes some seven bytes.
 constexpr int most_dots = 30000;
-/// More edges than this would stand closer than the dots are wide.
-constexpr int most_edges = 1000;
-
 /// The errors of the edges, as columns of dots. Dots less than half a unit apart fall together.
 PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const std::vector<int>& edges) {
     PathData path;

@@ -15,9 +15,6 @@
 namespace taut::report {
 namespace {
 
-/// More edges than this would stand closer than the dots are wide.
-constexpr int most_edges = 1000;
-
 struct Kind {
     EdgeStatus status;
     const char* style;

@@ -13,7 +13,6 @@ namespace taut::report {
 namespace {
 
 constexpr double legend_height = 26.0;
-constexpr double most_height = 460.0;
 
 /// Edges and nodes, each kind in its style.
 void draw_net(SvgBody& svg, const CableNet& net, const Places& places) {

@@ -17,7 +17,6 @@ namespace taut::report {
 namespace {
 
 constexpr double title_height = 28.0;
-constexpr double most_height = 460.0;
 
 /// Width of the dots: two neighbours nearly touch.
 double dot_width(const CableNet& net, const Places& places) {

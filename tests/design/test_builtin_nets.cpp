@@ -37,8 +37,8 @@ TEST_P(HyparOfSize, IsTautAndInEquilibrium) {
     const auto [rows, columns] = GetParam();
     const CableNet net = hypar(rows, columns);
     EXPECT_TRUE(slack_edges(net, net.unstressed_lengths(), net.nodes()).empty());
-    EXPECT_LT(testing::largest_imbalance(net, net.unstressed_lengths(), net.nodes()),
-              1e-10 * testing::mean_tension(net, net.unstressed_lengths(), net.nodes()));
+    EXPECT_LT(test::largest_imbalance(net, net.unstressed_lengths(), net.nodes()),
+              1e-10 * test::mean_tension(net, net.unstressed_lengths(), net.nodes()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, HyparOfSize,

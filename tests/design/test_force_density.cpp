@@ -60,13 +60,13 @@ TEST(ForceDensities, GiveTheFormUnderLoadsComputedByHand) {
 }
 
 RC_GTEST_PROP(ForceDensities, BalanceAtEveryFreeNode, ()) {
-    testing::Random random = testing::any_random();
-    CableNetData data = testing::random_net_data(random);
+    test::Random random = test::any_random();
+    CableNetData data = test::random_net_data(random);
     if (data.loads.cols() == 0) {
         data.loads = Points::Zero(3, data.nodes.cols());
     }
     const auto m = static_cast<Eigen::Index>(data.edges.size());
-    const Eigen::VectorXd q = testing::uniform_vector(random, m, 1.0).array() * 900.0 + 1000.0;
+    const Eigen::VectorXd q = test::uniform_vector(random, m, 1.0).array() * 900.0 + 1000.0;
     const Points form =
         form_from_force_densities(data.nodes, data.supports, data.edges, q, data.loads);
     Points forces = -data.loads;
@@ -93,7 +93,7 @@ TEST(ForceDensities, LeaveANetOfSupportsAsItIs) {
 
 /// Breaks the chain in one way, and expects a refusal with words.
 template <typename Break>
-void expect_refused(Break&& break_it, const char* word, const char* other) {
+void expect_chain_refused(Break&& break_it, const char* word, const char* other) {
     Chain chain;
     break_it(chain);
     EXPECT_THAT([&] { (void)chain.form(); },
@@ -101,11 +101,11 @@ void expect_refused(Break&& break_it, const char* word, const char* other) {
 }
 
 TEST(ForceDensities, RefuseAnotherNumberThanOfEdges) {
-    expect_refused([](Chain& c) { c.force_densities.setOnes(2); }, "2 entries", "expected 3");
+    expect_chain_refused([](Chain& c) { c.force_densities.setOnes(2); }, "2 entries", "expected 3");
 }
 
 TEST(ForceDensities, RefuseAnotherNumberOfLoadsThanOfNodes) {
-    expect_refused([](Chain& c) { c.loads.setZero(3, 3); }, "3 columns", "expected 4");
+    expect_chain_refused([](Chain& c) { c.loads.setZero(3, 3); }, "3 columns", "expected 4");
 }
 
 TEST(ForceDensities, RefuseValuesThatAreNotPositiveAndFinite) {
@@ -113,21 +113,21 @@ TEST(ForceDensities, RefuseValuesThatAreNotPositiveAndFinite) {
                                       {-1.0, "is -1"},
                                       {std::numeric_limits<double>::quiet_NaN(), "is nan"},
                                       {std::numeric_limits<double>::infinity(), "is inf"}}) {
-        expect_refused([v = value](Chain& c) { c.force_densities(1) = v; }, text,
-                       "positive and finite");
+        expect_chain_refused([v = value](Chain& c) { c.force_densities(1) = v; }, text,
+                             "positive and finite");
     }
 }
 
 TEST(ForceDensities, RefuseNodesOutOfRange) {
-    expect_refused([](Chain& c) { c.supports[1] = 4; }, "supports", "node 4");
-    expect_refused([](Chain& c) { c.supports[0] = -1; }, "supports", "node -1");
-    expect_refused([](Chain& c) { c.edges[2] = {3, 4}; }, "edges", "node 4");
-    expect_refused([](Chain& c) { c.edges[0] = {-2, 1}; }, "edges", "node -2");
+    expect_chain_refused([](Chain& c) { c.supports[1] = 4; }, "supports", "node 4");
+    expect_chain_refused([](Chain& c) { c.supports[0] = -1; }, "supports", "node -1");
+    expect_chain_refused([](Chain& c) { c.edges[2] = {3, 4}; }, "edges", "node 4");
+    expect_chain_refused([](Chain& c) { c.edges[0] = {-2, 1}; }, "edges", "node -2");
 }
 
 TEST(ForceDensities, RefuseAFreeNodeWithoutEdges) {
-    expect_refused([](Chain& c) { c.edges = {{0, 1}, {1, 2}, {2, 0}}; }, "free node 3",
-                   "no support");
+    expect_chain_refused([](Chain& c) { c.edges = {{0, 1}, {1, 2}, {2, 0}}; }, "free node 3",
+                         "no support");
 }
 
 TEST(ForceDensities, RefuseAPartWithoutSupport) {

@@ -64,8 +64,8 @@ TEST(HiloQuarter, HasFourEdgesAtEveryFreeNode) {
 
 TEST(HiloQuarter, IsInEquilibrium) {
     const CableNet net = hilo_quarter();
-    EXPECT_LT(testing::largest_imbalance(net, net.unstressed_lengths(), net.nodes()),
-              1e-10 * testing::mean_tension(net, net.unstressed_lengths(), net.nodes()));
+    EXPECT_LT(test::largest_imbalance(net, net.unstressed_lengths(), net.nodes()),
+              1e-10 * test::mean_tension(net, net.unstressed_lengths(), net.nodes()));
 }
 
 TEST(HiloQuarter, IsTautEverywhereAtSomeTwoPercentOfStrain) {

@@ -48,7 +48,7 @@ TEST(UnstressedLengths, OfNoEdgesAreNone) {
 
 /// Breaks the edges in one way, and expects a refusal with words.
 template <typename Break>
-void expect_refused(Break&& break_it, const char* word, const char* other) {
+void expect_edges_refused(Break&& break_it, const char* word, const char* other) {
     Edges edges;
     break_it(edges);
     EXPECT_THAT([&] { (void)edges.unstressed_lengths(); },
@@ -56,31 +56,36 @@ void expect_refused(Break&& break_it, const char* word, const char* other) {
 }
 
 TEST(UnstressedLengths, RefuseSizesThatDiffer) {
-    expect_refused([](Edges& e) { e.lengths.setOnes(2); }, "2 lengths", "3 tensions");
-    expect_refused([](Edges& e) { e.tensions.setOnes(4); }, "3 lengths", "4 tensions");
-    expect_refused([](Edges& e) { e.axial_stiffness.setOnes(1); }, "3 lengths",
-                   "1 axial stiffnesses");
+    expect_edges_refused([](Edges& e) { e.lengths.setOnes(2); }, "2 lengths", "3 tensions");
+    expect_edges_refused([](Edges& e) { e.tensions.setOnes(4); }, "3 lengths", "4 tensions");
+    expect_edges_refused([](Edges& e) { e.axial_stiffness.setOnes(1); }, "3 lengths",
+                         "1 axial stiffnesses");
 }
 
 TEST(UnstressedLengths, RefuseALengthThatIsNotPositiveAndFinite) {
-    expect_refused([](Edges& e) { e.lengths(1) = 0.0; }, "edge 1 has length 0 m", "positive");
-    expect_refused([](Edges& e) { e.lengths(2) = -3.0; }, "edge 2 has length -3 m", "positive");
-    expect_refused([](Edges& e) { e.lengths(0) = nan; }, "edge 0 has length nan m", "positive");
-    expect_refused([](Edges& e) { e.lengths(0) = infinity; }, "edge 0 has length inf m",
-                   "positive");
+    expect_edges_refused([](Edges& e) { e.lengths(1) = 0.0; }, "edge 1 has length 0 m", "positive");
+    expect_edges_refused([](Edges& e) { e.lengths(2) = -3.0; }, "edge 2 has length -3 m",
+                         "positive");
+    expect_edges_refused([](Edges& e) { e.lengths(0) = nan; }, "edge 0 has length nan m",
+                         "positive");
+    expect_edges_refused([](Edges& e) { e.lengths(0) = infinity; }, "edge 0 has length inf m",
+                         "positive");
 }
 
 TEST(UnstressedLengths, RefuseAStiffnessThatIsNotPositiveAndFinite) {
-    expect_refused([](Edges& e) { e.axial_stiffness(1) = 0.0; }, "edge 1", "stiffness 0 N");
-    expect_refused([](Edges& e) { e.axial_stiffness(2) = -1e3; }, "edge 2", "stiffness -1000 N");
-    expect_refused([](Edges& e) { e.axial_stiffness(0) = nan; }, "edge 0", "stiffness nan N");
-    expect_refused([](Edges& e) { e.axial_stiffness(0) = infinity; }, "edge 0", "stiffness inf N");
+    expect_edges_refused([](Edges& e) { e.axial_stiffness(1) = 0.0; }, "edge 1", "stiffness 0 N");
+    expect_edges_refused([](Edges& e) { e.axial_stiffness(2) = -1e3; }, "edge 2",
+                         "stiffness -1000 N");
+    expect_edges_refused([](Edges& e) { e.axial_stiffness(0) = nan; }, "edge 0", "stiffness nan N");
+    expect_edges_refused([](Edges& e) { e.axial_stiffness(0) = infinity; }, "edge 0",
+                         "stiffness inf N");
 }
 
 TEST(UnstressedLengths, RefuseATensionThatIsNegativeOrNotFinite) {
-    expect_refused([](Edges& e) { e.tensions(1) = -1.0; }, "tension -1 N", "not negative");
-    expect_refused([](Edges& e) { e.tensions(1) = nan; }, "tension nan N", "not negative");
-    expect_refused([](Edges& e) { e.tensions(1) = infinity; }, "tension inf N", "not negative");
+    expect_edges_refused([](Edges& e) { e.tensions(1) = -1.0; }, "tension -1 N", "not negative");
+    expect_edges_refused([](Edges& e) { e.tensions(1) = nan; }, "tension nan N", "not negative");
+    expect_edges_refused([](Edges& e) { e.tensions(1) = infinity; }, "tension inf N",
+                         "not negative");
 }
 
 }  // namespace

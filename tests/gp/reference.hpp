@@ -12,7 +12,7 @@
 #include "taut/gp/kernel.hpp"
 
 /// Gaussian processes trained by scikit-learn: tests/data/gp_reference.json.
-namespace taut::testing {
+namespace taut::test {
 
 struct ReferenceProcess {
     gp::Hyperparameters hyperparameters;
@@ -74,4 +74,4 @@ inline std::vector<ReferenceData> reference_data() {
     return result;
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

@@ -15,7 +15,7 @@
 namespace taut::gp {
 namespace {
 
-using testing::normal_matrix;
+using test::normal_matrix;
 
 TEST(Product, IsTheMatrixProductForUnequalSizes) {
     const Eigen::MatrixXd a = normal_matrix(5, 3, 1);

@@ -3,6 +3,7 @@
 //
 // Guards against training that ends at hyperparameters worse than the best, in a wrong
 // leave-one-out error, and in one output that cannot be learnt taking the others with it.
+#include "support/not_finite.hpp"
 #include "taut/gp/fit.hpp"
 
 #include <gmock/gmock.h>
@@ -18,11 +19,10 @@
 namespace taut::gp {
 namespace {
 
+using test::infinity;
+using test::nan;
+using test::normal_matrix;
 using ::testing::HasSubstr;
-using testing::normal_matrix;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A smooth function of some inputs (d x n) with noise.
 Eigen::VectorXd smooth_output(const Eigen::MatrixXd& inputs, double noise, std::uint64_t seed) {
@@ -57,13 +57,13 @@ void expect_same(const Process& a, const Process& b) {
 }
 
 /// Not worse than scikit-learn's best of many starts by more than 1e-6 of its likelihood.
-void expect_as_likely(const Process& process, const testing::ReferenceProcess& reference) {
+void expect_as_likely(const Process& process, const test::ReferenceProcess& reference) {
     EXPECT_LE(process.negative_log_likelihood - reference.negative_log_likelihood,
               1e-6 * std::abs(reference.negative_log_likelihood));
 }
 
 TEST(Fit, IsAsLikelyAsScikitLearnForEachOutputAlone) {
-    for (const auto& data : testing::reference_data()) {
+    for (const auto& data : test::reference_data()) {
         for (size_t j = 0; j < data.processes.size(); ++j) {
             SCOPED_TRACE(data.name + ", output " + std::to_string(j));
             const FittedProcesses fitted =
@@ -76,7 +76,7 @@ TEST(Fit, IsAsLikelyAsScikitLearnForEachOutputAlone) {
 TEST(Fit, IsAsLikelyAsScikitLearnForAllOutputsTogether) {
     FitSettings settings;
     settings.max_spectra = 40;
-    for (const auto& data : testing::reference_data()) {
+    for (const auto& data : test::reference_data()) {
         const FittedProcesses fitted = fit(data.inputs, data.outputs, settings);
         for (size_t j = 0; j < data.processes.size(); ++j) {
             SCOPED_TRACE(data.name + ", output " + std::to_string(j));
@@ -86,7 +86,7 @@ TEST(Fit, IsAsLikelyAsScikitLearnForAllOutputsTogether) {
 }
 
 TEST(Fit, AgreesWithScikitLearnInWhatTheLikelihoodDetermines) {
-    for (const auto& data : testing::reference_data()) {
+    for (const auto& data : test::reference_data()) {
         for (size_t j = 0; j < data.processes.size(); ++j) {
             SCOPED_TRACE(data.name + ", output " + std::to_string(j));
             const auto& reference = data.processes[j];
@@ -119,7 +119,7 @@ TEST(Fit, ReportsTheLikelihoodOfTheHyperparametersItReports) {
     const Eigen::VectorXd output = smooth_output(inputs, 0.1, 2);
     const Process process = fit(inputs, output).processes.front();
     EXPECT_NEAR(process.negative_log_likelihood,
-                testing::textbook_negative_log_likelihood(inputs, output, process.hyperparameters),
+                test::textbook_negative_log_likelihood(inputs, output, process.hyperparameters),
                 1e-8);
 }
 
@@ -136,9 +136,8 @@ TEST(Fit, ReportsTheLeaveOneOutErrorOfAsManyRefits) {
                 others.push_back(i);
             }
         }
-        const auto refit =
-            testing::textbook_prediction(inputs(Eigen::all, others), output(others),
-                                         process.hyperparameters, inputs.col(left_out));
+        const auto refit = test::textbook_prediction(inputs(Eigen::all, others), output(others),
+                                                     process.hyperparameters, inputs.col(left_out));
         sum += std::pow(refit.mean(0) - output(left_out), 2);
     }
     EXPECT_NEAR(process.leave_one_out_rmse, std::sqrt(sum / n), 1e-9);

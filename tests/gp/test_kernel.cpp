@@ -15,7 +15,7 @@
 namespace taut::gp {
 namespace {
 
-using testing::normal_matrix;
+using test::normal_matrix;
 
 Eigen::MatrixXd direct_squared_distances(const Eigen::MatrixXd& x, const Eigen::MatrixXd& z) {
     return Eigen::MatrixXd::NullaryExpr(x.cols(), z.cols(), [&](Eigen::Index i, Eigen::Index j) {
@@ -52,7 +52,7 @@ TEST(Correlation, IsThePapersKernelWithSignalStdOne) {
     const Eigen::MatrixXd x = normal_matrix(4, 6, 1);
     const Eigen::MatrixXd z = normal_matrix(4, 5, 2);
     const double lambda = 0.7;
-    const Eigen::MatrixXd expected = testing::textbook_kernel(
+    const Eigen::MatrixXd expected = test::textbook_kernel(
         x, z, {.inverse_length_scale = lambda, .signal_std = 1.0, .noise_std = 0.0});
     const Eigen::MatrixXd R = correlation(direct_squared_distances(x, z), lambda);
     EXPECT_LT((R - expected).cwiseAbs().maxCoeff(), 1e-15);

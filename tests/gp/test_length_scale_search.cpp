@@ -58,11 +58,11 @@ struct Found {
     std::vector<double> best_value;  ///< of each output
 };
 
-constexpr double lower = -4.0;
-constexpr double upper = 3.5;
+constexpr double left_end = -4.0;
+constexpr double right_end = 3.5;
 
 Found search(const std::vector<Function>& outputs, double tolerance = 1e-7, int most = 100) {
-    LengthScaleSearch search(lower, upper, tolerance);
+    LengthScaleSearch search(left_end, right_end, tolerance);
     Found found;
     while (static_cast<int>(found.looked_at.size()) < most) {
         const auto x = search.next();
@@ -84,7 +84,7 @@ double lowest(const Function& output) {
     double value = std::numeric_limits<double>::infinity();
     constexpr int steps = 100000;
     for (int k = 0; k <= steps; ++k) {
-        value = std::min(value, output(lower + (upper - lower) * k / steps).value);
+        value = std::min(value, output(left_end + (right_end - left_end) * k / steps).value);
     }
     return value;
 }
@@ -109,7 +109,7 @@ RC_GTEST_PROP(LengthScaleSearch, FindsTheBottomOfALopsidedValley, ()) {
                              .slope = up * e / (1.0 + e) - down};
     };
     const double bottom = bend + std::log(down / (up - down)) / sharpness;
-    RC_PRE(bottom > lower);
+    RC_PRE(bottom > left_end);
     const auto found = search({valley}, 1e-6);
     RC_ASSERT(found.content);
     RC_ASSERT(found.best_value[0] - valley(bottom).value < 1e-4);
@@ -144,10 +144,10 @@ RC_GTEST_PROP(LengthScaleSearch, FindsANarrowValleyBesideAWideOne, ()) {
 TEST(LengthScaleSearch, TakesTheEndOfTheRangeWhereTheValueFallsTowardsIt) {
     const auto found = search({[](double x) { return ValueAndSlope{.value = x, .slope = 1.0}; }});
     EXPECT_TRUE(found.content);
-    EXPECT_EQ(found.best[0], lower);
+    EXPECT_EQ(found.best[0], left_end);
     const auto other = search({[](double x) { return ValueAndSlope{.value = -x, .slope = -1.0}; }});
     EXPECT_TRUE(other.content);
-    EXPECT_EQ(other.best[0], upper);
+    EXPECT_EQ(other.best[0], right_end);
 }
 
 TEST(LengthScaleSearch, IsContentAtOnceWhereNothingDependsOnTheLengthScale) {
@@ -173,8 +173,8 @@ RC_GTEST_PROP(LengthScaleSearch, StaysWithinItsRange, ()) {
         outputs.emplace_back([=](double x) { return parabola(x, bottom, curvature); });
     }
     for (const double x : search(outputs, 1e-7, 30).looked_at) {
-        RC_ASSERT(x >= lower);
-        RC_ASSERT(x <= upper);
+        RC_ASSERT(x >= left_end);
+        RC_ASSERT(x <= right_end);
     }
 }
 

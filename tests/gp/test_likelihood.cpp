@@ -17,7 +17,7 @@
 namespace taut::gp {
 namespace {
 
-using testing::normal_matrix;
+using test::normal_matrix;
 
 /// Smooth functions of three inputs with noise: a column each.
 struct Data {
@@ -65,7 +65,7 @@ RC_GTEST_PROP(NegativeLogLikelihood, IsThatOfTheDenseFormula, ()) {
                                 data.distances, data.outputs.col(j), theta)
             .value;
     const double expected =
-        testing::textbook_negative_log_likelihood(data.inputs, data.outputs.col(j), theta);
+        test::textbook_negative_log_likelihood(data.inputs, data.outputs.col(j), theta);
     RC_ASSERT(std::abs(value - expected) < 1e-9 * (1.0 + std::abs(expected)));
 }
 

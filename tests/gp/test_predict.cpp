@@ -18,7 +18,7 @@
 namespace taut::gp {
 namespace {
 
-using testing::normal_matrix;
+using test::normal_matrix;
 
 /// Five outputs with smoothness and noise of their own.
 Eigen::MatrixXd some_outputs(const Eigen::MatrixXd& inputs) {
@@ -71,7 +71,7 @@ TEST(Predict, IsTheDenseFormulaForEveryOutputOfAFit) {
     ASSERT_GT(fitted.spectra.size(), 1);
     const Prediction prediction = fitted.predict(at);
     for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
-        const auto expected = testing::textbook_prediction(
+        const auto expected = test::textbook_prediction(
             inputs, outputs.col(j), fitted.processes[static_cast<size_t>(j)].hyperparameters, at);
         EXPECT_LT((prediction.mean.row(j).transpose() - expected.mean).cwiseAbs().maxCoeff(), 1e-7)
             << j;
@@ -92,13 +92,13 @@ RC_GTEST_PROP(Predict, IsTheDenseFormulaForAnyHyperparameters, ()) {
                                 .noise_std = signal * power_of_ten(-2, 1)};
     const Eigen::MatrixXd at = normal_matrix(3, 5, *rc::gen::arbitrary<std::uint64_t>());
     const Prediction prediction = conditioned(inputs, output, theta).predict(at);
-    const auto expected = testing::textbook_prediction(inputs, output, theta, at);
+    const auto expected = test::textbook_prediction(inputs, output, theta, at);
     RC_ASSERT((prediction.mean.transpose() - expected.mean).cwiseAbs().maxCoeff() < 1e-8);
     RC_ASSERT((prediction.std.transpose() - expected.std).cwiseAbs().maxCoeff() < 1e-8 * signal);
 }
 
 TEST(Predict, AgreesWithScikitLearnAtItsHyperparameters) {
-    for (const auto& data : testing::reference_data()) {
+    for (const auto& data : test::reference_data()) {
         for (size_t j = 0; j < data.processes.size(); ++j) {
             SCOPED_TRACE(data.name + ", output " + std::to_string(j));
             const auto& reference = data.processes[j];

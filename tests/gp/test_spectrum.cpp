@@ -3,6 +3,7 @@
 //
 // Guards against a decomposition that is not that of the correlation matrix, eigenvalues below zero
 // (whose logarithm would spoil a likelihood in silence), and bad arguments handed on to LAPACK.
+#include "support/not_finite.hpp"
 #include "taut/gp/spectrum.hpp"
 
 #include <gtest/gtest.h>
@@ -16,10 +17,9 @@
 namespace taut::gp {
 namespace {
 
-using testing::normal_matrix;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::nan;
+using test::normal_matrix;
 
 Eigen::MatrixXd some_distances() {
     const Eigen::MatrixXd x = normal_matrix(3, 20, 1);

@@ -13,7 +13,7 @@
 
 /// A Gaussian process as the textbook writes it, entry by entry and with one dense Cholesky
 /// factorisation: slow, and good for comparison where the covariance is well conditioned.
-namespace taut::testing {
+namespace taut::test {
 
 inline Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index cols, std::uint64_t seed) {
     std::mt19937_64 engine(seed);
@@ -64,4 +64,4 @@ inline TextbookPrediction textbook_prediction(const Eigen::MatrixXd& inputs,
             .std = (variance - explained.array()).cwiseMax(0.0).sqrt()};
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

@@ -8,7 +8,7 @@
 #include "taut/statics/equilibrium.hpp"
 #include "taut/survey/survey.hpp"
 
-namespace taut::testing {
+namespace taut::test {
 
 /// Lengths drawn from a law, their form, and a survey of it with normal noise.
 struct SimulatedSurvey {
@@ -43,4 +43,4 @@ inline void hide(const CableNet& net, Survey& survey, int node) {
     survey.form.col(node) = net.nodes().col(node);
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

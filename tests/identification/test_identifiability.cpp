@@ -49,7 +49,7 @@ TEST(Identifiability, OfABuiltInNetIsWholeAndConditionedAsADenseDecompositionTel
 TEST(Identifiability, LacksEdgesInAFreeSelfStressAndKeepsTheOthers) {
     // Of two crossed lines each can be tighter at will, with the same form. With the length of edge
     // 0 known, so is edge 1, and the other line stays free.
-    CableNetData data = testing::cross_data(0.02);
+    CableNetData data = test::cross_data(0.02);
     data.adjustable = {0};
     const CableNet net(std::move(data));
     const Identifiability i = identifiability(net, net.unstressed_lengths(), net.nodes());
@@ -62,7 +62,7 @@ TEST(Identifiability, LacksEdgesInAFreeSelfStressAndKeepsTheOthers) {
 }
 
 TEST(Identifiability, LacksSlackEdges) {
-    CableNetData data = testing::cross_data(0.02);
+    CableNetData data = test::cross_data(0.02);
     data.unstressed_lengths(2) = 1.5;
     data.unstressed_lengths(3) = 1.5;
     data.adjustable = {0};
@@ -74,7 +74,7 @@ TEST(Identifiability, LacksSlackEdges) {
 }
 
 TEST(Identifiability, OfANetWithoutInteriorEdgesIsEmpty) {
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     const Identifiability i = identifiability(net, net.unstressed_lengths(), net.nodes());
     EXPECT_THAT(i.determined, IsEmpty());
     EXPECT_EQ(i.condition(), 0.0);

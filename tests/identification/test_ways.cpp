@@ -26,10 +26,10 @@
 namespace {
 
 using namespace taut;
-using namespace taut::testing;
+using namespace taut::test;
 
-constexpr LengthLaw uniform{LengthLaw::Kind::uniform, 0.003};
-constexpr LengthLaw normal{LengthLaw::Kind::normal, 0.0015};
+constexpr LengthLaw uniform_3mm{LengthLaw::Kind::uniform, 0.003};
+constexpr LengthLaw normal_law{LengthLaw::Kind::normal, 0.0015};
 
 Identification map(const CableNet& net, const Survey& survey, const LengthLaw& law) {
     return identify_by_maximum_a_posteriori(net, survey, law);
@@ -53,22 +53,23 @@ int inside(const Identification& result, const Eigen::VectorXd& truth) {
     return count;
 }
 
-const CableNet net = hypar(7, 7);
+const CableNet net_7x7 = hypar(7, 7);
 
 TEST(Ways, AreExactWithoutNoise) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const SimulatedSurvey s = simulate(net, uniform, 0.0, seed);
+        const SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0, seed);
         ASSERT_TRUE(s.truth.slack_edges.empty());
-        EXPECT_LT(squared_error(identify_by_force_balance(net, s.survey, uniform), s.deviations),
-                  1e-20);
-        EXPECT_LT(squared_error(map(net, s.survey, uniform), s.deviations), 1e-14);
+        EXPECT_LT(
+            squared_error(identify_by_force_balance(net_7x7, s.survey, uniform_3mm), s.deviations),
+            1e-20);
+        EXPECT_LT(squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations), 1e-14);
     }
 }
 
 TEST(Ways, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
     using Way = std::function<Identification(const CableNet&, const Survey&, const LengthLaw&)>;
     constexpr int surveys = 40;
-    for (const LengthLaw& law : {uniform, normal}) {
+    for (const LengthLaw& law : {uniform_3mm, normal_law}) {
         for (const double noise : {0.0001, 0.0005, 0.002}) {
             for (const Way& way : {Way(map), Way(identify_by_force_balance)}) {
                 double errors = 0.0;
@@ -76,17 +77,18 @@ TEST(Ways, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
                 int covered = 0;
                 std::string method;
                 for (std::uint64_t seed = 0; seed < surveys; ++seed) {
-                    const SimulatedSurvey s = simulate(net, law, noise, seed);
-                    const Identification result = way(net, s.survey, law);
+                    const SimulatedSurvey s = simulate(net_7x7, law, noise, seed);
+                    const Identification result = way(net_7x7, s.survey, law);
                     EXPECT_EQ(result.status, IdentificationStatus::converged);
                     method = result.method;
                     errors += squared_error(result, s.deviations);
                     covered += inside(result, s.deviations);
-                    best += best_possible_variances(net, with_length_deviations(net, s.deviations),
+                    best += best_possible_variances(net_7x7,
+                                                    with_length_deviations(net_7x7, s.deviations),
                                                     s.truth.form, s.survey, law)
                                 .mean();
                 }
-                const double coverage = covered / double(surveys * net.interior_edge_count());
+                const double coverage = covered / double(surveys * net_7x7.interior_edge_count());
                 EXPECT_NEAR(coverage, 0.95, 0.02)
                     << method << ' ' << law.to_string() << ' ' << noise;
                 EXPECT_LT(errors, (method == "map" ? 1.05 : 1.3) * best)
@@ -97,34 +99,34 @@ TEST(Ways, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
 }
 
 TEST(BestPossible, IsTheTextbookPosteriorVariance) {
-    const SimulatedSurvey s = simulate(net, uniform, 0.0004, 3);
+    const SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0004, 3);
     Survey survey = s.survey;
-    hide(net, survey, net.free_nodes()[10]);
-    const Eigen::VectorXd lengths = with_length_deviations(net, s.deviations);
+    hide(net_7x7, survey, net_7x7.free_nodes()[10]);
+    const Eigen::VectorXd lengths = with_length_deviations(net_7x7, s.deviations);
     const Eigen::MatrixXd J =
-        FormSensitivity(net, lengths, s.truth.form).columns(net.interior_edges());
+        FormSensitivity(net_7x7, lengths, s.truth.form).columns(net_7x7.interior_edges());
     Eigen::VectorXd weights = Eigen::VectorXd::Constant(J.rows(), 1.0 / (0.0004 * 0.0004));
     weights.segment<3>(30).setZero();
     Eigen::MatrixXd precision = J.transpose() * weights.asDiagonal() * J;
-    precision.diagonal().array() += 1.0 / (uniform.std() * uniform.std());
+    precision.diagonal().array() += 1.0 / (uniform_3mm.std() * uniform_3mm.std());
     const Eigen::VectorXd expected = precision.inverse().diagonal();
     const Eigen::VectorXd found =
-        best_possible_variances(net, lengths, s.truth.form, survey, uniform);
+        best_possible_variances(net_7x7, lengths, s.truth.form, survey, uniform_3mm);
     EXPECT_LT((found - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(MaximumAPosteriori, IsTheTextbookPosteriorMeanForSmallDeviations) {
     // So small that the statics are linear: mean = C J' S (r - nominal).
     const LengthLaw small{LengthLaw::Kind::normal, 1e-6};
-    const SimulatedSurvey s = simulate(net, small, 1e-6, 4);
-    const Equilibrium nominal = solve_equilibrium(net);
-    const Eigen::MatrixXd J =
-        FormSensitivity(net, net.unstressed_lengths(), nominal.form).columns(net.interior_edges());
+    const SimulatedSurvey s = simulate(net_7x7, small, 1e-6, 4);
+    const Equilibrium nominal = solve_equilibrium(net_7x7);
+    const Eigen::MatrixXd J = FormSensitivity(net_7x7, net_7x7.unstressed_lengths(), nominal.form)
+                                  .columns(net_7x7.interior_edges());
     Eigen::MatrixXd precision = 1e12 * J.transpose() * J;
     precision.diagonal().array() += 1e12;
     const Eigen::VectorXd expected = precision.ldlt().solve(
-        1e12 * J.transpose() * free_coordinates(net, s.survey.form - nominal.form));
-    const Identification result = map(net, s.survey, small);
+        1e12 * J.transpose() * free_coordinates(net_7x7, s.survey.form - nominal.form));
+    const Identification result = map(net_7x7, s.survey, small);
     for (size_t i = 0; i < result.edges.size(); ++i) {
         EXPECT_NEAR(result.edges[i].length_deviation, expected(static_cast<int>(i)), 3e-9);
         EXPECT_NEAR(result.edges[i].std, std::sqrt(precision.inverse()(i, i)), 1e-8);
@@ -135,13 +137,13 @@ TEST(MaximumAPosteriori, ReachesTheBestPossibleWithHiddenNodes) {
     double errors = 0.0;
     double best = 0.0;
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
-        SimulatedSurvey s = simulate(net, uniform, 0.0005, seed);
-        for (int i = static_cast<int>(seed % 10); i < net.free_node_count(); i += 10) {
-            hide(net, s.survey, net.free_nodes()[static_cast<size_t>(i)]);
+        SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, seed);
+        for (int i = static_cast<int>(seed % 10); i < net_7x7.free_node_count(); i += 10) {
+            hide(net_7x7, s.survey, net_7x7.free_nodes()[static_cast<size_t>(i)]);
         }
-        errors += squared_error(map(net, s.survey, uniform), s.deviations);
-        best += best_possible_variances(net, with_length_deviations(net, s.deviations),
-                                        s.truth.form, s.survey, uniform)
+        errors += squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations);
+        best += best_possible_variances(net_7x7, with_length_deviations(net_7x7, s.deviations),
+                                        s.truth.form, s.survey, uniform_3mm)
                     .mean();
     }
     EXPECT_LT(errors, 1.05 * best);
@@ -151,16 +153,16 @@ TEST(MaximumAPosteriori, FindsGrossErrorsAndLeavesThemOut) {
     double clean = 0.0;
     double spoilt = 0.0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-        SimulatedSurvey s = simulate(net, uniform, 0.0005, seed);
-        clean += squared_error(map(net, s.survey, uniform), s.deviations);
-        const int moved = net.free_nodes()[seed];
-        const int a = net.free_nodes()[30];
-        const int b = net.free_nodes()[31];
+        SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, seed);
+        clean += squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations);
+        const int moved = net_7x7.free_nodes()[seed];
+        const int a = net_7x7.free_nodes()[30];
+        const int b = net_7x7.free_nodes()[31];
         s.survey.form.col(moved) += Eigen::Vector3d(0.03, -0.03, 0.026);
         const Eigen::Vector3d place = s.survey.form.col(a);
         s.survey.form.col(a) = s.survey.form.col(b);
         s.survey.form.col(b) = place;
-        const Identification result = map(net, s.survey, uniform);
+        const Identification result = map(net_7x7, s.survey, uniform_3mm);
         std::vector<int> found;
         for (const Outlier& outlier : result.outliers) {
             found.push_back(outlier.node);
@@ -173,27 +175,29 @@ TEST(MaximumAPosteriori, FindsGrossErrorsAndLeavesThemOut) {
 }
 
 TEST(MaximumAPosteriori, SaysWhereTheWholeSurveyDoesNotFit) {
-    SimulatedSurvey s = simulate(net, uniform, 0.0005, 1);
+    SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, 1);
     s.survey.noise_std *= 0.01;
-    EXPECT_EQ(map(net, s.survey, uniform).status, IdentificationStatus::survey_does_not_fit);
+    EXPECT_EQ(map(net_7x7, s.survey, uniform_3mm).status,
+              IdentificationStatus::survey_does_not_fit);
 }
 
 TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
-    SimulatedSurvey s = simulate(net, uniform, 0.0005, 1);
-    s.survey.form.col(net.free_nodes()[20]).z() += 0.01;
-    EXPECT_TRUE(identify_by_maximum_a_posteriori(net, s.survey, uniform, {.false_alarm_rate = 0.0})
-                    .outliers.empty());
-    EXPECT_EQ(map(net, s.survey, uniform).outliers.size(), 1U);
+    SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, 1);
+    s.survey.form.col(net_7x7.free_nodes()[20]).z() += 0.01;
+    EXPECT_TRUE(
+        identify_by_maximum_a_posteriori(net_7x7, s.survey, uniform_3mm, {.false_alarm_rate = 0.0})
+            .outliers.empty());
+    EXPECT_EQ(map(net_7x7, s.survey, uniform_3mm).outliers.size(), 1U);
 }
 
 TEST(Ways, TellASlackEdgeByNoMoreThanItsLength) {
     const LengthLaw wide{LengthLaw::Kind::uniform, 0.007};
     int slack = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const SimulatedSurvey s = simulate(net, wide, 0.0, seed);
-        const Eigen::VectorXd lengths = edge_lengths(net, s.truth.form);
+        const SimulatedSurvey s = simulate(net_7x7, wide, 0.0, seed);
+        const Eigen::VectorXd lengths = edge_lengths(net_7x7, s.truth.form);
         for (const Identification& result :
-             {map(net, s.survey, wide), identify_by_force_balance(net, s.survey, wide)}) {
+             {map(net_7x7, s.survey, wide), identify_by_force_balance(net_7x7, s.survey, wide)}) {
             for (const IdentifiedEdge& e : result.edges) {
                 const bool is_slack = std::ranges::binary_search(s.truth.slack_edges, e.edge);
                 EXPECT_EQ(e.status == EdgeStatus::slack, is_slack) << result.method << e.edge;
@@ -209,12 +213,12 @@ TEST(Ways, TellASlackEdgeByNoMoreThanItsLength) {
 }
 
 TEST(Ways, RefuseSurveysThatMakeNoSense) {
-    const Survey good = simulate(net, uniform, 0.0005, 1).survey;
+    const Survey good = simulate(net_7x7, uniform_3mm, 0.0005, 1).survey;
     const int node = good.surveyed[5];
     const auto expect_refused = [&](const Survey& bad, const std::string& told) {
         for (const auto& way : {std::function(map), std::function(identify_by_force_balance)}) {
             try {
-                (void)way(net, bad, uniform);
+                (void)way(net_7x7, bad, uniform_3mm);
                 ADD_FAILURE() << "not refused: " << told;
             } catch (const std::invalid_argument& error) {
                 EXPECT_THAT(error.what(), ::testing::HasSubstr(told));
@@ -240,13 +244,14 @@ TEST(Ways, RefuseSurveysThatMakeNoSense) {
     bad.surveyed.clear();
     expect_refused(bad, "no free node");
     bad = good;
-    hide(net, bad, node);
-    EXPECT_THROW((void)identify_by_force_balance(net, bad, uniform), std::invalid_argument);
-    EXPECT_THROW((void)identify_by_maximum_a_posteriori(net, good, uniform, {.max_iterations = 0}),
-                 std::invalid_argument);
+    hide(net_7x7, bad, node);
+    EXPECT_THROW((void)identify_by_force_balance(net_7x7, bad, uniform_3mm), std::invalid_argument);
     EXPECT_THROW(
-        (void)identify_by_maximum_a_posteriori(net, good, uniform, {.false_alarm_rate = 1.0}),
+        (void)identify_by_maximum_a_posteriori(net_7x7, good, uniform_3mm, {.max_iterations = 0}),
         std::invalid_argument);
+    EXPECT_THROW((void)identify_by_maximum_a_posteriori(net_7x7, good, uniform_3mm,
+                                                        {.false_alarm_rate = 1.0}),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/bad_input.hpp"
 #include "io/errors.hpp"
 #include "io/foreign_nets.hpp"
 #include "taut/io/compas_json.hpp"
@@ -16,13 +17,14 @@ namespace taut {
 namespace {
 
 using nlohmann::json;
+using test::BadValue;
 using test::edge_named;
 using test::input_error_of;
 using test::new_compas_graph;
 using test::old_compas_mesh;
 using testing::HasSubstr;
 
-ImportedStructure parse(const json& file, const std::string& select = "") {
+ImportedStructure compas_net(const json& file, const std::string& select = "") {
     return parse_compas(file.dump(), "net.json", select);
 }
 
@@ -35,7 +37,7 @@ std::vector<std::string> ids_of(const auto& items) {
 }
 
 TEST(ParseCompas, TakesTheSidesOfFacesThatAreEdges) {
-    const ImportedStructure net = parse(old_compas_mesh());
+    const ImportedStructure net = compas_net(old_compas_mesh());
     EXPECT_EQ(net.format, "COMPAS mesh");
     EXPECT_EQ(net.name, "tent");
     EXPECT_THAT(ids_of(net.nodes), testing::ElementsAre("0", "1", "2", "3", "4"));
@@ -44,7 +46,7 @@ TEST(ParseCompas, TakesTheSidesOfFacesThatAreEdges) {
 }
 
 TEST(ParseCompas, TakesDefaultsWhereANodeOrEdgeSaysNothing) {
-    const ImportedStructure net = parse(old_compas_mesh());
+    const ImportedStructure net = compas_net(old_compas_mesh());
     EXPECT_EQ(net.nodes[1].position, Eigen::Vector3d(2, 0, 0));
     EXPECT_EQ(net.nodes[4].position, Eigen::Vector3d(1, 1, 0.5));
     EXPECT_EQ(net.nodes[4].load, Eigen::Vector3d(0, 0, -1.5));
@@ -54,7 +56,7 @@ TEST(ParseCompas, TakesDefaultsWhereANodeOrEdgeSaysNothing) {
 }
 
 TEST(ParseCompas, FindsAttributesOfAnEdgeUnderBothItsNames) {
-    const ImportedEdge edge = edge_named(parse(old_compas_mesh()), "0-4");
+    const ImportedEdge edge = edge_named(compas_net(old_compas_mesh()), "0-4");
     EXPECT_EQ(edge.numbers.at("q"), 3.0);
     EXPECT_EQ(edge.numbers.at("size"), 6.0) << "text that is a number";
     EXPECT_FALSE(edge.numbers.contains("is_edge") && edge.numbers.at("is_edge") == 0.0);
@@ -63,7 +65,7 @@ TEST(ParseCompas, FindsAttributesOfAnEdgeUnderBothItsNames) {
 TEST(ParseCompas, RefusesTwoNamesOfAnEdgeThatContradictEachOther) {
     json file = old_compas_mesh();
     file["edgedata"]["(0, 4)"]["q"] = 2.5;
-    EXPECT_EQ(input_error_of([&] { return parse(file); }),
+    EXPECT_EQ(input_error_of([&] { return compas_net(file); }),
               "net.json:/edgedata/(4, 0)/q: contradicts /edgedata/(0, 4)/q, where the same edge "
               "has 2.5");
 }
@@ -72,13 +74,14 @@ TEST(ParseCompas, LeavesOutEntriesOfEdgedataThatAreNoEdgesAndTellsSo) {
     json file = old_compas_mesh();
     file["edgedata"]["(0, 2)"] = {{"q", 1.0}};
     file["edgedata"]["(4, 77)"] = {{"q", 1.0}};
-    EXPECT_THAT(parse(file).notes, testing::ElementsAre("2 entries of edgedata that are no edges"));
+    EXPECT_THAT(compas_net(file).notes,
+                testing::ElementsAre("2 entries of edgedata that are no edges"));
 }
 
 TEST(ParseCompas, KnowsTheBoundaryOfAMesh) {
     json file = old_compas_mesh();
     file["dva"]["is_anchor"] = false;
-    ImportedStructure net = parse(file);
+    ImportedStructure net = compas_net(file);
     support_boundary(net);
     std::vector<bool> supports;
     for (const ImportedNode& node : net.nodes) {
@@ -88,7 +91,7 @@ TEST(ParseCompas, KnowsTheBoundaryOfAMesh) {
 }
 
 TEST(ParseCompas, ReadsAGraphOfTodayWithTextForKeys) {
-    const ImportedStructure net = parse(new_compas_graph());
+    const ImportedStructure net = compas_net(new_compas_graph());
     EXPECT_EQ(net.format, "COMPAS network");
     EXPECT_THAT(ids_of(net.nodes), testing::ElementsAre("A", "B", "C"));
     EXPECT_THAT(ids_of(net.edges), testing::ElementsAre("A-B", "right"));
@@ -99,59 +102,53 @@ TEST(ParseCompas, ReadsAGraphOfTodayWithTextForKeys) {
 TEST(ParseCompas, TakesNumbersForKeysInTheirOrder) {
     json file = old_compas_mesh();
     file["vertex"]["10"] = {{"x", 9}, {"y", 9}};
-    EXPECT_THAT(ids_of(parse(file).nodes), testing::ElementsAre("0", "1", "2", "3", "4", "10"));
+    EXPECT_THAT(ids_of(compas_net(file).nodes),
+                testing::ElementsAre("0", "1", "2", "3", "4", "10"));
 }
 
 TEST(ParseCompas, NamesNodesByTheirNamesWhereEachHasOne) {
     json file = new_compas_graph();
     file["data"]["node"]["'A'"]["name"] = "left";
-    EXPECT_EQ(parse(file).nodes[0].id, "A");
+    EXPECT_EQ(compas_net(file).nodes[0].id, "A");
     file["data"]["node"]["'B'"]["name"] = "middle";
     file["data"]["node"]["'C'"]["name"] = "right";
-    EXPECT_THAT(ids_of(parse(file).nodes), testing::ElementsAre("left", "middle", "right"));
+    EXPECT_THAT(ids_of(compas_net(file).nodes), testing::ElementsAre("left", "middle", "right"));
 }
 
 TEST(ParseCompas, TellsTheProgramByItsDtype) {
     json file = new_compas_graph();
     file["dtype"] = "jax_fdm.datastructures/FDNetwork";
-    EXPECT_EQ(parse(file).format, "JAX FDM network");
+    EXPECT_EQ(compas_net(file).format, "JAX FDM network");
 }
 
 TEST(ParseCompas, FindsTheOnlyStructureWhereverItStands) {
     const json file{{"settings", {{"a", 1}}}, {"session", {{"cablenet", old_compas_mesh()}}}};
-    EXPECT_EQ(parse(file).format, "COMPAS mesh at the key 'session/cablenet'");
-    EXPECT_EQ(parse(json::array({new_compas_graph()})).format, "COMPAS network at the key '0'");
+    EXPECT_EQ(compas_net(file).format, "COMPAS mesh at the key 'session/cablenet'");
+    EXPECT_EQ(compas_net(json::array({new_compas_graph()})).format,
+              "COMPAS network at the key '0'");
 }
 
 TEST(ParseCompas, AsksWhichOneWhereThereAreMore) {
     const json file{{"a", old_compas_mesh()}, {"b", new_compas_graph()}};
-    EXPECT_EQ(input_error_of([&] { return parse(file); }),
+    EXPECT_EQ(input_error_of([&] { return compas_net(file); }),
               "net.json: holds 2 meshes or networks ('a', 'b'): name one with --select");
-    EXPECT_EQ(parse(file, "b").format, "COMPAS network at the key 'b'");
-    EXPECT_EQ(input_error_of([&] { return parse(file, "c"); }),
+    EXPECT_EQ(compas_net(file, "b").format, "COMPAS network at the key 'b'");
+    EXPECT_EQ(input_error_of([&] { return compas_net(file, "c"); }),
               "net.json: holds no meshes or networks named 'c', expected one of 'a', 'b'");
 }
 
 TEST(ParseCompas, KnowsTheUnitThatTheFileTells) {
     json file = new_compas_graph();
     file["data"]["attributes"]["force_unit"] = "kN";
-    EXPECT_EQ(parse(file).force_unit, 1000.0);
+    EXPECT_EQ(compas_net(file).force_unit, 1000.0);
 }
-
-/// A change of one value of the mesh above: at a JSON pointer, what to put there.
-struct BadValue {
-    const char* name;
-    const char* at;
-    const char* value;  ///< JSON
-    const char* message;
-};
 
 class BadMesh : public testing::TestWithParam<BadValue> {};
 
 TEST_P(BadMesh, IsRefusedAtItsJsonPointer) {
     json file = old_compas_mesh();
     file[json::json_pointer(GetParam().at)] = json::parse(GetParam().value);
-    EXPECT_THAT(input_error_of([&] { return parse(file); }),
+    EXPECT_THAT(input_error_of([&] { return compas_net(file); }),
                 HasSubstr(std::string("net.json:") + GetParam().message));
 }
 
@@ -204,13 +201,13 @@ TEST(ParseCompas, RefusesWhatIsNoJson) {
 TEST(ParseCompas, RefusesAnEdgeListThatIsWrong) {
     json file = new_compas_graph();
     file["data"]["edge"]["'A'"] = {{"'X'", json::object()}};
-    EXPECT_EQ(input_error_of([&] { return parse(file); }),
+    EXPECT_EQ(input_error_of([&] { return compas_net(file); }),
               "net.json:/data/edge/'A'/'X': names the vertex 'X', which is not in the file");
     file["data"]["edge"]["'A'"] = {{"'A'", json::object()}};
-    EXPECT_EQ(input_error_of([&] { return parse(file); }),
+    EXPECT_EQ(input_error_of([&] { return compas_net(file); }),
               "net.json:/data/edge/'A'/'A': joins a node to itself");
     file["data"]["edge"]["'A'"] = 5;
-    EXPECT_EQ(input_error_of([&] { return parse(file); }),
+    EXPECT_EQ(input_error_of([&] { return compas_net(file); }),
               "net.json:/data/edge/'A': is 5, expected an object of neighbours");
 }
 

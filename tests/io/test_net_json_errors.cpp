@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "io/bad_input.hpp"
 #include "io/errors.hpp"
 #include "io/examples.hpp"
 #include "taut/io/net_json.hpp"
@@ -17,6 +18,8 @@ namespace taut {
 namespace {
 
 using nlohmann::json;
+using test::BadText;
+using test::BadValue;
 using test::input_error_of;
 
 json good() {
@@ -27,12 +30,6 @@ json good() {
         "loads": [[0, 0, 0], [0, 0, -1], [0, 0, 0]], "node_ids": ["a", "b", "c"],
         "edge_ids": ["ab", "bc"]})");
 }
-
-struct BadText {
-    const char* name;
-    std::string text;
-    std::string message;
-};
 
 class BadJson : public testing::TestWithParam<BadText> {};
 
@@ -89,14 +86,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"DeepObject", repeated("{\"a\":", 1'000'000),
                 repeated("/a", 64, ":") + ": is nested deeper than 64 levels"}),
     [](const auto& param) { return param.param.name; });
-
-/// A change of one value of a good net: at a JSON pointer, what to put there.
-struct BadValue {
-    const char* name;
-    const char* at;
-    const char* value;  ///< JSON, or empty to remove the key
-    const char* message;
-};
 
 class BadNet : public testing::TestWithParam<BadValue> {};
 

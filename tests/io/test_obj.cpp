@@ -16,7 +16,7 @@ namespace {
 
 using test::input_error_of;
 
-ImportedStructure parse(const std::string& text) {
+ImportedStructure obj_net(const std::string& text) {
     return parse_obj(text, "net.obj");
 }
 
@@ -31,7 +31,7 @@ std::vector<std::string> edges_of(const ImportedStructure& structure) {
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5 # high\n";
 
 TEST(ParseObj, ReadsVerticesAndLines) {
-    const ImportedStructure net = parse("# a net\r\n" + square + "o net\nl 1 2 3\r\nl -1 1\n");
+    const ImportedStructure net = obj_net("# a net\r\n" + square + "o net\nl 1 2 3\r\nl -1 1\n");
     ASSERT_EQ(net.nodes.size(), 4U);
     EXPECT_EQ(net.nodes[3].id, "4");
     EXPECT_EQ(net.nodes[3].position, Eigen::Vector3d(0, 1, 0.5));
@@ -41,7 +41,7 @@ TEST(ParseObj, ReadsVerticesAndLines) {
 
 TEST(ParseObj, ReadsFacesEachSideOnceAndKnowsTheirBoundary) {
     const ImportedStructure net =
-        parse(square + "v 0.5 0.5 1\nf 1/1 2/2/2 5//3\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+        obj_net(square + "v 0.5 0.5 1\nf 1/1 2/2/2 5//3\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
     EXPECT_EQ(net.edges.size(), 8U);
     for (size_t i = 0; i < 5; ++i) {
         EXPECT_EQ(net.nodes[i].is_boundary, i < 4) << i;
@@ -49,13 +49,13 @@ TEST(ParseObj, ReadsFacesEachSideOnceAndKnowsTheirBoundary) {
 }
 
 TEST(ParseObj, TakesTheEndsOfLinesForTheBoundaryWhereThereAreNoFaces) {
-    const ImportedStructure net = parse(square + "l 1 2 3\n");
+    const ImportedStructure net = obj_net(square + "l 1 2 3\n");
     EXPECT_TRUE(net.nodes[0].is_boundary && net.nodes[2].is_boundary);
     EXPECT_FALSE(net.nodes[1].is_boundary || net.nodes[3].is_boundary);
 }
 
 TEST(ParseObj, TakesThePointsOfTheGroupSupports) {
-    const ImportedStructure net = parse(square + "l 1 2 3\ng other\np 2\ng supports\np 1 3\n");
+    const ImportedStructure net = obj_net(square + "l 1 2 3\ng other\np 2\ng supports\np 1 3\n");
     EXPECT_TRUE(net.nodes[0].is_support && net.nodes[2].is_support);
     EXPECT_FALSE(net.nodes[1].is_support);
 }
@@ -69,7 +69,7 @@ struct BadLine {
 class BadObj : public testing::TestWithParam<BadLine> {};
 
 TEST_P(BadObj, IsRefusedAtItsLine) {
-    EXPECT_EQ(input_error_of([] { return parse(square + GetParam().line + "\n"); }),
+    EXPECT_EQ(input_error_of([] { return obj_net(square + GetParam().line + "\n"); }),
               std::string("net.obj:5: ") + GetParam().message);
 }
 
@@ -92,9 +92,9 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& param) { return param.param.name; });
 
 TEST(ParseObj, RefusesWhatHoldsNoVertex) {
-    EXPECT_EQ(input_error_of([] { return parse("# nothing\n"); }),
+    EXPECT_EQ(input_error_of([] { return obj_net("# nothing\n"); }),
               "net.obj: holds no vertex, expected lines v x y z");
-    EXPECT_EQ(input_error_of([] { return parse(std::string("v 0 0 0\n\0", 9)); }),
+    EXPECT_EQ(input_error_of([] { return obj_net(std::string("v 0 0 0\n\0", 9)); }),
               "net.obj:2: holds a zero byte, expected text");
 }
 

@@ -22,7 +22,7 @@ using test::real_file;
 using testing::Contains;
 using testing::HasSubstr;
 
-ImportedStructure parse(const std::string& name) {
+ImportedStructure real_net(const std::string& name) {
     return parse_compas(read_file(real_file(name)), name);
 }
 
@@ -48,7 +48,7 @@ double largest_move(const CableNet& net) {
 
 TEST(RealNets, HiloIsReadWhole) {
     TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
-    const ImportedNet hilo = import_net(parse("hilo/cablenet.json"), hilo_settings);
+    const ImportedNet hilo = import_net(real_net("hilo/cablenet.json"), hilo_settings);
     EXPECT_EQ(hilo.net.free_node_count(), 800);
     EXPECT_EQ(hilo.net.interior_edge_count(), 1511);
     EXPECT_EQ(hilo.net.adjustable_edges().size(), 186U);
@@ -61,7 +61,7 @@ TEST(RealNets, HiloIsReadWhole) {
 
 TEST(RealNets, HiloIsInEquilibriumUnderItsBalancingLoads) {
     TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
-    const ImportedNet hilo = import_net(parse("hilo/cablenet.json"), hilo_settings);
+    const ImportedNet hilo = import_net(real_net("hilo/cablenet.json"), hilo_settings);
     EXPECT_LT(hilo.report.largest_out_of_balance, 1e-9 * hilo.report.mean_tension);
     // Concrete: 114.7 kN down, and horizontally no more than the residual its designers left.
     EXPECT_NEAR(hilo.report.load_sum.z(), -114.738e3, 1.0);
@@ -73,13 +73,13 @@ TEST(RealNets, HiloMovesWithoutItsLoads) {
     TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
     ImportSettings settings = hilo_settings;
     settings.loads = ImportSettings::Loads::none;
-    const CableNet net = import_net(parse("hilo/cablenet.json"), settings).net;
+    const CableNet net = import_net(real_net("hilo/cablenet.json"), settings).net;
     EXPECT_NEAR(largest_move(net), 0.034, 0.002);
 }
 
 TEST(RealNets, TexasGivesBackItsOwnForm) {
     TAUT_NEEDS_REAL_FILE("texas/texas.fofin");
-    const ImportedNet texas = import_net(parse("texas/texas.fofin"), {});
+    const ImportedNet texas = import_net(real_net("texas/texas.fofin"), {});
     EXPECT_EQ(texas.net.free_node_count(), 144);
     EXPECT_EQ(texas.net.edge_count(), 314);
     EXPECT_LT(largest_move(texas.net), 1e-9);
@@ -91,21 +91,23 @@ TEST(RealNets, TexasGivesBackItsOwnForm) {
 
 TEST(RealNets, AMaterializedHyparGivesBackItsOwnForm) {
     TAUT_NEEDS_REAL_FILE("formats/compas_mesh_hypar_materialized.json");
-    const ImportedNet hypar = import_net(parse("formats/compas_mesh_hypar_materialized.json"), {});
+    const ImportedNet hypar =
+        import_net(real_net("formats/compas_mesh_hypar_materialized.json"), {});
     EXPECT_EQ(hypar.net.free_node_count(), 41);
     EXPECT_LT(largest_move(hypar.net), 1e-9);
 }
 
 TEST(RealNets, ALoadedHyparWhoseCablesPushIsRefused) {
     TAUT_NEEDS_REAL_FILE("formats/compas_mesh_hypar_loaded.json");
-    EXPECT_THAT(input_error_of(
-                    [] { return import_net(parse("formats/compas_mesh_hypar_loaded.json"), {}); }),
+    EXPECT_THAT(input_error_of([] {
+                    return import_net(real_net("formats/compas_mesh_hypar_loaded.json"), {});
+                }),
                 HasSubstr("edge 1-3 is in compression (f = -0.185486), as are 23 others"));
 }
 
 TEST(RealNets, NetsOfJaxFdmAreReadWithTheirBoundaryAsSupports) {
     TAUT_NEEDS_REAL_FILE("formats/jax_fdm_network_creased_shell.json");
-    ImportedStructure shell = parse("formats/jax_fdm_network_creased_shell.json");
+    ImportedStructure shell = real_net("formats/jax_fdm_network_creased_shell.json");
     EXPECT_EQ(shell.format, "JAX FDM network");
     EXPECT_THAT(input_error_of([&] { return import_net(shell, {.axial_stiffness = 1e5}); }),
                 HasSubstr("marks no supports"));
@@ -114,7 +116,7 @@ TEST(RealNets, NetsOfJaxFdmAreReadWithTheirBoundaryAsSupports) {
     EXPECT_EQ(net.free_node_count(), 156);
     EXPECT_EQ(net.edge_count(), 324);
 
-    ImportedStructure saddle = parse("formats/jax_fdm_mesh_monkey_saddle.json");
+    ImportedStructure saddle = real_net("formats/jax_fdm_mesh_monkey_saddle.json");
     support_boundary(saddle);
     EXPECT_EQ(import_net(saddle, {.axial_stiffness = 1e5}).net.free_node_count(), 1);
 }

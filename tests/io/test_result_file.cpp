@@ -22,15 +22,15 @@ using test::input_error_of;
 
 json good(const std::string& kind) {
     static const std::map<std::string, std::string> texts{
-        {"study", testing::saved(testing::made_up_study(hypar(2, 3))).json},
-        {"identification", testing::made_up_identification(hypar(2, 3)).json},
-        {"comparison", testing::made_up_comparison().json}};
+        {"study", test::saved(test::made_up_study(hypar(2, 3))).json},
+        {"identification", test::made_up_identification(hypar(2, 3)).json},
+        {"comparison", test::made_up_comparison().json}};
     return json::parse(texts.at(kind));
 }
 
 TEST(ResultFile, OfAStudyGivesItsNumbersBack) {
-    const Study study = testing::made_up_study(hypar(2, 3));
-    const ResultFile file = testing::saved(study);
+    const Study study = test::made_up_study(hypar(2, 3));
+    const ResultFile file = test::saved(study);
     const auto& read = std::get<StudyResult>(file.content);
     EXPECT_EQ(read.net.fingerprint(), study.net.fingerprint());
     EXPECT_EQ(read.validation, 5);
@@ -45,7 +45,7 @@ TEST(ResultFile, OfAStudyGivesItsNumbersBack) {
 }
 
 TEST(ResultFile, OfAnIdentificationGivesItsNumbersBack) {
-    const ResultFile file = testing::made_up_identification(hypar(2, 3));
+    const ResultFile file = test::made_up_identification(hypar(2, 3));
     const auto& read = std::get<IdentificationResult>(file.content);
     EXPECT_EQ(read.edges.size(), 7U);
     EXPECT_EQ(read.edges.front().status, EdgeStatus::slack);

@@ -10,12 +10,14 @@
 
 #include <random>
 
+#include "io/bad_input.hpp"
 #include "io/errors.hpp"
 #include "io/scratch.hpp"
 
 namespace taut {
 namespace {
 
+using test::BadText;
 using test::input_error_of;
 
 struct GoodText {
@@ -141,12 +143,6 @@ TEST(SurveyCsv, RefusesAPtsFileThatIsNotWhole) {
               "behind");
     EXPECT_EQ(message("1\n1 2 nan\n"), "scan.pts:2: z is 'nan', expected a finite number");
 }
-
-struct BadText {
-    const char* name;
-    std::string text;
-    std::string message;
-};
 
 class BadSurvey : public testing::TestWithParam<BadText> {};
 

@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 using ::testing::ThrowsMessage;
 
 TEST(CableNet, KeepsWhatItIsMadeFrom) {
-    const CableNetData data = testing::two_node_net_data();
+    const CableNetData data = test::two_node_net_data();
     const CableNet net(data);
     EXPECT_EQ(net.name(), data.name);
     EXPECT_EQ(net.nodes(), data.nodes);
@@ -33,7 +33,7 @@ TEST(CableNet, KeepsWhatItIsMadeFrom) {
 }
 
 TEST(CableNet, CountsItsNodesAndEdges) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     EXPECT_EQ(net.node_count(), 6);
     EXPECT_EQ(net.edge_count(), 5);
     EXPECT_EQ(net.free_node_count(), 2);
@@ -41,7 +41,7 @@ TEST(CableNet, CountsItsNodesAndEdges) {
 }
 
 TEST(CableNet, ListsFreeNodesInAscendingOrder) {
-    CableNetData data = testing::two_node_net_data();
+    CableNetData data = test::two_node_net_data();
     data.supports = {5, 2, 4, 1};
     const CableNet net(std::move(data));
     EXPECT_THAT(net.free_nodes(), ElementsAre(0, 3));
@@ -53,14 +53,14 @@ TEST(CableNet, ListsFreeNodesInAscendingOrder) {
 }
 
 TEST(CableNet, ListsInteriorAndAdjustableEdgesInAscendingOrder) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     EXPECT_THAT(net.adjustable_edges(), ElementsAre(0, 4));
     EXPECT_THAT(net.data().adjustable, ElementsAre(0, 4));
     EXPECT_THAT(net.interior_edges(), ElementsAre(1, 2, 3));
 }
 
 TEST(CableNet, HasOnlyInteriorEdgesWhereNoneIsAdjustable) {
-    CableNetData data = testing::two_node_net_data();
+    CableNetData data = test::two_node_net_data();
     data.adjustable.clear();
     const CableNet net(std::move(data));
     EXPECT_THAT(net.adjustable_edges(), IsEmpty());
@@ -68,7 +68,7 @@ TEST(CableNet, HasOnlyInteriorEdgesWhereNoneIsAdjustable) {
 }
 
 TEST(CableNet, FillsInLoadsOfZero) {
-    CableNetData data = testing::two_node_net_data();
+    CableNetData data = test::two_node_net_data();
     data.loads.resize(3, 0);
     const CableNet net(std::move(data));
     EXPECT_EQ(net.loads(), Points::Zero(3, 6));
@@ -76,13 +76,13 @@ TEST(CableNet, FillsInLoadsOfZero) {
 }
 
 TEST(CableNet, NamesNodesAndEdges) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     EXPECT_EQ(net.node_id(3), "b");
     EXPECT_EQ(net.edge_id(4), "bD");
 }
 
 TEST(CableNet, NamesNodesAndEdgesByIndexWhereItHasNoNames) {
-    CableNetData data = testing::two_node_net_data();
+    CableNetData data = test::two_node_net_data();
     data.node_ids.clear();
     data.edge_ids.clear();
     const CableNet net(std::move(data));
@@ -96,14 +96,14 @@ TEST(EdgesAtSupports, AreThoseWithASupportAtEitherEnd) {
 }
 
 TEST(FreeCoordinates, StandNodeByNodeInTheOrderOfTheFreeNodes) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     Eigen::VectorXd expected(6);
     expected << 0.0, 0.0, 0.1, 1.0, 0.1, 0.2;
     EXPECT_EQ(free_coordinates(net, net.nodes()), expected);
 }
 
 TEST(FreeCoordinates, ComeBackAsTheFormWithTheSupportsOfTheNet) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     const Eigen::VectorXd coordinates = Eigen::VectorXd::LinSpaced(6, 10.0, 15.0);
     const Points form = with_free_coordinates(net, coordinates);
     EXPECT_EQ(form.col(0), Eigen::Vector3d(10.0, 11.0, 12.0));
@@ -115,7 +115,7 @@ TEST(FreeCoordinates, ComeBackAsTheFormWithTheSupportsOfTheNet) {
 }
 
 TEST(FreeCoordinates, RefuseWrongSizes) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     EXPECT_THAT([&] { (void)free_coordinates(net, Points::Zero(3, 5)); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("5 points, expected 6")));
     EXPECT_THAT([&] { (void)with_free_coordinates(net, Eigen::VectorXd::Zero(2)); },
@@ -123,7 +123,7 @@ TEST(FreeCoordinates, RefuseWrongSizes) {
 }
 
 TEST(WithLengthDeviations, AddsThemToTheInteriorEdgesAlone) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     const Eigen::VectorXd lengths = with_length_deviations(net, Eigen::Vector3d(0.1, 0.2, 0.3));
     Eigen::VectorXd expected = net.unstressed_lengths();
     expected(1) += 0.1;
@@ -133,7 +133,7 @@ TEST(WithLengthDeviations, AddsThemToTheInteriorEdgesAlone) {
 }
 
 TEST(WithLengthDeviations, RefusesAWrongSize) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     EXPECT_THAT([&] { (void)with_length_deviations(net, Eigen::VectorXd::Zero(5)); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("5 entries, expected 3")));
 }

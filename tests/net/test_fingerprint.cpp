@@ -19,7 +19,7 @@ namespace {
 using Change = std::function<void(CableNetData&)>;
 
 std::string fingerprint_after(const Change& change) {
-    CableNetData data = testing::two_node_net_data();
+    CableNetData data = test::two_node_net_data();
     change(data);
     return CableNet(std::move(data)).fingerprint();
 }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace taut::testing {
+namespace taut::test {
 
 using Tree = boost::property_tree::ptree;
 
@@ -58,4 +58,4 @@ inline std::vector<std::string> words(std::string_view text) {
     return found;
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

@@ -131,7 +131,7 @@ TEST(Plan, IsSeenFromAboveForARoof) {
 }
 
 TEST(Plan, IsSeenFromTheSideForANetThatStandsUpright) {
-    const Points roof = CableNet(testing::cross_data(0.01)).nodes();
+    const Points roof = CableNet(test::cross_data(0.01)).nodes();
     Points facade(3, roof.cols());
     facade << roof.row(0), roof.row(2), roof.row(1);
     EXPECT_EQ(plan_of(facade).seen, "along y");

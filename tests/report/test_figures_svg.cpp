@@ -25,7 +25,7 @@ using ::testing::Not;
 
 /// The data of the first path of a style.
 std::string path(const std::string& svg, const std::string& style) {
-    for (const testing::Tree& element : testing::elements(testing::parse_xml(svg), "path")) {
+    for (const test::Tree& element : test::elements(test::parse_xml(svg), "path")) {
         if (element.get<std::string>("<xmlattr>.class") == style &&
             element.get<std::string>("<xmlattr>.d").find('h') != std::string::npos) {
             return element.get<std::string>("<xmlattr>.d");
@@ -49,8 +49,8 @@ std::vector<std::string> names_of(const ResultFile& result) {
 
 class StudyFigures : public ::testing::Test {
 protected:
-    const Study m_study = testing::made_up_study(hypar(5, 6));
-    const ResultFile m_result = testing::saved(m_study);
+    const Study m_study = test::made_up_study(hypar(5, 6));
+    const ResultFile m_result = test::saved(m_study);
     const std::map<std::string, std::string> m_figures = figures_of(m_result);
 };
 
@@ -63,13 +63,13 @@ TEST_F(StudyFigures, AreNamedAsPromised) {
 
 TEST_F(StudyFigures, AreWellFormedAndStandAlone) {
     for (const auto& [name, svg] : m_figures) {
-        const testing::Tree tree = testing::parse_xml(svg);
+        const test::Tree tree = test::parse_xml(svg);
         EXPECT_EQ(tree.get<std::string>("svg.<xmlattr>.xmlns"), "http://www.w3.org/2000/svg");
         // That name, which nothing fetches, is the only address.
         EXPECT_EQ(svg.find("http"), svg.rfind("http")) << name;
         EXPECT_THAT(svg, Not(HasSubstr("href"))) << name;
         EXPECT_THAT(svg, Not(HasSubstr("<script"))) << name;
-        EXPECT_FALSE(testing::elements(tree, "style").empty()) << name;
+        EXPECT_FALSE(test::elements(tree, "style").empty()) << name;
     }
 }
 
@@ -89,8 +89,8 @@ TEST_F(StudyFigures, DrawEveryNodeAndEdgeOfASmallNet) {
     for (const std::string name : {"net_view.svg", "net_plan.svg"}) {
         std::map<std::string, long> lines;
         std::map<std::string, long> dots;
-        for (const testing::Tree& element :
-             testing::elements(testing::parse_xml(m_figures.at(name)), "path")) {
+        for (const test::Tree& element :
+             test::elements(test::parse_xml(m_figures.at(name)), "path")) {
             const auto style = element.get<std::string>("<xmlattr>.class");
             const auto data = element.get<std::string>("<xmlattr>.d");
             // The legend comes first; what is drawn replaces its marks.
@@ -123,8 +123,8 @@ TEST_F(StudyFigures, DrawEveryErrorThatCanBeToldApart) {
 TEST_F(StudyFigures, ColourEveryFreeNode) {
     for (const std::string name : {"form_error_nominal.svg", "form_error_identified.svg"}) {
         long dots = 0;
-        for (const testing::Tree& element :
-             testing::elements(testing::parse_xml(m_figures.at(name)), "path")) {
+        for (const test::Tree& element :
+             test::elements(test::parse_xml(m_figures.at(name)), "path")) {
             if (element.get<std::string>("<xmlattr>.class") == "level") {
                 dots += std::ranges::count(element.get<std::string>("<xmlattr>.d"), 'h');
             }
@@ -136,8 +136,8 @@ TEST_F(StudyFigures, ColourEveryFreeNode) {
 TEST_F(StudyFigures, StayWithinTheirDrawing) {
     for (const report::Figure& figure : report::result_figures(m_result)) {
         for (const report::Drawing& drawing : figure.drawings) {
-            const testing::Tree tree = testing::parse_xml(report::inline_svg(drawing));
-            for (const testing::Tree& element : testing::elements(tree, "text")) {
+            const test::Tree tree = test::parse_xml(report::inline_svg(drawing));
+            for (const test::Tree& element : test::elements(tree, "text")) {
                 const double x = element.get<double>("<xmlattr>.x", 0.0);
                 const double y = element.get<double>("<xmlattr>.y", 10.0);
                 EXPECT_GE(x, 0.0) << drawing.name;
@@ -156,7 +156,7 @@ TEST_F(StudyFigures, ShowBothFormErrorsOnOneScale) {
 }
 
 TEST(StudyFiguresOf, ErrorsThatWereNotSavedShowTheirStatisticsStill) {
-    ResultFile study = testing::saved(testing::made_up_study(hypar(5, 6)));
+    ResultFile study = test::saved(test::made_up_study(hypar(5, 6)));
     auto& content = std::get<StudyResult>(study.content);
     content.errors.resize(content.errors.rows(), 0);
     const std::string svg = figures_of(study).at("length_errors.svg");
@@ -166,20 +166,20 @@ TEST(StudyFiguresOf, ErrorsThatWereNotSavedShowTheirStatisticsStill) {
 }
 
 TEST(IdentificationFigures, AreNamedAsPromisedAndLeaveOutWhatIsNotThere) {
-    EXPECT_THAT(names_of(testing::made_up_identification(hypar(5, 6))),
+    EXPECT_THAT(names_of(test::made_up_identification(hypar(5, 6))),
                 ::testing::ElementsAre("net_view.svg", "net_plan.svg", "length_intervals.svg",
                                        "residual_map.svg"));
 }
 
 TEST(IdentificationFigures, TellASlackEdgeFromAnIdentifiedOne) {
-    const auto figures = figures_of(testing::made_up_identification(hypar(5, 6)));
+    const auto figures = figures_of(test::made_up_identification(hypar(5, 6)));
     EXPECT_THAT(figures.at("length_intervals.svg"), HasSubstr(">slack<"));
     EXPECT_THAT(figures.at("length_intervals.svg"), HasSubstr(">identified<"));
     EXPECT_THAT(figures.at("length_intervals.svg"), Not(HasSubstr(">unobserved<")));
 }
 
 TEST(IdentificationFigures, CountEveryStandardisedResidual) {
-    ResultFile result = testing::made_up_identification(hypar(5, 6));
+    ResultFile result = test::made_up_identification(hypar(5, 6));
     auto& content = std::get<IdentificationResult>(result.content);
     for (auto& residual : content.residuals) {
         residual.standardised = Eigen::Vector3d(0.1, -0.3, 40.0);
@@ -191,7 +191,7 @@ TEST(IdentificationFigures, CountEveryStandardisedResidual) {
 }
 
 TEST(ComparisonFigures, DrawEachMethodAndTheBestPossible) {
-    const auto figures = figures_of(testing::made_up_comparison());
+    const auto figures = figures_of(test::made_up_comparison());
     ASSERT_EQ(figures.size(), 2U);
     EXPECT_THAT(figures.at("error_over_noise.svg"), HasSubstr(">gp<"));
     EXPECT_THAT(figures.at("error_over_noise.svg"), HasSubstr(">balance<"));
@@ -202,14 +202,14 @@ TEST(ComparisonFigures, DrawEachMethodAndTheBestPossible) {
 TEST(StudyFiguresOf, TheBuiltInNetAreSmallEnoughForAPage) {
     std::size_t bytes = 0;
     for (const auto& [name, svg] :
-         figures_of(testing::saved(testing::made_up_study(hilo_quarter(), 50)))) {
+         figures_of(test::saved(test::made_up_study(hilo_quarter(), 50)))) {
         bytes += svg.size();
     }
     EXPECT_LT(bytes, 350'000U);
 }
 
 TEST(StudyFiguresOf, ALargeNetAreThinnedOutAndSaySo) {
-    const ResultFile study = testing::saved(testing::made_up_study(hypar(75, 75), 2));
+    const ResultFile study = test::saved(test::made_up_study(hypar(75, 75), 2));
     ASSERT_GT(std::get<StudyResult>(study.content).net.interior_edge_count(), 10'000);
     std::size_t bytes = 0;
     for (const auto& [name, svg] : figures_of(study)) {
@@ -223,7 +223,7 @@ TEST(StudyFiguresOf, ALargeNetAreThinnedOutAndSaySo) {
 }
 
 TEST(StudyFiguresOf, ManyValidationSamplesAreThinnedOut) {
-    const ResultFile study = testing::saved(testing::made_up_study(hypar(5, 6), 2000));
+    const ResultFile study = test::saved(test::made_up_study(hypar(5, 6), 2000));
     const report::Figure figure = report::length_error_figure(std::get<StudyResult>(study.content));
     EXPECT_LT(figure.drawings.front().body.size(), 300'000U);
     EXPECT_THAT(figure.caption, HasSubstr("of 49 edges are drawn"));
@@ -231,7 +231,7 @@ TEST(StudyFiguresOf, ManyValidationSamplesAreThinnedOut) {
 
 TEST(StudyFiguresOf, ASmallNetAreNotThinnedOut) {
     for (const report::Figure& figure :
-         report::result_figures(testing::saved(testing::made_up_study(hypar(5, 6))))) {
+         report::result_figures(test::saved(test::made_up_study(hypar(5, 6))))) {
         EXPECT_THAT(figure.caption, Not(HasSubstr("stays small"))) << figure.heading;
     }
 }

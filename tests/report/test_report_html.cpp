@@ -49,9 +49,9 @@ CableNet net_named(const std::string& name) {
 }
 
 TEST_F(ReportHtml, HoldsTheWholeResult) {
-    const ResultFile results[] = {testing::saved(testing::made_up_study(hypar(3, 4))),
-                                  testing::made_up_identification(hypar(3, 4)),
-                                  testing::made_up_comparison()};
+    const ResultFile results[] = {test::saved(test::made_up_study(hypar(3, 4))),
+                                  test::made_up_identification(hypar(3, 4)),
+                                  test::made_up_comparison()};
     for (const ResultFile& result : results) {
         EXPECT_EQ(result_in(report_html(result)), json::parse(result.json));
     }
@@ -61,8 +61,8 @@ TEST_F(ReportHtml, ShowsMarkupInNamesAsText) {
     for (const std::string name :
          {"</script><script>alert(1)</script>", "<img src=x onerror=alert(1)>", "<!--<script>",
           "<!--taut:figures-->"}) {
-        const std::string page = report_html(testing::made_up_identification(net_named(name)));
-        const std::string plain = report_html(testing::made_up_identification(net_named("plain")));
+        const std::string page = report_html(test::made_up_identification(net_named(name)));
+        const std::string plain = report_html(test::made_up_identification(net_named("plain")));
         EXPECT_EQ(result_in(page)["net"]["name"], name);
         const auto count = [](const std::string& text, const std::string& what) {
             int found = 0;
@@ -79,7 +79,7 @@ TEST_F(ReportHtml, ShowsMarkupInNamesAsText) {
 }
 
 TEST_F(ReportHtml, LetsNoScriptRunButItsOwnAndFetchesNothing) {
-    const std::string page = report_html(testing::made_up_comparison());
+    const std::string page = report_html(test::made_up_comparison());
     EXPECT_THAT(page, HasSubstr("default-src 'none'; script-src 'sha256-"));
     EXPECT_THAT(page, Not(HasSubstr("unsafe-eval")));
     EXPECT_THAT(page, Not(HasSubstr("<link")));
@@ -87,8 +87,8 @@ TEST_F(ReportHtml, LetsNoScriptRunButItsOwnAndFetchesNothing) {
 }
 
 TEST_F(ReportHtml, OfTheBuiltInNetIsSmall) {
-    const Study study = testing::made_up_study(hilo_quarter(), 50);
-    EXPECT_LT(report_html(testing::saved(study)).size(), 3'000'000U);
+    const Study study = test::made_up_study(hilo_quarter(), 50);
+    EXPECT_LT(report_html(test::saved(study)).size(), 3'000'000U);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // Guards against data that cannot be drawn again: draws that another compiler, seed width or sample
 // count changes; and against miscounted samples.
 
+#include "sampling/uniform_law.hpp"
 #include "taut/sampling/data_set.hpp"
 
 #include <gmock/gmock.h>
@@ -20,7 +21,7 @@ using taut::draw_length_deviations;
 using taut::EquilibriumStatus;
 using taut::LengthLaw;
 
-constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+using taut::test::uniform_5mm;
 
 /// The draws as documented, from the standard library alone: the 52 upper bits of the engine, at
 /// the middle of their cell in (0, 1), mapped to (-0.005, 0.005).
@@ -35,7 +36,7 @@ double expected_draw(std::uint64_t seed, std::uint64_t sample, int index) {
 TEST(DrawLengthDeviations, ComesFromTheStandardEngineSeededBySeedAndSample) {
     const std::uint64_t seed = 0x0123456789abcdefU;
     const std::uint64_t sample = 0xfedcba9876543210U;
-    const Eigen::VectorXd deviations = draw_length_deviations(law, seed, sample, 9);
+    const Eigen::VectorXd deviations = draw_length_deviations(uniform_5mm, seed, sample, 9);
     for (int i = 0; i < 9; ++i) {
         EXPECT_EQ(deviations(i), expected_draw(seed, sample, i)) << "deviation " << i;
     }
@@ -43,15 +44,15 @@ TEST(DrawLengthDeviations, ComesFromTheStandardEngineSeededBySeedAndSample) {
 
 TEST(DrawLengthDeviations, GivesTheNumbersThatEarlierDataSetsHold) {
     // From tests/data/make_draws.py.
-    const Eigen::VectorXd deviations = draw_length_deviations(law, 1, 0, 3);
+    const Eigen::VectorXd deviations = draw_length_deviations(uniform_5mm, 1, 0, 3);
     EXPECT_EQ(deviations(0), -0.000819159853374537);
     EXPECT_EQ(deviations(1), -0.0017097866901699332);
     EXPECT_EQ(deviations(2), -0.003441719149049719);
 }
 
 TEST(DrawLengthDeviations, OfALongerNetStartAsThoseOfAShorterOne) {
-    EXPECT_EQ(draw_length_deviations(law, 1, 7, 100).head(10),
-              draw_length_deviations(law, 1, 7, 10));
+    EXPECT_EQ(draw_length_deviations(uniform_5mm, 1, 7, 100).head(10),
+              draw_length_deviations(uniform_5mm, 1, 7, 10));
 }
 
 TEST(DrawLengthDeviations, DiffersBetweenAllSeedsAndSamples) {
@@ -60,7 +61,7 @@ TEST(DrawLengthDeviations, DiffersBetweenAllSeedsAndSamples) {
     const std::vector<std::uint64_t> numbers{0, 1, 2, 3, high, high + 1, 2 * high, 3 * high};
     for (const std::uint64_t seed : numbers) {
         for (const std::uint64_t sample : numbers) {
-            firsts.insert(draw_length_deviations(law, seed, sample, 1)(0));
+            firsts.insert(draw_length_deviations(uniform_5mm, seed, sample, 1)(0));
         }
     }
     EXPECT_EQ(firsts.size(), numbers.size() * numbers.size());
@@ -70,11 +71,13 @@ TEST(DrawLengthDeviations, OfNeighbouringSamplesAreNotCorrelated) {
     constexpr int count = 2000;
     Eigen::VectorXd products(count);
     for (int k = 0; k < count; ++k) {
-        products(k) = draw_length_deviations(law, 1, static_cast<std::uint64_t>(k), 1)(0) *
-                      draw_length_deviations(law, 1, static_cast<std::uint64_t>(k) + 1, 1)(0);
+        products(k) =
+            draw_length_deviations(uniform_5mm, 1, static_cast<std::uint64_t>(k), 1)(0) *
+            draw_length_deviations(uniform_5mm, 1, static_cast<std::uint64_t>(k) + 1, 1)(0);
     }
     // The mean of independent products has the standard deviation std^2 / sqrt(count).
-    EXPECT_LT(std::abs(products.mean()), 4.0 * law.std() * law.std() / std::sqrt(count));
+    EXPECT_LT(std::abs(products.mean()),
+              4.0 * uniform_5mm.std() * uniform_5mm.std() / std::sqrt(count));
 }
 
 /// Five samples: the second is not converged, the third a slack mechanism.

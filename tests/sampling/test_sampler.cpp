@@ -5,6 +5,7 @@
 // samples that depend on threads or on where a run was broken off, deviations from a form that is
 // not the nominal one.
 
+#include "sampling/uniform_law.hpp"
 #include "taut/sampling/sampler.hpp"
 
 #include <gmock/gmock.h>
@@ -24,9 +25,10 @@ namespace {
 
 using namespace taut;
 
-constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+using taut::test::uniform_5mm;
 
-DataSet draw(const CableNet& net, int count, const LengthLaw& from = law, std::uint64_t seed = 1) {
+DataSet draw(const CableNet& net, int count, const LengthLaw& from = uniform_5mm,
+             std::uint64_t seed = 1) {
     const Sampler sampler(net, from, seed);
     DataSet data = sampler.empty();
     EXPECT_TRUE(sampler.extend(data, count));
@@ -76,11 +78,11 @@ CableNet loaded(const CableNet& net) {
 
 TEST(Sampler, BeginsWithAnEmptyDataSetOfItsNetLawAndSeed) {
     const CableNet net = hypar(3, 4);
-    const Sampler sampler(net, law, 42);
+    const Sampler sampler(net, uniform_5mm, 42);
     const DataSet data = sampler.empty();
     EXPECT_EQ(data.size(), 0);
     EXPECT_EQ(data.net_fingerprint, net.fingerprint());
-    EXPECT_EQ(data.law, law);
+    EXPECT_EQ(data.law, uniform_5mm);
     EXPECT_EQ(data.seed, 42U);
     EXPECT_EQ(data.nominal_form, free_coordinates(net, sampler.nominal().form));
     EXPECT_EQ(data.form_deviations.rows(), 3 * net.free_node_count());
@@ -89,10 +91,10 @@ TEST(Sampler, BeginsWithAnEmptyDataSetOfItsNetLawAndSeed) {
 
 TEST(Sampler, DrawsTheLengthsThatSeedAndSampleStandFor) {
     const CableNet net = hypar(3, 4);
-    const DataSet data = draw(net, 5, law, 9);
+    const DataSet data = draw(net, 5, uniform_5mm, 9);
     for (int k = 0; k < data.size(); ++k) {
         EXPECT_EQ(data.length_deviations.col(k),
-                  draw_length_deviations(law, 9, static_cast<std::uint64_t>(k),
+                  draw_length_deviations(uniform_5mm, 9, static_cast<std::uint64_t>(k),
                                          net.interior_edge_count()));
     }
 }
@@ -167,7 +169,7 @@ TEST(Sampler, GivesTheSameBitsOnOneThreadAndOnTwo) {
 
 TEST(Sampler, GivesTheSameBitsInOneCallAndInMany) {
     const CableNet net = hypar(4, 5);
-    const Sampler sampler(net, law, 1);
+    const Sampler sampler(net, uniform_5mm, 1);
     DataSet in_parts = sampler.empty();
     for (const int count : {1, 2, 17, 17, 40}) {
         EXPECT_TRUE(sampler.extend(in_parts, count));
@@ -178,20 +180,20 @@ TEST(Sampler, GivesTheSameBitsInOneCallAndInMany) {
 TEST(Sampler, GivesTheSameBitsWhenAnotherSamplerGoesOn) {
     const CableNet net = hypar(4, 5);
     DataSet data = draw(net, 10);
-    EXPECT_TRUE(Sampler(net, law, 1).extend(data, 25));
+    EXPECT_TRUE(Sampler(net, uniform_5mm, 1).extend(data, 25));
     expect_same(data, draw(net, 25));
 }
 
 TEST(Sampler, GivesOtherSamplesForAnotherSeed) {
-    const DataSet one = draw(hypar(3, 4), 3, law, 1);
-    const DataSet two = draw(hypar(3, 4), 3, law, 2);
+    const DataSet one = draw(hypar(3, 4), 3, uniform_5mm, 1);
+    const DataSet two = draw(hypar(3, 4), 3, uniform_5mm, 2);
     EXPECT_NE(one.length_deviations, two.length_deviations);
     EXPECT_NE(one.form_deviations, two.form_deviations);
 }
 
 TEST(Sampler, KeepsADataSetThatHoldsEnough) {
     const CableNet net = hypar(3, 4);
-    const Sampler sampler(net, law, 1);
+    const Sampler sampler(net, uniform_5mm, 1);
     DataSet data = draw(net, 10);
     EXPECT_TRUE(sampler.extend(data, 4));
     expect_same(data, draw(net, 10));
@@ -199,7 +201,7 @@ TEST(Sampler, KeepsADataSetThatHoldsEnough) {
 
 TEST(Sampler, LeavesTheDataSetAsItWasWhenAStopWasRequested) {
     const CableNet net = hypar(3, 4);
-    const Sampler sampler(net, law, 1);
+    const Sampler sampler(net, uniform_5mm, 1);
     std::stop_source source;
     source.request_stop();
     DataSet data = draw(net, 10);
@@ -211,7 +213,7 @@ TEST(Sampler, LeavesTheDataSetAsItWasWhenAStopWasRequested) {
 
 TEST(Sampler, LeavesTheDataSetAsItWasWhenStoppedWhileItWorks) {
     const CableNet net = hypar(3, 4);
-    const Sampler sampler(net, law, 1);
+    const Sampler sampler(net, uniform_5mm, 1);
     DataSet data = draw(net, 10);
     std::stop_source source;
     const std::jthread stopper([&source] {
@@ -238,7 +240,7 @@ TEST(Sampler, MeasuresDeviationsFromTheEquilibriumNotFromTheNodesOfTheFile) {
         content.nodes.col(node) += Eigen::Vector3d(0.004, -0.003, 0.01);
     }
     const CableNet moved(content);
-    const Sampler sampler(moved, law, 1);
+    const Sampler sampler(moved, uniform_5mm, 1);
     EXPECT_GT((sampler.nominal().form - moved.nodes()).cwiseAbs().maxCoeff(), 0.009);
     const DataSet data = draw(moved, 5);
     const DataSet expected = draw(net, 5);
@@ -256,7 +258,7 @@ std::string refusal(const CableNet& net, const LengthLaw& of) {
 }
 
 TEST(Sampler, RefusesANetWithoutInteriorEdges) {
-    EXPECT_THAT(refusal(hypar(1, 1), law), testing::HasSubstr("no interior edge"));
+    EXPECT_THAT(refusal(hypar(1, 1), uniform_5mm), testing::HasSubstr("no interior edge"));
 }
 
 TEST(Sampler, RefusesALawThatReachesTheShortestInteriorLengthAndNamesBoth) {
@@ -290,7 +292,7 @@ TEST(Sampler, TellsWhereTheNominalNetFindsNoEquilibrium) {
     CableNetData content = hypar(3, 4).data();
     content.loads.setConstant(3, content.nodes.cols(), 1e200);
     try {
-        const Sampler sampler(CableNet(content), law, 1);
+        const Sampler sampler(CableNet(content), uniform_5mm, 1);
         FAIL() << "an equilibrium was found";
     } catch (const std::runtime_error& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("nominal net finds no equilibrium"));

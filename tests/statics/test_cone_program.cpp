@@ -10,6 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "statics/reference_net.hpp"
 #include "support/random_nets.hpp"
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -22,7 +23,10 @@
 namespace taut {
 namespace {
 
-using Json = nlohmann::json;
+using test::Json;
+using test::points_of;
+using test::reference_net;
+using test::vector_of;
 
 class ConeProgram : public ::testing::Test {
 protected:
@@ -48,9 +52,8 @@ double elastic_energy(const CableNet& net, const Points& form) {
 /// A built-in net with lengths off by up to 3 mm, and a weight at each node [N].
 CableNet disturbed(const char* name, double weight) {
     CableNetData data = builtin_net(name).data();
-    testing::Random random(7);
-    data.unstressed_lengths +=
-        testing::uniform_vector(random, data.unstressed_lengths.size(), 0.003);
+    test::Random random(7);
+    data.unstressed_lengths += test::uniform_vector(random, data.unstressed_lengths.size(), 0.003);
     data.loads = Points::Zero(3, data.nodes.cols());
     data.loads.row(2).setConstant(-weight);
     return CableNet(std::move(data));
@@ -121,7 +124,7 @@ TEST_F(ConeProgram, DoesNotCareForTheSizeOfANet) {
 }
 
 TEST_F(ConeProgram, FindsAHangingChainFromANetThatIsSlack) {
-    const CableNet net(testing::chain_data(12, 9.0, 100.0));
+    const CableNet net(test::chain_data(12, 9.0, 100.0));
     const Equilibrium newton = solve_equilibrium(net);
     const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
     ASSERT_TRUE(cone.solved());
@@ -137,47 +140,22 @@ TEST_F(ConeProgram, TellsThatItWasStopped) {
     EXPECT_EQ(cone.iterations, 2);
 }
 
-Json reference_net(const char* file, const std::string& name) {
-    std::ifstream stream(std::string(TAUT_TEST_DATA_DIR) + "/" + file);
-    const Json reference = Json::parse(stream);
-    for (const Json& net : reference.at("nets")) {
-        if (net.at("name") == name) {
-            return net;
-        }
-    }
-    throw std::runtime_error(name + " is not in " + file);
-}
-
-Points points(const Json& json) {
-    Points result(3, static_cast<Eigen::Index>(json.size()));
-    for (size_t i = 0; i < json.size(); ++i) {
-        const auto point = json.at(i).get<std::vector<double>>();
-        result.col(static_cast<Eigen::Index>(i)) << point.at(0), point.at(1), point.at(2);
-    }
-    return result;
-}
-
-Eigen::VectorXd vector(const Json& json) {
-    const auto values = json.get<std::vector<double>>();
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
-}
-
 TEST_F(ConeProgram, AgreesWithCvxpyWithEcosAndScs) {
     for (const auto* name : {"grid", "chain", "tripod"}) {
         const Json json = reference_net("statics_reference.json", name);
         CableNetData data;
-        data.nodes = points(json.at("nodes"));
+        data.nodes = points_of(json.at("nodes"));
         data.supports = json.at("supports").get<std::vector<int>>();
         data.edges = json.at("edges").get<std::vector<Edge>>();
-        data.axial_stiffness = vector(json.at("axial_stiffness"));
-        data.unstressed_lengths = vector(json.at("unstressed_lengths"));
-        data.loads = points(json.at("loads"));
+        data.axial_stiffness = vector_of(json.at("axial_stiffness"));
+        data.unstressed_lengths = vector_of(json.at("unstressed_lengths"));
+        data.loads = points_of(json.at("loads"));
         const CableNet net(std::move(data));
         const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
         ASSERT_TRUE(cone.solved()) << name;
         const Json reference = reference_net("cone_reference.json", name);
         for (const auto* solver : {"ECOS", "SCS"}) {
-            EXPECT_LT(distance(cone.form, points(reference.at(solver).at("form"))), 1e-6)
+            EXPECT_LT(distance(cone.form, points_of(reference.at(solver).at("form"))), 1e-6)
                 << name << ", " << solver;
             const double value = reference.at(solver).at("value").get<double>();
             EXPECT_NEAR(cone.primal_objective, value, 1e-7 * std::abs(value))
@@ -188,8 +166,8 @@ TEST_F(ConeProgram, AgreesWithCvxpyWithEcosAndScs) {
 
 RC_GTEST_PROP(ConeProgramOfARandomNet, AgreesWithNewtonWhereTheFormIsUnique, ()) {
     RC_PRE(cone_solver_available());
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     const Equilibrium newton = solve_equilibrium(net);
     const ConeSolution cone = solve_cone_program(net, lengths);

@@ -46,7 +46,7 @@ Points forces_of(const CableNet& net, const Points& form) {
 }
 
 TEST(Certificate, GivesTheEnergiesOfItsFormulas) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     const Equilibrium e = solve_equilibrium(net);
     const EnergyCertificate c = certify(net, net.unstressed_lengths(), e.form);
     EXPECT_EQ(c.energy, energy(net, net.unstressed_lengths(), e.form));
@@ -80,7 +80,7 @@ TEST(Certificate, OfOneEdgeIsWhatOneCalculatesByHand) {
 }
 
 TEST(Certificate, OfAWhollySlackNetWithoutLoadsIsZero) {
-    const CableNet net(testing::cross_data(-0.05));
+    const CableNet net(test::cross_data(-0.05));
     const EnergyCertificate c = certify(net, net.unstressed_lengths(), net.nodes());
     EXPECT_EQ(c.energy, 0.0);
     EXPECT_EQ(c.duality_gap, 0.0);
@@ -96,7 +96,7 @@ TEST(Certificate, ProvesTheBuiltInNetsForms) {
 }
 
 TEST(Certificate, RefusesForcesThatDoNotFit) {
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     const auto refused = [&](const Points& forces) {
         EXPECT_THROW(static_cast<void>(certify(net, net.unstressed_lengths(), net.nodes(), forces)),
                      std::invalid_argument);
@@ -110,15 +110,15 @@ TEST(Certificate, RefusesForcesThatDoNotFit) {
 }
 
 RC_GTEST_PROP(CertificateOfARandomNet, BoundsTheLowestEnergyFromAnyFormAndForces, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     const Equilibrium e = solve_equilibrium(net);
     const double lowest = energy(net, lengths, e.form);
     const Points form = with_free_coordinates(
         net, free_coordinates(net, e.form) +
-                 testing::uniform_vector(random, 3 * net.free_node_count(), 0.3));
-    const Points forces = testing::uniform_points(random, net.edge_count(), 3000.0);
+                 test::uniform_vector(random, 3 * net.free_node_count(), 0.3));
+    const Points forces = test::uniform_points(random, net.edge_count(), 3000.0);
     for (const EnergyCertificate& c :
          {certify(net, lengths, form), certify(net, lengths, form, forces),
           certify(net, lengths, e.form, forces)}) {
@@ -130,8 +130,8 @@ RC_GTEST_PROP(CertificateOfARandomNet, BoundsTheLowestEnergyFromAnyFormAndForces
 }
 
 RC_GTEST_PROP(CertificateOfARandomNet, ClosesAtEquilibrium, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const Equilibrium e = solve_equilibrium(net);
     RC_ASSERT(e.balanced());
     RC_ASSERT(certify(net, net.unstressed_lengths(), e.form).relative_gap <

@@ -20,8 +20,8 @@ namespace taut {
 namespace {
 
 /// A random net in which no edge is at the kink of its energy: so finite differences hold.
-CableNet random_net_off_the_kink(testing::Random& random) {
-    CableNetData data = testing::random_net_data(random);
+CableNet random_net_off_the_kink(test::Random& random) {
+    CableNetData data = test::random_net_data(random);
     for (size_t e = 0; e < data.edges.size(); ++e) {
         const auto [s, t] = data.edges[e];
         double& l_0 = data.unstressed_lengths(static_cast<Eigen::Index>(e));
@@ -36,7 +36,7 @@ CableNet random_net_off_the_kink(testing::Random& random) {
 TEST(Energy, IsThatComputedByHand) {
     // Node 0 in the middle of four edges of l_0 = 1 / 1.25 = 0.8 m, then moved 0.75 m upwards, so
     // that all are 1.25 m long: 4 * 100 kN / (2 * 0.8 m) * (0.45 m)^2 - 200 N * 0.75 m.
-    CableNetData data = testing::cross_data(0.25);
+    CableNetData data = test::cross_data(0.25);
     data.loads = Points::Zero(3, 5);
     data.loads(2, 0) = 200.0;
     data.loads(2, 1) = 1e6;  // on a support: does no work
@@ -51,14 +51,14 @@ TEST(Energy, IsThatComputedByHand) {
 }
 
 TEST(Energy, OfSlackEdgesIsZero) {
-    const CableNet net(testing::cross_data(-0.1));
+    const CableNet net(test::cross_data(-0.1));
     EXPECT_EQ(energy(net, net.unstressed_lengths(), net.nodes()), 0.0);
     EXPECT_TRUE(out_of_balance_forces(net, net.unstressed_lengths(), net.nodes()).isZero(0.0));
     EXPECT_TRUE(stiffness(net, net.unstressed_lengths(), net.nodes()).toDense().isZero(0.0));
 }
 
 RC_GTEST_PROP(OutOfBalanceForces, AreTheSlopeOfTheEnergy, ()) {
-    testing::Random random = testing::any_random();
+    test::Random random = test::any_random();
     const CableNet net = random_net_off_the_kink(random);
     const auto energy_at = [&](const Eigen::VectorXd& r) {
         const double v = energy(net, net.unstressed_lengths(), with_free_coordinates(net, r));
@@ -67,26 +67,26 @@ RC_GTEST_PROP(OutOfBalanceForces, AreTheSlopeOfTheEnergy, ()) {
     const Eigen::VectorXd forces =
         out_of_balance_forces(net, net.unstressed_lengths(), net.nodes());
     const Eigen::RowVectorXd slope =
-        testing::finite_differences(energy_at, free_coordinates(net, net.nodes()), 1e-4);
+        test::finite_differences(energy_at, free_coordinates(net, net.nodes()), 1e-4);
     RC_ASSERT((forces - slope.transpose()).norm() < 1e-5 * (1.0 + forces.norm()));
 }
 
 RC_GTEST_PROP(Stiffness, IsTheSlopeOfTheForces, ()) {
-    testing::Random random = testing::any_random();
+    test::Random random = test::any_random();
     const CableNet net = random_net_off_the_kink(random);
     const auto forces_at = [&](const Eigen::VectorXd& r) {
         return out_of_balance_forces(net, net.unstressed_lengths(), with_free_coordinates(net, r));
     };
     const Eigen::MatrixXd H = stiffness(net, net.unstressed_lengths(), net.nodes());
     const Eigen::MatrixXd slope =
-        testing::finite_differences(forces_at, free_coordinates(net, net.nodes()), 1e-4);
+        test::finite_differences(forces_at, free_coordinates(net, net.nodes()), 1e-4);
     RC_ASSERT((H - slope).norm() < 1e-5 * (1.0 + H.norm()));
 }
 
 RC_GTEST_PROP(Stiffness, IsSymmetricAndPositiveSemidefinite, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
-    const Points form = testing::uniform_points(random, net.node_count(), 3.0);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
+    const Points form = test::uniform_points(random, net.node_count(), 3.0);
     const Eigen::MatrixXd H = stiffness(net, net.unstressed_lengths(), form);
     RC_ASSERT(H == H.transpose());
     const double smallest =
@@ -95,12 +95,12 @@ RC_GTEST_PROP(Stiffness, IsSymmetricAndPositiveSemidefinite, ()) {
 }
 
 RC_GTEST_PROP(Energy, IsConvex, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
-    const Points a = testing::uniform_points(random, net.node_count(), 3.0);
-    const Points b = testing::uniform_points(random, net.node_count(), 3.0);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
+    const Points a = test::uniform_points(random, net.node_count(), 3.0);
+    const Points b = test::uniform_points(random, net.node_count(), 3.0);
     // Supports move along, too: V is convex in all coordinates.
-    const double s = testing::uniform(random, 0.0, 1.0);
+    const double s = test::uniform(random, 0.0, 1.0);
     const double v_a = energy(net, net.unstressed_lengths(), a);
     const double v_b = energy(net, net.unstressed_lengths(), b);
     const double between = energy(net, net.unstressed_lengths(), (1.0 - s) * a + s * b);
@@ -115,7 +115,7 @@ TEST_P(FunctionOfAForm, RefusesWrongArguments) {
     using ::testing::AllOf;
     using ::testing::HasSubstr;
     using ::testing::ThrowsMessage;
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     const Eigen::VectorXd lengths = net.unstressed_lengths();
     const auto refuses = [&](const Eigen::VectorXd& l_0, const Points& form, const char* words) {
         EXPECT_THAT([&] { GetParam()(net, l_0, form); },

@@ -32,8 +32,8 @@ using ::testing::ThrowsMessage;
 void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const Equilibrium& e) {
     ASSERT_EQ(e.status, EquilibriumStatus::converged);
     EXPECT_TRUE(e.balanced());
-    const double imbalance = testing::largest_imbalance(net, lengths, e.form);
-    const double tension = testing::mean_tension(net, lengths, e.form);
+    const double imbalance = test::largest_imbalance(net, lengths, e.form);
+    const double tension = test::mean_tension(net, lengths, e.form);
     EXPECT_LE(imbalance, 1e-10 * tension);
     EXPECT_NEAR(e.out_of_balance, imbalance, 1e-11 * tension);
     EXPECT_NEAR(e.mean_tension, tension, 1e-11 * tension);
@@ -50,12 +50,12 @@ void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const
 /// Solves a net for random length deviations, several times over. Gives how often an edge was
 /// slack.
 int solve_for_random_lengths(const CableNet& net, double reach, int times, std::uint64_t seed) {
-    testing::Random random(seed);
+    test::Random random(seed);
     EquilibriumSolver solver(net);
     int with_slack = 0;
     for (int i = 0; i < times; ++i) {
         const Eigen::VectorXd lengths = with_length_deviations(
-            net, testing::uniform_vector(random, net.interior_edge_count(), reach));
+            net, test::uniform_vector(random, net.interior_edge_count(), reach));
         const Equilibrium e = solver.solve(lengths, net.nodes());
         expect_converged(net, lengths, e);
         with_slack += e.slack_edges.empty() ? 0 : 1;
@@ -88,7 +88,7 @@ TEST(Equilibrium, OfANetThatBalancesIsItsNominalForm) {
 
 TEST(Equilibrium, OfACrossUnderLoadIsThatComputedByHand) {
     // l_0 = 0.8 m, moved 0.75 m down all edges are 1.25 m long: a load of 4 T 0.75 / 1.25.
-    CableNetData data = testing::cross_data(0.25);
+    CableNetData data = test::cross_data(0.25);
     data.loads = Points::Zero(3, 5);
     data.loads(2, 0) = -4.0 * 100e3 * (1.25 / 0.8 - 1.0) * 0.6;
     const CableNet net(std::move(data));
@@ -98,7 +98,7 @@ TEST(Equilibrium, OfACrossUnderLoadIsThatComputedByHand) {
 }
 
 TEST(Equilibrium, TakesSupportsFromTheNetAndNotFromTheStart) {
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     const Points start = net.nodes().array() + 0.5;
     const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
     expect_converged(net, net.unstressed_lengths(), e);
@@ -125,16 +125,16 @@ TEST(EquilibriumSolver, GivesTheSameBitsWhateverItSolvedBefore) {
 
 TEST(EquilibriumSolver, TellsThatItReachedItsIterationLimit) {
     const CableNet net = hilo_quarter();
-    testing::Random random(4);
-    const Eigen::VectorXd lengths = with_length_deviations(
-        net, testing::uniform_vector(random, net.interior_edge_count(), 5e-3));
+    test::Random random(4);
+    const Eigen::VectorXd lengths =
+        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
     for (const int limit : {0, 1, 2}) {
         EquilibriumSolver solver(net, {.max_iterations = limit});
         const Equilibrium e = solver.solve(lengths, net.nodes());
         EXPECT_EQ(e.status, EquilibriumStatus::iteration_limit);
         EXPECT_FALSE(e.balanced());
         EXPECT_EQ(e.iterations, limit);
-        EXPECT_NEAR(e.out_of_balance, testing::largest_imbalance(net, lengths, e.form), 1e-6);
+        EXPECT_NEAR(e.out_of_balance, test::largest_imbalance(net, lengths, e.form), 1e-6);
         EXPECT_GT(e.out_of_balance, 1e-10 * e.mean_tension);
     }
 }
@@ -154,9 +154,9 @@ TEST(EquilibriumSolver, KeepsItsIterationLimitInTheApproachThroughHeavierLoads) 
 
 TEST(EquilibriumSolver, StopsEarlierForACoarserTolerance) {
     const CableNet net = hilo_quarter();
-    testing::Random random(5);
-    const Eigen::VectorXd lengths = with_length_deviations(
-        net, testing::uniform_vector(random, net.interior_edge_count(), 5e-3));
+    test::Random random(5);
+    const Eigen::VectorXd lengths =
+        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
     const Equilibrium fine = EquilibriumSolver(net).solve(lengths, net.nodes());
     const Equilibrium coarse =
         EquilibriumSolver(net, {.relative_tolerance = 1e-2}).solve(lengths, net.nodes());
@@ -166,7 +166,7 @@ TEST(EquilibriumSolver, StopsEarlierForACoarserTolerance) {
 }
 
 TEST(EquilibriumSolver, RefusesWrongLengthsAndStarts) {
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     EquilibriumSolver solver(net);
     const auto refuses = [&](const Eigen::VectorXd& lengths, const Points& start,
                              const std::string& words) {

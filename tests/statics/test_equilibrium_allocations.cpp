@@ -13,7 +13,16 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// GCC tells of the sanitizers by macros, Clang by features.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TAUT_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TAUT_SANITIZED 1
+#endif
+#endif
+
+#if defined(__GLIBC__) && !defined(TAUT_SANITIZED)
 #define TAUT_COUNTS_ALLOCATIONS 1
 
 namespace {
@@ -58,11 +67,11 @@ TEST(EquilibriumSolverAllocations, AreCounted) {
 
 TEST(EquilibriumSolverAllocations, AreAsManyForManyStepsAsForFew) {
     const CableNet net = hilo_quarter();
-    testing::Random random(1);
+    test::Random random(1);
     EquilibriumSolver solver(net);
-    const Eigen::VectorXd lengths = with_length_deviations(
-        net, testing::uniform_vector(random, net.interior_edge_count(), 1e-3));
-    const Points far_start = testing::uniform_points(random, net.node_count(), 3.0);
+    const Eigen::VectorXd lengths =
+        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 1e-3));
+    const Points far_start = test::uniform_points(random, net.node_count(), 3.0);
     (void)solver.solve(lengths, net.nodes());  // the first factorisation takes its memory
     const Count near = count(solver, lengths, net.nodes());
     const Count far = count(solver, lengths, far_start);

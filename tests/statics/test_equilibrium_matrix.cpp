@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "statics/self_stress.hpp"
+#include "support/all_edges.hpp"
 #include "support/random_nets.hpp"
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -22,11 +23,7 @@
 namespace taut {
 namespace {
 
-std::vector<int> all_edges(const CableNet& net) {
-    std::vector<int> edges(static_cast<size_t>(net.edge_count()));
-    std::iota(edges.begin(), edges.end(), 0);
-    return edges;
-}
+using test::all_edges;
 
 /// Singular values of at least 1e-5, by a dense decomposition.
 int dense_rank(const Eigen::SparseMatrix<double>& matrix) {
@@ -35,7 +32,7 @@ int dense_rank(const Eigen::SparseMatrix<double>& matrix) {
 }
 
 TEST(EquilibriumMatrix, TimesTheTensionsIsTheForceAtTheNodes) {
-    const CableNet net(testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), net.nodes());
     const std::vector<int> order = {4, 2, 0, 1, 3};
     const Eigen::VectorXd forces =
@@ -47,7 +44,7 @@ TEST(EquilibriumMatrix, TimesTheTensionsIsTheForceAtTheNodes) {
 }
 
 TEST(EquilibriumMatrix, RefusesAnUnknownEdgeAndOneWithoutLength) {
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     const std::vector<int> unknown = {0, 4};
     EXPECT_THROW(static_cast<void>(equilibrium_matrix(net, net.nodes(), unknown)),
                  std::invalid_argument);
@@ -60,7 +57,7 @@ TEST(EquilibriumMatrix, RefusesAnUnknownEdgeAndOneWithoutLength) {
 TEST(StressStates, OfACrossAreThoseOneCounts) {
     // Two lines through one node: each can be tensioned by itself; it moves freely out of the
     // plane.
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     const StressStates s = stress_states(net, net.unstressed_lengths(), net.nodes());
     EXPECT_EQ(s.rank, 2);
     EXPECT_EQ(s.self_stress, 2);
@@ -68,7 +65,7 @@ TEST(StressStates, OfACrossAreThoseOneCounts) {
 }
 
 TEST(StressStates, LeaveOutSlackEdges) {
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     Eigen::VectorXd lengths = net.unstressed_lengths();
     lengths(0) = 1.5;
     const StressStates s = stress_states(net, lengths, net.nodes());
@@ -109,8 +106,8 @@ TEST(SelfStress, IsABasisOfTensionsThatBalance) {
 }
 
 RC_GTEST_PROP(StressStatesOfARandomNet, AreThoseOfADenseDecomposition, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const auto A = equilibrium_matrix(net, net.nodes(), all_edges(net));
     RC_ASSERT(SelfStress(A).count() == net.edge_count() - dense_rank(A));
 }

@@ -22,11 +22,11 @@ double rounding(const CableNet& net) {
 }
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, BalancesAndNeverPushes, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const Equilibrium e = solve_equilibrium(net);
     RC_ASSERT(e.balanced());
-    RC_ASSERT(testing::largest_imbalance(net, net.unstressed_lengths(), e.form) <=
+    RC_ASSERT(test::largest_imbalance(net, net.unstressed_lengths(), e.form) <=
               1e-10 * e.mean_tension + rounding(net));
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
     std::vector<int> without_tension;
@@ -40,10 +40,10 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, BalancesAndNeverPushes, ()) {
 }
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, LosesEnergyInEveryStepAndTellsHowMuch, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const Points start =
-        with_free_coordinates(net, testing::uniform_vector(random, 3 * net.free_node_count(), 5.0));
+        with_free_coordinates(net, test::uniform_vector(random, 3 * net.free_node_count(), 5.0));
     const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
     const double before = energy(net, net.unstressed_lengths(), start);
     const double after = energy(net, net.unstressed_lengths(), e.form);
@@ -56,10 +56,10 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, LosesEnergyInEveryStepAndTellsHowMuch, ()
 }
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, NeverGainsEnergyFromOneStepToTheNext, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const Points start =
-        with_free_coordinates(net, testing::uniform_vector(random, 3 * net.free_node_count(), 5.0));
+        with_free_coordinates(net, test::uniform_vector(random, 3 * net.free_node_count(), 5.0));
     double last = energy(net, net.unstressed_lengths(), start);
     const double rounding = 1e-12 * std::abs(last);
     for (int steps = 1; steps <= 12; ++steps) {
@@ -72,11 +72,11 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, NeverGainsEnergyFromOneStepToTheNext, ())
 }
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheStart, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     EquilibriumSolver solver(net);
     const Equilibrium near = solver.solve(net.unstressed_lengths(), net.nodes());
-    const Points far_start = testing::uniform_points(random, net.node_count(), 10.0);
+    const Points far_start = test::uniform_points(random, net.node_count(), 10.0);
     const Equilibrium far = solver.solve(net.unstressed_lengths(), far_start);
     RC_ASSERT(far.status == near.status);
     if (near.status == EquilibriumStatus::converged) {
@@ -85,25 +85,25 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheStart, ()) {
 }
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, IsTheLowestEnergyAround, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
     const Equilibrium e = solve_equilibrium(net);
     const Eigen::VectorXd r = free_coordinates(net, e.form);
     const double lowest = energy(net, net.unstressed_lengths(), e.form);
     for (const double reach : {1e-3, 1e-1, 10.0}) {
-        const Eigen::VectorXd other = r + testing::uniform_vector(random, r.size(), reach);
+        const Eigen::VectorXd other = r + test::uniform_vector(random, r.size(), reach);
         RC_ASSERT(energy(net, net.unstressed_lengths(), with_free_coordinates(net, other)) >=
                   lowest - 1e-12 * (1.0 + std::abs(lowest)));
     }
 }
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, MovesWithItsFrameAndDoesNothingElse, ()) {
-    testing::Random random = testing::any_random();
-    const CableNetData data = testing::random_net_data(random);
+    test::Random random = test::any_random();
+    const CableNetData data = test::random_net_data(random);
     const CableNet net(data);
-    const Eigen::Vector3d shift = testing::uniform_points(random, 1, 10.0);
+    const Eigen::Vector3d shift = test::uniform_points(random, 1, 10.0);
     const Eigen::Matrix3d turn =
-        Eigen::Quaterniond(Eigen::Vector4d(testing::uniform_vector(random, 4, 1.0)))
+        Eigen::Quaterniond(Eigen::Vector4d(test::uniform_vector(random, 4, 1.0)))
             .normalized()
             .toRotationMatrix();
     const auto moved = [&](const Points& points) -> Points {
@@ -126,8 +126,8 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, MovesWithItsFrameAndDoesNothingElse, ()) 
 }
 
 RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheOrderOfNodesAndEdges, ()) {
-    testing::Random random = testing::any_random();
-    const CableNetData data = testing::random_net_data(random);
+    test::Random random = test::any_random();
+    const CableNetData data = test::random_net_data(random);
     const CableNet net(data);
     std::vector<int> node_from(static_cast<size_t>(net.node_count()));
     std::vector<int> edge_from(static_cast<size_t>(net.edge_count()));

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "statics/reference_net.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -15,53 +16,29 @@
 namespace taut {
 namespace {
 
-using Json = nlohmann::json;
-
-Points points(const Json& json) {
-    Points result(3, static_cast<Eigen::Index>(json.size()));
-    for (size_t i = 0; i < json.size(); ++i) {
-        for (size_t k = 0; k < 3; ++k) {
-            result(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) =
-                json.at(i).at(k).get<double>();
-        }
-    }
-    return result;
-}
-
-Eigen::VectorXd vector(const Json& json) {
-    const auto values = json.get<std::vector<double>>();
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
-}
-
-Json reference_net(const std::string& name) {
-    std::ifstream file(TAUT_TEST_DATA_DIR "/statics_reference.json");
-    const Json reference = Json::parse(file);
-    for (const Json& net : reference.at("nets")) {
-        if (net.at("name") == name) {
-            return net;
-        }
-    }
-    throw std::runtime_error("statics_reference.json has no net " + name);
-}
+using test::Json;
+using test::points_of;
+using test::reference_net;
+using test::vector_of;
 
 class ReferenceNet : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ReferenceNet, TakesTheFormThatScipyFinds) {
-    const Json json = reference_net(GetParam());
+    const Json json = reference_net("statics_reference.json", GetParam());
     CableNetData data;
-    data.nodes = points(json.at("nodes"));
+    data.nodes = points_of(json.at("nodes"));
     data.supports = json.at("supports").get<std::vector<int>>();
     data.edges = json.at("edges").get<std::vector<Edge>>();
-    data.axial_stiffness = vector(json.at("axial_stiffness"));
-    data.unstressed_lengths = vector(json.at("unstressed_lengths"));
-    data.loads = points(json.at("loads"));
+    data.axial_stiffness = vector_of(json.at("axial_stiffness"));
+    data.unstressed_lengths = vector_of(json.at("unstressed_lengths"));
+    data.loads = points_of(json.at("loads"));
     const CableNet net(std::move(data));
 
     const Equilibrium e = solve_equilibrium(net);
     EXPECT_EQ(e.status, EquilibriumStatus::converged);
-    EXPECT_LT((e.form - points(json.at("form"))).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_LT((e.form - points_of(json.at("form"))).cwiseAbs().maxCoeff(), 1e-11);
     EXPECT_EQ(e.slack_edges, json.at("slack_edges").get<std::vector<int>>());
-    const Eigen::VectorXd expected = vector(json.at("tensions"));
+    const Eigen::VectorXd expected = vector_of(json.at("tensions"));
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), e.form);
     EXPECT_LT((tension - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.maxCoeff());
     const double lowest = json.at("energy").get<double>();

@@ -32,17 +32,17 @@ TEST(SlackNet, ThatIsSlackFromTheStartStaysWhereItIs) {
 }
 
 TEST(SlackNet, GoesSlackFromAStartUnderTension) {
-    const CableNet net(testing::cross_data(-0.05));
+    const CableNet net(test::cross_data(-0.05));
     Points start = net.nodes();
     start.col(0) << 3.0, -2.0, 1.0;
     const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
     EXPECT_EQ(e.status, EquilibriumStatus::slack_mechanism);
-    EXPECT_LT(testing::largest_imbalance(net, net.unstressed_lengths(), e.form), 1e-8);
+    EXPECT_LT(test::largest_imbalance(net, net.unstressed_lengths(), e.form), 1e-8);
 }
 
 TEST(SlackNet, WithAnEdgeAtItsUnstressedLengthIsAMechanism) {
     // One edge, pulled back from 3 m: it ends at l_0 or, by rounding errors, a little beyond.
-    CableNetData data = testing::chain_data(2, 1.0, 0.0);
+    CableNetData data = test::chain_data(2, 1.0, 0.0);
     data.supports = {0};
     data.nodes(0, 1) = 3.0;
     data.nodes(0, 2) = 5.0;
@@ -57,7 +57,7 @@ TEST(SlackNet, WithAnEdgeAtItsUnstressedLengthIsAMechanism) {
 
 TEST(SlackNet, WithOneLooseNodeIsAMechanism) {
     // Node 5 hangs at node 0 of a tense cross by an edge longer than its distance.
-    CableNetData data = testing::cross_data(0.02);
+    CableNetData data = test::cross_data(0.02);
     data.nodes.conservativeResize(3, 6);
     data.nodes.col(5) << 0.1, 0.2, 0.3;
     data.edges.push_back({0, 5});
@@ -83,7 +83,7 @@ TEST(SlackNet, WithOneLooseNodeIsAMechanism) {
 
 TEST(SlackNet, WithSlackEdgesThatLeaveNoNodeLooseConverges) {
     // The cross pulled aside by edge 1: edges 0, 2 and 3 carry it, or go slack.
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     Eigen::VectorXd lengths = net.unstressed_lengths();
     lengths(0) = 1.5;
     const Equilibrium e = EquilibriumSolver(net).solve(lengths, net.nodes());
@@ -96,7 +96,7 @@ class HangingChain : public ::testing::TestWithParam<double> {};
 TEST_P(HangingChain, FindsItsFormFromASlackStart) {
     // All edges slack on a straight line: the stiffness is zero, and every load goes downwards.
     const double weight = GetParam();
-    const CableNet net(testing::chain_data(12, 9.0, weight));
+    const CableNet net(test::chain_data(12, 9.0, weight));
     const Equilibrium e = solve_equilibrium(net);
     ASSERT_EQ(e.status, EquilibriumStatus::converged);
     EXPECT_THAT(e.slack_edges, IsEmpty());

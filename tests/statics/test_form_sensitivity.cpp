@@ -3,6 +3,7 @@
 //
 // Guards against first derivatives that do not tell where the form goes: identification from a
 // survey then turns lengths the wrong way.
+#include "support/all_edges.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
 #include <gmock/gmock.h>
@@ -22,20 +23,16 @@
 namespace taut {
 namespace {
 
+using test::all_edges;
+
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-std::vector<int> all_edges(const CableNet& net) {
-    std::vector<int> edges(static_cast<size_t>(net.edge_count()));
-    std::iota(edges.begin(), edges.end(), 0);
-    return edges;
-}
 
 /// dr_I/dl_0 by solving for the form again and again.
 Eigen::MatrixXd solved_derivative(const CableNet& net, const Eigen::VectorXd& lengths,
                                   const Points& form, double step) {
     EquilibriumSolver solver(net);
-    return testing::finite_differences(
+    return test::finite_differences(
         [&](const Eigen::VectorXd& l_0) {
             return free_coordinates(net, solver.solve(l_0, form).form);
         },
@@ -51,7 +48,7 @@ double distance_from_the_kink(const CableNet& net, const Eigen::VectorXd& length
 TEST(FormSensitivity, OfACrossIsThatComputedByHand) {
     // Edges 0 and 1 along x carry T = EA 0.25 at l = 1 m, l_0 = 0.8 m: k = EA / 0.8 each, and edges
     // 2 and 3 hold the node across with T / l each. dh/dl_0 = EA l / l_0^2 pulls towards node 1.
-    const CableNet net(testing::cross_data(0.25));
+    const CableNet net(test::cross_data(0.25));
     const FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
     const double per_metre = -(1.0 / 0.64) / (2.0 / 0.8 + 2.0 * 0.25);
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(3, 4);
@@ -64,9 +61,9 @@ TEST(FormSensitivity, OfACrossIsThatComputedByHand) {
 
 TEST(FormSensitivity, OfAHyparIsTheSlopeOfTheSolvedForm) {
     const CableNet net = hypar(6, 5);
-    testing::Random random(1);
-    const Eigen::VectorXd lengths = with_length_deviations(
-        net, testing::uniform_vector(random, net.interior_edge_count(), 1e-3));
+    test::Random random(1);
+    const Eigen::VectorXd lengths =
+        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 1e-3));
     const Equilibrium e = EquilibriumSolver(net).solve(lengths, net.nodes());
     const Eigen::MatrixXd columns = FormSensitivity(net, lengths, e.form).columns(all_edges(net));
     const Eigen::MatrixXd slope = solved_derivative(net, lengths, e.form, 1e-5);
@@ -75,13 +72,13 @@ TEST(FormSensitivity, OfAHyparIsTheSlopeOfTheSolvedForm) {
 
 TEST(FormSensitivity, AppliedToChangesIsTheDifferenceOfSolvedForms) {
     const CableNet net = hilo_quarter();
-    testing::Random random(2);
-    const Eigen::VectorXd lengths = with_length_deviations(
-        net, testing::uniform_vector(random, net.interior_edge_count(), 5e-3));
+    test::Random random(2);
+    const Eigen::VectorXd lengths =
+        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
     EquilibriumSolver solver(net);
     const Points form = solver.solve(lengths, net.nodes()).form;
     const FormSensitivity sensitivity(net, lengths, form);
-    const Eigen::VectorXd changes = testing::uniform_vector(random, net.edge_count(), 1e-5);
+    const Eigen::VectorXd changes = test::uniform_vector(random, net.edge_count(), 1e-5);
     const Eigen::VectorXd difference =
         0.5 * (free_coordinates(net, solver.solve(lengths + changes, form).form) -
                free_coordinates(net, solver.solve(lengths - changes, form).form));
@@ -90,9 +87,9 @@ TEST(FormSensitivity, AppliedToChangesIsTheDifferenceOfSolvedForms) {
 
 TEST(FormSensitivity, AppliedIsTheSumOfItsColumns) {
     const CableNet net = hilo_quarter();
-    testing::Random random(3);
+    test::Random random(3);
     const FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
-    const Eigen::VectorXd changes = testing::uniform_vector(random, net.edge_count(), 1.0);
+    const Eigen::VectorXd changes = test::uniform_vector(random, net.edge_count(), 1.0);
     EXPECT_TRUE(
         sensitivity.apply(changes).isApprox(sensitivity.columns(all_edges(net)) * changes, 1e-10));
     const std::vector<int> some{17, 3, 500, 3};
@@ -102,9 +99,9 @@ TEST(FormSensitivity, AppliedIsTheSumOfItsColumns) {
 }
 
 RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()) {
-    testing::Random random = testing::any_random();
+    test::Random random = test::any_random();
     // Nets that hang stiffly: their forms change little enough for finite differences.
-    const CableNet net = testing::random_net(
+    const CableNet net = test::random_net(
         random, {.smallest_strain = -0.1, .largest_strain = 0.3, .largest_load = 3000.0});
     const Equilibrium e = solve_equilibrium(net);
     const Eigen::VectorXd lengths = net.unstressed_lengths();
@@ -120,7 +117,7 @@ RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()
 
 TEST(FormSensitivity, LeavesLooseNodesWhereTheyAre) {
     // Node 5 hangs at the cross by a slack edge.
-    CableNetData data = testing::cross_data(0.02);
+    CableNetData data = test::cross_data(0.02);
     data.nodes.conservativeResize(3, 6);
     data.nodes.col(5) << 0.1, 0.2, 0.3;
     data.edges.push_back({0, 5});
@@ -135,7 +132,7 @@ TEST(FormSensitivity, LeavesLooseNodesWhereTheyAre) {
     const Eigen::VectorXd moves = sensitivity.apply(changes);
     EXPECT_TRUE(moves.tail<3>().isZero(0.0));
     // The rest moves as without the loose node.
-    const CableNet cross(testing::cross_data(0.02));
+    const CableNet cross(test::cross_data(0.02));
     const Eigen::VectorXd alone =
         FormSensitivity(cross, cross.unstressed_lengths(), cross.nodes()).apply(changes.head(4));
     EXPECT_LT((moves.head<3>() - alone).norm(), 1e-9 * alone.norm());
@@ -143,7 +140,7 @@ TEST(FormSensitivity, LeavesLooseNodesWhereTheyAre) {
 
 TEST(FormSensitivity, StaysFiniteWhereAnEdgeIsTautByRoundingAlone) {
     // A node that a single edge has pulled in until it was slack.
-    CableNetData data = testing::chain_data(2, 1.0, 0.0);
+    CableNetData data = test::chain_data(2, 1.0, 0.0);
     data.supports = {0};
     const CableNet net(std::move(data));
     const Eigen::Vector2d lengths(0.5 - 1e-16, 0.5 - 1e-16);
@@ -173,7 +170,7 @@ TEST(MostSensitiveEdges, AreThoseWithTheLargestColumnsInFallingOrder) {
 }
 
 TEST(FormSensitivity, RefusesWrongArguments) {
-    const CableNet net(testing::cross_data(0.02));
+    const CableNet net(test::cross_data(0.02));
     const Eigen::VectorXd lengths = net.unstressed_lengths();
     const auto refuses = [](const auto& call, const char* words) {
         EXPECT_THAT(call, ThrowsMessage<std::invalid_argument>(HasSubstr(words)));

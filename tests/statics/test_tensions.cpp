@@ -20,7 +20,7 @@ using ::testing::ThrowsMessage;
 
 /// The cross with its node moved by 0.25 m along x, l_0 = 0.8 m.
 struct MovedCross {
-    CableNet net{testing::cross_data(0.25)};
+    CableNet net{test::cross_data(0.25)};
     Points form = net.nodes();
 
     MovedCross() { form(0, 0) = 0.25; }
@@ -49,7 +49,7 @@ TEST(Tensions, AreStiffnessTimesStrainAndZeroInSlackEdges) {
 }
 
 TEST(Tensions, AreZeroInAnEdgeExactlyAsLongAsUnstressed) {
-    const CableNet net(testing::cross_data(0.0));
+    const CableNet net(test::cross_data(0.0));
     EXPECT_TRUE(tensions(net, net.unstressed_lengths(), net.nodes()).isZero(0.0));
     EXPECT_THAT(slack_edges(net, net.unstressed_lengths(), net.nodes()), ElementsAre(0, 1, 2, 3));
 }
@@ -60,9 +60,9 @@ TEST(SlackEdges, AreThoseShorterThanUnstressed) {
 }
 
 RC_GTEST_PROP(Tensions, AreNeverNegativeAndZeroInSlackEdgesAlone, ()) {
-    testing::Random random = testing::any_random();
-    const CableNet net = testing::random_net(random);
-    const Points form = testing::uniform_points(random, net.node_count(), 2.0);
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
+    const Points form = test::uniform_points(random, net.node_count(), 2.0);
     const Eigen::VectorXd result = tensions(net, net.unstressed_lengths(), form);
     std::vector<int> without_tension;
     for (int e = 0; e < net.edge_count(); ++e) {

@@ -6,7 +6,7 @@
 #include "taut/statics/energy.hpp"
 #include "taut/statics/tensions.hpp"
 
-namespace taut::testing {
+namespace taut::test {
 
 /// Largest norm of an out-of-balance force at a node [N].
 inline double largest_imbalance(const CableNet& net, const Eigen::VectorXd& lengths,
@@ -23,4 +23,4 @@ inline double mean_tension(const CableNet& net, const Eigen::VectorXd& lengths,
     return taut_count > 0 ? tension.sum() / static_cast<double>(taut_count) : 0.0;
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

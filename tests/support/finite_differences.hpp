@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace taut::testing {
+namespace taut::test {
 
 /// df/dx of a function f that gives a vector (size n) of a vector x (size m): n x m, by central
 /// differences of fourth order, (8 (f(x+h) - f(x-h)) - (f(x+2h) - f(x-2h))) / 12h.
@@ -28,4 +28,4 @@ Eigen::MatrixXd finite_differences(const Function& f, const Eigen::VectorXd& x, 
     return derivative;
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

@@ -15,7 +15,7 @@
 
 /// Random nets, lengths and forms. The same seed gives the same, so a seed that fails is a bug
 /// report.
-namespace taut::testing {
+namespace taut::test {
 
 using Random = std::mt19937_64;
 
@@ -99,4 +99,4 @@ inline CableNet random_net(Random& random, const RandomNetSettings& settings = {
     return CableNet(random_net_data(random, settings));
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

@@ -5,7 +5,7 @@
 #include "taut/net/cable_net.hpp"
 
 /// Small nets made by hand.
-namespace taut::testing {
+namespace taut::test {
 
 /// Two free nodes (0 and 3) between four supports, in an order that mixes them:
 ///
@@ -76,4 +76,4 @@ inline CableNetData chain_data(int edge_count, double span, double weight) {
     return data;
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

@@ -9,7 +9,7 @@
 #include "taut/study/study.hpp"
 
 /// Studies without the work of one.
-namespace taut::testing {
+namespace taut::test {
 
 /// A study of which no number agrees with another, made up without sampling or training.
 /// @param validation number of validation samples; as many were trained on
@@ -97,4 +97,4 @@ inline ResultFile made_up_comparison() {
         "compare.json");
 }
 
-}  // namespace taut::testing
+}  // namespace taut::test

@@ -15,7 +15,7 @@ namespace {
 
 using namespace taut;
 
-std::string refusal(const CableNet& net, const std::vector<SurveyPoint>& points) {
+std::string matching_refusal(const CableNet& net, const std::vector<SurveyPoint>& points) {
     try {
         (void)match_to_nodes(net, points);
     } catch (const SurveyError& error) {
@@ -103,7 +103,7 @@ TEST_F(UnnamedTargets, OfASurveyInAnotherFrameAreRefused) {
         point.id.clear();
         point.position += Eigen::Vector3d(100, 0, 0);
     }
-    EXPECT_EQ(refusal(m_net, m_points),
+    EXPECT_EQ(matching_refusal(m_net, m_points),
               "0 of 398 targets without a name lie on a node beyond doubt, expected at least half: "
               "is the survey of this net, in its frame and in metres?");
 }

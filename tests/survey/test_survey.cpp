@@ -50,7 +50,7 @@ CableNet named_net() {
 }
 
 /// The error with which points are refused; line -1 where they are not.
-SurveyError refusal(const CableNet& net, const std::vector<SurveyPoint>& points) {
+SurveyError survey_error(const CableNet& net, const std::vector<SurveyPoint>& points) {
     try {
         (void)match_to_nodes(net, points);
     } catch (const SurveyError& error) {
@@ -137,26 +137,28 @@ TEST_F(MatchToNodes, KnowsNodesByTheirNames) {
 
 TEST_F(MatchToNodes, DoesNotKnowNodesByTheirIndexWhereTheyHaveNames) {
     const CableNet net = named_net();
-    EXPECT_THAT(refusal(net, {{"0", net.nodes().col(0), 3}}).what(), HasSubstr("'0' is no node"));
+    EXPECT_THAT(survey_error(net, {{"0", net.nodes().col(0), 3}}).what(),
+                HasSubstr("'0' is no node"));
 }
 
 TEST_F(MatchToNodes, RefusesANameThatIsNoNodes) {
     m_points[7].id = "T1";
-    const SurveyError error = refusal(m_net, m_points);
+    const SurveyError error = survey_error(m_net, m_points);
     EXPECT_EQ(error.line(), 17);
     EXPECT_THAT(error.what(), AllOf(HasSubstr("'T1' is no node"), HasSubstr("hypar:3x4")));
 }
 
 TEST_F(MatchToNodes, RefusesIndicesThatAreNotWrittenAsTheNetWritesThem) {
     for (const std::string id : {"-1", "01", "1.0", " 1", "1 ", "+1", "29", "4294967296"}) {
-        EXPECT_EQ(refusal(m_net, {{id, m_net.nodes().col(1), 5}}).line(), 5) << "'" << id << "'";
+        EXPECT_EQ(survey_error(m_net, {{id, m_net.nodes().col(1), 5}}).line(), 5)
+            << "'" << id << "'";
     }
 }
 
 TEST_F(MatchToNodes, RefusesANameThatComesTwice) {
     m_points.push_back(at(m_free));
     m_points.back().line = 99;
-    const SurveyError error = refusal(m_net, m_points);
+    const SurveyError error = survey_error(m_net, m_points);
     EXPECT_EQ(error.line(), 99);
     EXPECT_THAT(error.what(),
                 AllOf(HasSubstr("'" + std::to_string(m_free) + "'"), HasSubstr("second time")));
@@ -164,7 +166,7 @@ TEST_F(MatchToNodes, RefusesANameThatComesTwice) {
 
 TEST_F(MatchToNodes, RefusesASupportThatComesTwice) {
     m_points.push_back(at(m_support));
-    EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("second time"));
+    EXPECT_THAT(survey_error(m_net, m_points).what(), HasSubstr("second time"));
 }
 
 TEST_F(MatchToNodes, RefusesPositionsThatAreNotFinite) {
@@ -174,7 +176,7 @@ TEST_F(MatchToNodes, RefusesPositionsThatAreNotFinite) {
         for (int axis = 0; axis < 3; ++axis) {
             std::vector<SurveyPoint> points = survey_of(m_net);
             points[static_cast<size_t>(m_free)].position(axis) = bad;
-            const SurveyError error = refusal(m_net, points);
+            const SurveyError error = survey_error(m_net, points);
             EXPECT_EQ(error.line(), 10 + m_free);
             EXPECT_THAT(error.what(), HasSubstr("not finite"));
         }
@@ -185,7 +187,7 @@ TEST_F(MatchToNodes, RefusesASurveyInMillimetres) {
     for (SurveyPoint& point : m_points) {
         point.position *= 1000.0;
     }
-    EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("in metres?"));
+    EXPECT_THAT(survey_error(m_net, m_points).what(), HasSubstr("in metres?"));
 }
 
 TEST_F(MatchToNodes, RefusesASurveyOfFreeNodesInMillimetres) {
@@ -194,15 +196,15 @@ TEST_F(MatchToNodes, RefusesASurveyOfFreeNodesInMillimetres) {
     for (SurveyPoint& point : m_points) {
         point.position *= 1000.0;
     }
-    EXPECT_THAT(refusal(m_net, m_points).what(), HasSubstr("in metres?"));
+    EXPECT_THAT(survey_error(m_net, m_points).what(), HasSubstr("in metres?"));
 }
 
 TEST_F(MatchToNodes, RefusesAFreeNodeFurtherAwayThanTheMeanEdgeIsLong) {
     const double limit = mean_edge_length(m_net);
     at(m_free).position = m_net.nodes().col(m_free) + Eigen::Vector3d(0.0, 0.0, 0.99 * limit);
-    EXPECT_EQ(refusal(m_net, m_points).line(), -1);
+    EXPECT_EQ(survey_error(m_net, m_points).line(), -1);
     at(m_free).position = m_net.nodes().col(m_free) + Eigen::Vector3d(0.0, 0.0, 1.01 * limit);
-    const SurveyError error = refusal(m_net, m_points);
+    const SurveyError error = survey_error(m_net, m_points);
     EXPECT_EQ(error.line(), 10 + m_free);
     EXPECT_THAT(error.what(), AllOf(HasSubstr("node '" + std::to_string(m_free) + "'"),
                                     HasSubstr("expected at most")));
@@ -211,9 +213,9 @@ TEST_F(MatchToNodes, RefusesAFreeNodeFurtherAwayThanTheMeanEdgeIsLong) {
 TEST_F(MatchToNodes, RefusesASupportThatMovedByATenthOfTheMeanEdgeLength) {
     const double limit = 0.1 * mean_edge_length(m_net);
     at(m_support).position = m_net.nodes().col(m_support) + Eigen::Vector3d(0.99 * limit, 0.0, 0.0);
-    EXPECT_EQ(refusal(m_net, m_points).line(), -1);
+    EXPECT_EQ(survey_error(m_net, m_points).line(), -1);
     at(m_support).position = m_net.nodes().col(m_support) + Eigen::Vector3d(1.01 * limit, 0.0, 0.0);
-    const SurveyError error = refusal(m_net, m_points);
+    const SurveyError error = survey_error(m_net, m_points);
     EXPECT_EQ(error.line(), 10 + m_support);
     EXPECT_THAT(error.what(), AllOf(HasSubstr("support '" + std::to_string(m_support) + "'"),
                                     HasSubstr("in its frame")));

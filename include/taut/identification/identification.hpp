@@ -32,6 +32,10 @@ inline constexpr double half_interval_95 = 1.959963984540054;
 /// name stand far above any threshold.
 inline constexpr double default_false_alarm_rate = 0.001;
 
+/// An edge is unobserved when its standard deviation exceeds this part of that of the law of its
+/// length: two Gaussian processes trained on other samples differ by as much.
+inline constexpr double unobserved_ratio = 0.95;
+
 /// How an identification ended.
 enum class IdentificationStatus {
     converged,

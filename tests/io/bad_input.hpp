@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace taut::test {
+
+/// A text that is no good, and how it is refused.
+struct BadText {
+    const char* name;
+    std::string text;
+    std::string message;
+};
+
+/// A change of one value of a good document: at a JSON pointer, what to put there.
+struct BadValue {
+    const char* name;
+    const char* at;
+    const char* value;  ///< JSON, or empty to remove the key
+    const char* message;
+};
+
+}  // namespace taut::test

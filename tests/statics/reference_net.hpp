@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+/// Nets with the numbers of other programs, in tests/data.
+namespace taut::test {
+
+using Json = nlohmann::json;
+
+/// @throws std::runtime_error where the file has no such net
+inline Json reference_net(const std::string& file, const std::string& name) {
+    std::ifstream stream(TAUT_TEST_DATA_DIR "/" + file);
+    const Json reference = Json::parse(stream);
+    for (const Json& net : reference.at("nets")) {
+        if (net.at("name") == name) {
+            return net;
+        }
+    }
+    throw std::runtime_error(name + " is not in " + file);
+}
+
+inline Points points_of(const Json& json) {
+    Points result(3, static_cast<Eigen::Index>(json.size()));
+    for (size_t i = 0; i < json.size(); ++i) {
+        const auto point = json.at(i).get<std::vector<double>>();
+        result.col(static_cast<Eigen::Index>(i)) << point.at(0), point.at(1), point.at(2);
+    }
+    return result;
+}
+
+inline Eigen::VectorXd vector_of(const Json& json) {
+    const auto values = json.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
+}  // namespace taut::test
