@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "interruption.hpp"
 #include "net_summary.hpp"
+#include "output_directory.hpp"
 #include "paper_table.hpp"
 #include "progress.hpp"
 #include "run_record.hpp"
@@ -42,9 +43,7 @@ NetFile net_of(const Options& options) {
 /// where a data set and a model would stay behind that are not of the new study.
 void check_directory(const Options& options) {
     const std::filesystem::path directory(options.directory);
-    if (directory.empty()) {
-        throw std::invalid_argument("the output directory has no name");
-    }
+    check_output_directory(directory);
     for (const char* name : {"data.h5", "model.h5"}) {
         if (!options.keep && std::filesystem::exists(directory / name)) {
             throw InputError((directory / name).string(), "",
@@ -52,11 +51,6 @@ void check_directory(const Options& options) {
                              "directory");
         }
     }
-    std::filesystem::path first_new = std::filesystem::absolute(directory) / "results.json";
-    while (!std::filesystem::exists(first_new.parent_path())) {
-        first_new = first_new.parent_path();
-    }
-    AtomicFile{first_new};
 }
 
 void run(Options options) {

@@ -25,7 +25,7 @@ std::string edges_csv(const Study& study, const Eigen::MatrixXd& truth) {
                        csv_field(net.node_id(t)), net.unstressed_lengths()(edge), truth(i, 0),
                        study.estimates.mean(i, 0), study.estimates.std(i, 0),
                        truth(i, 0) - study.estimates.mean(i, 0),
-                       study.gp_as_in_paper.errors.mean(i), study.gp_as_in_paper.errors.std(i));
+                       study.as_in_paper().errors.mean(i), study.as_in_paper().errors.std(i));
     }
     return csv;
 }

@@ -60,7 +60,7 @@ TEST_F(Reproduce, TellsTheNumbersOfTheStudy) {
         hypar(3, 4),
         {.samples = 50, .validation = 8, .law = parse_length_law("uniform:3mm"), .seed = 5});
     const json& method = results["methods"]["gp_as_in_paper"];
-    const LengthErrors& errors = study.gp_as_in_paper.errors;
+    const LengthErrors& errors = study.as_in_paper().errors;
     EXPECT_DOUBLE_EQ(method["mse"], errors.mse);
     EXPECT_DOUBLE_EQ(method["mrse"], errors.mrse);
     EXPECT_DOUBLE_EQ(method["error_mean_max_abs"], errors.mean_max_abs());

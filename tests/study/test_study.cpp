@@ -61,8 +61,8 @@ TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
 
 TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
     const LengthErrors expected = length_errors(truth(), m_study.estimates.mean);
-    const LengthErrors& errors = m_study.gp_as_in_paper.errors;
-    EXPECT_EQ(m_study.gp_as_in_paper.name, "gp_as_in_paper");
+    const LengthErrors& errors = m_study.as_in_paper().errors;
+    EXPECT_EQ(m_study.as_in_paper().name, "gp_as_in_paper");
     EXPECT_EQ(errors.mse, expected.mse);
     EXPECT_EQ(errors.mrse, expected.mrse);
     EXPECT_EQ(errors.mean, expected.mean);
@@ -82,9 +82,9 @@ TEST_F(SmallStudy, CountsHowManyLengthsLieInTheirInterval) {
                 std::abs(true_deviations(i, k) - m_study.estimates.mean(i, k)) <= half ? 1 : 0;
         }
     }
-    EXPECT_DOUBLE_EQ(m_study.gp_as_in_paper.coverage,
+    EXPECT_DOUBLE_EQ(m_study.as_in_paper().coverage,
                      inside / static_cast<double>(true_deviations.size()));
-    EXPECT_GT(m_study.gp_as_in_paper.coverage, 0.85);
+    EXPECT_GT(m_study.as_in_paper().coverage, 0.85);
 }
 
 TEST_F(SmallStudy, TellsTheNominalFormErrorOfTheFirstValidationSample) {
@@ -141,14 +141,14 @@ TEST_F(SmallStudy, TellsTheMeanFormErrorsOfAllValidationSamples) {
         EXPECT_NEAR(a.mean, b.mean, 1e-10);
         EXPECT_NEAR(a.rmse, b.rmse, 1e-10);
     };
-    EXPECT_EQ(m_study.forms_not_converged, 0);
+    EXPECT_EQ(m_study.as_in_paper().forms_not_converged, 0);
     expect_near(m_study.mean_form_errors.nominal, mean.nominal);
     expect_near(m_study.mean_form_errors.identified, mean.identified);
 }
 
 TEST_F(SmallStudy, GivesTheSameNumbersForTheSameSeed) {
     const Study again = run_study(m_net, small);
-    EXPECT_EQ(again.gp_as_in_paper.errors.mse, m_study.gp_as_in_paper.errors.mse);
+    EXPECT_EQ(again.as_in_paper().errors.mse, m_study.as_in_paper().errors.mse);
     EXPECT_EQ(again.estimates.mean, m_study.estimates.mean);
     EXPECT_EQ(again.identified_form_error, m_study.identified_form_error);
 }
@@ -156,8 +156,8 @@ TEST_F(SmallStudy, GivesTheSameNumbersForTheSameSeed) {
 TEST_F(SmallStudy, GivesOtherNumbersForAnotherSeed) {
     StudySettings settings = small;
     settings.seed = 4;
-    EXPECT_NE(run_study(m_net, settings).gp_as_in_paper.errors.mse,
-              m_study.gp_as_in_paper.errors.mse);
+    EXPECT_NE(run_study(m_net, settings).as_in_paper().errors.mse,
+              m_study.as_in_paper().errors.mse);
 }
 
 TEST_F(SmallStudy, TellsHowLongItsStagesTook) {
@@ -172,7 +172,7 @@ TEST(Study, IdentifiesTheBuiltInNetBetterThanItsDesign) {
     const Study study = run_study(hilo_quarter(), {.samples = 200, .validation = 10});
     EXPECT_LT(study.form_errors.identified.mean, study.form_errors.nominal.mean);
     EXPECT_LT(study.mean_form_errors.identified.mean, study.mean_form_errors.nominal.mean);
-    EXPECT_LT(study.gp_as_in_paper.errors.mrse, 1.0) << "no better than no identification";
+    EXPECT_LT(study.as_in_paper().errors.mrse, 1.0) << "no better than no identification";
 }
 
 TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "output_directory.hpp"
+
+#include <stdexcept>
+
+#include "taut/io/file.hpp"
+
+namespace taut::app {
+
+void check_output_directory(const std::filesystem::path& directory) {
+    if (directory.empty()) {
+        throw std::invalid_argument("the output directory has no name");
+    }
+    std::filesystem::path first_new = std::filesystem::absolute(directory) / "results.json";
+    while (!std::filesystem::exists(first_new.parent_path())) {
+        first_new = first_new.parent_path();
+    }
+    AtomicFile{first_new};
+}
+
+}  // namespace taut::app
