@@ -38,14 +38,13 @@ std::string line(const std::string& place, const ComparisonRow& row) {
                                    ? fmt::format("{:.2f}", r.errors.mse / row.best_possible->mse)
                                    : std::string("-");
         const bool has_form = r.forms_not_converged < r.identified();
-        text = fmt::format(
-            row_format, place, r.name, fmt::format("{:.3g}", r.errors.mse),
-            fmt::format("{:.3g}", 1e3 * std::sqrt(r.errors.mse)), over_best,
-            fmt::format("{:.3g}", 100.0 * r.errors.mrse),
-            has_form ? fmt::format("{:.2g}", 1e3 * r.form_error.mean) : "-",
-            fmt::format("{:.1f}", 100.0 * r.coverage),
-            row.training_samples ? fmt::format("{:.2f}", r.training_seconds) : "-",
-            fmt::format("{:.0f}", 1e3 * r.seconds));
+        text = fmt::format(row_format, place, r.name, fmt::format("{:.3g}", r.errors.mse),
+                           fmt::format("{:.3g}", 1e3 * std::sqrt(r.errors.mse)), over_best,
+                           fmt::format("{:.3g}", 100.0 * r.errors.mrse),
+                           has_form ? fmt::format("{:.2g}", 1e3 * r.form_error.mean) : "-",
+                           fmt::format("{:.1f}", 100.0 * r.coverage),
+                           row.training_samples ? fmt::format("{:.2f}", r.training_seconds) : "-",
+                           fmt::format("{:.0f}", 1e3 * r.seconds));
     }
     if (r.failed == r.surveys) {
         text += fmt::format("  {:>8}  {:<15}{}\n", place, r.name, r.first_failure);
@@ -54,9 +53,10 @@ std::string line(const std::string& place, const ComparisonRow& row) {
                             "", r.failed, r.surveys, r.first_failure);
     }
     if (r.forms_not_converged > 0) {
-        text += fmt::format("  {:>8}  {:<15}{} predicted forms out of balance, not in its form "
-                            "error\n",
-                            "", "", r.forms_not_converged);
+        text += fmt::format(
+            "  {:>8}  {:<15}{} predicted forms out of balance, not in its form "
+            "error\n",
+            "", "", r.forms_not_converged);
     }
     return text;
 }
@@ -113,8 +113,8 @@ std::string comparison_table(const Comparison& comparison) {
             },
             [](const ComparisonRow& row) { return *row.training_samples; });
         if (!rows.empty() && settings.training_samples.size() > 1) {
-            text += fmt::format("\nOver the training samples, noise {:.4g} mm\n{}", 1e3 * noise,
-                                rows);
+            text +=
+                fmt::format("\nOver the training samples, noise {:.4g} mm\n{}", 1e3 * noise, rows);
         }
     }
     const std::string hidden = table(

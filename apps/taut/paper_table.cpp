@@ -24,14 +24,13 @@ std::string method_line(const MethodResult& method) {
         return fmt::format("  {:<15}failed: {}\n", method.name, method.first_failure);
     }
     const LengthErrors& errors = method.errors;
-    std::string text = fmt::format(
-        method_format, method.name, fmt::format("{:.2g}", errors.mse),
-        fmt::format("{:.2g}", 100.0 * errors.mrse),
-        fmt::format("{:.2g}", 1e3 * errors.mean_max_abs()),
-        fmt::format("{:.2g}", 1e3 * errors.std_mean()),
-        fmt::format("{:.1f}", 100.0 * method.coverage),
-        fmt::format("{:.3g}", 1e3 * method.form_error.mean),
-        fmt::format("{:.0f}", 1e3 * method.seconds));
+    std::string text = fmt::format(method_format, method.name, fmt::format("{:.2g}", errors.mse),
+                                   fmt::format("{:.2g}", 100.0 * errors.mrse),
+                                   fmt::format("{:.2g}", 1e3 * errors.mean_max_abs()),
+                                   fmt::format("{:.2g}", 1e3 * errors.std_mean()),
+                                   fmt::format("{:.1f}", 100.0 * method.coverage),
+                                   fmt::format("{:.3g}", 1e3 * method.form_error.mean),
+                                   fmt::format("{:.0f}", 1e3 * method.seconds));
     if (method.failed > 0) {
         text += fmt::format("  {:<15}failed on {} of {} samples, left out above: {}\n", "",
                             method.failed, method.surveys, method.first_failure);
@@ -83,7 +82,9 @@ std::string paper_table(const Study& study) {
     line("min", &FormErrorSummary::min);
     line("mean", &FormErrorSummary::mean);
     line("RMSE", &FormErrorSummary::rmse);
-    text += "  here: gp_as_in_paper, the first validation sample, as in the paper; mean: over all of them\n";
+    text +=
+        "  here: gp_as_in_paper, the first validation sample, as in the paper; mean: over all of "
+        "them\n";
     text += fmt::format("  identified / nominal, means: paper {:.3f}, here {:.3f}\n",
                         paper.form_errors.identified.mean / paper.form_errors.nominal.mean,
                         study.form_errors.identified.mean / study.form_errors.nominal.mean);

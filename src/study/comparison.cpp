@@ -48,9 +48,8 @@ std::vector<Cell> cells_of(const ComparisonSettings& settings) {
     }
     for (const double hidden : settings.hidden_parts) {
         if (hidden > 0.0) {
-            cells.push_back(
-                {.kind = {.noise_std = settings.common_noise(), .hidden_part = hidden},
-                 .training_samples = training});
+            cells.push_back({.kind = {.noise_std = settings.common_noise(), .hidden_part = hidden},
+                             .training_samples = training});
         }
     }
     return cells;
@@ -128,9 +127,8 @@ private:
 
     [[nodiscard]] std::vector<ComparisonRow> rows_of(const Cell& cell,
                                                      const std::vector<Method>& methods) {
-        const std::vector<Trial> trials =
-            simulate_trials(m_comparison.net, m_data, m_surveyed, cell.kind,
-                            m_comparison.settings.seed);
+        const std::vector<Trial> trials = simulate_trials(m_comparison.net, m_data, m_surveyed,
+                                                          cell.kind, m_comparison.settings.seed);
         const std::optional<BestPossible> best =
             cell.kind == SurveyKind{}
                 ? std::nullopt
@@ -196,16 +194,16 @@ int ComparisonSettings::common_training() const {
 double ComparisonSettings::common_noise() const {
     constexpr double of_a_total_station = 0.5e-3;
     constexpr double rounding = 1e-9;
-    const auto found = std::ranges::find_if(noises, [](double noise) {
-        return std::abs(noise - of_a_total_station) < rounding;
-    });
+    const auto found = std::ranges::find_if(
+        noises, [](double noise) { return std::abs(noise - of_a_total_station) < rounding; });
     return found != noises.end() ? *found : std::ranges::max(noises);
 }
 
 void ComparisonSettings::check() const {
     if (noises.empty() || training_samples.empty()) {
-        throw std::invalid_argument("no noise or no number of training samples, expected at least "
-                                    "one of both");
+        throw std::invalid_argument(
+            "no noise or no number of training samples, expected at least "
+            "one of both");
     }
     for (const double noise : noises) {
         if (!(noise >= 0.0) || !std::isfinite(noise)) {

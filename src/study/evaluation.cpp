@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <exception>
+#include <new>
 #include <stdexcept>
 
 #include "study/stopwatch.hpp"
@@ -29,9 +31,9 @@ Outcome attempt(const Method& method, const Survey& survey) {
             outcome.failure = to_string(outcome.identification->status);
             outcome.identification.reset();
         }
-    } catch (const std::invalid_argument& error) {
-        outcome.failure = error.what();
-    } catch (const std::runtime_error& error) {
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
         outcome.failure = error.what();
     }
     outcome.seconds = stopwatch.seconds();
@@ -141,9 +143,8 @@ std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& 
     try {
         tbb::parallel_for(Eigen::Index{0}, variances.cols(), [&](Eigen::Index k) {
             const Trial& trial = trials[static_cast<size_t>(k)];
-            variances.col(k) =
-                best_possible_variances(net, with_length_deviations(net, trial.deviations),
-                                        trial.form, trial.survey, law);
+            variances.col(k) = best_possible_variances(
+                net, with_length_deviations(net, trial.deviations), trial.form, trial.survey, law);
         });
     } catch (const std::runtime_error&) {
         return std::nullopt;
@@ -158,7 +159,8 @@ std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& 
             }
         }
     }
-    return BestPossible{.mse = variances.mean(), .mse_of_taut = taut > 0 ? sum_of_taut / taut : 0.0};
+    return BestPossible{.mse = variances.mean(),
+                        .mse_of_taut = taut > 0 ? sum_of_taut / taut : 0.0};
 }
 
 }  // namespace taut

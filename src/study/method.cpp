@@ -51,11 +51,10 @@ Method method_by_processes(const CableNet& net, const LengthModel& model) {
 }
 
 Method method_by_force_balance(const CableNet& net, const LengthLaw& law) {
-    return {.name = "balance",
-            .needs_all_nodes = true,
-            .identify = [&net, law](const Survey& survey) {
-                return identify_by_force_balance(net, survey, law);
-            }};
+    return {
+        .name = "balance", .needs_all_nodes = true, .identify = [&net, law](const Survey& survey) {
+            return identify_by_force_balance(net, survey, law);
+        }};
 }
 
 Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law) {

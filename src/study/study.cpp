@@ -55,8 +55,8 @@ void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vec
     for (size_t k = 0; k < trials.size(); ++k) {
         if (evaluation.identifications[k]->predicted.balanced()) {
             add_to_mean(study.mean_form_errors.nominal,
-                     summarise(node_distances(free_coordinates(net, trials[k].form), nominal)),
-                     result.surveys - result.forms_not_converged);
+                        summarise(node_distances(free_coordinates(net, trials[k].form), nominal)),
+                        result.surveys - result.forms_not_converged);
         }
     }
 }

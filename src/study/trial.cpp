@@ -23,8 +23,7 @@ std::vector<SurveyPoint> without_supports(std::vector<SurveyPoint> points, const
 
 std::vector<bool> slack_interior_edges(const CableNet& net, const Eigen::VectorXd& deviations,
                                        const Points& form) {
-    const std::vector<int> slack =
-        slack_edges(net, with_length_deviations(net, deviations), form);
+    const std::vector<int> slack = slack_edges(net, with_length_deviations(net, deviations), form);
     std::vector<bool> result;
     for (const int edge : net.interior_edges()) {
         result.push_back(std::ranges::find(slack, edge) != slack.end());

@@ -55,8 +55,9 @@ TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
     const LengthModel model = train(m_study.data, m_study.data.converged_in(0, 48));
     const Eigen::MatrixXd validation = m_study.data.form_deviations.rightCols(12);
     const LengthEstimates estimates = estimate_lengths(model, validation);
-    EXPECT_EQ(m_study.estimates.mean, estimates.mean);
-    EXPECT_EQ(m_study.estimates.std, estimates.std);
+    // One form at a time or all at once: sums of the BLAS in another order.
+    EXPECT_LT((m_study.estimates.mean - estimates.mean).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((m_study.estimates.std - estimates.std).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
@@ -70,6 +71,18 @@ TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
     // It learnt something: guessing zero throughout has the relative error one.
     EXPECT_LT(errors.mrse, 0.1);
     EXPECT_GT(errors.mrse, 0.0);
+}
+
+TEST_F(SmallStudy, TriesEveryWayOnTheSameSamples) {
+    std::vector<std::string> names;
+    for (const MethodResult& method : m_study.methods) {
+        names.push_back(method.name);
+        EXPECT_EQ(method.surveys, 12);
+        EXPECT_EQ(method.failed, 0) << method.first_failure;
+    }
+    EXPECT_THAT(names, testing::ElementsAre("gp_as_in_paper", "gp", "balance", "map"));
+    EXPECT_LT(m_study.methods[2].mse_of_taut, 1e-20);
+    EXPECT_LT(m_study.methods[3].mse_of_taut, 1e-14);
 }
 
 TEST_F(SmallStudy, CountsHowManyLengthsLieInTheirInterval) {
@@ -178,6 +191,7 @@ TEST(Study, IdentifiesTheBuiltInNetBetterThanItsDesign) {
 TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
     std::vector<std::string> stages;
     int last_done = -1;
+    int last_total = 0;
     const auto progress = [&](std::string_view stage, int done, int total) {
         if (stages.empty() || stages.back() != stage) {
             stages.emplace_back(stage);
@@ -187,10 +201,11 @@ TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
         EXPECT_LE(done, total) << stage;
         EXPECT_EQ(stage != "sampling" || total == 60, true);
         last_done = done;
+        last_total = total;
     };
     (void)run_study(hypar(4, 5), small, progress);
     EXPECT_THAT(stages, testing::ElementsAre("sampling", "training", "identification"));
-    EXPECT_EQ(last_done, 1);
+    EXPECT_EQ(last_done, last_total);
 }
 
 class StoppedIn : public testing::TestWithParam<std::string> {};

@@ -16,7 +16,8 @@ namespace taut {
 
 /// Over what the ways of identification are compared. Not over all combinations, but along three
 /// axes: noise, at common_training() samples; training samples, without noise (if that is one of
-/// the noises) and at common_noise(); hidden nodes, at both common ones. Only the third hides nodes.
+/// the noises) and at common_noise(); hidden nodes, at both common ones. Only the third hides
+/// nodes.
 struct ComparisonSettings {
     std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
     std::vector<int> training_samples{100, 200, 500, 950, 2000};

@@ -26,8 +26,9 @@ struct MethodResult {
     /// The same as errors.mse, over the edges that carry tension in the true form: no form shows
     /// the length of a slack one [m2].
     double mse_of_taut = 0.0;
-    double coverage = 0.0;       ///< part of the true length deviations inside their 95 % interval
-    FormErrorSummary form_error;  ///< of the predicted form: each number's mean over the surveys [m]
+    double coverage = 0.0;  ///< part of the true length deviations inside their 95 % interval
+    FormErrorSummary
+        form_error;  ///< of the predicted form: each number's mean over the surveys [m]
     int forms_not_converged = 0;  ///< identified, but left out of form_error: not in balance
 
     double training_seconds = 0.0;
