@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "command.hpp"
 
+#include <algorithm>
 #include <charconv>
-#include <filesystem>
 
 #include "taut/io/file.hpp"
 
@@ -20,14 +20,38 @@ CLI::App& add_command(CLI::App& program, const std::string& name, const std::str
     return command;
 }
 
-void check_output(const std::string& output, const std::vector<std::string>& inputs) {
-    for (const std::string& input : inputs) {
-        std::error_code error;
-        if (std::filesystem::equivalent(input, output, error)) {
-            throw OutputError(output, "is an input of this command, expected another file");
+void add_output_option(CLI::App& command, std::string& output, const std::string& description) {
+    command.add_option("-o,--output", output, description)
+        ->required()
+        ->check([](const std::string& name) { return name.empty() ? "has no file name" : ""; });
+}
+
+void refuse_overwriting(const std::vector<std::string>& outputs,
+                        const std::vector<std::string>& inputs) {
+    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+        const auto is_output = [&](const std::string& other) {
+            return !other.empty() && is_same_file(other, *output);
+        };
+        if (output->empty()) {
+            continue;
+        }
+        if (std::ranges::any_of(inputs, is_output)) {
+            throw OutputError(*output, "is an input of this command, expected another file");
+        }
+        if (std::any_of(outputs.begin(), output, is_output)) {
+            throw OutputError(*output, "is to be written twice, expected two files");
         }
     }
-    AtomicFile{output};
+}
+
+void check_outputs(const std::vector<std::string>& outputs,
+                   const std::vector<std::string>& inputs) {
+    refuse_overwriting(outputs, inputs);
+    for (const std::string& output : outputs) {
+        if (!output.empty()) {
+            AtomicFile{output};
+        }
+    }
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {

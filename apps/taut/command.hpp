@@ -36,9 +36,18 @@ struct CommonOptions {
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description,
                       const std::string& example, CommonOptions& options);
 
-/// Fails before the work, not after it, where an output cannot be written or is one of the inputs.
+/// -o, --output of a command that always writes a file.
+void add_output_option(CLI::App& command, std::string& output, const std::string& description);
+
+/// Fails where an output is one of the inputs, or another output. Empty names are options that were
+/// not given.
 /// @throws OutputError
-void check_output(const std::string& output, const std::vector<std::string>& inputs);
+void refuse_overwriting(const std::vector<std::string>& outputs,
+                        const std::vector<std::string>& inputs);
+
+/// The same, and where an output cannot be written: before the work, not after it.
+/// @throws OutputError
+void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 /// --seed: a whole number from 0 to 2^64 - 1.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);

@@ -101,7 +101,8 @@ void run(Options options) {
     parse(options);
     const CableNet net = read_net(options.net).net;
     const std::filesystem::path directory(options.directory);
-    check_output_directory(directory);
+    check_output_directory(directory, {"comparison.json", "comparison.csv", "report.html"},
+                           {options.net});
 
     const std::stop_token stop = Interruption::stop_token();
     const Comparison comparison = [&] {

@@ -19,6 +19,7 @@ struct Options : CommonOptions {
 void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = builtin_net(options.name);
+    check_outputs({options.output}, {});
     write_file(options.output, net_to_json(net));
     if (options.json) {
         fmt::print("{}\n", to_text(counts_json(net)));
@@ -39,7 +40,7 @@ void add_example(CLI::App& program) {
         .add_option("NAME", options->name,
                     "hilo-quarter, or hypar:RxC with R rows and C columns of free nodes (1 to 300)")
         ->required();
-    command.add_option("-o,--output", options->output, "Net file to write")->required();
+    add_output_option(command, options->output, "Net file to write");
     command.callback([options] { run(*options); });
 }
 

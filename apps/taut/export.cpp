@@ -4,17 +4,15 @@
 
 #include "command.hpp"
 #include "net_summary.hpp"
+#include "survey_input.hpp"
 #include "taut/io/compas_json.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/form_vtk.hpp"
-#include "taut/io/input_error.hpp"
 #include "taut/io/net_csv.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/obj.hpp"
-#include "taut/io/survey_csv.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
-#include "taut/survey/survey.hpp"
 
 namespace taut::app {
 namespace {
@@ -26,25 +24,6 @@ struct Options : CommonOptions {
     std::string output;
 };
 
-/// A form that holds every free node of the net.
-Points read_form(const CableNet& net, const std::string& path) {
-    const Survey survey = [&] {
-        try {
-            return match_to_nodes(net, read_survey_points(path));
-        } catch (const SurveyError& error) {
-            throw InputError(path, error.line() > 0 ? std::to_string(error.line()) : "",
-                             error.what());
-        }
-    }();
-    if (!survey.missing.empty()) {
-        throw InputError(
-            path, "",
-            fmt::format("lacks {} of {} free nodes, node {} among them", survey.missing.size(),
-                        net.free_node_count(), net.node_id(survey.missing.front())));
-    }
-    return survey.form;
-}
-
 Points equilibrium_form(const CableNet& net, const std::string& path) {
     Equilibrium equilibrium = solve_equilibrium(net);
     if (!equilibrium.balanced()) {
@@ -54,31 +33,38 @@ Points equilibrium_form(const CableNet& net, const std::string& path) {
     return std::move(equilibrium.form);
 }
 
-/// Writes the files of the format, and gives their names.
-std::vector<std::string> write(const Options& options, const CableNet& net, const Points& form) {
-    if (options.format == "csv") {
-        const std::filesystem::path nodes = options.output;
-        std::filesystem::path edges = nodes;
-        edges.replace_filename(nodes.stem().string() + "_edges" + nodes.extension().string());
-        const NetCsv csv = form_to_net_csv(net, form);
-        const std::filesystem::path folder = nodes.parent_path();
-        write_files(folder.empty() ? "." : folder, {{nodes.filename().string(), csv.nodes},
-                                                    {edges.filename().string(), csv.edges}});
-        return {nodes.string(), edges.string()};
+/// The files that the format takes.
+std::vector<std::string> output_files(const Options& options) {
+    if (options.format != "csv") {
+        return {options.output};
     }
-    write_file(options.output, options.format == "compas" ? form_to_compas(net, form)
-                               : options.format == "obj"  ? form_to_obj(net, form)
-                                                          : form_to_vtk(net, form));
-    return {options.output};
+    const std::filesystem::path nodes = options.output;
+    std::filesystem::path edges = nodes;
+    edges.replace_filename(nodes.stem().string() + "_edges" + nodes.extension().string());
+    return {nodes.string(), edges.string()};
+}
+
+void write(const std::vector<std::string>& files, const std::string& format, const CableNet& net,
+           const Points& form) {
+    if (format == "csv") {
+        NetCsv csv = form_to_net_csv(net, form);
+        write_files({{files[0], std::move(csv.nodes)}, {files[1], std::move(csv.edges)}});
+    } else {
+        write_file(files[0], format == "compas" ? form_to_compas(net, form)
+                             : format == "obj"  ? form_to_obj(net, form)
+                                                : form_to_vtk(net, form));
+    }
 }
 
 void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
+    const std::vector<std::string> files = output_files(options);
+    check_outputs(files, {options.net, options.form});
     const bool is_given = !options.form.empty();
     const Points form =
         is_given ? read_form(net, options.form) : equilibrium_form(net, options.net);
-    const std::vector<std::string> files = write(options, net, form);
+    write(files, options.format, net, form);
     const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
     if (options.json) {
         const nlohmann::ordered_json document{
@@ -111,7 +97,7 @@ void add_export(CLI::App& program) {
     command.add_option("--to", options->format, "Format; csv writes a second file, ..._edges")
         ->required()
         ->check(CLI::IsMember({"compas", "obj", "csv", "vtk"}));
-    command.add_option("-o,--output", options->output, "File to write")->required();
+    add_output_option(command, options->output, "File to write");
     command.callback([options] { run(*options); });
 }
 

@@ -6,8 +6,10 @@
 #include "net_summary.hpp"
 #include "taut/io/file.hpp"
 #include "taut/io/form_csv.hpp"
+#include "taut/io/input_error.hpp"
+#include "taut/io/lengths_csv.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/sampling/data_set.hpp"
+#include "taut/sampling/built_net.hpp"
 #include "taut/statics/cone_program.hpp"
 #include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -26,23 +28,17 @@ struct Options : CommonOptions {
     std::string lengths;
 };
 
-/// The net as it might be built: its lengths drawn from a law. No sample of a data set is drawn so.
-CableNet built_net(const CableNet& net, const Options& options) {
-    constexpr std::uint64_t beyond_all_samples = std::uint64_t{1} << 63U;
-    CableNetData data = net.data();
-    data.unstressed_lengths = with_length_deviations(
-        net, draw_length_deviations(parse_length_law(options.law), options.seed, beyond_all_samples,
-                                    net.interior_edge_count()));
-    return CableNet(std::move(data));
-}
-
-std::string lengths_csv(const CableNet& nominal, const CableNet& net) {
-    std::string csv = "edge,nominal,length_deviation\n";
-    for (const int edge : net.interior_edges()) {
-        const double length = nominal.unstressed_lengths()(edge);
-        csv += fmt::format("{},{},{}\n", edge, length, net.unstressed_lengths()(edge) - length);
+/// The net as designed, or as it might be built under the law.
+CableNet net_of(const Options& options, const CableNet& nominal) {
+    if (options.law.empty()) {
+        return nominal;
     }
-    return csv;
+    const LengthLaw law = parse_length_law(options.law);
+    try {
+        return built_net(nominal, law, options.seed);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(options.net, "", error.what());
+    }
 }
 
 /// What either solver found.
@@ -137,20 +133,18 @@ nlohmann::ordered_json to_json(const Options& options, const CableNet& net, cons
 void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet nominal = read_net(options.net).net;
-    const CableNet net = options.law.empty() ? nominal : built_net(nominal, options);
-    for (const std::string& output : {options.output, options.lengths}) {
-        if (!output.empty()) {
-            check_output(output, {options.net});
-        }
-    }
+    const CableNet net = net_of(options, nominal);
+    check_outputs({options.output, options.lengths}, {options.net});
     const Found found = options.solver == "socp" ? find_by_cone_program(options, net)
                                                  : find_by_newton(options, net);
+    std::vector<std::pair<std::filesystem::path, std::string>> files;
     if (!options.output.empty()) {
-        write_file(options.output, form_to_csv(net, found.form));
+        files.emplace_back(options.output, form_to_csv(net, found.form));
     }
     if (!options.lengths.empty()) {
-        write_file(options.lengths, lengths_csv(nominal, net));
+        files.emplace_back(options.lengths, lengths_to_csv(nominal, net));
     }
+    write_files(files);
     const double move = (found.form - net.nodes()).colwise().norm().maxCoeff();
     if (options.json) {
         fmt::print("{}\n", to_text(to_json(options, net, found, move)));
@@ -159,8 +153,8 @@ void run(const Options& options) {
     fmt::print("{}\n{}\n{}\n", counts_text(net), found.text, certificate_text(found.certificate));
     fmt::print("largest move of a node from its nominal place: {:.4g} mm\nslack edges: {}\n",
                1e3 * move, edges_text(net, found.slack_edges));
-    if (!options.output.empty()) {
-        fmt::print("written to {}\n", options.output);
+    for (const auto& [file, content] : files) {
+        fmt::print("written to {}\n", file.string());
     }
 }
 

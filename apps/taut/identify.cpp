@@ -47,7 +47,7 @@ struct Choice {
 
 /// The method that was asked for, or the one that suits what is there.
 Choice choose_method(const Options& options, const CableNet& net, const Survey& survey) {
-    const bool is_noisy = survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() > 0.0;
+    const bool has_noise = is_noisy(survey);
     const bool has_hidden = !survey.missing.empty();
     Choice choice{.method = options.method, .reason = "asked for by --method"};
     if (choice.method.empty() && !options.model.empty()) {
@@ -55,21 +55,17 @@ Choice choose_method(const Options& options, const CableNet& net, const Survey& 
     } else if (choice.method.empty() && has_hidden) {
         choice = {.method = "map",
                   .reason = fmt::format("{} free nodes were not surveyed", survey.missing.size())};
-    } else if (choice.method.empty() && is_noisy) {
+    } else if (choice.method.empty() && has_noise) {
         choice = {.method = "map", .reason = "the survey has noise"};
     } else if (choice.method.empty()) {
         choice = {.method = "balance",
                   .reason = "all free nodes were surveyed, and no noise is told"};
     }
-    if (has_hidden && (choice.method != "map" || !is_noisy)) {
-        const std::string expected =
-            choice.method != "map" ? fmt::format("all for --method {}", choice.method)
-                                   : "all, or their noise (--noise, or sx, sy, sz in the file)";
-        throw InputError(
-            options.survey, "",
-            fmt::format("holds {} of {} free nodes, expected {}: node '{}' is the first missing",
-                        survey.surveyed.size(), net.free_node_count(), expected,
-                        net.node_id(survey.missing.front())));
+    if (has_hidden && (choice.method != "map" || !has_noise)) {
+        const std::string expected = choice.method != "map"
+                                         ? fmt::format("all for --method {}", choice.method)
+                                         : all_or_their_noise;
+        refuse_hidden_nodes(net, survey, options.survey, expected);
     }
     return choice;
 }
@@ -124,7 +120,7 @@ Outcome identify(const Options& options, const CableNet& net, const Survey& surv
                 "Gaussian processes trained on {} samples of {}{}", model.training_count(),
                 model.law.to_string(),
                 options.model.empty() ? " (no --model was given, so they were drawn now)" : "") +
-                (survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() > 0.0
+                (is_noisy(survey)
                      ? "\n  they take the survey for exact: its noise is not in their intervals; "
                        "--method map carries it"
                      : "")};
@@ -142,10 +138,10 @@ int count(const Identification& result, EdgeStatus status) {
     return static_cast<int>(std::ranges::count(result.edges, status, &IdentifiedEdge::status));
 }
 
-void print(const Options& options, const CableNet& net, const SurveyInput& input,
+void print(const Options& options, const CableNet& net, const Survey& survey,
            const Outcome& outcome) {
     const Identification& result = outcome.result;
-    fmt::print("{}\n{}", counts_text(net), survey_text(net, options, input));
+    fmt::print("{}\n{}", counts_text(net), survey_text(net, options, survey));
     fmt::print("method {}: {}\n  chosen because: {}\n\n", result.method, outcome.how,
                result.method_reason);
     if (!result.outliers.empty()) {
@@ -200,12 +196,9 @@ std::string failure_text(const Options& options, const Survey& survey,
 void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
-    const SurveyInput input = read_survey(net, options);
-    const Survey& survey = input.survey;
+    const Survey survey = read_survey(net, options);
     const Choice choice = choose_method(options, net, survey);
-    if (!options.output.empty()) {
-        check_output(options.output, {options.net, options.survey, options.model, options.control});
-    }
+    check_outputs({options.output}, {options.net, options.survey, options.model, options.control});
     Outcome outcome = identify(options, net, survey, choice.method);
     outcome.result.method_reason = choice.reason;
     if (outcome.result.status != IdentificationStatus::converged) {
@@ -218,7 +211,7 @@ void run(const Options& options) {
     if (options.json) {
         fmt::print("{}", document);
     } else {
-        print(options, net, input, outcome);
+        print(options, net, survey, outcome);
     }
 }
 
@@ -230,6 +223,11 @@ void add_identify(CLI::App& program) {
         program, "identify", "Tell each edge's unstressed length from one survey of the form",
         "  taut identify net.json survey.csv --noise 0.5mm -o result.json", *options);
     command.add_option("NET", options->net, "Net file")->required();
+    command
+        .add_option("SURVEY", options->survey,
+                    "Surveyed points in m: [id,]x,y,z[,sx,sy,sz], or PTS. Targets without a name "
+                    "are matched by their place")
+        ->required();
     add_survey_options(command, *options);
     command
         .add_option("--method", options->method,

@@ -146,6 +146,8 @@ void print(const Options& options, const ImportedNet& imported) {
 
 void run(const Options& options) {
     const ImportSettings settings = settings_of(options);
+    const bool is_file = options.supports != "boundary";
+    check_outputs({options.output}, {options.file, options.edges, is_file ? options.supports : ""});
     ImportedStructure structure = read_structure(options);
     add_supports(options.supports, structure);
     ImportedNet imported = import_net(structure, settings);
@@ -173,7 +175,7 @@ void add_import(CLI::App& program) {
     command
         .add_option("FILE", options->file, "COMPAS or JAX FDM file (JSON), OBJ, or CSV of nodes")
         ->required();
-    command.add_option("-o,--output", options->output, "Net file to write")->required();
+    add_output_option(command, options->output, "Net file to write");
     command.add_option("--from", options->format, "Format of FILE (default: by its content)")
         ->check(CLI::IsMember({"compas", "jax-fdm", "csv", "obj"}));
     command.add_option("--select", options->select,

@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "net_summary.hpp"
+#include "prospect.hpp"
 #include "taut/identification/identifiability.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/statics/energy.hpp"
@@ -23,8 +24,9 @@ constexpr int most_edges_for_sensitivity = 3'000;
 
 constexpr int sensitive_edges = 10;
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, SurveyOptions {
     std::string net;
+    std::string law = "uniform:5mm";
 };
 
 struct Range {
@@ -226,11 +228,23 @@ void print(const CableNet& net, const Inspection& it) {
 void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
+    const LengthLaw law = parse_length_law(options.law);
     const Inspection inspection = inspect(net);
+    std::optional<Prospect> prospect;
+    if (!options.survey.empty()) {
+        prospect = prospect_of(net, inspection.equilibrium, options, law, options.net);
+    }
     if (options.json) {
-        fmt::print("{}\n", to_text(to_json(net, inspection)));
-    } else {
-        print(net, inspection);
+        nlohmann::ordered_json document = to_json(net, inspection);
+        if (prospect) {
+            document["survey"] = to_json(net, *prospect, options.survey);
+        }
+        fmt::print("{}\n", to_text(document));
+        return;
+    }
+    print(net, inspection);
+    if (prospect) {
+        fmt::print("\n{}", prospect_text(net, *prospect, options));
     }
 }
 
@@ -242,8 +256,20 @@ void add_inspect(CLI::App& program) {
         add_command(program, "inspect",
                     "Tell what a net is: counts, lengths, tensions, balance, self-stress, what a "
                     "form tells of its lengths, and which lengths move it most",
-                    "  taut inspect net.json", *options);
+                    "  taut inspect net.json\n"
+                    "  taut inspect net.json --survey targets.txt --noise 0.5mm",
+                    *options);
     command.add_option("NET", options->net, "Net file")->required();
+    CLI::Option* const survey = command.add_option(
+        "--survey", options->survey,
+        "Tell what a survey can determine, before it is made: a survey file, or the names of the "
+        "nodes to be targeted, one a line");
+    for (CLI::Option* option : add_survey_options(command, *options)) {
+        option->needs(survey);
+    }
+    command.add_option("--law", options->law, "Law of the length deviations")
+        ->capture_default_str()
+        ->needs(survey);
     command.callback([options] { run(*options); });
 }
 

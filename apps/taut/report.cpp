@@ -28,6 +28,7 @@ void run(const Options& options) {
         throw std::invalid_argument(
             "this taut was built without Node.js and makes no reports; --svg still writes figures");
     }
+    check_outputs({options.output}, {options.result});
     const ResultFile result = read_result(options.result);
     std::vector<std::string> written;
     // The page first, under its temporary name: a failure to write figures leaves it away.
@@ -38,10 +39,13 @@ void run(const Options& options) {
     }
     if (!options.svg_directory.empty()) {
         const auto figures = figures_svg(result);
-        write_files(options.svg_directory, figures);
         for (const auto& [name, content] : figures) {
             written.push_back((std::filesystem::path(options.svg_directory) / name).string());
         }
+        std::vector<std::string> outputs = written;
+        outputs.push_back(options.output);
+        refuse_overwriting(outputs, {options.result});
+        write_files(options.svg_directory, figures);
     }
     if (page) {
         page->commit();

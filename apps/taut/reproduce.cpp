@@ -39,11 +39,14 @@ NetFile net_of(const Options& options) {
                                : read_net(options.net);
 }
 
-/// Refuses a directory that could not be written to, before the work and without making it, and one
-/// where a data set and a model would stay behind that are not of the new study.
+/// Refuses what check_output_directory() does, and a directory where a data set and a model would
+/// stay behind that are not of the new study.
 void check_directory(const Options& options) {
     const std::filesystem::path directory(options.directory);
-    check_output_directory(directory);
+    check_output_directory(directory,
+                           {"results.json", "report.html", "edges.csv", "errors.csv", "nodes.csv",
+                            "data.h5", "model.h5"},
+                           {options.net});
     for (const char* name : {"data.h5", "model.h5"}) {
         if (!options.keep && std::filesystem::exists(directory / name)) {
             throw InputError((directory / name).string(), "",

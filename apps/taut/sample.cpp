@@ -144,7 +144,7 @@ void run(const Options& options) {
             "holds the samples of an interrupted run; go on with --resume, or delete it");
     }
     const int resumed_from = data.size();
-    check_output(options.output, {options.net});
+    check_outputs({options.output}, {options.net});
     draw(options, net, sampler, data);
     write_data_set(options.output, data, net);
     std::filesystem::remove(options.partial());
@@ -171,7 +171,7 @@ void add_sample(CLI::App& program) {
                     "bimodal:5mm (around +-5 mm)")
         ->capture_default_str();
     add_seed_option(command, options->seed);
-    command.add_option("-o,--output", options->output, "Data set to write (HDF5)")->required();
+    add_output_option(command, options->output, "Data set to write (HDF5)");
     command.add_flag("--resume", options->resume, "Go on with an earlier data set");
     command.callback([options] { run(*options); });
 }

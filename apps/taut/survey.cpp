@@ -8,7 +8,6 @@
 #include "net_summary.hpp"
 #include "survey_input.hpp"
 #include "taut/io/file.hpp"
-#include "taut/io/input_error.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/survey/simulation.hpp"
@@ -39,18 +38,6 @@ double parse_part(const std::string& text) {
     return percent / 100.0;
 }
 
-Points read_whole_form(const CableNet& net, const std::string& file) {
-    const Survey survey = read_survey(net, {.survey = file, .frame = "net"}).survey;
-    if (!survey.missing.empty()) {
-        throw InputError(file, "",
-                         fmt::format("holds {} of {} free nodes, expected all: node '{}' is the "
-                                     "first missing",
-                                     survey.surveyed.size(), net.free_node_count(),
-                                     net.node_id(survey.missing.front())));
-    }
-    return survey.form;
-}
-
 void run(Options options) {
     const auto threads = options.limit_threads();
     SurveySimulation& simulation = options.simulation;
@@ -58,8 +45,8 @@ void run(Options options) {
     simulation.dropped_part = parse_part(options.drop);
     simulation.random_frame = options.frame == "random";
     const CableNet net = read_net(options.net).net;
-    const Points form = read_whole_form(net, options.form);
-    check_output(options.output, {options.net, options.form});
+    const Points form = read_form(net, options.form);
+    check_outputs({options.output}, {options.net, options.form});
     const std::vector<SurveyPoint> points = simulate_survey(net, form, simulation);
     write_file(options.output, survey_to_csv(points));
     const auto free_points = points.size() - net.supports().size();
@@ -109,7 +96,7 @@ void add_survey(CLI::App& program) {
         ->check(CLI::IsMember({"net", "random"}))
         ->capture_default_str();
     add_seed_option(command, options->simulation.seed);
-    command.add_option("-o,--output", options->output, "Survey to write (CSV)")->required();
+    add_output_option(command, options->output, "Survey to write (CSV)");
     command.callback([options] { run(*options); });
 }
 

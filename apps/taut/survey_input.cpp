@@ -5,55 +5,32 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 
+#include "taut/io/file.hpp"
 #include "taut/io/input_error.hpp"
 #include "taut/io/survey_csv.hpp"
+#include "taut/io/target_list.hpp"
 #include "taut/net/units.hpp"
+#include "taut/survey/registration.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Points of the survey that a control file names, and the others: those are no targets.
-std::vector<ControlPoint> split_off_control_points(const CableNet& net, const std::string& file,
-                                                   std::vector<SurveyPoint>& points) {
-    std::map<std::string, Eigen::Vector3d> known;
-    for (const SurveyPoint& point : read_survey_points(file)) {
-        if (point.id.empty() || !known.emplace(point.id, point.position).second) {
-            throw InputError(file, std::to_string(point.line),
-                             "expected a control point with a name of its own");
-        }
+/// Does something with the points of a file; rules of surveys that are broken are told with its
+/// name.
+template <class Action>
+auto with_points_of(const std::string& file, const Action& action) {
+    try {
+        return action();
+    } catch (const SurveyError& error) {
+        throw InputError(file, error.line() > 0 ? std::to_string(error.line()) : "", error.what());
     }
-    std::map<std::string, int> nodes;
-    for (int node = 0; node < net.node_count(); ++node) {
-        nodes.emplace(net.node_id(node), node);
-    }
-    std::vector<ControlPoint> control;
-    std::erase_if(points, [&](const SurveyPoint& point) {
-        const auto found = known.find(point.id);
-        if (found == known.end()) {
-            return false;
-        }
-        control.push_back({.id = point.id,
-                           .known = found->second,
-                           .measured = point.position,
-                           .line = point.line});
-        return !nodes.contains(point.id);
-    });
-    return control;
 }
 
-/// Whether the named supports stand where the net has them.
-bool in_frame_of_net(const CableNet& net, const std::vector<ControlPoint>& supports) {
-    double sum = 0.0;
-    for (const auto& [s, t] : net.edges()) {
-        sum += (net.nodes().col(s) - net.nodes().col(t)).norm();
+void refuse_empty(const Survey& survey) {
+    if (survey.surveyed.empty()) {
+        throw SurveyError(0, "holds no free node of the net");
     }
-    const double limit = 0.1 * sum / net.edge_count();
-    return std::ranges::all_of(supports, [&](const ControlPoint& point) {
-        return (point.measured - point.known).norm() <= limit;
-    });
 }
 
 }  // namespace
@@ -67,78 +44,105 @@ double parse_noise(const std::string& text) {
     return noise_std;
 }
 
-void add_survey_options(CLI::App& command, SurveyOptions& options) {
-    command
-        .add_option("SURVEY", options.survey,
-                    "Surveyed points in m: [id,]x,y,z[,sx,sy,sz], or PTS. Targets without a name "
-                    "are matched by their place")
-        ->required();
-    command.add_option("--noise", options.noise,
-                       "Standard deviation of each surveyed coordinate, \"0.5mm\", where the file "
-                       "tells none (default: 0)");
-    command
-        .add_option("--frame", options.frame,
-                    "Frame of the survey: net (the net's), supports (fit a rigid motion to the "
-                    "supports it names), auto (the net's if its supports agree, else fit)")
-        ->check(CLI::IsMember({"auto", "net", "supports"}))
-        ->capture_default_str();
-    command.add_option("--control", options.control,
-                       "Control points id,x,y,z in the net's frame, to fit the survey's frame to "
-                       "instead of the supports");
+std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& options) {
+    CLI::Option* const noise =
+        command.add_option("--noise", options.noise,
+                           "Standard deviation of each surveyed coordinate, \"0.5mm\", where the "
+                           "file tells none (default: 0)");
+    CLI::Option* const frame =
+        command
+            .add_option("--frame", options.frame,
+                        "Frame of the survey: net (the net's), supports (fit a rigid motion to the "
+                        "supports it names), auto (the net's if its supports agree, else fit)")
+            ->check(CLI::IsMember({"auto", "net", "supports"}))
+            ->capture_default_str();
+    CLI::Option* const control =
+        command.add_option("--control", options.control,
+                           "Control points id,x,y,z in the net's frame, to fit the survey's frame "
+                           "to instead of the supports");
+    return {noise, frame, control};
 }
 
-SurveyInput read_survey(const CableNet& net, const SurveyOptions& options) {
+Survey read_survey(const CableNet& net, const SurveyOptions& options) {
     const double noise_std = parse_noise(options.noise);
     std::vector<SurveyPoint> points = read_survey_points(options.survey);
-    try {
-        SurveyInput input;
-        const bool by_control = !options.control.empty();
-        const std::vector<ControlPoint> control =
-            by_control ? split_off_control_points(net, options.control, points)
-                       : support_control_points(net, points);
+    const bool by_control = !options.control.empty();
+    const std::vector<ControlPoint> control = with_points_of(options.control, [&] {
+        return by_control
+                   ? split_off_control_points(net, read_survey_points(options.control), points)
+                   : support_control_points(net, points);
+    });
+    return with_points_of(options.survey, [&] {
         constexpr size_t needed = 3;
         const bool fits_by_itself =
             options.frame == "auto" && control.size() >= needed && !in_frame_of_net(net, control);
+        std::vector<ControlResidual> residuals;
         if (by_control || options.frame == "supports" || fits_by_itself) {
-            input.registration = register_rigidly(control);
-            points = moved(std::move(points), input.registration->motion);
+            Registration registration = register_rigidly(control);
+            points = moved(std::move(points), registration.motion);
+            residuals = std::move(registration.residuals);
         }
-        input.survey = match_to_nodes(net, points, noise_std);
-        if (input.registration) {
-            for (size_t i = 0; i < control.size(); ++i) {
-                input.survey.control.push_back(
-                    {.id = control[i].id,
-                     .residual = input.registration->residuals.col(static_cast<Eigen::Index>(i))});
-            }
-        }
-        if (input.survey.surveyed.empty()) {
-            throw SurveyError(0, "holds no free node of the net");
-        }
-        return input;
-    } catch (const SurveyError& error) {
-        throw InputError(options.survey, error.line() > 0 ? std::to_string(error.line()) : "",
-                         error.what());
+        Survey survey = match_to_nodes(net, points, noise_std);
+        refuse_empty(survey);
+        survey.control = std::move(residuals);
+        return survey;
+    });
+}
+
+Survey read_planned_survey(const CableNet& net, const SurveyOptions& options) {
+    const bool is_pts = std::filesystem::path(options.survey).extension() == ".pts";
+    const auto targets =
+        is_pts ? std::nullopt : parse_target_list(read_file(options.survey), options.survey);
+    if (!targets) {
+        return read_survey(net, options);
+    }
+    if (!options.control.empty() || options.frame == "supports") {
+        throw InputError(options.survey, "",
+                         "names nodes alone, expected their places to fit a frame to");
+    }
+    return with_points_of(options.survey, [&] {
+        Survey survey = planned_survey(net, *targets, parse_noise(options.noise));
+        refuse_empty(survey);
+        return survey;
+    });
+}
+
+bool is_noisy(const Survey& survey) {
+    return survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() > 0.0;
+}
+
+Points read_form(const CableNet& net, const std::string& file) {
+    Survey survey =
+        with_points_of(file, [&] { return match_to_nodes(net, read_survey_points(file)); });
+    refuse_hidden_nodes(net, survey, file, "all");
+    return std::move(survey.form);
+}
+
+void refuse_hidden_nodes(const CableNet& net, const Survey& survey, const std::string& file,
+                         const std::string& expected) {
+    if (!survey.missing.empty()) {
+        throw InputError(
+            file, "",
+            fmt::format("holds {} of {} free nodes, expected {}: node '{}' is the first missing",
+                        survey.surveyed.size(), net.free_node_count(), expected,
+                        net.node_id(survey.missing.front())));
     }
 }
 
-std::string survey_text(const CableNet& net, const SurveyOptions& options,
-                        const SurveyInput& input) {
-    const Survey& survey = input.survey;
+std::string survey_text(const CableNet& net, const SurveyOptions& options, const Survey& survey) {
     std::string text = fmt::format("survey {}: {} free nodes, {} not surveyed, noise {:.4g} mm\n",
                                    options.survey, survey.surveyed.size(), survey.missing.size(),
                                    1e3 * survey.noise_std(Eigen::all, survey.surveyed).maxCoeff());
-    if (const auto& registration = input.registration) {
+    if (!survey.control.empty()) {
         text += fmt::format("  moved into the net's frame by {} control points, {:.3g} mm RMS\n",
-                            registration->points.size(), 1e3 * registration->rms());
-        std::vector<int> order(registration->points.size());
-        std::iota(order.begin(), order.end(), 0);
-        const Eigen::VectorXd lengths = registration->residuals.colwise().norm();
-        std::ranges::sort(order, std::greater{}, [&](int i) { return lengths(i); });
+                            survey.control.size(), 1e3 * root_mean_square(survey.control));
+        std::vector<ControlResidual> worst = survey.control;
+        std::ranges::sort(worst, std::greater{},
+                          [](const ControlResidual& r) { return r.residual.norm(); });
         constexpr size_t shown = 3;
-        for (size_t i = 0; i < std::min(shown, order.size()); ++i) {
-            text += fmt::format("    {:<12}{:>10.3g} mm\n",
-                                registration->points[static_cast<size_t>(order[i])].id,
-                                1e3 * lengths(order[i]));
+        for (size_t i = 0; i < std::min(shown, worst.size()); ++i) {
+            text += fmt::format("    {:<12}{:>10.3g} mm\n", worst[i].id,
+                                1e3 * worst[i].residual.norm());
         }
     }
     if (!survey.unmatched.empty()) {

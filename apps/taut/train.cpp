@@ -48,7 +48,7 @@ void run(const Options& options) {
             options.data, "",
             fmt::format("holds {} samples in equilibrium, expected at least 2", samples.size()));
     }
-    check_output(options.output, {options.data});
+    check_outputs({options.output}, {options.data});
     const auto start = std::chrono::steady_clock::now();
     const LengthModel model = train_with_progress(stored.data, samples, options.quiet);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -98,7 +98,7 @@ void add_train(CLI::App& program) {
         program, "train", "Train one Gaussian process an interior edge on a data set (Algorithm 1)",
         "  taut train data.h5 -o model.h5", *options);
     command.add_option("DATA", options->data, "Data set of taut sample")->required();
-    command.add_option("-o,--output", options->output, "Model to write (HDF5)")->required();
+    add_output_option(command, options->output, "Model to write (HDF5)");
     command.callback([options] { run(*options); });
 }
 

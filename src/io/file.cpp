@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <deque>
-#include <set>
 #include <system_error>
 
 #include "io/message.hpp"
@@ -25,7 +24,8 @@ void write_content(const AtomicFile& file, const std::filesystem::path& name,
     }
 }
 
-/// Makes a directory and those above it, and removes again those it made unless told to keep them.
+/// Makes a directory and those above it, and removes again those it made, as far as they are empty,
+/// unless told to keep them.
 class NewDirectories {
 public:
     explicit NewDirectories(const std::filesystem::path& directory) {
@@ -91,31 +91,57 @@ std::string read_file(const std::filesystem::path& path) {
     return content;
 }
 
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code error;
+    if (std::filesystem::equivalent(a, b, error)) {
+        return true;
+    }
+    // Neither needs to be there yet. Made absolute first: else "a" and "./a" stay two names.
+    const auto place = [&error](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+    };
+    const std::filesystem::path place_of_a = place(a);
+    return !place_of_a.empty() && place_of_a == place(b);
+}
+
 void write_file(const std::filesystem::path& path, std::string_view content) {
     AtomicFile file(path);
     write_content(file, path, content);
     file.commit();
 }
 
-void write_files(const std::filesystem::path& directory,
-                 const std::vector<std::pair<std::string, std::string>>& files) {
-    std::set<std::string> names;
-    for (const auto& [name, content] : files) {
-        if (name.empty() || std::filesystem::path(name).filename() != name || name == "." ||
-            name == ".." || !names.insert(name).second) {
-            throw std::invalid_argument("file name " + quote(name) +
-                                        ", expected each to be a name of its own without path");
+void write_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files) {
+    for (size_t i = 0; i < files.size(); ++i) {
+        for (size_t k = 0; k < i; ++k) {
+            if (is_same_file(files[i].first, files[k].first)) {
+                throw std::invalid_argument("file " + quote(files[i].first.string()) +
+                                            " comes twice, expected each to be written once");
+            }
         }
     }
-    NewDirectories made(directory);
     std::deque<AtomicFile> outputs;
-    for (const auto& [name, content] : files) {
-        write_content(outputs.emplace_back(directory / name), directory / name, content);
+    for (const auto& [path, content] : files) {
+        write_content(outputs.emplace_back(path), path, content);
     }
     for (AtomicFile& output : outputs) {
         output.commit();
-        made.keep();
     }
+}
+
+void write_files(const std::filesystem::path& directory,
+                 const std::vector<std::pair<std::string, std::string>>& files) {
+    std::vector<std::pair<std::filesystem::path, std::string>> paths;
+    for (const auto& [name, content] : files) {
+        if (name.empty() || std::filesystem::path(name).filename() != name || name == "." ||
+            name == "..") {
+            throw std::invalid_argument("file name " + quote(name) +
+                                        ", expected a name without path");
+        }
+        paths.emplace_back(directory / name, content);
+    }
+    NewDirectories made(directory);
+    write_files(paths);
+    made.keep();
 }
 
 }  // namespace taut

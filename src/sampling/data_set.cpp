@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "taut/sampling/data_set.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <random>
+#include <stdexcept>
 
 namespace taut {
 
@@ -23,6 +26,24 @@ std::vector<int> DataSet::converged_in(int first, int last) const {
         }
     }
     return result;
+}
+
+void check_law(const CableNet& net, const LengthLaw& law) {
+    if (net.interior_edge_count() == 0) {
+        throw std::invalid_argument(
+            "the net has no interior edge: every unstressed length is known and set");
+    }
+    if (!(law.scale > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("the law's scale is {} m, expected a positive length", law.scale));
+    }
+    const double shortest = net.unstressed_lengths()(net.interior_edges()).minCoeff();
+    if (law.reach() >= shortest) {
+        throw std::invalid_argument(fmt::format(
+            "the law {} reaches deviations of {:.4g} mm, expected less than the shortest interior "
+            "unstressed length, {:.4g} mm",
+            law.to_string(), 1e3 * law.reach(), 1e3 * shortest));
+    }
 }
 
 Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,

@@ -8,29 +8,10 @@
 
 #include <stdexcept>
 
-#include "taut/net/units.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
 namespace {
-
-void check(const CableNet& net, const LengthLaw& law) {
-    if (net.interior_edge_count() == 0) {
-        throw std::invalid_argument(
-            "the net has no interior edge: every unstressed length is known and set");
-    }
-    if (!(law.scale > 0.0)) {
-        throw std::invalid_argument(
-            fmt::format("the law's scale is {} m, expected a positive length", law.scale));
-    }
-    const double shortest = net.unstressed_lengths()(net.interior_edges()).minCoeff();
-    if (law.reach() >= shortest) {
-        throw std::invalid_argument(fmt::format(
-            "the law {} reaches deviations of {:.4g} mm, expected less than the shortest interior "
-            "unstressed length, {:.4g} mm",
-            law.to_string(), 1e3 * law.reach(), 1e3 * shortest));
-    }
-}
 
 Equilibrium nominal_equilibrium(const CableNet& net) {
     Equilibrium nominal = solve_equilibrium(net);
@@ -76,7 +57,7 @@ struct Sampler::State {
 };
 
 Sampler::Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed) {
-    check(net, law);
+    check_law(net, law);
     m_state = std::make_unique<State>(net, law, seed);
 }
 Sampler::~Sampler() = default;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "taut/study/trial.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <stdexcept>
 #include <unordered_set>
 
 #include "taut/statics/tensions.hpp"
@@ -47,8 +50,15 @@ std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
             .noise_std = kind.noise_std,
             .dropped_part = kind.hidden_part,
             .seed = (seed << sample_bits) + static_cast<std::uint64_t>(sample)};
-        trial.survey = match_to_nodes(
-            net, without_supports(simulate_survey(net, trial.form, simulation), net));
+        const std::vector<SurveyPoint> points =
+            without_supports(simulate_survey(net, trial.form, simulation), net);
+        try {
+            trial.survey = match_to_nodes(net, points);
+        } catch (const SurveyError&) {
+            throw std::invalid_argument(fmt::format(
+                "noise of {:.4g} m puts targets further from their nodes than edges are long",
+                kind.noise_std));
+        }
         trials.push_back(std::move(trial));
     }
     return trials;

@@ -6,8 +6,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+
+#include "survey/mean_edge_length.hpp"
 
 namespace taut {
 namespace {
@@ -17,6 +21,9 @@ namespace {
 constexpr double line_ratio = 1e-3;
 
 constexpr double scale_tolerance = 0.01;
+
+/// How far a point in the frame of the net may lie from its known place, in mean edge lengths.
+constexpr double frame_tolerance = 0.1;
 
 /// Columns less their mean.
 Eigen::Matrix3Xd centred(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& centre) {
@@ -44,11 +51,15 @@ void check_scale(const Eigen::Matrix3Xd& known, const Eigen::Matrix3Xd& measured
 
 }  // namespace
 
-double Registration::rms() const {
-    return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.cols()));
+double root_mean_square(const std::vector<ControlResidual>& residuals) {
+    double sum = 0.0;
+    for (const ControlResidual& r : residuals) {
+        sum += r.residual.squaredNorm();
+    }
+    return residuals.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(residuals.size()));
 }
 
-Registration register_rigidly(std::vector<ControlPoint> points) {
+Registration register_rigidly(const std::vector<ControlPoint>& points) {
     constexpr size_t needed = 3;
     if (points.size() < needed) {
         throw SurveyError(0, fmt::format("holds {} named supports or control points, expected at "
@@ -71,8 +82,10 @@ Registration register_rigidly(std::vector<ControlPoint> points) {
     check_spread(a, "measured");
     check_scale(b, a);
     result.motion.rotation = Eigen::umeyama(a, b, false).topLeftCorner<3, 3>();
-    result.residuals = result.motion.rotation * a - b;
-    result.points = std::move(points);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        result.residuals.push_back({.id = points[static_cast<size_t>(i)].id,
+                                    .residual = result.motion.rotation * a.col(i) - b.col(i)});
+    }
     return result;
 }
 
@@ -92,6 +105,41 @@ std::vector<ControlPoint> support_control_points(const CableNet& net,
         }
     }
     return control;
+}
+
+std::vector<ControlPoint> split_off_control_points(const CableNet& net,
+                                                   const std::vector<SurveyPoint>& known,
+                                                   std::vector<SurveyPoint>& points) {
+    std::map<std::string, Eigen::Vector3d> place_of;
+    for (const SurveyPoint& point : known) {
+        if (point.id.empty() || !place_of.emplace(point.id, point.position).second) {
+            throw SurveyError(point.line, "expected a control point with a name of its own");
+        }
+    }
+    std::set<std::string> nodes;
+    for (int node = 0; node < net.node_count(); ++node) {
+        nodes.insert(net.node_id(node));
+    }
+    std::vector<ControlPoint> control;
+    std::erase_if(points, [&](const SurveyPoint& point) {
+        const auto found = place_of.find(point.id);
+        if (found == place_of.end()) {
+            return false;
+        }
+        control.push_back({.id = point.id,
+                           .known = found->second,
+                           .measured = point.position,
+                           .line = point.line});
+        return !nodes.contains(point.id);
+    });
+    return control;
+}
+
+bool in_frame_of_net(const CableNet& net, const std::vector<ControlPoint>& points) {
+    const double limit = frame_tolerance * mean_edge_length(net);
+    return std::ranges::all_of(points, [&](const ControlPoint& point) {
+        return (point.measured - point.known).norm() <= limit;
+    });
 }
 
 std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points, const RigidMotion& motion) {

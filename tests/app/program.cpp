@@ -13,6 +13,7 @@
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 namespace taut::test {
@@ -139,6 +140,18 @@ Files ProgramTest::files() const {
         }
     }
     return files;
+}
+
+std::vector<double> ProgramTest::true_deviations() const {
+    std::istringstream lines(read("truth.csv"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "edge,nominal,length_deviation");
+    std::vector<double> deviations;
+    while (std::getline(lines, line)) {
+        deviations.push_back(std::stod(line.substr(line.rfind(',') + 1)));
+    }
+    return deviations;
 }
 
 void expect_error(const Outcome& outcome, int exit_code, const std::string& text) {

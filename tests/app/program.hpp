@@ -64,6 +64,8 @@ protected:
     void write(const std::string& file, const std::string& content) const;
     [[nodiscard]] bool exists(const std::string& file) const;
     [[nodiscard]] Files files() const;
+    /// True length deviations in truth.csv, as `form --lengths` wrote them [m].
+    [[nodiscard]] std::vector<double> true_deviations() const;
 
 private:
     std::filesystem::path m_base;

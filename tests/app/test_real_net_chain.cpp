@@ -5,6 +5,7 @@
 // designers published it. It is no part of this repository; the tests are skipped where it is not.
 
 #include <cmath>
+#include <set>
 
 #include "app/program.hpp"
 #include "support/real_data.hpp"
@@ -26,15 +27,20 @@ protected:
     }
 };
 
-/// Largest distance of two forms' nodes [m].
+/// Of two points [m].
 double distance(const json& a, const json& b) {
+    double squares = 0.0;
+    for (size_t k = 0; k < 3; ++k) {
+        squares += std::pow(a[k].get<double>() - b[k].get<double>(), 2);
+    }
+    return std::sqrt(squares);
+}
+
+/// Of two forms' nodes [m].
+double largest_distance(const json& a, const json& b) {
     double largest = 0.0;
     for (size_t i = 0; i < a.size(); ++i) {
-        double squares = 0.0;
-        for (size_t k = 0; k < 3; ++k) {
-            squares += std::pow(a[i][k].get<double>() - b[i][k].get<double>(), 2);
-        }
-        largest = std::max(largest, std::sqrt(squares));
+        largest = std::max(largest, distance(a[i], b[i]));
     }
     return largest;
 }
@@ -49,7 +55,7 @@ TEST_F(Hilo, TakesTheSameFormByNewtonsMethodAndByTheConicSolver) {
         }
         const json newton = form("newton");
         const json socp = json::parse(cone.out);
-        EXPECT_LT(distance(newton["form"], socp["form"]), 1e-6) << loads;
+        EXPECT_LT(largest_distance(newton["form"], socp["form"]), 1e-6) << loads;
         EXPECT_NEAR(newton["energy"].get<double>() / socp["energy"].get<double>(), 1.0, 1e-9);
         // The designers' form, with its load; without it the net rises by some 33 mm.
         EXPECT_NEAR(newton["largest_move"].get<double>(), loads == "none" ? 0.0343 : 0.0, 2e-4);
@@ -75,6 +81,36 @@ TEST_F(Hilo, GoesThroughSamplingTrainingAndIdentificationAndItsSlackEdgesAreTold
         EXPECT_LE(edge["lower"], edge["length_deviation"]);
         EXPECT_LE(edge["length_deviation"], edge["upper"]);
     }
+}
+
+TEST_F(Hilo, TellsTheSlackEdgesOfAnExactFormAndNoOthersAndNoMoreThanTheirMeasuredLength) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    import_with_loads("balance");
+    const json built =
+        json::parse(must_run({"form", "net.json", "--law", "uniform:5mm", "--seed", "3", "-o",
+                              "built.csv", "--lengths", "truth.csv", "--json"}));
+    const std::vector<double> truth = true_deviations();
+    const json result = json::parse(must_run({"identify", "net.json", "built.csv", "--law",
+                                              "uniform:5mm", "--method", "balance", "--json"}));
+    ASSERT_EQ(result["edges"].size(), truth.size());
+    const std::set<int> truly_slack = built["slack_edges"];
+    int slack = 0;
+    for (size_t i = 0; i < truth.size(); ++i) {
+        const json& edge = result["edges"][i];
+        const bool is_slack = truly_slack.contains(edge["edge"].get<int>());
+        EXPECT_EQ(edge["status"], is_slack ? "slack" : "identified") << edge;
+        if (!is_slack) {
+            EXPECT_NEAR(edge["length_deviation"].get<double>(), truth[i], 1e-9) << edge;
+            continue;
+        }
+        ++slack;
+        const double measured = distance(built["form"][edge["nodes"][0].get<size_t>()],
+                                         built["form"][edge["nodes"][1].get<size_t>()]);
+        EXPECT_NEAR(edge["lower"].get<double>(), measured - edge["nominal"].get<double>(), 1e-9);
+        EXPECT_NEAR(edge["upper"].get<double>(), 5e-3, 1e-12);
+        EXPECT_GE(truth[i], edge["lower"].get<double>() - 1e-9);
+    }
+    EXPECT_GT(slack, 5);
 }
 
 }  // namespace

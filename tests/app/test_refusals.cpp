@@ -66,6 +66,11 @@ protected:
         make_data_and_model(net, "");
         make_data_and_model(other, "other_");
 
+        for (const std::string output : {"nodes.csv", "nodes_edges.csv", "list.csv"}) {
+            write(output, form_to_csv(net, net.nodes()));
+        }
+        std::filesystem::create_directory(folder() / "study");
+        write("study/results.json", net_to_json(net));
         const std::string survey = form_to_csv(net, net.nodes());
         write("survey.csv", survey);
         write("other_survey.csv", form_to_csv(other, other.nodes()));
@@ -139,6 +144,15 @@ INSTANTIATE_TEST_SUITE_P(
         Request{"form_by_unknown_solver", "form net.json -o old.csv --solver guess", "--solver"},
         Request{"form_by_unknown_cone_form",
                 "form net.json -o old.csv --solver socp --cone-form big", "--cone-form"},
+        Request{
+            "form_of_a_law_beyond_the_shortest_length", "form net.json --law uniform:9m -o old.csv",
+            "net.json: the law uniform:9000mm reaches deviations of 9000 mm, expected less than"},
+        Request{"form_of_a_normal_law_beyond_the_shortest_length",
+                "form net.json --law normal:60mm -o old.csv", "net.json: the law normal:60mm"},
+        Request{"form_of_no_law", "form net.json --law gauss:5mm -o old.csv", "'gauss:5mm'"},
+        Request{"form_of_lengths_of_a_net_without_interior_edge",
+                "form no_interior.json --law uniform:1mm -o old.csv",
+                "no_interior.json: the net has no interior edge"},
         Request{"form_into_no_directory", "form net.json -o nowhere/form.csv", "nowhere/form.csv"},
         Request{"form_into_a_directory", "form net.json -o directory", "directory"}),
     name_of);
@@ -192,8 +206,10 @@ INSTANTIATE_TEST_SUITE_P(
         Request{"no_output", "compare net.json", "--output"},
         Request{"empty_output", "compare net.json -o ''", "no name"},
         Request{"output_is_a_file", "compare net.json -o text", "text"},
-        Request{"noise_without_unit", "compare net.json -o out --noise 0,0.5",
-                "--noise has the entry '0.5'"},
+        Request{"noise_of_unknown_unit", "compare net.json -o out --noise 0,0.5in",
+                "--noise has the entry '0.5in'"},
+        Request{"noise_beyond_all_measure", "compare net.json -o out --noise 0.5m --training 9",
+                "noise of 0.5 m"},
         Request{"negative_noise", "compare net.json -o out --noise 0,-1mm",
                 "--noise has the entry '-1mm'"},
         Request{"no_noise", "compare net.json -o out --noise ''", "--noise has the entry ''"},
@@ -336,6 +352,60 @@ INSTANTIATE_TEST_SUITE_P(
         Request{"empty_output", "reproduce --net net.json -o ''", "output"},
         Request{"into_a_file", "reproduce --net net.json -o text", "text"},
         Request{"below_a_file", "reproduce --net net.json -o text/study", "text"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    OverwritingAnInput, Refused,
+    testing::Values(
+        Request{"by_import", "import net.json -o net.json", "net.json: is an input"},
+        Request{"by_import_by_another_name", "import net.json -o ./directory/../net.json",
+                "net.json: is an input"},
+        Request{"by_import_of_edges", "import nodes.csv --edges nodes_edges.csv -o nodes_edges.csv",
+                "nodes_edges.csv: is an input"},
+        Request{"by_import_of_supports", "import net.json --supports list.csv -o list.csv",
+                "list.csv: is an input"},
+        Request{"by_export", "export net.json --to compas -o net.json", "net.json: is an input"},
+        Request{"by_export_of_a_form", "export net.json survey.csv --to obj -o survey.csv",
+                "survey.csv: is an input"},
+        Request{"by_the_second_file_of_export",
+                "export net.json nodes_edges.csv --to csv -o nodes.csv",
+                "nodes_edges.csv: is an input"},
+        Request{"by_form", "form net.json -o net.json", "net.json: is an input"},
+        Request{"by_the_lengths_of_form", "form net.json --lengths net.json",
+                "net.json: is an input"},
+        Request{"by_train", "train data.h5 -o data.h5", "data.h5: is an input"},
+        Request{"by_survey", "survey net.json survey.csv -o survey.csv", "survey.csv: is an input"},
+        Request{"by_identify", "identify net.json survey.csv --model model.h5 -o model.h5",
+                "model.h5: is an input"},
+        Request{"by_identify_of_control_points",
+                "identify net.json survey.csv --control list.csv -o list.csv",
+                "list.csv: is an input"},
+        Request{"by_report", "report result.json -o result.json", ""},
+        Request{"by_reproduce",
+                "reproduce --net study/results.json --samples 10 --validation 2 -o study",
+                "results.json: is an input"},
+        Request{"with_another_output", "form net.json -o new.csv --lengths ./new.csv",
+                "new.csv: is to be written twice"},
+        Request{"with_another_output_that_is_there", "form net.json -o old.csv --lengths old.csv",
+                "old.csv: is to be written twice"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    NoFileName, Refused,
+    testing::Values(Request{"of_import", "import net.json -o ''", "file name"},
+                    Request{"of_export", "export net.json --to obj -o ''", "file name"},
+                    Request{"of_train", "train data.h5 -o ''", "file name"},
+                    Request{"of_survey", "survey net.json survey.csv -o ''", "file name"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    ImpossibleOutput, Refused,
+    testing::Values(
+        Request{"of_import", "import net.json -o nowhere/net.json", "nowhere/net.json: cannot"},
+        Request{"of_export", "export net.json --to csv -o nowhere/net.csv",
+                "nowhere/net.csv: cannot"},
+        Request{"of_the_lengths_of_form", "form net.json -o old.csv --lengths nowhere/truth.csv",
+                "nowhere/truth.csv: cannot"}),
     name_of);
 
 }  // namespace

@@ -32,20 +32,8 @@ protected:
         return json::parse(must_run(options));
     }
 
-    /// True length deviations of the interior edges, in their order [m].
-    std::vector<double> truth() const {
-        std::istringstream lines(read("truth.csv"));
-        std::string line;
-        std::getline(lines, line);
-        std::vector<double> deviations;
-        while (std::getline(lines, line)) {
-            deviations.push_back(std::stod(line.substr(line.rfind(',') + 1)));
-        }
-        return deviations;
-    }
-
     void expect_truth_within(const json& result, double rms, double least_coverage) const {
-        const std::vector<double> deviations = truth();
+        const std::vector<double> deviations = true_deviations();
         ASSERT_EQ(result["edges"].size(), deviations.size());
         double squares = 0.0;
         double inside = 0.0;

@@ -205,6 +205,47 @@ TEST(WriteFiles, RefusesNamesThatLeadOutOfTheDirectoryOrComeTwice) {
     EXPECT_THAT(scratch.files(), IsEmpty());
 }
 
+TEST(WriteFiles, WritesAllPathsOrNone) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directory(scratch / "a");
+    put_bytes(scratch / "one", "before");
+    put_bytes(scratch / "a/two", "before");
+    {
+        const FullDisk full(100);
+        EXPECT_THROW(write_files({{scratch / "one", "after"},
+                                  {scratch / "a/two", std::string(100'000, 'x')}}),
+                     OutputError);
+    }
+    EXPECT_EQ(bytes_of(scratch / "one"), "before");
+    EXPECT_EQ(bytes_of(scratch / "a/two"), "before");
+    EXPECT_THAT(scratch.files(), ElementsAre("a", "one"));
+    write_files({{scratch / "one", "after"}, {scratch / "a/two", "after"}});
+    EXPECT_EQ(bytes_of(scratch / "one"), "after");
+    EXPECT_EQ(bytes_of(scratch / "a/two"), "after");
+}
+
+TEST(WriteFiles, RefusesOnePathByTwoNames) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directory(scratch / "a");
+    EXPECT_THROW(write_files({{scratch / "one", "1"}, {scratch / "a/../one", "2"}}),
+                 std::invalid_argument);
+    EXPECT_THAT(scratch.files(), ElementsAre("a"));
+}
+
+TEST(IsSameFile, KnowsAFileByAnyNameWhetherItIsThereOrNot) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "one", "");
+    std::filesystem::create_symlink("one", scratch / "link");
+    std::filesystem::create_hard_link(scratch / "one", scratch / "hard");
+    EXPECT_TRUE(is_same_file(scratch / "one", scratch / "link"));
+    EXPECT_TRUE(is_same_file(scratch / "one", scratch / "hard"));
+    EXPECT_FALSE(is_same_file(scratch / "one", scratch / "two"));
+    EXPECT_TRUE(is_same_file(scratch / "two", scratch / "./two"));
+    EXPECT_TRUE(is_same_file("two", "./two"));
+    EXPECT_FALSE(is_same_file("two", "./three"));
+    EXPECT_FALSE(is_same_file("", ""));
+}
+
 TEST(ReadFile, GivesEveryByte) {
     const ScratchDirectory scratch;
     std::string bytes;

@@ -50,7 +50,7 @@ TEST(RegisterRigidly, BringsAFarAwayFrameBackToTheNetToTheRoundingOfItsCoordinat
     const RigidMotion away = some_motion({2.6e6, 1.2e6, 400.0});
     const Registration found = register_rigidly(control_points(net, away));
     // One rounding error of 2.6e6 m is 5e-10 m.
-    EXPECT_LT(found.residuals.cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT(root_mean_square(found.residuals), 1e-9);
     for (const int node : net.free_nodes()) {
         const Eigen::Vector3d place = net.nodes().col(node);
         EXPECT_LT((found.motion(away(place)) - place).norm(), 1e-9);
@@ -64,17 +64,25 @@ TEST(RegisterRigidly, DoesNotMirror) {
     }
     const Registration found = register_rigidly(points);
     EXPECT_NEAR(found.motion.rotation.determinant(), 1.0, 1e-12);
-    EXPECT_GT(found.rms(), 0.1);
+    EXPECT_GT(root_mean_square(found.residuals), 0.1);
 }
 
 TEST(RegisterRigidly, TellsTheResidualOfEachPoint) {
     std::vector<ControlPoint> points = control_points(hilo_quarter(), some_motion({9, 8, 7}));
     points[5].measured += Eigen::Vector3d(0.0, 0.03, 0.0);
     const Registration found = register_rigidly(points);
-    Eigen::Index worst = 0;
-    found.residuals.colwise().norm().maxCoeff(&worst);
-    EXPECT_EQ(worst, 5);
-    EXPECT_NEAR(found.residuals.col(5).norm(), 0.03, 0.002);
+    ASSERT_EQ(found.residuals.size(), points.size());
+    double squares = 0.0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        EXPECT_EQ(found.residuals[i].id, points[i].id);
+        const Eigen::Vector3d residual = found.motion(points[i].measured) - points[i].known;
+        EXPECT_LT((found.residuals[i].residual - residual).norm(), 1e-12);
+        EXPECT_NEAR(residual.norm(), i == 5 ? 0.03 : 0.0, 0.002);
+        squares += residual.squaredNorm();
+    }
+    EXPECT_NEAR(root_mean_square(found.residuals),
+                std::sqrt(squares / static_cast<double>(points.size())), 1e-12);
+    EXPECT_EQ(root_mean_square({}), 0.0);
 }
 
 RC_GTEST_PROP(RegisterRigidly, LeavesNoRigidMotionThatFitsBetter, ()) {
@@ -91,6 +99,10 @@ RC_GTEST_PROP(RegisterRigidly, LeavesNoRigidMotionThatFitsBetter, ()) {
     } catch (const SurveyError&) {
         RC_DISCARD("points on a line, or all alike");
     }
+    double least = 0.0;
+    for (const ControlResidual& r : found.residuals) {
+        least += r.residual.squaredNorm();
+    }
     for (int axis = 0; axis < 3; ++axis) {
         for (const double angle : {-1e-4, 1e-4}) {
             RigidMotion other = found.motion;
@@ -99,7 +111,7 @@ RC_GTEST_PROP(RegisterRigidly, LeavesNoRigidMotionThatFitsBetter, ()) {
             for (const ControlPoint& point : points) {
                 squares += (other(point.measured) - point.known).squaredNorm();
             }
-            RC_ASSERT(squares >= found.residuals.squaredNorm());
+            RC_ASSERT(squares >= least);
         }
     }
 }
@@ -155,6 +167,57 @@ TEST(SupportControlPoints, AreTheNamedSupportsOnly) {
     EXPECT_EQ(control[0].id, net.node_id(support));
     EXPECT_EQ(control[0].known, net.nodes().col(support));
     EXPECT_EQ(control[0].measured, Eigen::Vector3d(2, 2, 2));
+}
+
+TEST(SplitOffControlPoints, TakesThemByNameAndLeavesTargetsAndNodes) {
+    const CableNet net = hypar(3, 3);
+    const std::string node = net.node_id(net.free_nodes().front());
+    std::vector<SurveyPoint> points{{.id = "pillar", .position = {1, 0, 0}, .line = 1},
+                                    {.id = "", .position = {2, 0, 0}, .line = 2},
+                                    {.id = node, .position = {3, 0, 0}, .line = 3}};
+    const auto control = split_off_control_points(net,
+                                                  {{.id = node, .position = {3, 1, 0}},
+                                                   {.id = "pillar", .position = {1, 1, 0}},
+                                                   {.id = "not seen", .position = {9, 9, 9}}},
+                                                  points);
+    ASSERT_EQ(control.size(), 2U);
+    EXPECT_EQ(control[0].id, "pillar");
+    EXPECT_EQ(control[0].measured, Eigen::Vector3d(1, 0, 0));
+    EXPECT_EQ(control[0].known, Eigen::Vector3d(1, 1, 0));
+    EXPECT_EQ(control[1].line, 3);
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].line, 2);
+    EXPECT_EQ(points[1].id, node);
+}
+
+TEST(SplitOffControlPoints, RefusesAKnownPointWithoutANameOfItsOwn) {
+    const CableNet net = hypar(3, 3);
+    std::vector<SurveyPoint> points;
+    for (const std::string second : {"", "pillar"}) {
+        try {
+            static_cast<void>(split_off_control_points(net,
+                                                       {{.id = "pillar", .position = {}, .line = 4},
+                                                        {.id = second, .position = {}, .line = 5}},
+                                                       points));
+            ADD_FAILURE() << "'" << second << "' is not refused";
+        } catch (const SurveyError& error) {
+            EXPECT_EQ(error.line(), 5);
+        }
+    }
+}
+
+TEST(InFrameOfNet, HoldsToATenthOfTheMeanEdgeLength) {
+    const CableNet net = hypar(3, 3);
+    double mean = 0.0;
+    for (const auto& [s, t] : net.edges()) {
+        mean += (net.nodes().col(s) - net.nodes().col(t)).norm() / net.edge_count();
+    }
+    std::vector<ControlPoint> points = control_points(net, {});
+    EXPECT_TRUE(in_frame_of_net(net, points));
+    points[2].measured.y() += 0.099 * mean;
+    EXPECT_TRUE(in_frame_of_net(net, points));
+    points[2].measured.y() += 0.002 * mean;
+    EXPECT_FALSE(in_frame_of_net(net, points));
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ public:
 /// @throws InputError where it is missing, a directory, unreadable or larger than 1 GiB
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 
+/// Whether two names lead to one file, or would if it were there.
+[[nodiscard]] bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// An output that stands in its place whole or not at all: it is written to a temporary file in the
 /// same directory, which commit() renames over the target. A target that is a symbolic link keeps
 /// being one.
@@ -54,9 +57,13 @@ private:
 /// @throws OutputError
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Writes files (name, content) into a directory, which it makes if needed. All of them are on the
-/// disk under temporary names before the first takes its place, so that a failure until then leaves
-/// everything as it was.
+/// Writes files (path, content). All of them are on the disk under temporary names before the first
+/// takes its place, so that a failure until then leaves everything as it was.
+/// @throws OutputError
+/// @throws std::invalid_argument for a path that comes twice
+void write_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files);
+
+/// The same for files (name, content) in a directory, which it makes if needed.
 /// @throws OutputError
 /// @throws std::invalid_argument for a name that is empty, comes twice or leads out of the
 ///   directory

@@ -17,9 +17,7 @@ namespace taut {
 class Sampler {
 public:
     /// Solves for the nominal form.
-    /// @throws std::invalid_argument where the net has no interior edge, the law's scale is not
-    ///   positive, or its reach is not below the shortest interior unstressed length, named with
-    ///   both
+    /// @throws std::invalid_argument as check_law()
     /// @throws std::runtime_error where the nominal net finds no equilibrium
     Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed);
     ~Sampler();

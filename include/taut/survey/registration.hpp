@@ -32,23 +32,35 @@ struct RigidMotion {
 
 /// A rigid motion fitted to control points.
 struct Registration {
-    RigidMotion motion;                ///< from the instrument's frame to the net's
-    std::vector<ControlPoint> points;  ///< those it was fitted to
-    Eigen::Matrix3Xd residuals;        ///< measured, moved, less known; a column a point [m]
-
-    /// Root of the mean squared length of the residuals [m].
-    [[nodiscard]] double rms() const;
+    RigidMotion motion;                      ///< from the instrument's frame to the net's
+    std::vector<ControlResidual> residuals;  ///< of the points it was fitted to, in their order
 };
+
+/// Root of the mean squared length of residuals; 0 where there are none [m].
+[[nodiscard]] double root_mean_square(const std::vector<ControlResidual>& residuals);
 
 /// The rigid motion, without scale, that moves the measured places nearest to the known ones in
 /// the sense of least squares (Kabsch 1976; Umeyama 1991).
 /// @throws SurveyError for fewer than three points, points on a line, and where measured and known
 ///   points differ in scale by more than 1 % of their spread: a survey in millimetres, another net
-[[nodiscard]] Registration register_rigidly(std::vector<ControlPoint> points);
+[[nodiscard]] Registration register_rigidly(const std::vector<ControlPoint>& points);
 
 /// Points that the net's own supports control: those that are named after one.
 [[nodiscard]] std::vector<ControlPoint> support_control_points(
     const CableNet& net, const std::vector<SurveyPoint>& points);
+
+/// Takes control points out of the points of a survey, by the names of the known ones. A node of
+/// the net stays in: it is a target, too.
+/// @param known control points in the net's frame [m]
+/// @param points of the survey; left are those that are no control points, or nodes
+/// @return those that were measured
+/// @throws SurveyError with the line of a known point without a name, or whose name comes twice
+[[nodiscard]] std::vector<ControlPoint> split_off_control_points(
+    const CableNet& net, const std::vector<SurveyPoint>& known, std::vector<SurveyPoint>& points);
+
+/// Whether all control points were measured where they are known to be: to a tenth of the net's
+/// mean edge length.
+[[nodiscard]] bool in_frame_of_net(const CableNet& net, const std::vector<ControlPoint>& points);
 
 /// The points in the frame that a registration leads to. Standard deviations turn with them: the
 /// diagonal of R diag(s^2) R'.

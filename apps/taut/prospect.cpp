@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "prospect.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "command.hpp"
+#include "net_summary.hpp"
+
+namespace taut::app {
+
+Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
+                     const LengthLaw& law, const std::string& net_file) {
+    Survey survey = read_planned_survey(net, options);
+    if (!is_noisy(survey)) {
+        refuse_hidden_nodes(net, survey, options.survey, all_or_their_noise);
+    }
+    if (!nominal.balanced()) {
+        throw NumericalFailure(
+            fmt::format("{}: no equilibrium: {}", net_file, equilibrium_text(nominal)));
+    }
+    SurveyProspect lengths = survey_prospect(net, nominal.form, survey, law);
+    return {.survey = std::move(survey), .law = law, .lengths = std::move(lengths)};
+}
+
+nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
+                               const std::string& file) {
+    const SurveyProspect& lengths = prospect.lengths;
+    nlohmann::ordered_json edges = nlohmann::ordered_json::array();
+    for (const EdgeProspect& e : lengths.edges) {
+        edges.push_back({{"edge", e.edge},
+                         {"id", net.edge_id(e.edge)},
+                         {"std", e.std},
+                         {"ratio", e.std / lengths.prior_std},
+                         {"status", to_string(e.status)}});
+    }
+    return {{"file", file},
+            {"used", prospect.survey.surveyed.size()},
+            {"missing", prospect.survey.missing.size()},
+            {"missing_nodes", prospect.survey.missing},
+            {"law", prospect.law.to_string()},
+            {"prior_std", lengths.prior_std},
+            {"rms_std", lengths.rms_std()},
+            {"identified", lengths.count(EdgeStatus::identified)},
+            {"slack", lengths.count(EdgeStatus::slack)},
+            {"unobserved", lengths.count(EdgeStatus::unobserved)},
+            {"edges", edges}};
+}
+
+std::string prospect_text(const CableNet& net, const Prospect& prospect,
+                          const SurveyOptions& options) {
+    const SurveyProspect& lengths = prospect.lengths;
+    std::string text = survey_text(net, options, prospect.survey);
+    text += fmt::format(
+        "what it can tell, lengths {}, to first order at the equilibrium:\n"
+        "  edges: {} identified, {} slack, {} unobserved\n"
+        "  std of a length deviation: {:.3g} mm RMS over the interior edges, {:.3g} mm before\n"
+        "  {:<12}{:>10}{:>12}  status\n",
+        prospect.law.to_string(), lengths.count(EdgeStatus::identified),
+        lengths.count(EdgeStatus::slack), lengths.count(EdgeStatus::unobserved),
+        1e3 * lengths.rms_std(), 1e3 * lengths.prior_std, "worst edges", "std [mm]", "of before");
+    std::vector<EdgeProspect> worst = lengths.edges;
+    std::ranges::sort(worst, {}, [](const EdgeProspect& e) { return std::pair(-e.std, e.edge); });
+    constexpr size_t shown = 8;
+    for (size_t i = 0; i < std::min(shown, worst.size()); ++i) {
+        const EdgeProspect& e = worst[i];
+        text += fmt::format("  {:<12}{:>10.3f}{:>10.1f} %  {}\n", net.edge_id(e.edge), 1e3 * e.std,
+                            100.0 * e.std / lengths.prior_std, to_string(e.status));
+    }
+    return text;
+}
+
+}  // namespace taut::app

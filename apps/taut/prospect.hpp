@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "survey_input.hpp"
+#include "taut/identification/survey_prospect.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut::app {
+
+/// A survey that is planned, and what it can tell.
+struct Prospect {
+    Survey survey;
+    LengthLaw law;
+    SurveyProspect lengths;
+};
+
+/// @param options SURVEY is a survey, or names of nodes alone
+/// @param net_file for messages
+/// @throws InputError as read_survey(), and where nodes are hidden and no noise is told
+/// @throws NumericalFailure where there is no equilibrium to linearise at
+Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
+                     const LengthLaw& law, const std::string& net_file);
+
+nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
+                               const std::string& file);
+
+/// Lines to be printed.
+std::string prospect_text(const CableNet& net, const Prospect& prospect,
+                          const SurveyOptions& options);
+
+}  // namespace taut::app

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "taut/identification/identification.hpp"
+#include "taut/sampling/length_law.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// What a survey can tell of one interior edge's unstressed length, before it is made.
+struct EdgeProspect {
+    int edge = 0;
+    double std = 0.0;  ///< of the length deviation, after the survey [m]
+    EdgeStatus status = EdgeStatus::identified;
+};
+
+/// What a survey can tell of all lengths, before it is made.
+struct SurveyProspect {
+    double prior_std = 0.0;           ///< of each length deviation, before the survey [m]
+    std::vector<EdgeProspect> edges;  ///< one an interior edge, in their order
+
+    [[nodiscard]] int count(EdgeStatus status) const;
+    /// Root mean square of the edges' standard deviations [m].
+    [[nodiscard]] double rms_std() const;
+};
+
+/// Standard deviations to first order at the nominal lengths and their form, with the law taken as
+/// a normal one of the same variance (best_possible_variances()). Of the net as built, which nobody
+/// knows before, they differ to second order. Each status is the one that an identification most
+/// probably gives, over deviations from the law and errors of the survey: by its own rule, under
+/// the law itself (posterior_of(), status_of()). Slack are the edges without tension in this form.
+/// @param form equilibrium of the nominal lengths (3 x n) [m]
+/// @param survey which nodes, and their noise; its form is not used
+/// @throws std::invalid_argument as best_possible_variances(), and where the net has no interior
+///   edge
+[[nodiscard]] SurveyProspect survey_prospect(const CableNet& net,
+                                             const Eigen::Ref<const Points>& form,
+                                             const Survey& survey, const LengthLaw& law);
+
+}  // namespace taut

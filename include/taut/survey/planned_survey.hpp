@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// A node that is to be surveyed.
+struct PlannedTarget {
+    std::string id;  ///< CableNet::node_id
+    int line = 0;    ///< of the file it came from, for messages; 0 if none
+};
+
+/// The survey that a plan leads to, but for the measured places: those are the nominal ones.
+/// Targets on supports tell of the frame only, and are left at that.
+/// @param noise_std of each coordinate [m]
+/// @throws SurveyError for a name that is not a node's or comes twice
+[[nodiscard]] Survey planned_survey(const CableNet& net, const std::vector<PlannedTarget>& targets,
+                                    double noise_std);
+
+}  // namespace taut

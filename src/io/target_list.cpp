@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/io/target_list.hpp"
+
+#include <fmt/core.h>
+
+#include "io/csv_reader.hpp"
+#include "io/plain_text.hpp"
+#include "taut/io/input_error.hpp"
+
+namespace taut {
+
+std::optional<std::vector<PlannedTarget>> parse_target_list(std::string_view text,
+                                                            const std::string& file_name) {
+    CsvReader reader(plain_text(text, file_name), file_name);
+    std::vector<PlannedTarget> targets;
+    while (auto record = reader.next()) {
+        if (record->fields.size() != 1) {
+            if (targets.empty()) {
+                return std::nullopt;
+            }
+            throw InputError(file_name, std::to_string(record->line),
+                             fmt::format("has {} fields, expected the name of a node alone, as in "
+                                         "the lines before",
+                                         record->fields.size()));
+        }
+        targets.push_back({.id = std::move(record->fields[0]), .line = record->line});
+    }
+    if (targets.empty()) {
+        throw InputError(file_name, "", "names no node, expected one a line, or a survey");
+    }
+    return targets;
+}
+
+}  // namespace taut

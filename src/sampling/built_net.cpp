@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/sampling/built_net.hpp"
+
+#include "taut/sampling/data_set.hpp"
+
+namespace taut {
+
+CableNet built_net(const CableNet& net, const LengthLaw& law, std::uint64_t seed) {
+    check_law(net, law);
+    constexpr std::uint64_t beyond_all_samples = std::uint64_t{1} << 63U;
+    CableNetData data = net.data();
+    data.unstressed_lengths = with_length_deviations(
+        net, draw_length_deviations(law, seed, beyond_all_samples, net.interior_edge_count()));
+    return CableNet(std::move(data));
+}
+
+}  // namespace taut

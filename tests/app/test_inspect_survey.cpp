@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards the plan of a survey: what `inspect --survey` promises of targets must be what `identify`
+// then gives, in whatever form the targets are named.
+
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "app/program.hpp"
+
+namespace {
+
+using namespace taut::test;
+using nlohmann::json;
+
+class InspectSurvey : public ProgramTest {
+protected:
+    InspectSurvey() { must_run({"example", "hypar:10x10", "-o", "net.json"}); }
+
+    /// Writes the names of the 100 free nodes, but for those from the `first` to before the `last`.
+    void plan(int first, int last) const {
+        const std::set<int> supports = json::parse(read("net.json"))["supports"];
+        std::string names;
+        int place = 0;
+        for (int node = 0; node < 140; ++node) {
+            if (!supports.contains(node)) {
+                names += place >= first && place < last ? "" : std::to_string(node) + "\n";
+                ++place;
+            }
+        }
+        write("targets.txt", names);
+    }
+
+    json survey(std::vector<std::string> options) const {
+        options.insert(options.begin(), {"inspect", "net.json", "--json", "--survey"});
+        return json::parse(must_run(options))["survey"];
+    }
+
+    static json statuses(const json& document) {
+        json result = json::array();
+        for (const json& edge : document["edges"]) {
+            result.push_back(edge["status"]);
+        }
+        return result;
+    }
+};
+
+TEST_F(InspectSurvey, TellsEachEdgeAndTheCounts) {
+    plan(30, 70);
+    const json told = survey({"targets.txt", "--noise", "0.5mm"});
+    EXPECT_EQ(told["used"], 60);
+    EXPECT_EQ(told["missing"], 40);
+    EXPECT_EQ(told["law"], "uniform:5mm");
+    EXPECT_NEAR(told["prior_std"].get<double>(), 0.005 / std::sqrt(3.0), 1e-12);
+    ASSERT_EQ(told["edges"].size(), 180U);
+    int unobserved = 0;
+    double squares = 0.0;
+    for (const json& edge : told["edges"]) {
+        const double std = edge["std"];
+        squares += std * std;
+        EXPECT_NEAR(edge["ratio"].get<double>(), std / told["prior_std"].get<double>(), 1e-12);
+        EXPECT_LE(edge["ratio"], 1.0 + 1e-9);
+        unobserved += edge["status"] == "unobserved" ? 1 : 0;
+    }
+    EXPECT_GT(unobserved, 0);
+    EXPECT_EQ(told["unobserved"], unobserved);
+    EXPECT_EQ(told["identified"], 180 - unobserved);
+    EXPECT_NEAR(told["rms_std"].get<double>(), std::sqrt(squares / 180.0), 1e-12);
+    const std::string text =
+        must_run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"});
+    EXPECT_THAT(text, testing::HasSubstr("survey targets.txt: 60 free nodes, 40 not surveyed"));
+    EXPECT_THAT(text, testing::HasSubstr(std::to_string(unobserved) + " unobserved"));
+    EXPECT_THAT(text, testing::HasSubstr("worst edges"));
+}
+
+TEST_F(InspectSurvey, TellsTheSameOfAListAndOfASurvey) {
+    must_run({"form", "net.json", "-o", "form.csv"});
+    must_run({"survey", "net.json", "form.csv", "--noise", "0.5mm", "--drop", "30%", "-o",
+              "survey.csv"});
+    std::istringstream lines(read("survey.csv"));
+    std::string names;
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        names += line.substr(0, line.find(',')) + "\n";
+    }
+    write("targets.txt", names);
+    const json list = survey({"targets.txt", "--noise", "0.5mm"});
+    const json points = survey({"survey.csv"});
+    EXPECT_EQ(list["edges"], points["edges"]);
+    EXPECT_EQ(list["missing_nodes"], points["missing_nodes"]);
+    // And of the survey in a frame of its own, without names.
+    must_run({"survey", "net.json", "form.csv", "--noise", "0.5mm", "--drop", "30%", "--shuffle",
+              "--frame", "random", "-o", "survey.csv"});
+    EXPECT_EQ(statuses(survey({"survey.csv"})), statuses(list));
+}
+
+TEST_F(InspectSurvey, NeedsNoNoiseWhereAllNodesAreTargeted) {
+    plan(0, 0);
+    const json told = survey({"targets.txt"});
+    EXPECT_EQ(told["identified"], 180);
+    EXPECT_LT(told["rms_std"], 1e-6);
+}
+
+TEST_F(InspectSurvey, RefusesHiddenNodesWithoutNoise) {
+    plan(10, 20);
+    expect_error(run({"inspect", "net.json", "--survey", "targets.txt"}), 2,
+                 "targets.txt: holds 90 of 100 free nodes, expected all, or their noise (--noise, "
+                 "or sx, sy, sz in the file): node '23' is the first missing");
+}
+
+TEST_F(InspectSurvey, RefusesAPlanThatMakesNoSense) {
+    const auto refused = [this](const std::string& names, const std::string& told) {
+        write("targets.txt", names);
+        expect_error(run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"}), 2,
+                     told);
+    };
+    refused("1\n2\ntower\n4\n", "targets.txt:3: 'tower' is no node of the net");
+    refused("1\n2\n# again\n2\n", "targets.txt:4: surveys node '2' a second time");
+    refused("1\n2 3\n", "targets.txt:2: has 2 fields");
+    refused("", "targets.txt: names no node");
+    refused("0\n1\n", "targets.txt: holds no free node of the net");
+}
+
+TEST_F(InspectSurvey, RefusesOptionsThatNeedASurvey) {
+    for (const auto& [option, value] : {std::pair("--noise", "1mm"), std::pair("--frame", "net"),
+                                        std::pair("--law", "normal:1mm")}) {
+        expect_error(run({"inspect", "net.json", option, value}), 2, "--survey");
+    }
+    plan(0, 1);
+    expect_error(run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "1mm", "--frame",
+                      "supports"}),
+                 2, "targets.txt: names nodes alone");
+    expect_error(run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "1mm", "--law",
+                      "gauss:1mm"}),
+                 2, "'gauss:1mm'");
+}
+
+}  // namespace

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a plan of targets that promises more, or less, than the survey then tells.
+
+#include "taut/identification/survey_prospect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <set>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/best_possible.hpp"
+#include "taut/identification/maximum_a_posteriori.hpp"
+
+namespace {
+
+using namespace taut;
+
+constexpr double noise_std = 0.5e-3;
+constexpr LengthLaw uniform{LengthLaw::Kind::uniform, 0.005};
+constexpr LengthLaw normal{LengthLaw::Kind::normal, 0.003};
+
+Survey survey_without(const CableNet& net, const std::set<int>& hidden) {
+    Survey survey{.form = net.nodes(),
+                  .noise_std = Points::Constant(3, net.node_count(), noise_std)};
+    for (const int node : net.free_nodes()) {
+        (hidden.contains(node) ? survey.missing : survey.surveyed).push_back(node);
+    }
+    return survey;
+}
+
+/// Free nodes within so many edges of one.
+std::set<int> region(const CableNet& net, int centre, int edges) {
+    std::set<int> nodes{centre};
+    for (int k = 0; k < edges; ++k) {
+        const std::set<int> inner = nodes;
+        for (const auto& [s, t] : net.edges()) {
+            for (const auto& [from, to] : {std::pair(s, t), std::pair(t, s)}) {
+                if (inner.contains(from) && net.free_index(to) >= 0) {
+                    nodes.insert(to);
+                }
+            }
+        }
+    }
+    return nodes;
+}
+
+/// (J' S J + I / law.std()^2)^-1, with J from differences of equilibria.
+Eigen::VectorXd reference_std(const CableNet& net, const Survey& survey, const LengthLaw& law) {
+    constexpr double step = 1e-5;
+    const Eigen::Index count = net.interior_edge_count();
+    Eigen::MatrixXd jacobian(3 * static_cast<Eigen::Index>(survey.surveyed.size()), count);
+    EquilibriumSolver solver(net);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto form = [&](double change) -> Points {
+            const Eigen::VectorXd deviations = change * Eigen::VectorXd::Unit(count, i);
+            return solver.solve(with_length_deviations(net, deviations), net.nodes()).form;
+        };
+        const Points rate = (form(step) - form(-step)) / (2.0 * step);
+        jacobian.col(i) = rate(Eigen::all, survey.surveyed).reshaped();
+    }
+    const Eigen::MatrixXd precision =
+        jacobian.transpose() * jacobian / (noise_std * noise_std) +
+        Eigen::MatrixXd::Identity(count, count) / (law.std() * law.std());
+    return precision.inverse().diagonal().cwiseSqrt();
+}
+
+Eigen::VectorXd stds(const SurveyProspect& prospect) {
+    Eigen::VectorXd result(prospect.edges.size());
+    for (size_t i = 0; i < prospect.edges.size(); ++i) {
+        result(static_cast<Eigen::Index>(i)) = prospect.edges[i].std;
+    }
+    return result;
+}
+
+TEST(SurveyProspect, AgreesWithTheBestPossibleWhereAllNodesAreTargeted) {
+    const CableNet net = hilo_quarter();
+    const Points form = solve_equilibrium(net).form;
+    const Survey survey = survey_without(net, {});
+    const SurveyProspect prospect = survey_prospect(net, form, survey, uniform);
+    const Eigen::VectorXd variances =
+        best_possible_variances(net, net.unstressed_lengths(), form, survey, uniform);
+    EXPECT_LT((stds(prospect).cwiseAbs2() - variances).cwiseAbs().maxCoeff(), 1e-18);
+    EXPECT_NEAR(prospect.rms_std(), std::sqrt(variances.mean()), 1e-12);
+    EXPECT_EQ(prospect.prior_std, uniform.std());
+    EXPECT_EQ(prospect.count(EdgeStatus::identified), net.interior_edge_count());
+}
+
+TEST(SurveyProspect, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
+    const CableNet net = hypar(6, 8);
+    const Points form = solve_equilibrium(net).form;
+    for (const int radius : {0, 2, 4}) {
+        const Survey survey = survey_without(net, region(net, net.free_nodes()[20], radius));
+        const SurveyProspect prospect = survey_prospect(net, form, survey, normal);
+        const Eigen::VectorXd expected = reference_std(net, survey, normal);
+        EXPECT_LT((stds(prospect) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
+        for (size_t i = 0; i < prospect.edges.size(); ++i) {
+            const bool is_unobserved =
+                expected(static_cast<Eigen::Index>(i)) >= 0.95 * normal.std();
+            EXPECT_EQ(prospect.edges[i].status,
+                      is_unobserved ? EdgeStatus::unobserved : EdgeStatus::identified)
+                << i;
+        }
+    }
+}
+
+TEST(SurveyProspect, FindsUnobservedExactlyEdgesInsideAHiddenRegion) {
+    const CableNet net = hypar(10, 10);
+    const Points form = solve_equilibrium(net).form;
+    const int centre = net.free_nodes()[44];
+    const std::set<int> hidden = region(net, centre, 5);
+    const std::set<int> core = region(net, centre, 3);
+    const SurveyProspect prospect =
+        survey_prospect(net, form, survey_without(net, hidden), uniform);
+    int inside = 0;
+    for (const EdgeProspect& e : prospect.edges) {
+        const auto [s, t] = net.edges()[static_cast<size_t>(e.edge)];
+        if (core.contains(s) && core.contains(t)) {
+            EXPECT_EQ(e.status, EdgeStatus::unobserved) << net.edge_id(e.edge);
+            ++inside;
+        } else if (!hidden.contains(s) || !hidden.contains(t)) {
+            EXPECT_EQ(e.status, EdgeStatus::identified) << net.edge_id(e.edge);
+        }
+    }
+    EXPECT_GT(inside, 30);
+}
+
+TEST(SurveyProspect, TellsWhatIdentificationsThenGive) {
+    const CableNet net = hilo_quarter();
+    const Points form = solve_equilibrium(net).form;
+    for (const LengthLaw& law : {uniform, normal}) {
+        taut::testing::SimulatedSurvey s = taut::testing::simulate(net, law, noise_std, 3);
+        for (const int node : net.free_nodes()) {
+            if (node % 10 < 7) {
+                taut::testing::hide(net, s.survey, node);
+            }
+        }
+        const SurveyProspect prospect = survey_prospect(net, form, s.survey, law);
+        const Identification then = identify_by_maximum_a_posteriori(net, s.survey, law);
+        double squares = 0.0;
+        for (const IdentifiedEdge& e : then.edges) {
+            squares += e.std * e.std;
+        }
+        EXPECT_NEAR(prospect.rms_std(), std::sqrt(squares / static_cast<double>(then.edges.size())),
+                    0.03 * prospect.rms_std());
+        const auto unobserved = static_cast<double>(
+            std::ranges::count(then.edges, EdgeStatus::unobserved, &IdentifiedEdge::status));
+        EXPECT_GT(unobserved, 10);
+        EXPECT_NEAR(prospect.count(EdgeStatus::unobserved), unobserved, 0.3 * unobserved);
+    }
+}
+
+TEST(SurveyProspect, KnowsASlackEdge) {
+    CableNetData data = hypar(4, 4).data();
+    const int edge = CableNet(data).interior_edges()[3];
+    data.unstressed_lengths(edge) *= 1.5;
+    const CableNet net(data);
+    const SurveyProspect prospect =
+        survey_prospect(net, solve_equilibrium(net).form, survey_without(net, {}), uniform);
+    for (const EdgeProspect& e : prospect.edges) {
+        EXPECT_EQ(e.status == EdgeStatus::slack, e.edge == edge);
+        if (e.edge == edge) {
+            EXPECT_NEAR(e.std, uniform.std(), 1e-9);
+        }
+    }
+}
+
+TEST(SurveyProspect, RefusesASurveyOfNothingAndANetWithNothingToFind) {
+    const CableNet net = hypar(3, 3);
+    Survey survey = survey_without(net, {});
+    survey.surveyed.clear();
+    EXPECT_THROW(static_cast<void>(survey_prospect(net, net.nodes(), survey, uniform)),
+                 std::invalid_argument);
+    const CableNet known = hypar(1, 1);
+    EXPECT_THROW(static_cast<void>(
+                     survey_prospect(known, known.nodes(), survey_without(known, {}), uniform)),
+                 std::invalid_argument);
+}
+
+}  // namespace

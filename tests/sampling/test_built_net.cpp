@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a trial on lengths that no law gives, that change what is known and set, or that
+// the trained processes have seen.
+
+#include "taut/sampling/built_net.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace {
+
+using namespace taut;
+
+constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+
+Eigen::VectorXd deviations(const CableNet& net, std::uint64_t seed) {
+    return (built_net(net, law, seed).unstressed_lengths() -
+            net.unstressed_lengths())(net.interior_edges());
+}
+
+TEST(BuiltNet, HasInteriorLengthsOfTheLawAndAllElseAsDesigned) {
+    const CableNet net = hypar(6, 8);
+    const Eigen::VectorXd drawn = deviations(net, 7);
+    EXPECT_LE(drawn.cwiseAbs().maxCoeff(), law.scale);
+    EXPECT_NEAR(drawn.norm() / std::sqrt(static_cast<double>(drawn.size())), law.std(),
+                0.2 * law.std());
+    CableNetData data = built_net(net, law, 7).data();
+    for (const int edge : net.adjustable_edges()) {
+        EXPECT_EQ(data.unstressed_lengths(edge), net.unstressed_lengths()(edge));
+    }
+    data.unstressed_lengths = net.unstressed_lengths();
+    EXPECT_EQ(CableNet(data).fingerprint(), net.fingerprint());
+}
+
+TEST(BuiltNet, IsTheSameForASeedAndNoSampleOfIt) {
+    const CableNet net = hypar(3, 4);
+    EXPECT_EQ(deviations(net, 7), deviations(net, 7));
+    EXPECT_NE(deviations(net, 7), deviations(net, 8));
+    const Sampler sampler(net, law, 7);
+    DataSet data = sampler.empty();
+    sampler.extend(data, 20);
+    for (const auto& sample : data.length_deviations.colwise()) {
+        EXPECT_GT((sample - deviations(net, 7)).norm(), 1e-4);
+    }
+}
+
+TEST(BuiltNet, RefusesALawThatGivesLengthsBelowZero) {
+    for (const LengthLaw& far :
+         {LengthLaw{LengthLaw::Kind::uniform, 9.0}, LengthLaw{LengthLaw::Kind::normal, 0.06}}) {
+        try {
+            static_cast<void>(built_net(hypar(3, 4), far, 1));
+            ADD_FAILURE() << far.to_string() << " is not refused";
+        } catch (const std::invalid_argument& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr(far.to_string()));
+        }
+    }
+}
+
+}  // namespace
