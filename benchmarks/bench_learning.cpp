@@ -14,9 +14,14 @@ namespace {
 constexpr int samples = 1000;
 constexpr int training_samples = 950;
 
+const taut::CableNet& net() {
+    static const taut::CableNet built_in = taut::hilo_quarter();
+    return built_in;
+}
+
 const taut::DataSet& data_set() {
     static const taut::DataSet data = [] {
-        const taut::Sampler sampler(taut::hilo_quarter(), {}, 1);
+        const taut::Sampler sampler(net(), {}, 1);
         taut::DataSet drawn = sampler.empty();
         sampler.extend(drawn, samples);
         return drawn;
@@ -26,7 +31,7 @@ const taut::DataSet& data_set() {
 
 const taut::LengthModel& model() {
     static const taut::LengthModel trained =
-        taut::train(data_set(), data_set().converged_in(0, training_samples));
+        taut::train(net(), data_set(), data_set().converged_in(0, training_samples));
     return trained;
 }
 
@@ -53,7 +58,7 @@ BENCHMARK(one_kernel_spectrum)->Unit(benchmark::kMillisecond)->UseRealTime();
 void train_536_processes(benchmark::State& state) {
     const std::vector<int> indices = data_set().converged_in(0, training_samples);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::train(data_set(), indices).processes.weights.data());
+        benchmark::DoNotOptimize(taut::train(net(), data_set(), indices).processes.weights.data());
     }
 }
 BENCHMARK(train_536_processes)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(2);
@@ -62,9 +67,24 @@ void estimate_lengths_of_one_form(benchmark::State& state) {
     const taut::LengthModel& trained = model();
     const Eigen::VectorXd form = data_set().form_deviations.col(training_samples);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::estimate_lengths(trained, form).mean.data());
+        benchmark::DoNotOptimize(taut::estimate_lengths(net(), trained, form).mean.data());
     }
 }
 BENCHMARK(estimate_lengths_of_one_form)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// With its noise in the intervals, gross errors looked for, and the predicted form.
+void identify_by_processes_from_a_noisy_survey(benchmark::State& state) {
+    const taut::LengthModel& trained = model();
+    const taut::Survey survey{
+        .form = taut::with_free_coordinates(
+            net(), data_set().nominal_form + data_set().form_deviations.col(training_samples)),
+        .noise_std = taut::Points::Constant(3, net().node_count(), 0.0005),
+        .surveyed = net().free_nodes(),
+        .missing = {}};
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(taut::identify_by_processes(net(), trained, survey).edges.data());
+    }
+}
+BENCHMARK(identify_by_processes_from_a_noisy_survey)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

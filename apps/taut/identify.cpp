@@ -61,10 +61,9 @@ Choice choose_method(const Options& options, const CableNet& net, const Survey& 
         choice = {.method = "balance",
                   .reason = "all free nodes were surveyed, and no noise is told"};
     }
-    if (has_hidden && (choice.method != "map" || !has_noise)) {
-        const std::string expected = choice.method != "map"
-                                         ? fmt::format("all for --method {}", choice.method)
-                                         : all_or_their_noise;
+    if (has_hidden && (choice.method == "balance" || !has_noise)) {
+        const std::string expected =
+            choice.method == "balance" ? "all for --method balance" : all_or_their_noise;
         refuse_hidden_nodes(net, survey, options.survey, expected);
     }
     return choice;
@@ -100,7 +99,7 @@ LengthModel trained_model(const Options& options, const CableNet& net) {
             }
         }
     }
-    return train_with_progress(data, data.converged_in(0, data.size()), options.quiet);
+    return train_with_progress(net, data, data.converged_in(0, data.size()), {}, options.quiet);
 }
 
 /// The identification, and how it came about, in words.
@@ -114,15 +113,18 @@ Outcome identify(const Options& options, const CableNet& net, const Survey& surv
     if (method == "gp") {
         const LengthModel model =
             options.model.empty() ? trained_model(options, net) : stored_model(options, net);
+        if (model.as_in_paper()) {
+            refuse_hidden_nodes(net, survey, options.survey, "all for a model as in the paper");
+        }
         return {
             identify_by_processes(net, model, survey),
             fmt::format(
                 "Gaussian processes trained on {} samples of {}{}", model.training_count(),
                 model.law.to_string(),
                 options.model.empty() ? " (no --model was given, so they were drawn now)" : "") +
-                (is_noisy(survey)
-                     ? "\n  they take the survey for exact: its noise is not in their intervals; "
-                       "--method map carries it"
+                (model.as_in_paper() && is_noisy(survey)
+                     ? "\n  as in the paper, which takes the survey for exact: its noise is not in "
+                       "their intervals"
                      : "")};
     }
     const LengthLaw law = parse_length_law(options.law);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -26,7 +27,41 @@ namespace {
 struct Options : CommonOptions {
     std::string data;
     std::string output;
+    std::string mean;
+    std::string kernel;
+    bool as_in_paper = false;
+
+    [[nodiscard]] TrainingSettings settings() const;
 };
+
+constexpr std::array all_means{MeanFunction::geometry, MeanFunction::zero};
+constexpr std::array all_metrics{KernelMetric::isotropic, KernelMetric::direction,
+                                 KernelMetric::node};
+
+template <typename Setting, size_t N>
+std::vector<std::string> names(const std::array<Setting, N>& all) {
+    std::vector<std::string> result;
+    for (const Setting setting : all) {
+        result.emplace_back(to_string(setting));
+    }
+    return result;
+}
+
+template <typename Setting, size_t N>
+void choose(Setting& chosen, const std::string& name, const std::array<Setting, N>& all) {
+    for (const Setting setting : all) {
+        if (name == to_string(setting)) {
+            chosen = setting;
+        }
+    }
+}
+
+TrainingSettings Options::settings() const {
+    TrainingSettings settings = as_in_paper ? TrainingSettings::as_in_paper() : TrainingSettings();
+    choose(settings.mean, mean, all_means);
+    choose(settings.metric, kernel, all_metrics);
+    return settings;
+}
 
 /// Edges whose process could not be fitted.
 std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
@@ -37,6 +72,17 @@ std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
         }
     }
     return edges;
+}
+
+/// How much the kernel makes of each direction.
+void print_scales(const LengthModel& model) {
+    if (model.metric == KernelMetric::direction) {
+        fmt::print("scales of the kernel: x {:.3g}, y {:.3g}, z {:.3g}\n", model.input_scales(0),
+                   model.input_scales(1), model.input_scales(2));
+    } else if (model.metric == KernelMetric::node) {
+        fmt::print("scales of the kernel: {:.3g} to {:.3g}\n", model.input_scales.minCoeff(),
+                   model.input_scales.maxCoeff());
+    }
 }
 
 void run(const Options& options) {
@@ -50,7 +96,8 @@ void run(const Options& options) {
     }
     check_outputs({options.output}, {options.data});
     const auto start = std::chrono::steady_clock::now();
-    const LengthModel model = train_with_progress(stored.data, samples, options.quiet);
+    const LengthModel model = train_with_progress(stored.net.net, stored.data, samples,
+                                                  options.settings(), options.quiet);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     write_model(options.output, model, stored.net);
 
@@ -68,6 +115,8 @@ void run(const Options& options) {
             {"format", "taut-training"},
             {"version", 1},
             {"net", counts_json(net)},
+            {"mean", to_string(model.mean)},
+            {"kernel", to_string(model.metric)},
             {"training_samples", samples.size()},
             {"left_out_not_converged", stored.data.not_converged()},
             {"processes", processes.size()},
@@ -78,8 +127,10 @@ void run(const Options& options) {
         fmt::print("{}\n", to_text(document));
         return;
     }
-    fmt::print("{}\n{} processes trained on {} samples in {:.1f} s\n", counts_text(net),
-               processes.size() - unfitted.size(), samples.size(), took.count());
+    fmt::print("{}\n{} processes (mean: {}, kernel: {}) trained on {} samples in {:.1f} s\n",
+               counts_text(net), processes.size() - unfitted.size(), to_string(model.mean),
+               to_string(model.metric), samples.size(), took.count());
+    print_scales(model);
     if (stored.data.not_converged() > 0) {
         fmt::print("left out: {} samples that did not converge\n", stored.data.not_converged());
     }
@@ -99,6 +150,21 @@ void add_train(CLI::App& program) {
         "  taut train data.h5 -o model.h5", *options);
     command.add_option("DATA", options->data, "Data set of taut sample")->required();
     add_output_option(command, options->output, "Model to write (HDF5)");
+    CLI::Option* paper = command.add_flag(
+        "--as-in-paper", options->as_in_paper,
+        "The paper's settings: zero mean, isotropic kernel, surveys taken for exact");
+    command
+        .add_option("--mean", options->mean,
+                    "What is expected before anything is learnt: geometry (nominal strain in the "
+                    "edges as measured; default) or zero")
+        ->check(CLI::IsMember(names(all_means)))
+        ->excludes(paper);
+    command
+        .add_option("--kernel", options->kernel,
+                    "How forms are compared: isotropic (default), or with a scale for each "
+                    "direction, or for each node")
+        ->check(CLI::IsMember(names(all_metrics)))
+        ->excludes(paper);
     command.callback([options] { run(*options); });
 }
 

@@ -8,17 +8,18 @@
 
 namespace taut::app {
 
-LengthModel train_with_progress(const DataSet& data, const std::vector<int>& samples, bool quiet) {
+LengthModel train_with_progress(const CableNet& net, const DataSet& data,
+                                const std::vector<int>& samples, TrainingSettings settings,
+                                bool quiet) {
     const std::stop_token stop = Interruption::stop_token();
     Progress progress(quiet);
-    gp::FitSettings settings;
-    settings.progress = [&](int made) {
+    settings.fit.progress = [&](int made) {
         if (stop.stop_requested()) {
             throw Interrupted();
         }
-        progress.show("training", made, settings.max_spectra);
+        progress.show("training", made, settings.fit.max_spectra);
     };
-    return train(data, samples, settings);
+    return train(net, data, samples, settings);
 }
 
 }  // namespace taut::app

@@ -9,7 +9,8 @@
 namespace taut::app {
 
 /// train(), shown on a terminal and stopped by an interruption (taut::Interrupted).
-[[nodiscard]] LengthModel train_with_progress(const DataSet& data, const std::vector<int>& samples,
-                                              bool quiet);
+[[nodiscard]] LengthModel train_with_progress(const CableNet& net, const DataSet& data,
+                                              const std::vector<int>& samples,
+                                              TrainingSettings settings, bool quiet);
 
 }  // namespace taut::app

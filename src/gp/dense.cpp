@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <lapacke.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace taut::gp {
@@ -46,6 +47,38 @@ Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower, const Eigen::Matri
     }
     product.noalias() -= lower.diagonal().asDiagonal() * b;
     return product.cwiseProduct(b).colwise().sum().transpose();
+}
+
+Cholesky::Cholesky(Eigen::MatrixXd matrix) : m_L(std::move(matrix)) {
+    const auto n = static_cast<lapack_int>(m_L.rows());
+    const lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, m_L.data(), std::max(1, n));
+    if (info != 0) {
+        throw std::runtime_error(
+            fmt::format("the matrix is not positive definite (dpotrf: {})", info));
+    }
+}
+
+Eigen::MatrixXd Cholesky::solve(Eigen::MatrixXd b) const {
+    const auto n = static_cast<lapack_int>(m_L.rows());
+    LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', n, static_cast<lapack_int>(b.cols()), m_L.data(),
+                   std::max(1, n), b.data(), std::max(1, n));
+    return b;
+}
+
+Eigen::MatrixXd Cholesky::solve_lower(Eigen::MatrixXd b) const {
+    const auto n = static_cast<int>(m_L.rows());
+    if (b.size() > 0) {
+        cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n,
+                    static_cast<int>(b.cols()), 1.0, m_L.data(), n, b.data(), n);
+    }
+    return b;
+}
+
+Eigen::MatrixXd Cholesky::inverse_lower() const {
+    Eigen::MatrixXd inverse = m_L;
+    const auto n = static_cast<lapack_int>(m_L.rows());
+    LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, inverse.data(), std::max(1, n));
+    return inverse;
 }
 
 SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix) {

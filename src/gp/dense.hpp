@@ -18,6 +18,24 @@ namespace taut::gp {
 [[nodiscard]] Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower,
                                               const Eigen::MatrixXd& b);
 
+/// The factor L of a symmetric, positive definite matrix L L'.
+class Cholesky {
+public:
+    /// Reads the lower triangle of the matrix.
+    /// @throws std::runtime_error where the matrix is not positive definite
+    explicit Cholesky(Eigen::MatrixXd matrix);
+
+    /// (L L')^-1 b
+    [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd b) const;
+    /// L^-1 b
+    [[nodiscard]] Eigen::MatrixXd solve_lower(Eigen::MatrixXd b) const;
+    /// (L L')^-1, its lower triangle
+    [[nodiscard]] Eigen::MatrixXd inverse_lower() const;
+
+private:
+    Eigen::MatrixXd m_L;
+};
+
 struct SymmetricEigen {
     Eigen::VectorXd values;   ///< ascending
     Eigen::MatrixXd vectors;  ///< columns, orthonormal

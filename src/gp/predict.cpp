@@ -11,15 +11,30 @@
 namespace taut::gp {
 namespace {
 
-/// Adds the mean and std of the processes that use spectrum number s, by their rows in the result.
-void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
-                           const Eigen::MatrixXd& squared_distances, Prediction& result) {
+std::vector<Eigen::Index> members_of(const FittedProcesses& fitted, size_t spectrum) {
     std::vector<Eigen::Index> members;
     for (size_t j = 0; j < fitted.processes.size(); ++j) {
-        if (fitted.processes[j].spectrum == static_cast<int>(s)) {
+        if (fitted.processes[j].spectrum == static_cast<int>(spectrum)) {
             members.push_back(static_cast<Eigen::Index>(j));
         }
     }
+    return members;
+}
+
+void check_inputs(const FittedProcesses& fitted, const Eigen::Ref<const Eigen::MatrixXd>& at) {
+    if (at.rows() != fitted.inputs.rows()) {
+        throw std::invalid_argument(fmt::format(
+            "inputs of dimension {}, expected {} as in training", at.rows(), fitted.inputs.rows()));
+    }
+    if (!at.allFinite()) {
+        throw std::invalid_argument("the inputs hold a number that is not finite");
+    }
+}
+
+/// Adds the mean and std of the processes that use spectrum number s, by their rows in the result.
+void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
+                           const Eigen::MatrixXd& squared_distances, Prediction& result) {
+    const std::vector<Eigen::Index> members = members_of(fitted, s);
     const KernelSpectrum& spectrum = fitted.spectra[s];
     Eigen::VectorXd signal_stds(members.size());
     Eigen::MatrixXd inverse(spectrum.eigenvalues.size(), members.size());  // (d + eta)^-1 of each
@@ -43,19 +58,30 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
 }  // namespace
 
 Prediction FittedProcesses::predict(const Eigen::Ref<const Eigen::MatrixXd>& at) const {
-    if (at.rows() != inputs.rows()) {
-        throw std::invalid_argument(fmt::format(
-            "inputs of dimension {}, expected {} as in training", at.rows(), inputs.rows()));
-    }
-    if (!at.allFinite()) {
-        throw std::invalid_argument("the inputs hold a number that is not finite");
-    }
+    check_inputs(*this, at);
     const auto m = static_cast<Eigen::Index>(processes.size());
     Prediction result{.mean = Eigen::MatrixXd::Zero(m, at.cols()),
                       .std = Eigen::MatrixXd::Zero(m, at.cols())};
     const Eigen::MatrixXd distances = squared_distances(inputs, at);
     for (size_t s = 0; s < spectra.size(); ++s) {
         predict_with_spectrum(*this, s, distances, result);
+    }
+    return result;
+}
+
+Eigen::MatrixXd FittedProcesses::mean_gradient(const Eigen::Ref<const Eigen::VectorXd>& at) const {
+    check_inputs(*this, at);
+    Eigen::MatrixXd result =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(processes.size()), inputs.rows());
+    const Eigen::MatrixXd distances = squared_distances(inputs, at);
+    for (size_t s = 0; s < spectra.size(); ++s) {
+        const std::vector<Eigen::Index> members = members_of(*this, s);
+        const double lambda = spectra[s].inverse_length_scale;
+        const Eigen::VectorXd k = correlation(distances, lambda).col(0);
+        const Eigen::MatrixXd weighted =
+            -lambda * lambda * (k.asDiagonal() * weights(Eigen::all, members)).transpose();
+        result(members, Eigen::all) =
+            weighted.rowwise().sum() * at.transpose() - product(weighted, inputs.transpose());
     }
     return result;
 }

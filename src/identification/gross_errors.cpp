@@ -20,25 +20,53 @@ constexpr double screening_factor = 4.0;
 
 }  // namespace
 
+double outlier_threshold(double false_alarm_rate, size_t targets) {
+    if (!(false_alarm_rate > 0.0)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / static_cast<double>(targets));
+    return boost::math::quantile(
+        boost::math::complement(boost::math::chi_squared_distribution<>(3.0), of_one));
+}
+
+Neighbours neighbours_of(const CableNet& net) {
+    Neighbours neighbours(static_cast<size_t>(net.node_count()));
+    for (const auto& [s, t] : net.edges()) {
+        neighbours[static_cast<size_t>(s)].push_back(t);
+        neighbours[static_cast<size_t>(t)].push_back(s);
+    }
+    return neighbours;
+}
+
+std::vector<int> worst_targets(const std::vector<int>& surveyed, const Neighbours& neighbours,
+                               const Eigen::VectorXd& statistics, const std::vector<bool>& left_out,
+                               double threshold) {
+    const auto is_worst_around = [&](int node) {
+        const auto beats = [&](int other) {
+            return left_out[static_cast<size_t>(other)] || statistics(node) >= statistics(other);
+        };
+        return std::ranges::all_of(neighbours[static_cast<size_t>(node)], [&](int near) {
+            return beats(near) && std::ranges::all_of(neighbours[static_cast<size_t>(near)], beats);
+        });
+    };
+    std::vector<int> worst;
+    for (const int node : surveyed) {
+        if (!left_out[static_cast<size_t>(node)] && statistics(node) > threshold &&
+            is_worst_around(node)) {
+            worst.push_back(node);
+        }
+    }
+    return worst;
+}
+
 GrossErrorTest::GrossErrorTest(const CableNet& net, const Survey& survey, const Points& noise,
                                double false_alarm_rate)
     : m_survey(survey),
       m_noise(noise),
-      m_threshold(std::numeric_limits<double>::infinity()),
-      m_neighbours(static_cast<size_t>(net.node_count())),
+      m_threshold(outlier_threshold(false_alarm_rate, survey.surveyed.size())),
+      m_neighbours(neighbours_of(net)),
       m_left_out(static_cast<size_t>(net.node_count()), false),
-      m_taken_back(static_cast<size_t>(net.node_count()), false) {
-    if (false_alarm_rate > 0.0) {
-        const auto targets = static_cast<double>(survey.surveyed.size());
-        const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / targets);
-        m_threshold = boost::math::quantile(
-            boost::math::complement(boost::math::chi_squared_distribution<>(3.0), of_one));
-    }
-    for (const auto& [s, t] : net.edges()) {
-        m_neighbours[static_cast<size_t>(s)].push_back(t);
-        m_neighbours[static_cast<size_t>(t)].push_back(s);
-    }
-}
+      m_taken_back(static_cast<size_t>(net.node_count()), false) {}
 
 int GrossErrorTest::left_out_count() const {
     return static_cast<int>(std::ranges::count(m_left_out, true));
@@ -72,22 +100,9 @@ void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& f
     }
 }
 
-bool GrossErrorTest::is_worst_around(int node) const {
-    const auto beats = [&](int other) {
-        return is_left_out(other) || m_statistics(node) >= m_statistics(other);
-    };
-    return std::ranges::all_of(m_neighbours[static_cast<size_t>(node)], [&](int near) {
-        return beats(near) && std::ranges::all_of(m_neighbours[static_cast<size_t>(near)], beats);
-    });
-}
-
 bool GrossErrorTest::revise() {
-    std::vector<int> changing;
-    for (const int node : m_survey.surveyed) {
-        if (!is_left_out(node) && m_statistics(node) > m_threshold && is_worst_around(node)) {
-            changing.push_back(node);
-        }
-    }
+    std::vector<int> changing =
+        worst_targets(m_survey.surveyed, m_neighbours, m_statistics, m_left_out, m_threshold);
     if (changing.empty()) {
         for (const int node : m_survey.surveyed) {
             if (is_left_out(node) && !m_taken_back[static_cast<size_t>(node)] &&

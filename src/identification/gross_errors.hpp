@@ -10,6 +10,25 @@
 
 namespace taut {
 
+/// The quantile that the largest of so many independent statistics, each chi-squared with three
+/// degrees of freedom, exceeds with the probability `false_alarm_rate` (Sidak); infinite for 0.
+[[nodiscard]] double outlier_threshold(double false_alarm_rate, size_t targets);
+
+/// More targets with gross errors than this part: not they are wrong, but net, frame, law or noise.
+inline constexpr double most_outliers = 0.25;
+
+/// Which nodes lie next to each node.
+using Neighbours = std::vector<std::vector<int>>;
+[[nodiscard]] Neighbours neighbours_of(const CableNet& net);
+
+/// Of the targets in use those whose statistic is above the threshold and the largest of all in use
+/// that are two edges away or less: a gross error shows in the residuals around it, too.
+/// @param statistics by node (n); @param left_out flags by node (n)
+[[nodiscard]] std::vector<int> worst_targets(const std::vector<int>& surveyed,
+                                             const Neighbours& neighbours,
+                                             const Eigen::VectorXd& statistics,
+                                             const std::vector<bool>& left_out, double threshold);
+
 /// Data snooping (Baarda) for targets, three coordinates at a time. For a target in use, the
 /// residuals e at the fit have the covariance Q = Sigma - C, with the noise Sigma and the posterior
 /// covariance C of the node's place; for one left out, Q = Sigma + C. Where there is no gross error
@@ -43,13 +62,12 @@ public:
     [[nodiscard]] double noise_ratio() const;
 
 private:
-    [[nodiscard]] bool is_worst_around(int node) const;
     [[nodiscard]] bool is_left_out(int node) const { return m_left_out[static_cast<size_t>(node)]; }
 
     const Survey& m_survey;
     const Points& m_noise;
     double m_threshold;
-    std::vector<std::vector<int>> m_neighbours;
+    Neighbours m_neighbours;
     std::vector<bool> m_left_out;
     std::vector<bool> m_taken_back;
     Eigen::VectorXd m_statistics;

@@ -5,8 +5,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
+#include "identification/form_conditioning.hpp"
+#include "identification/gross_errors.hpp"
+#include "identification/mean_function.hpp"
+#include "identification/outcome.hpp"
+#include "identification/survey_knowledge.hpp"
+#include "taut/identification/length_posterior.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -16,17 +25,136 @@ namespace {
 /// law's: two processes trained on other samples differ by as much.
 constexpr double unobserved_ratio = 0.95;
 
-void check(const CableNet& net, const LengthModel& model, const Survey& survey) {
-    if (model.net_fingerprint != net.fingerprint()) {
-        throw std::invalid_argument(
-            fmt::format("the model was trained for the net {}, expected {} ('{}')",
-                        model.net_fingerprint, net.fingerprint(), net.name()));
+void check_lengths(const CableNet& net, const Eigen::VectorXd& lengths) {
+    for (const int edge : net.interior_edges()) {
+        if (!(lengths(edge) > 0.0)) {
+            throw std::runtime_error(fmt::format(
+                "the survey gives edge '{}' the unstressed length {:.4g} m: it is not of this net, "
+                "or far noisier than what the model was trained on",
+                net.edge_id(edge), lengths(edge)));
+        }
     }
+}
+
+/// Eq. ident at the surveyed form.
+Identification identify_as_in_paper(const CableNet& net, const LengthModel& model,
+                                    const Survey& survey) {
     if (!survey.missing.empty()) {
         throw std::invalid_argument(fmt::format(
-            "the survey holds {} of {} free nodes, expected all: node '{}' is the first missing",
+            "the survey holds {} of {} free nodes, expected all for a model as in the paper: node "
+            "'{}' is the first missing",
             survey.surveyed.size(), net.free_node_count(), net.node_id(survey.missing.front())));
     }
+    const LengthEstimates estimates =
+        estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
+    const Eigen::VectorXd lengths = with_length_deviations(net, estimates.mean.col(0));
+    check_lengths(net, lengths);
+
+    Identification result;
+    result.method = "gp";
+    result.predicted = EquilibriumSolver(net).solve(lengths, survey.form);
+    if (!result.predicted.balanced()) {
+        throw std::runtime_error(fmt::format(
+            "the identified lengths find no equilibrium: {:.4g} N out of balance after {} "
+            "iterations",
+            result.predicted.out_of_balance, result.predicted.iterations));
+    }
+    const Eigen::VectorXd measured = edge_lengths(net, survey.form);
+    const double bound = model.law.kind == LengthLaw::Kind::uniform
+                             ? model.law.scale
+                             : std::numeric_limits<double>::infinity();
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const double mean = estimates.mean(i, 0);
+        const double std = estimates.std(i, 0);
+        IdentifiedEdge e{.edge = edge,
+                         .nominal = net.unstressed_lengths()(edge),
+                         .length_deviation = mean,
+                         .std = std,
+                         .lower = std::clamp(mean - half_interval_95 * std, -bound, bound),
+                         .upper = std::clamp(mean + half_interval_95 * std, -bound, bound),
+                         .status = std > unobserved_ratio * model.law.std()
+                                       ? EdgeStatus::unobserved
+                                       : EdgeStatus::identified};
+        if (std::ranges::binary_search(result.predicted.slack_edges, edge)) {
+            // No shorter than it was measured, and no longer than the law lets it be.
+            e.lower = measured(edge) - e.nominal;
+            e.upper = std::max(e.lower, model.law.reach());
+            e.length_deviation = std::clamp(mean, e.lower, e.upper);
+            e.std = model.law.std();
+            e.status = EdgeStatus::slack;
+        }
+        result.edges.push_back(e);
+    }
+    const Eigen::MatrixXd differences =
+        (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);
+    result.residuals = differences.colwise().norm().transpose();
+    return result;
+}
+
+bool is_exact_and_whole(const Survey& survey) {
+    return survey.missing.empty() &&
+           (survey.noise_std.cols() == 0 ||
+            survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() == 0.0);
+}
+
+/// What the processes tell of each edge at one form, and how its uncertainty adds to theirs.
+/// @param after the form's distribution; null where the form is known
+std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const LengthModel& model,
+                                                  const Eigen::VectorXd& form_deviation,
+                                                  const ConditionedForm* after) {
+    const LengthEstimates estimates = estimate_lengths(net, model, form_deviation);
+    const Points form = with_free_coordinates(net, model.nominal_form + form_deviation);
+    Eigen::VectorXd of_length = Eigen::VectorXd::Zero(net.interior_edge_count());
+    Eigen::VectorXd of_extension = of_length;
+    if (after != nullptr) {
+        const Eigen::MatrixXd rates =
+            mean_gradient(net, model.mean, model.nominal_form, form_deviation) +
+            model.processes.mean_gradient(model.input_scales.cwiseProduct(form_deviation)) *
+                model.input_scales.asDiagonal();
+        of_length = after->variances(rates.transpose());
+        of_extension = after->variances((length_gradient(net, form) - rates).transpose());
+    }
+    const Eigen::VectorXd lengths = edge_lengths(net, form);
+    std::vector<LengthLikelihood> result;
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const double variance = estimates.std(i, 0) * estimates.std(i, 0);
+        LengthLikelihood likelihood = without_prior(0.0, model.law.std(), estimates.mean(i, 0),
+                                                    std::sqrt(variance + of_length(i)));
+        likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
+        likelihood.extension =
+            (likelihood.slack_from - estimates.mean(i, 0)) / std::sqrt(variance + of_extension(i));
+        result.push_back(likelihood);
+    }
+    return result;
+}
+
+/// Asks the processes at the form that the survey, the law and the linearised statics tell.
+Identification identify_conditionally(const CableNet& net, const LengthModel& model,
+                                      const Survey& survey) {
+    Identification result;
+    result.method = "gp";
+    Eigen::VectorXd deviation = free_coordinates(net, survey.form) - model.nominal_form;
+    std::optional<ConditionedForm> after;
+    if (!is_exact_and_whole(survey)) {
+        const bool is_noisy = survey.noise_std.cols() > 0 &&
+                              survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() > 0.0;
+        result.outlier_threshold =
+            outlier_threshold(is_noisy ? default_false_alarm_rate : 0.0, survey.surveyed.size());
+        after.emplace(net, form_before_survey(net, model), survey, model.nominal_form,
+                      reckoned_noise(net, survey), result.outlier_threshold);
+        deviation = after->mean();
+        result.outliers = after->outliers();
+        result.noise_ratio = after->noise_ratio();
+        if (!after->fits()) {
+            result.status = IdentificationStatus::survey_does_not_fit;
+        }
+    }
+    complete(result, net, survey, model.law,
+             process_likelihoods(net, model, deviation, after ? &*after : nullptr),
+             with_free_coordinates(net, model.nominal_form + deviation));
+    return result;
 }
 
 }  // namespace
@@ -55,9 +183,11 @@ std::string_view to_string(IdentificationStatus status) {
     return "unknown";
 }
 
-LengthEstimates estimate_lengths(const LengthModel& model,
+LengthEstimates estimate_lengths(const CableNet& net, const LengthModel& model,
                                  const Eigen::Ref<const Eigen::MatrixXd>& form_deviations) {
-    gp::Prediction prediction = model.processes.predict(form_deviations);
+    gp::Prediction prediction =
+        model.processes.predict(model.input_scales.asDiagonal() * form_deviations);
+    const Eigen::MatrixXd means = mean_values(net, model.mean, model.nominal_form, form_deviations);
     for (Eigen::Index i = 0; i < prediction.std.rows(); ++i) {
         const gp::Process& process = model.processes.processes[static_cast<size_t>(i)];
         if (process.status != gp::FitStatus::fitted) {
@@ -65,6 +195,7 @@ LengthEstimates estimate_lengths(const LengthModel& model,
             continue;
         }
         const double noise = process.hyperparameters.noise_std;
+        prediction.mean.row(i) += means.row(i);
         prediction.std.row(i) = (prediction.std.row(i).array().square() + noise * noise).sqrt();
     }
     return {.mean = std::move(prediction.mean), .std = std::move(prediction.std)};
@@ -72,57 +203,14 @@ LengthEstimates estimate_lengths(const LengthModel& model,
 
 Identification identify_by_processes(const CableNet& net, const LengthModel& model,
                                      const Survey& survey) {
-    check(net, model, survey);
-    const LengthEstimates estimates =
-        estimate_lengths(model, free_coordinates(net, survey.form) - model.nominal_form);
-    const Eigen::VectorXd lengths = with_length_deviations(net, estimates.mean.col(0));
-
-    for (const int edge : net.interior_edges()) {
-        if (!(lengths(edge) > 0.0)) {
-            throw std::runtime_error(fmt::format(
-                "the survey gives edge '{}' the unstressed length {:.4g} m: it is not of this net, "
-                "or far noisier than what the model was trained on",
-                net.edge_id(edge), lengths(edge)));
-        }
+    if (model.net_fingerprint != net.fingerprint()) {
+        throw std::invalid_argument(
+            fmt::format("the model was trained for the net {}, expected {} ('{}')",
+                        model.net_fingerprint, net.fingerprint(), net.name()));
     }
-
-    Identification result;
-    result.method = "gp";
-    result.predicted = EquilibriumSolver(net).solve(lengths, survey.form);
-    if (!result.predicted.balanced()) {
-        throw std::runtime_error(fmt::format(
-            "the identified lengths find no equilibrium: {:.4g} N out of balance after {} "
-            "iterations",
-            result.predicted.out_of_balance, result.predicted.iterations));
-    }
-    const Eigen::VectorXd measured = edge_lengths(net, survey.form);
-    for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
-        const double mean = estimates.mean(i, 0);
-        const double std = estimates.std(i, 0);
-        IdentifiedEdge e{.edge = edge,
-                         .nominal = net.unstressed_lengths()(edge),
-                         .length_deviation = mean,
-                         .std = std,
-                         .lower = mean - half_interval_95 * std,
-                         .upper = mean + half_interval_95 * std,
-                         .status = std > unobserved_ratio * model.law.std()
-                                       ? EdgeStatus::unobserved
-                                       : EdgeStatus::identified};
-        if (std::ranges::binary_search(result.predicted.slack_edges, edge)) {
-            // No shorter than it was measured, and no longer than the law lets it be.
-            e.lower = measured(edge) - e.nominal;
-            e.upper = std::max(e.lower, model.law.reach());
-            e.length_deviation = std::clamp(mean, e.lower, e.upper);
-            e.std = model.law.std();
-            e.status = EdgeStatus::slack;
-        }
-        result.edges.push_back(e);
-    }
-    const Eigen::MatrixXd differences =
-        (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);
-    result.residuals = differences.colwise().norm().transpose();
-    return result;
+    check_survey(net, survey);
+    return model.as_in_paper() ? identify_as_in_paper(net, model, survey)
+                               : identify_conditionally(net, model, survey);
 }
 
 }  // namespace taut

@@ -19,9 +19,6 @@ namespace {
 /// survey changes nothing that the survey could show.
 constexpr double tolerance_in_noise = 1e-3;
 
-/// More targets with gross errors than this part: not they are wrong, but net, frame, law or noise.
-constexpr double most_outliers = 0.25;
-
 constexpr int most_revisions = 100;
 
 void check(const MaximumAPosterioriSettings& settings) {

@@ -6,23 +6,81 @@
 
 #include <stdexcept>
 
-namespace taut {
+#include "identification/mean_function.hpp"
+#include "taut/gp/input_scales.hpp"
 
-LengthModel train(const DataSet& data, const std::vector<int>& samples,
-                  const gp::FitSettings& settings) {
+namespace taut {
+namespace {
+
+void check(const CableNet& net, const DataSet& data, const std::vector<int>& samples) {
+    if (data.net_fingerprint != net.fingerprint()) {
+        throw std::invalid_argument(fmt::format("the data set is of the net {}, expected {} ('{}')",
+                                                data.net_fingerprint, net.fingerprint(),
+                                                net.name()));
+    }
     for (const int k : samples) {
         if (k < 0 || k >= data.size()) {
             throw std::invalid_argument(
                 fmt::format("training sample {}, expected 0 to {}", k, data.size() - 1));
         }
     }
-    return {
-        .net_fingerprint = data.net_fingerprint,
-        .law = data.law,
-        .seed = data.seed,
-        .nominal_form = data.nominal_form,
-        .processes = gp::fit(data.form_deviations(Eigen::all, samples),
-                             data.length_deviations(Eigen::all, samples).transpose(), settings)};
+}
+
+Eigen::VectorXd input_scales(KernelMetric metric, const Eigen::MatrixXd& inputs,
+                             const Eigen::MatrixXd& outputs) {
+    if (metric == KernelMetric::isotropic) {
+        return Eigen::VectorXd::Ones(inputs.rows());
+    }
+    std::vector<int> groups(static_cast<size_t>(inputs.rows()));
+    for (size_t i = 0; i < groups.size(); ++i) {
+        groups[i] = static_cast<int>(metric == KernelMetric::direction ? i % 3 : i / 3);
+    }
+    return gp::estimate_input_scales(inputs, outputs, groups);
+}
+
+}  // namespace
+
+std::string_view to_string(MeanFunction mean) {
+    switch (mean) {
+        case MeanFunction::zero:
+            return "zero";
+        case MeanFunction::geometry:
+            return "geometry";
+    }
+    return "unknown";
+}
+
+std::string_view to_string(KernelMetric metric) {
+    switch (metric) {
+        case KernelMetric::isotropic:
+            return "isotropic";
+        case KernelMetric::direction:
+            return "direction";
+        case KernelMetric::node:
+            return "node";
+    }
+    return "unknown";
+}
+
+LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
+                  const TrainingSettings& settings) {
+    check(net, data, samples);
+    const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
+    LengthModel model{.net_fingerprint = data.net_fingerprint,
+                      .law = data.law,
+                      .seed = data.seed,
+                      .mean = settings.mean,
+                      .metric = settings.metric,
+                      .nominal_form = data.nominal_form,
+                      .input_scales = {},
+                      .length_deviations = data.length_deviations(Eigen::all, samples),
+                      .processes = {}};
+    const Eigen::MatrixXd outputs =
+        (model.length_deviations - mean_values(net, model.mean, model.nominal_form, forms))
+            .transpose();
+    model.input_scales = input_scales(settings.metric, forms, outputs);
+    model.processes = gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit);
+    return model;
 }
 
 }  // namespace taut

@@ -14,6 +14,7 @@ namespace taut {
 namespace {
 
 const std::string format = "taut-data-set";
+constexpr std::uint64_t version = 1;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
 constexpr std::array all_statuses{EquilibriumStatus::converged, EquilibriumStatus::slack_mechanism,
@@ -38,6 +39,7 @@ std::string data_set_bytes(const DataSet& data, const NetFile& net) {
     hdf5::Writer writer;
     write_head(writer,
                {.format = format,
+                .version = version,
                 .net_fingerprint = data.net_fingerprint,
                 .law = data.law,
                 .seed = data.seed,
@@ -61,7 +63,7 @@ void write_data_set(const std::filesystem::path& path, const DataSet& data, cons
 
 StoredDataSet read_data_set(const std::filesystem::path& path) {
     const hdf5::Reader reader(path, format);
-    auto [head, file] = read_head(reader, format);
+    auto [head, file] = read_head(reader, format, version);
     const CableNet& net = file.net;
     const Eigen::Index coordinates = 3 * net.free_node_count();
     const Eigen::Index n = reader.row_count("form_deviation", coordinates);

@@ -11,9 +11,7 @@
 namespace taut {
 namespace {
 
-constexpr std::uint64_t version = 1;
-
-void check_format(const hdf5::Reader& reader, const std::string& format) {
+void check_format(const hdf5::Reader& reader, const std::string& format, std::uint64_t version) {
     const std::string found = reader.text_attribute("format");
     if (found != format) {
         reader.fail("format", fmt::format("is {}, expected '{}'", quote(found), format));
@@ -63,7 +61,7 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
     }
     require_matrix("nominal_form", head.nominal_form, 3 * net.free_node_count(), 1);
     writer.attribute("format", head.format);
-    writer.attribute("version", version);
+    writer.attribute("version", head.version);
     writer.attribute("law", head.law.to_string());
     writer.attribute("seed", head.seed);
     writer.attribute("net_fingerprint", head.net_fingerprint);
@@ -73,8 +71,9 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
     writer.vector("nominal_form", head.nominal_form, "m");
 }
 
-std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader, const std::string& format) {
-    check_format(reader, format);
+std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader, const std::string& format,
+                                     std::uint64_t version) {
+    check_format(reader, format, version);
     NetFile file = parse_net(reader.text("net"), reader.file_name() + ":net");
     const CableNet& net = file.net;
     const std::string fingerprint = reader.text_attribute("net_fingerprint");
@@ -86,6 +85,7 @@ std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader, const std::stri
     require_list(reader, "free_nodes", net.free_nodes(), net.node_count());
     require_list(reader, "interior_edges", net.interior_edges(), net.edge_count());
     H5Head head{.format = format,
+                .version = version,
                 .net_fingerprint = fingerprint,
                 .law = read_law(reader),
                 .seed = reader.number_attribute("seed"),

@@ -17,6 +17,7 @@ namespace taut {
 /// The head of a data set or model.
 struct H5Head {
     std::string format;  ///< "taut-model"
+    std::uint64_t version = 1;
     std::string net_fingerprint;
     LengthLaw law;
     std::uint64_t seed = 1;
@@ -30,7 +31,8 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file);
 /// @param format that the file should have
 /// @throws InputError
 [[nodiscard]] std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader,
-                                                   const std::string& format);
+                                                   const std::string& format,
+                                                   std::uint64_t version);
 
 /// "0: converged, 1: slack mechanism": the meaning of the codes of an enumeration.
 template <typename Status, size_t N>

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "io/h5_head.hpp"
+#include "io/message.hpp"
 #include "taut/io/file.hpp"
 
 namespace taut {
@@ -19,8 +20,12 @@ using gp::KernelSpectrum;
 using gp::Process;
 
 const std::string format = "taut-model";
+constexpr std::uint64_t version = 2;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
+constexpr std::array all_means{MeanFunction::zero, MeanFunction::geometry};
+constexpr std::array all_metrics{KernelMetric::isotropic, KernelMetric::direction,
+                                 KernelMetric::node};
 constexpr std::array all_statuses{FitStatus::fitted, FitStatus::constant_output,
                                   FitStatus::non_finite_output};
 
@@ -39,15 +44,31 @@ constexpr std::array columns{
            [](Process& p) -> double& { return p.negative_log_likelihood; }},
     Column{"leave_one_out_rmse", "m", [](Process& p) -> double& { return p.leave_one_out_rmse; }}};
 
+/// The one of all settings whose name an attribute holds.
+template <typename Setting, size_t N>
+Setting read_name(const hdf5::Reader& reader, const char* attribute,
+                  const std::array<Setting, N>& all) {
+    const std::string name = reader.text_attribute(attribute);
+    for (const Setting setting : all) {
+        if (name == to_string(setting)) {
+            return setting;
+        }
+    }
+    reader.fail(attribute, fmt::format("is {}, which this taut does not know", quote(name)));
+}
+
 std::string spectrum_name(size_t index) {
     return fmt::format("spectra/{}", index);
 }
 
-void check(const FittedProcesses& processes, const CableNet& net) {
+void check(const LengthModel& model, const CableNet& net) {
+    const FittedProcesses& processes = model.processes;
     const Eigen::Index n = processes.inputs.cols();
     const Eigen::Index m = net.interior_edge_count();
     require_matrix("inputs", processes.inputs, 3 * net.free_node_count(), n);
     require_matrix("weights", processes.weights, n, m);
+    require_matrix("input_scales", model.input_scales, 3 * net.free_node_count(), 1);
+    require_matrix("length_deviations", model.length_deviations, m, n);
     if (static_cast<Eigen::Index>(processes.processes.size()) != m) {
         throw std::invalid_argument(fmt::format("{} processes, expected {}, one an interior edge",
                                                 processes.processes.size(), m));
@@ -147,16 +168,21 @@ void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) 
 
 std::string model_bytes(const LengthModel& model, const NetFile& net) {
     const FittedProcesses& fitted = model.processes;
-    check(fitted, net.net);
+    check(model, net.net);
     hdf5::Writer writer;
     write_head(writer,
                {.format = format,
+                .version = version,
                 .net_fingerprint = model.net_fingerprint,
                 .law = model.law,
                 .seed = model.seed,
                 .nominal_form = model.nominal_form},
                net);
+    writer.attribute("mean_function", std::string(to_string(model.mean)));
+    writer.attribute("kernel_metric", std::string(to_string(model.metric)));
+    writer.vector("input_scales", model.input_scales, "1");
     writer.matrix("training_inputs", fitted.inputs, "m");
+    writer.matrix("training_outputs", model.length_deviations, "m");
     writer.matrix("weights", fitted.weights, "m");
     write_processes(writer, fitted.processes);
     writer.group("spectra");
@@ -177,7 +203,7 @@ void write_model(const std::filesystem::path& path, const LengthModel& model, co
 
 StoredModel read_model(const std::filesystem::path& path) {
     const hdf5::Reader reader(path, format);
-    auto [head, file] = read_head(reader, format);
+    auto [head, file] = read_head(reader, format, version);
     const Eigen::Index m = file.net.interior_edge_count();
     const Eigen::Index coordinates = 3 * file.net.free_node_count();
     const Eigen::Index n = reader.row_count("training_inputs", coordinates);
@@ -187,10 +213,18 @@ StoredModel read_model(const std::filesystem::path& path) {
                            .weights = reader.matrix("weights", n, m)};
     fitted.processes = read_processes(reader, m, static_cast<int>(fitted.spectra.size()));
     check_processes(reader, fitted);
+    Eigen::VectorXd scales = reader.vector("input_scales", coordinates);
+    if (scales.size() > 0 && !(scales.minCoeff() > 0.0)) {
+        reader.fail("input_scales", "holds a number that is not positive");
+    }
     return {.model = {.net_fingerprint = head.net_fingerprint,
                       .law = head.law,
                       .seed = head.seed,
+                      .mean = read_name(reader, "mean_function", all_means),
+                      .metric = read_name(reader, "kernel_metric", all_metrics),
                       .nominal_form = std::move(head.nominal_form),
+                      .input_scales = std::move(scales),
+                      .length_deviations = reader.matrix("training_outputs", m, n),
                       .processes = std::move(fitted)},
             .net = std::move(file)};
 }

@@ -77,7 +77,8 @@ public:
           m_surveyed(std::move(surveyed)),
           m_cells(cells_of(comparison.settings)),
           m_stop(stop),
-          m_training(static_cast<int>(2 * comparison.settings.training_samples.size()), progress,
+          m_training(comparison.net,
+                     static_cast<int>(2 * comparison.settings.training_samples.size()), progress,
                      stop),
           m_steps("identification", identifications(m_cells, m_surveyed.size()), progress) {
         m_rows.resize(m_cells.size());

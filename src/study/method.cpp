@@ -11,7 +11,7 @@ namespace {
 Identification identify_as_in_paper(const CableNet& net, const LengthModel& model,
                                     const Survey& survey) {
     const LengthEstimates estimates =
-        estimate_lengths(model, free_coordinates(net, survey.form) - model.nominal_form);
+        estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
     Identification result{.method = "gp_as_in_paper"};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[static_cast<size_t>(i)];

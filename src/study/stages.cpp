@@ -21,27 +21,28 @@ DataSet draw_samples(const Sampler& sampler, int count, const StudyProgress& pro
     return data;
 }
 
-Training::Training(int models, const StudyProgress& progress, std::stop_token stop)
-    : m_models(models), m_progress(progress), m_stop(std::move(stop)) {}
+Training::Training(const CableNet& net, int models, const StudyProgress& progress,
+                   std::stop_token stop)
+    : m_net(net), m_models(models), m_progress(progress), m_stop(std::move(stop)) {}
 
-gp::FitSettings Training::settings() {
-    gp::FitSettings settings;
-    const int most = settings.max_spectra;
-    settings.progress = [this, most, begun = m_begun++](int made) {
+LengthModel Training::train_one(const DataSet& data, const std::vector<int>& samples,
+                                TrainingSettings settings) {
+    const int most = settings.fit.max_spectra;
+    settings.fit.progress = [this, most, begun = m_begun++](int made) {
         if (m_stop.stop_requested()) {
             throw Interrupted();
         }
         m_progress("training", begun * most + made, m_models * most);
     };
-    return settings;
+    return train(m_net, data, samples, settings);
 }
 
 LengthModel Training::as_in_paper(const DataSet& data, const std::vector<int>& samples) {
-    return train(data, samples, settings());
+    return train_one(data, samples, TrainingSettings::as_in_paper());
 }
 
 LengthModel Training::best(const DataSet& data, const std::vector<int>& samples) {
-    return train(data, samples, settings());
+    return train_one(data, samples, {});
 }
 
 StepCounter::StepCounter(std::string_view stage, int total, const StudyProgress& progress)

@@ -21,7 +21,7 @@ namespace taut {
 /// Models are trained one after the other; together they make the stage "training".
 class Training {
 public:
-    Training(int models, const StudyProgress& progress, std::stop_token stop);
+    Training(const CableNet& net, int models, const StudyProgress& progress, std::stop_token stop);
 
     /// Gaussian processes as in the paper.
     /// @throws Interrupted
@@ -32,8 +32,10 @@ public:
     [[nodiscard]] LengthModel best(const DataSet& data, const std::vector<int>& samples);
 
 private:
-    [[nodiscard]] gp::FitSettings settings();
+    [[nodiscard]] LengthModel train_one(const DataSet& data, const std::vector<int>& samples,
+                                        TrainingSettings settings);
 
+    const CableNet& m_net;
     int m_models;
     int m_begun = 0;
     const StudyProgress& m_progress;

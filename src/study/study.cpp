@@ -121,7 +121,7 @@ Study run_study(const CableNet& net, const StudySettings& settings, const StudyP
             fmt::format("only {} training and {} validation samples found their equilibrium",
                         training_samples.size(), study.validation.size()));
     }
-    Training training(2, tell, stop);
+    Training training(net, 2, tell, stop);
     const Stopwatch paper_training;
     study.model = training.as_in_paper(study.data, training_samples);
     const double paper_seconds = paper_training.seconds();

@@ -88,7 +88,8 @@ protected:
         sampler.extend(data, 8);
         const NetFile file{.net = net, .unknown_keys = "{}"};
         write_data_set(folder() / (prefix + "data.h5"), data, file);
-        write_model(folder() / (prefix + "model.h5"), train(data, {0, 1, 2, 3, 4, 5, 6, 7}), file);
+        write_model(folder() / (prefix + "model.h5"), train(net, data, {0, 1, 2, 3, 4, 5, 6, 7}),
+                    file);
     }
 };
 

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     const taut::Sampler sampler(net, {.scale = 0.002}, 1);
     taut::DataSet data = sampler.empty();
     sampler.extend(data, 40);
-    const taut::LengthModel model = taut::train(data, data.converged_in(0, data.size()));
+    const taut::LengthModel model = taut::train(net, data, data.converged_in(0, data.size()));
     std::cout << "taut " << taut::version() << ", " << model.processes.processes.size()
               << " processes\n";
     const bool trained =

@@ -45,6 +45,26 @@ TEST(QuadraticForms, ReadTheLowerTriangleAlone) {
     EXPECT_EQ(quadratic_forms(lower, Eigen::MatrixXd(6, 0)).size(), 0);
 }
 
+TEST(Cholesky, SolvesAndInvertsByTheLowerTriangleAlone) {
+    const Eigen::MatrixXd root = normal_matrix(6, 9, 1);
+    const Eigen::MatrixXd matrix = root * root.transpose();
+    Eigen::MatrixXd lower = matrix;
+    lower.triangularView<Eigen::StrictlyUpper>().fill(1e6);
+    const Cholesky factor(lower);
+    const Eigen::MatrixXd b = normal_matrix(6, 4, 2);
+    EXPECT_TRUE((matrix * factor.solve(b)).isApprox(b, 1e-11));
+    const Eigen::MatrixXd half = factor.solve_lower(b);
+    EXPECT_TRUE((half.transpose() * half).isApprox(b.transpose() * factor.solve(b), 1e-11));
+    const Eigen::MatrixXd inverse = factor.inverse_lower().selfadjointView<Eigen::Lower>();
+    EXPECT_TRUE((matrix * inverse).isIdentity(1e-10));
+}
+
+TEST(Cholesky, RefusesAMatrixThatIsNotPositiveDefinite) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(3, 3);
+    matrix(2, 2) = -1.0;
+    EXPECT_THROW(Cholesky{matrix}, std::runtime_error);
+}
+
 TEST(SymmetricEigen, GivesAscendingValuesAndOrthonormalVectors) {
     const Eigen::MatrixXd square = normal_matrix(8, 8, 3);
     const Eigen::MatrixXd symmetric = square + square.transpose();

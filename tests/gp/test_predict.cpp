@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "reference.hpp"
+#include "support/finite_differences.hpp"
 #include "taut/gp/fit.hpp"
 #include "textbook.hpp"
 
@@ -45,6 +46,21 @@ FittedProcesses conditioned(const Eigen::MatrixXd& inputs, const Eigen::VectorXd
                                     .cwiseQuotient((spectrum.eigenvalues.array() + ratio).matrix());
     result.processes.push_back({.hyperparameters = theta, .spectrum = 0});
     return result;
+}
+
+TEST(MeanGradient, IsTheDifferenceQuotientOfTheMean) {
+    const Eigen::MatrixXd inputs = normal_matrix(3, 50, 1);
+    Eigen::MatrixXd outputs = some_outputs(inputs);
+    outputs.col(2).setConstant(1.0);  // not fitted
+    const FittedProcesses fitted = fit(inputs, outputs);
+    ASSERT_GT(fitted.spectra.size(), 1);
+    const Eigen::VectorXd at = normal_matrix(3, 1, 5);
+    const Eigen::MatrixXd expected = taut::testing::finite_differences(
+        [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return fitted.predict(x).mean.col(0); },
+        at, 1e-3);
+    const Eigen::MatrixXd gradient = fitted.mean_gradient(at);
+    EXPECT_LT((gradient - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff());
+    EXPECT_EQ(gradient.row(2), Eigen::RowVector3d::Zero());
 }
 
 TEST(Predict, IsTheDenseFormulaForEveryOutputOfAFit) {

@@ -39,7 +39,7 @@ protected:
     explicit OnASmallNet(const LengthLaw& law = {LengthLaw::Kind::uniform, 0.002})
         : m_data(Sampler(m_net, law, 1).empty()) {
         Sampler(m_net, law, 1).extend(m_data, training + validation);
-        m_model = train(m_data, first(training));
+        m_model = train(m_net, m_data, first(training), TrainingSettings::as_in_paper());
     }
 
     /// The form of a sample as a survey without noise.
@@ -123,7 +123,7 @@ TEST_F(OnASmallNet, TheIntervalIsTheMeanAndOnePointNineSixStandardDeviationsArou
 TEST_F(OnASmallNet, TheEstimatesAreThePosteriorWithTheNoiseOfEachProcess) {
     const Eigen::MatrixXd at = m_data.form_deviations.rightCols(3);
     const gp::Prediction posterior = m_model.processes.predict(at);
-    const LengthEstimates estimates = estimate_lengths(m_model, at);
+    const LengthEstimates estimates = estimate_lengths(m_net, m_model, at);
     EXPECT_EQ(estimates.mean, posterior.mean);
     ASSERT_EQ(estimates.std.rows(), m_net.interior_edge_count());
     ASSERT_EQ(estimates.std.cols(), 3);
@@ -138,7 +138,7 @@ TEST_F(OnASmallNet, TheEstimatesAreThePosteriorWithTheNoiseOfEachProcess) {
 
 TEST_F(OnASmallNet, IdentificationIsTheEstimateForOneForm) {
     const LengthEstimates estimates =
-        estimate_lengths(m_model, m_data.form_deviations.rightCols(1));
+        estimate_lengths(m_net, m_model, m_data.form_deviations.rightCols(1));
     const Identification result = identify(training + validation - 1);
     for (size_t i = 0; i < result.edges.size(); ++i) {
         // The survey is nominal form plus deviation: rounded once more.
@@ -162,7 +162,7 @@ TEST_F(OnASmallNet, TheResidualsAreTheDistancesOfPredictedAndSurveyedNodes) {
 TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsUnobservedAndAsUncertainAsTheLaw) {
     constexpr int constant = 4;
     m_data.length_deviations.row(constant).setZero();
-    m_model = train(m_data, first(training));
+    m_model = train(m_net, m_data, first(training), TrainingSettings::as_in_paper());
     const Identification result = identify(training);
     for (size_t i = 0; i < result.edges.size(); ++i) {
         const IdentifiedEdge& e = result.edges[i];
@@ -182,7 +182,7 @@ TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsUnobserved) {
         m_data.length_deviations(unrelated, k) =
             draw_length_deviations(m_data.law, 2, static_cast<std::uint64_t>(k), 1)(0);
     }
-    m_model = train(m_data, first(training));
+    m_model = train(m_net, m_data, first(training), TrainingSettings::as_in_paper());
     const IdentifiedEdge edge = identify(training).edges[unrelated];
     EXPECT_EQ(edge.status, EdgeStatus::unobserved);
     EXPECT_NEAR(edge.std, m_data.law.std(), 0.15 * m_data.law.std());

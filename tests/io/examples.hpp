@@ -37,8 +37,10 @@ inline DataSet example_data(const CableNet& net, int count = 30) {
     return data;
 }
 
-inline LengthModel example_model(const DataSet& data) {
-    return train(data, data.converged_in(0, data.size()));
+inline LengthModel example_model(
+    const CableNet& net, const DataSet& data,
+    const TrainingSettings& settings = TrainingSettings::as_in_paper()) {
+    return train(net, data, data.converged_in(0, data.size()), settings);
 }
 
 inline bool same_bits(const Eigen::Ref<const Eigen::MatrixXd>& a,

@@ -28,7 +28,7 @@ protected:
         const NetFile net = test::example_net();
         const DataSet data = test::example_data(net.net);
         write_data_set(m_data, data, net);
-        write_model(m_model, test::example_model(data), net);
+        write_model(m_model, test::example_model(net.net, data), net);
     }
 
     [[nodiscard]] bool reads_data_set(const std::string& bytes) const {

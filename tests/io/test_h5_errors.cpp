@@ -29,7 +29,7 @@ const std::pair<std::string, std::string>& good_files() {
         const NetFile net = test::example_net();
         const DataSet data = test::example_data(net.net);
         write_data_set(scratch / "data.h5", data, net);
-        write_model(scratch / "model.h5", test::example_model(data), net);
+        write_model(scratch / "model.h5", test::example_model(net.net, data), net);
         return std::pair{test::bytes_of(scratch / "data.h5"), test::bytes_of(scratch / "model.h5")};
     }();
     return files;

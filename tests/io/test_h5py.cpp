@@ -105,7 +105,7 @@ TEST(H5py, FindsEveryNumberOfADataSet) {
 TEST(H5py, FindsEveryNumberOfAModel) {
     const test::ScratchDirectory scratch;
     const NetFile net = test::example_net();
-    const LengthModel model = test::example_model(test::example_data(net.net));
+    const LengthModel model = test::example_model(net.net, test::example_data(net.net));
     write_model(scratch / "model.h5", model, net);
     const auto found = read_with_h5py(scratch / "model.h5");
     if (!found) {

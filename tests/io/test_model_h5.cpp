@@ -28,7 +28,11 @@ protected:
         EXPECT_EQ(a.net_fingerprint, b.net_fingerprint);
         EXPECT_EQ(a.law, b.law);
         EXPECT_EQ(a.seed, b.seed);
+        EXPECT_EQ(a.mean, b.mean);
+        EXPECT_EQ(a.metric, b.metric);
         EXPECT_TRUE(same_bits(a.nominal_form, b.nominal_form));
+        EXPECT_TRUE(same_bits(a.input_scales, b.input_scales));
+        EXPECT_TRUE(same_bits(a.length_deviations, b.length_deviations));
         EXPECT_TRUE(same_bits(a.processes.inputs, b.processes.inputs));
         EXPECT_TRUE(same_bits(a.processes.weights, b.processes.weights));
         ASSERT_EQ(a.processes.spectra.size(), b.processes.spectra.size());
@@ -66,7 +70,7 @@ protected:
 };
 
 TEST_F(ModelH5, ReadsBackEverythingToTheLastBit) {
-    const LengthModel model = test::example_model(m_data);
+    const LengthModel model = test::example_model(m_net.net, m_data);
     write_model(m_path, model, m_net);
     const StoredModel back = read_model(m_path);
     expect_same(back.model, model);
@@ -74,12 +78,22 @@ TEST_F(ModelH5, ReadsBackEverythingToTheLastBit) {
               net_to_json(m_net.net, m_net.unknown_keys));
 }
 
+TEST_F(ModelH5, KeepsMeanFunctionAndKernel) {
+    for (const KernelMetric metric : {KernelMetric::direction, KernelMetric::node}) {
+        const LengthModel model = test::example_model(
+            m_net.net, m_data, {.mean = MeanFunction::geometry, .metric = metric});
+        ASSERT_GT(model.input_scales.maxCoeff(), 1.01 * model.input_scales.minCoeff());
+        write_model(m_path, model, m_net);
+        expect_same(read_model(m_path).model, model);
+    }
+}
+
 TEST_F(ModelH5, PredictsAfterReadingAsBeforeToTheLastBit) {
-    const LengthModel model = test::example_model(m_data);
+    const LengthModel model = test::example_model(m_net.net, m_data);
     write_model(m_path, model, m_net);
-    const LengthEstimates before = estimate_lengths(model, m_data.form_deviations);
+    const LengthEstimates before = estimate_lengths(m_net.net, model, m_data.form_deviations);
     const LengthEstimates after =
-        estimate_lengths(read_model(m_path).model, m_data.form_deviations);
+        estimate_lengths(m_net.net, read_model(m_path).model, m_data.form_deviations);
     EXPECT_TRUE(same_bits(before.mean, after.mean));
     EXPECT_TRUE(same_bits(before.std, after.std));
     EXPECT_GT(before.std.minCoeff(), 0.0);
@@ -87,7 +101,7 @@ TEST_F(ModelH5, PredictsAfterReadingAsBeforeToTheLastBit) {
 
 TEST_F(ModelH5, KeepsAProcessThatCouldNotBeFitted) {
     m_data.length_deviations.row(2).setConstant(0.001);
-    const LengthModel model = test::example_model(m_data);
+    const LengthModel model = test::example_model(m_net.net, m_data);
     ASSERT_EQ(model.processes.processes[2].status, gp::FitStatus::constant_output);
     write_model(m_path, model, m_net);
     expect_same(read_model(m_path).model, model);
@@ -95,14 +109,14 @@ TEST_F(ModelH5, KeepsAProcessThatCouldNotBeFitted) {
 
 TEST_F(ModelH5, KeepsAModelWithoutAnyFittedProcess) {
     m_data.length_deviations.setConstant(0.001);
-    const LengthModel model = test::example_model(m_data);
+    const LengthModel model = test::example_model(m_net.net, m_data);
     ASSERT_TRUE(model.processes.spectra.empty());
     write_model(m_path, model, m_net);
     expect_same(read_model(m_path).model, model);
 }
 
 TEST_F(ModelH5, IsTheSameToTheByteWhenWrittenTwice) {
-    const LengthModel model = test::example_model(m_data);
+    const LengthModel model = test::example_model(m_net.net, m_data);
     write_model(m_path, model, m_net);
     const std::string bytes = test::bytes_of(m_path);
     write_model(m_path, read_model(m_path).model, m_net);
@@ -111,38 +125,38 @@ TEST_F(ModelH5, IsTheSameToTheByteWhenWrittenTwice) {
 }
 
 TEST_F(ModelH5, RefusesToBeWrittenWithAnotherNetNamingBoth) {
-    LengthModel model = test::example_model(m_data);
+    LengthModel model = test::example_model(m_net.net, m_data);
     model.net_fingerprint = "0123456789abcdef";
     expect_refused(model, "0123456789abcdef");
     expect_refused(model, m_net.net.fingerprint());
 }
 
 TEST_F(ModelH5, RefusesToWriteInputsOfAnotherDimension) {
-    LengthModel model = test::example_model(m_data);
+    LengthModel model = test::example_model(m_net.net, m_data);
     model.processes.inputs.conservativeResize(17, Eigen::NoChange);
     expect_refused(model, "inputs has 17 x 30 entries, expected 18 x 30");
 }
 
 TEST_F(ModelH5, RefusesToWriteWeightsOfAnotherSize) {
-    LengthModel model = test::example_model(m_data);
+    LengthModel model = test::example_model(m_net.net, m_data);
     model.processes.weights.conservativeResize(29, Eigen::NoChange);
     expect_refused(model, "weights has 29 x 7 entries, expected 30 x 7");
 }
 
 TEST_F(ModelH5, RefusesToWriteFewerProcessesThanEdges) {
-    LengthModel model = test::example_model(m_data);
+    LengthModel model = test::example_model(m_net.net, m_data);
     model.processes.processes.pop_back();
     expect_refused(model, "6 processes, expected 7");
 }
 
 TEST_F(ModelH5, RefusesToWriteASpectrumOfAnotherSize) {
-    LengthModel model = test::example_model(m_data);
+    LengthModel model = test::example_model(m_net.net, m_data);
     model.processes.spectra[0].eigenvalues.conservativeResize(5);
     expect_refused(model, "eigenvalues has 5 x 1 entries, expected 30 x 1");
 }
 
 TEST_F(ModelH5, RefusesToWriteANumberThatItCouldNotReadAgain) {
-    LengthModel model = test::example_model(m_data);
+    LengthModel model = test::example_model(m_net.net, m_data);
     model.processes.processes[3].negative_log_likelihood = std::numeric_limits<double>::quiet_NaN();
     expect_refused(model, "negative_log_likelihood holds a number that is not finite");
 }

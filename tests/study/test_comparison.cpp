@@ -80,9 +80,10 @@ TEST_F(SmallComparison, TrainsOnTheFirstSamplesAndSurveysTheLast) {
     sampler.extend(data, 66);
     ASSERT_EQ(data.not_converged(), 0);
     EXPECT_EQ(m_comparison.samples, 66);
-    const LengthModel model = train(data, data.converged_in(0, 40));
+    const LengthModel model =
+        train(m_net, data, data.converged_in(0, 40), TrainingSettings::as_in_paper());
     const Eigen::MatrixXd estimates =
-        estimate_lengths(model, data.form_deviations.rightCols(6)).mean;
+        estimate_lengths(m_net, model, data.form_deviations.rightCols(6)).mean;
     const LengthErrors errors = length_errors(data.length_deviations.rightCols(6), estimates);
     const LengthErrors& found = row_of(m_comparison, "gp_as_in_paper", {}, 40).result.errors;
     EXPECT_NEAR(found.mse, errors.mse, 1e-6 * errors.mse);

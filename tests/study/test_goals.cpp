@@ -39,6 +39,10 @@ TEST(Goals, AreReachedOnTheBuiltInNet) {
     const Comparison comparison = compare_methods(hilo_quarter(), settings);
     EXPECT_LE(row_at(comparison, "balance", {}).result.mse_of_taut, 1e-20);
     EXPECT_LE(row_at(comparison, "map", {}).result.mse_of_taut, 1e-14);
+    EXPECT_LE(row_at(comparison, "gp", {}).result.errors.mse, 8e-9);
+    EXPECT_LE(over_best(comparison, "gp", {.noise_std = 1e-4}), 1.8);
+    EXPECT_LE(over_best(comparison, "gp", {.noise_std = 5e-4}), 1.05);
+    EXPECT_LE(over_best(comparison, "gp", {.noise_std = 2e-3}), 1.05);
     for (const double noise : {1e-4, 5e-4, 2e-3}) {
         EXPECT_LE(over_best(comparison, "map", {.noise_std = noise}), 1.05) << noise;
     }

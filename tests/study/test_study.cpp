@@ -52,9 +52,10 @@ TEST_F(SmallStudy, ValidatesOnTheLastSamplesAndTrainsOnAllOthers) {
 }
 
 TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
-    const LengthModel model = train(m_study.data, m_study.data.converged_in(0, 48));
+    const LengthModel model = train(m_study.net, m_study.data, m_study.data.converged_in(0, 48),
+                                    TrainingSettings::as_in_paper());
     const Eigen::MatrixXd validation = m_study.data.form_deviations.rightCols(12);
-    const LengthEstimates estimates = estimate_lengths(model, validation);
+    const LengthEstimates estimates = estimate_lengths(m_study.net, model, validation);
     // One form at a time or all at once: sums of the BLAS in another order.
     EXPECT_LT((m_study.estimates.mean - estimates.mean).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_LT((m_study.estimates.std - estimates.std).cwiseAbs().maxCoeff(), 1e-9);

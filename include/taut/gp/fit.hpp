@@ -49,6 +49,10 @@ struct FittedProcesses {
     /// Eqs. mx_* and sigmax_* at new inputs (d x k).
     /// @throws std::invalid_argument for another dimension, or an input that is not finite
     [[nodiscard]] Prediction predict(const Eigen::Ref<const Eigen::MatrixXd>& at) const;
+
+    /// dm/dx_* at one input (m x d): by eq. mx_*, -lambda^2 sum_i w_i k(x_*, x_i) (x_* - x_i)'.
+    /// @throws std::invalid_argument as predict()
+    [[nodiscard]] Eigen::MatrixXd mean_gradient(const Eigen::Ref<const Eigen::VectorXd>& at) const;
 };
 
 struct FitSettings {

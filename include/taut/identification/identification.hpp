@@ -27,6 +27,11 @@ enum class EdgeStatus {
 /// Half the width of the 95 % interval of a normal distribution, in standard deviations.
 inline constexpr double half_interval_95 = 1.959963984540054;
 
+/// Probability that a survey without gross errors loses a target by the test for them. Small: a
+/// target less can cost the edges around it all that is known of them, while gross errors worth the
+/// name stand far above any threshold.
+inline constexpr double default_false_alarm_rate = 0.001;
+
 /// How an identification ended.
 enum class IdentificationStatus {
     converged,
@@ -84,12 +89,30 @@ struct LengthEstimates {
 /// Eq. ident for k forms: their deviations from the model's nominal form (3 n_I x k) [m]. Edges
 /// whose process could not be fitted get the law's mean and standard deviation.
 [[nodiscard]] LengthEstimates estimate_lengths(
-    const LengthModel& model, const Eigen::Ref<const Eigen::MatrixXd>& form_deviations);
+    const CableNet& net, const LengthModel& model,
+    const Eigen::Ref<const Eigen::MatrixXd>& form_deviations);
 
 /// Identifies all interior edges from one survey by the trained processes (eq. ident), and predicts
 /// the form by solving the equilibrium with the identified lengths.
+///
+/// Where the survey has noise, or does not hold all free nodes, the processes are asked at the
+/// conditional mean of the form. Before the survey, the free coordinates x have the normal
+/// distribution that the law of the lengths d gives them through the statics linearised at the
+/// nominal form, and through what these miss, e = x - J d, as the training samples show it:
+///
+///   E x = mean(e),   C = law.std()^2 J J' + cov(e)
+///
+/// Gaussian conditioning on the surveyed coordinates gives E[x | survey] and C[x | survey]. The
+/// uncertainty that is left goes through the processes to first order, with the gradient g of an
+/// edge's mean: variance = sigma(x)^2 + sigma_w^2 + g' C[x | survey] g. Law and slack edges then
+/// enter as in posterior_of(). Gross errors are looked for and left out as in
+/// identify_by_maximum_a_posteriori(), each target against what all others let expect of it.
+///
+/// A model as in the paper takes the survey for exact and whole: eq. ident as it stands, with
+/// intervals that end at the law's bounds.
 /// @throws std::invalid_argument where the model was trained for another net (both fingerprints are
-///   named), and where a free node was not surveyed, which this method needs
+///   named); as identify_by_maximum_a_posteriori(); and where a free node was not surveyed, for a
+///   model as in the paper
 /// @throws std::runtime_error where an identified length is not positive, or the lengths find no
 ///   equilibrium
 [[nodiscard]] Identification identify_by_processes(const CableNet& net, const LengthModel& model,

@@ -10,10 +10,7 @@ namespace taut {
 
 struct MaximumAPosterioriSettings {
     int max_iterations = 50;  ///< Gauss-Newton steps each time the targets in use change
-    /// Probability that a survey without gross errors loses a target by the test for them; 0: no
-    /// test. Small: a target less can cost the edges around it all that is known of them, while
-    /// gross errors worth the name stand far above any threshold.
-    double false_alarm_rate = 0.001;
+    double false_alarm_rate = default_false_alarm_rate;  ///< 0: no test
 };
 
 /// Maximum a posteriori under the statics. Over lengths and form together, minimises

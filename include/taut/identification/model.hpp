@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "taut/gp/fit.hpp"
 #include "taut/net/cable_net.hpp"
@@ -10,21 +11,69 @@
 
 namespace taut {
 
+/// What a length deviation is expected to be at a form, before anything is learnt.
+enum class MeanFunction {
+    zero,      ///< as in the paper
+    geometry,  ///< that of an edge at its nominal strain: nominal l_0 (l / nominal l - 1)
+};
+
+/// How the kernel measures the distance of two forms.
+enum class KernelMetric {
+    isotropic,  ///< all coordinates alike, as in the paper (eq. SEkernel_iso)
+    direction,  ///< a scale for x, y and z each (eq. SEkernel)
+    node,       ///< a scale for each node (eq. SEkernel)
+};
+
+/// "zero", "geometry".
+[[nodiscard]] std::string_view to_string(MeanFunction mean);
+/// "isotropic", "direction", "node".
+[[nodiscard]] std::string_view to_string(KernelMetric metric);
+
+struct TrainingSettings {
+    MeanFunction mean = MeanFunction::geometry;
+    KernelMetric metric = KernelMetric::isotropic;
+    gp::FitSettings fit = {};
+
+    [[nodiscard]] static TrainingSettings as_in_paper() {
+        return {.mean = MeanFunction::zero, .metric = KernelMetric::isotropic};
+    }
+};
+
 /// The learnt map from form deviation to length deviations: one Gaussian process an interior edge.
 struct LengthModel {
     std::string net_fingerprint;
     LengthLaw law;  ///< of the data it was trained on
     std::uint64_t seed = 1;
-    Eigen::VectorXd nominal_form;   ///< r_I that form deviations refer to (3 n_I) [m]
-    gp::FittedProcesses processes;  ///< inputs: form deviations; outputs: length deviations [m]
+    MeanFunction mean = MeanFunction::zero;
+    KernelMetric metric = KernelMetric::isotropic;
+    Eigen::VectorXd nominal_form;  ///< r_I that form deviations refer to (3 n_I) [m]
+    /// Of each free coordinate in the kernel's metric (3 n_I), relative to their geometric mean.
+    Eigen::VectorXd input_scales;
+    Eigen::MatrixXd length_deviations;  ///< that it was trained on (m_I x n) [m]
+    /// Inputs: form deviations times input_scales; outputs: length deviations less their mean
+    /// function [m].
+    gp::FittedProcesses processes;
 
     [[nodiscard]] int training_count() const { return static_cast<int>(processes.inputs.cols()); }
+
+    /// Zero mean and isotropic kernel. Such a model takes every survey for exact and whole, as the
+    /// paper does.
+    [[nodiscard]] bool as_in_paper() const {
+        return mean == MeanFunction::zero && metric == KernelMetric::isotropic;
+    }
+
+    /// The form deviations it was trained on (3 n_I x n) [m].
+    [[nodiscard]] Eigen::MatrixXd form_deviations() const {
+        return input_scales.cwiseInverse().asDiagonal() * processes.inputs;
+    }
 };
 
-/// Algorithm 1 of the paper on samples of a data set.
+/// Algorithm 1 of the paper on samples of a data set of the net.
 /// @param samples which to train on; their forces must balance
-/// @throws std::invalid_argument for fewer than two samples, or an index out of range
-[[nodiscard]] LengthModel train(const DataSet& data, const std::vector<int>& samples,
-                                const gp::FitSettings& settings = {});
+/// @throws std::invalid_argument for a data set of another net, fewer than two samples, or an index
+///   out of range
+[[nodiscard]] LengthModel train(const CableNet& net, const DataSet& data,
+                                const std::vector<int>& samples,
+                                const TrainingSettings& settings = {});
 
 }  // namespace taut

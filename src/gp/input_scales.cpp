@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/gp/input_scales.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlopt.hpp>
+#include <stdexcept>
+
+#include "gp/dense.hpp"
+#include "taut/gp/kernel.hpp"
+#include "taut/gp/likelihood.hpp"
+#include "taut/gp/spectrum.hpp"
+
+namespace taut::gp {
+namespace {
+
+constexpr Eigen::Index most_inputs = 500;
+
+/// The likelihood is flat about its optimum: a scale that is a per cent off costs nothing.
+constexpr double relative_tolerance = 1e-6;
+constexpr int most_evaluations = 60;
+
+/// A dimension this many times less or more relevant than at the start is as good as out, or alone.
+constexpr double widest_factor = 1e3;
+
+Eigen::VectorXd scales_of(const std::vector<int>& groups,
+                          const Eigen::Ref<const Eigen::VectorXd>& log_scales) {
+    return log_scales(groups).array().exp();
+}
+
+int group_count(const std::vector<int>& groups, Eigen::Index dimensions) {
+    if (static_cast<Eigen::Index>(groups.size()) != dimensions) {
+        throw std::invalid_argument(
+            fmt::format("{} groups for inputs of dimension {}, expected one "
+                        "a dimension",
+                        groups.size(), dimensions));
+    }
+    if (groups.empty() || std::ranges::min(groups) < 0) {
+        throw std::invalid_argument("a group is negative, or there is none");
+    }
+    return std::ranges::max(groups) + 1;
+}
+
+/// Inputs and outputs that the scales are estimated from.
+struct Problem {
+    Eigen::MatrixXd inputs;
+    Eigen::MatrixXd outputs;
+    const std::vector<int>& groups;
+};
+
+Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
+                   const Eigen::Ref<const Eigen::MatrixXd>& outputs,
+                   const std::vector<int>& groups) {
+    const Eigen::Index n = std::min(most_inputs, inputs.cols());
+    std::vector<Eigen::Index> usable;
+    for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
+        const auto output = outputs.col(j).head(n);
+        if (output.allFinite() && output.maxCoeff() > output.minCoeff()) {
+            usable.push_back(j);
+        }
+    }
+    return {.inputs = inputs.leftCols(n),
+            .outputs = outputs.topRows(n)(Eigen::all, usable),
+            .groups = groups};
+}
+
+double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
+    const auto& problem = *static_cast<const Problem*>(data);
+    const ScalesLikelihood at = scales_likelihood(
+        problem.inputs, problem.outputs, problem.groups,
+        Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+    if (!gradient.empty()) {
+        Eigen::VectorXd::Map(gradient.data(), at.gradient.size()) = at.gradient;
+    }
+    return at.value;
+}
+
+/// One scale for all: the best of a few, from that of a nearly linear kernel to a rough one.
+double best_common_scale(const Problem& problem, Eigen::Index group_count) {
+    const Eigen::MatrixXd squares = squared_distances(problem.inputs, problem.inputs);
+    const double distance = std::sqrt(squares.mean());
+    double best = 0.0;
+    double best_value = std::numeric_limits<double>::infinity();
+    for (const double length_scale : {100.0, 30.0, 10.0, 3.0, 1.0}) {
+        const double log_scale = -std::log(length_scale * distance);
+        const double value = scales_likelihood(problem.inputs, problem.outputs, problem.groups,
+                                               Eigen::VectorXd::Constant(group_count, log_scale))
+                                 .value;
+        if (value < best_value) {
+            best = log_scale;
+            best_value = value;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+ScalesLikelihood scales_likelihood(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& outputs,
+                                   const std::vector<int>& groups,
+                                   const Eigen::Ref<const Eigen::VectorXd>& log_scales) {
+    const Eigen::MatrixXd scaled = scales_of(groups, log_scales).asDiagonal() * inputs;
+    const Eigen::MatrixXd squares = squared_distances(scaled, scaled);
+    const KernelSpectrum spectrum = kernel_spectrum(squares, 1.0);
+    const LikelihoodProfile profile =
+        profile_likelihood(spectrum, squares, outputs, default_noise_ratio_bounds(inputs.cols()));
+
+    // With C_j = sigma_f^2 (R + eta I) of output j, sum_j dL_j/ds = tr(M dR/ds) with
+    //   M = 1/2 sum_j ((R + eta_j I)^-1 - w_j w_j' / sigma_f,j^2),  w_j = (R + eta_j I)^-1 y_j
+    // (Rasmussen and Williams, eq. 5.9; sigma_f and eta are at their best, and so do not count).
+    const Eigen::MatrixXd& basis = spectrum.eigenvectors;
+    Eigen::MatrixXd in_basis = transposed_product(basis, outputs);
+    Eigen::VectorXd inverse_sum = Eigen::VectorXd::Zero(basis.cols());
+    for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
+        const Eigen::ArrayXd inverse =
+            (spectrum.eigenvalues.array() + profile.noise_ratio(j)).inverse();
+        inverse_sum.array() += inverse;
+        in_basis.col(j).array() *= inverse / std::sqrt(profile.signal_variance(j));
+    }
+    const Eigen::MatrixXd weights = product(basis, in_basis);
+    Eigen::MatrixXd M = product(basis * inverse_sum.asDiagonal(), basis.transpose());
+    M -= product(weights, weights.transpose());
+    M *= 0.5;
+
+    // dR/dlog s_g = -R o D_g, D_g the squared distances within the group alone. With T = M o R,
+    // symmetric, sum_ik T_ik (x_i - x_k)^2 = 2 sum_i x_i^2 sum_k T_ik - 2 x' T x for each
+    // dimension.
+    const Eigen::MatrixXd T = M.cwiseProduct(correlation(squares, 1.0));
+    const Eigen::VectorXd of_dimension =
+        -2.0 * (scaled.cwiseAbs2() * T.rowwise().sum() -
+                scaled.cwiseProduct(product(scaled, T)).rowwise().sum());
+    ScalesLikelihood result{.value = profile.value.sum(),
+                            .gradient = Eigen::VectorXd::Zero(log_scales.size())};
+    for (size_t i = 0; i < groups.size(); ++i) {
+        result.gradient(groups[i]) += of_dimension(static_cast<Eigen::Index>(i));
+    }
+    return result;
+}
+
+Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
+                                      const Eigen::Ref<const Eigen::MatrixXd>& outputs,
+                                      const std::vector<int>& groups) {
+    const int count = group_count(groups, inputs.rows());
+    if (outputs.rows() != inputs.cols() || inputs.cols() < 2 || !inputs.allFinite()) {
+        throw std::invalid_argument(
+            fmt::format("{} inputs and {} rows of outputs, expected as many, finite, at least 2",
+                        inputs.cols(), outputs.rows()));
+    }
+    Problem problem = problem_of(inputs, outputs, groups);
+    if (count == 1 || problem.outputs.cols() == 0) {
+        return Eigen::VectorXd::Ones(inputs.rows());
+    }
+    const double start = best_common_scale(problem, count);
+    std::vector<double> log_scales(static_cast<size_t>(count), start);
+    nlopt::opt optimizer(nlopt::LD_LBFGS, static_cast<unsigned>(count));
+    optimizer.set_min_objective(evaluate, &problem);
+    optimizer.set_lower_bounds(start - std::log(widest_factor));
+    optimizer.set_upper_bounds(start + std::log(widest_factor));
+    optimizer.set_ftol_rel(relative_tolerance);
+    optimizer.set_maxeval(most_evaluations);
+    double value = 0.0;
+    try {
+        optimizer.optimize(log_scales, value);
+    } catch (const nlopt::roundoff_limited&) {
+        // As good as rounding lets it become.
+    }
+    const Eigen::VectorXd found = Eigen::VectorXd::Map(log_scales.data(), count);
+    Eigen::VectorXd result = scales_of(groups, found);
+    return result / std::exp(result.array().log().mean());
+}
+
+}  // namespace taut::gp

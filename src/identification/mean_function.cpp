@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/mean_function.hpp"
+
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+Eigen::VectorXd interior_lengths(const CableNet& net, const Eigen::VectorXd& free_form) {
+    return edge_lengths(net, with_free_coordinates(net, free_form))(net.interior_edges());
+}
+
+/// Unstressed per stressed length at nominal strain (m_I).
+Eigen::VectorXd nominal_ratios(const CableNet& net,
+                               const Eigen::Ref<const Eigen::VectorXd>& nominal_form) {
+    return net.unstressed_lengths()(net.interior_edges())
+        .cwiseQuotient(interior_lengths(net, nominal_form));
+}
+
+}  // namespace
+
+Eigen::MatrixXd mean_values(const CableNet& net, MeanFunction mean,
+                            const Eigen::Ref<const Eigen::VectorXd>& nominal_form,
+                            const Eigen::Ref<const Eigen::MatrixXd>& form_deviations) {
+    Eigen::MatrixXd values =
+        Eigen::MatrixXd::Zero(net.interior_edge_count(), form_deviations.cols());
+    if (mean == MeanFunction::zero) {
+        return values;
+    }
+    const Eigen::VectorXd nominal = interior_lengths(net, nominal_form);
+    const Eigen::VectorXd ratios = nominal_ratios(net, nominal_form);
+    for (Eigen::Index k = 0; k < values.cols(); ++k) {
+        values.col(k) = ratios.cwiseProduct(
+            interior_lengths(net, nominal_form + form_deviations.col(k)) - nominal);
+    }
+    return values;
+}
+
+Eigen::MatrixXd length_gradient(const CableNet& net, const Eigen::Ref<const Points>& form) {
+    Eigen::MatrixXd gradient =
+        Eigen::MatrixXd::Zero(net.interior_edge_count(), 3 * net.free_node_count());
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const auto [s, t] =
+            net.edges()[static_cast<size_t>(net.interior_edges()[static_cast<size_t>(i)])];
+        const Eigen::Vector3d direction = (form.col(s) - form.col(t)).normalized();
+        gradient.row(i).segment<3>(3 * net.free_index(s)) = direction.transpose();
+        gradient.row(i).segment<3>(3 * net.free_index(t)) = -direction.transpose();
+    }
+    return gradient;
+}
+
+Eigen::MatrixXd mean_gradient(const CableNet& net, MeanFunction mean,
+                              const Eigen::Ref<const Eigen::VectorXd>& nominal_form,
+                              const Eigen::Ref<const Eigen::VectorXd>& form_deviation) {
+    if (mean == MeanFunction::zero) {
+        return Eigen::MatrixXd::Zero(net.interior_edge_count(), 3 * net.free_node_count());
+    }
+    return nominal_ratios(net, nominal_form).asDiagonal() *
+           length_gradient(net, with_free_coordinates(net, nominal_form + form_deviation));
+}
+
+}  // namespace taut

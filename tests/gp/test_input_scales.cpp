@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against scales that are not the likeliest, by a wrong gradient, and against groups mixed
+// up.
+#include "taut/gp/input_scales.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "support/finite_differences.hpp"
+#include "taut/gp/fit.hpp"
+#include "textbook.hpp"
+
+namespace taut::gp {
+namespace {
+
+using testing::normal_matrix;
+
+/// Depends on the first input strongly, on the second little, and not at all on the last two.
+Eigen::MatrixXd outputs_of(const Eigen::MatrixXd& inputs) {
+    Eigen::MatrixXd y = 1e-3 * normal_matrix(inputs.cols(), 3, 7);
+    y.col(0) += (2.0 * inputs.row(0)).array().sin().matrix().transpose();
+    y.col(1) += inputs.row(0).cwiseAbs2().transpose() + 0.1 * inputs.row(1).transpose();
+    y.col(2) += (inputs.row(0) + 0.2 * inputs.row(1)).array().tanh().matrix().transpose();
+    return y;
+}
+
+TEST(ScalesLikelihood, HasTheGradientOfItsDifferenceQuotient) {
+    const Eigen::MatrixXd inputs = normal_matrix(4, 40, 1);
+    const Eigen::MatrixXd outputs = outputs_of(inputs);
+    const std::vector<int> groups{0, 1, 2, 1};
+    const Eigen::VectorXd at{{-0.3, -1.0, -2.0}};
+    const Eigen::MatrixXd expected = taut::testing::finite_differences(
+        [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+            return Eigen::VectorXd::Constant(1,
+                                             scales_likelihood(inputs, outputs, groups, x).value);
+        },
+        at, 1e-3);
+    const Eigen::VectorXd gradient = scales_likelihood(inputs, outputs, groups, at).gradient;
+    EXPECT_LT((gradient - expected.row(0).transpose()).cwiseAbs().maxCoeff(),
+              1e-5 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(ScalesLikelihood, WithOneScaleIsThatOfTheIsotropicKernel) {
+    const Eigen::MatrixXd inputs = normal_matrix(4, 40, 1);
+    const Eigen::MatrixXd outputs = outputs_of(inputs);
+    const Eigen::MatrixXd squares = squared_distances(inputs, inputs);
+    const LikelihoodProfile expected = profile_likelihood(
+        kernel_spectrum(squares, 0.7), squares, outputs, default_noise_ratio_bounds(inputs.cols()));
+    const ScalesLikelihood found = scales_likelihood(inputs, outputs, {0, 0, 0, 0},
+                                                     Eigen::VectorXd::Constant(1, std::log(0.7)));
+    EXPECT_NEAR(found.value, expected.value.sum(), 1e-8 * std::abs(found.value));
+    EXPECT_NEAR(found.gradient(0), expected.slope.sum(), 1e-5 * std::abs(found.gradient(0)));
+}
+
+TEST(EstimateInputScales, FindsWhatMatters) {
+    const Eigen::MatrixXd inputs = normal_matrix(4, 120, 1);
+    const Eigen::MatrixXd outputs = outputs_of(inputs);
+    const Eigen::VectorXd scales = estimate_input_scales(inputs, outputs, {0, 1, 2, 3});
+    EXPECT_NEAR(scales.array().log().mean(), 0.0, 1e-12);
+    EXPECT_GT(scales(0), 2.0 * scales(1));
+    EXPECT_GT(scales(1), 2.0 * scales(2));
+    EXPECT_GT(scales(1), 2.0 * scales(3));
+
+    // And so predicts better where it was not trained.
+    const Eigen::MatrixXd at = normal_matrix(4, 50, 9);
+    const Eigen::MatrixXd truth = outputs_of(at);
+    const auto error = [&](const Eigen::VectorXd& s) {
+        return (fit(s.asDiagonal() * inputs, outputs)
+                    .predict(s.asDiagonal() * at)
+                    .mean.transpose() -
+                truth)
+            .squaredNorm();
+    };
+    EXPECT_LT(error(scales), 0.2 * error(Eigen::VectorXd::Ones(4)));
+}
+
+TEST(EstimateInputScales, GivesTheDimensionsOfAGroupOneScale) {
+    const Eigen::MatrixXd inputs = normal_matrix(4, 60, 1);
+    const Eigen::VectorXd scales = estimate_input_scales(inputs, outputs_of(inputs), {1, 0, 0, 1});
+    EXPECT_EQ(scales(0), scales(3));
+    EXPECT_EQ(scales(1), scales(2));
+    EXPECT_NE(scales(0), scales(1));
+}
+
+TEST(EstimateInputScales, OfOneGroupOrNothingToLearnAreAllOne) {
+    const Eigen::MatrixXd inputs = normal_matrix(4, 30, 1);
+    EXPECT_EQ(estimate_input_scales(inputs, outputs_of(inputs), {0, 0, 0, 0}),
+              Eigen::VectorXd::Ones(4));
+    EXPECT_EQ(estimate_input_scales(inputs, Eigen::MatrixXd::Ones(30, 2), {0, 1, 2, 3}),
+              Eigen::VectorXd::Ones(4));
+}
+
+TEST(EstimateInputScales, RefusesGroupsThatAreNotOneADimension) {
+    const Eigen::MatrixXd inputs = normal_matrix(4, 30, 1);
+    const Eigen::MatrixXd outputs = outputs_of(inputs);
+    EXPECT_THROW((void)estimate_input_scales(inputs, outputs, {0, 1}), std::invalid_argument);
+    EXPECT_THROW((void)estimate_input_scales(inputs, outputs, {0, 1, 2, -1}),
+                 std::invalid_argument);
+    EXPECT_THROW((void)estimate_input_scales(inputs, outputs.topRows(10), {0, 1, 2, 3}),
+                 std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut::gp

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a conditional form, or an uncertainty of it, that is not Gaussian conditioning's,
+// and against derivatives that are not those of the mean function.
+#include "identification/form_conditioning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+
+#include "identification/gross_errors.hpp"
+#include "identification/mean_function.hpp"
+#include "simulated_survey.hpp"
+#include "support/finite_differences.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/sampling/sampler.hpp"
+#include "taut/statics/form_sensitivity.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+class FormConditioning : public ::testing::Test {
+protected:
+    static LengthModel model_of(const CableNet& net) {
+        const Sampler sampler(net, {LengthLaw::Kind::uniform, 0.002}, 1);
+        DataSet data = sampler.empty();
+        sampler.extend(data, 60);
+        return train(net, data, data.converged_in(0, 60));
+    }
+
+    [[nodiscard]] Survey survey(double noise) const {
+        return testing::simulate(m_net, m_model.law, noise, 5).survey;
+    }
+
+    [[nodiscard]] ConditionedForm condition(const Survey& survey, double threshold) const {
+        return {m_net, m_before, survey, m_model.nominal_form, survey.noise_std, threshold};
+    }
+
+    const CableNet m_net = hypar(3, 4);
+    const LengthModel m_model = model_of(m_net);
+    const FormDistribution m_before = form_before_survey(m_net, m_model);
+};
+
+TEST_F(FormConditioning, BeforeASurveyIsTheLawThroughTheStaticsAndWhatTheseMiss) {
+    // Mean and covariance of many forms that were not trained on.
+    const Sampler sampler(m_net, m_model.law, 77);
+    DataSet data = sampler.empty();
+    sampler.extend(data, 4000);
+    const Eigen::VectorXd mean = data.form_deviations.rowwise().mean();
+    const Eigen::MatrixXd centred = data.form_deviations.colwise() - mean;
+    const Eigen::MatrixXd covariance = centred * centred.transpose() / 3999.0;
+    const double spread = covariance.diagonal().cwiseSqrt().mean();
+    EXPECT_LT((m_before.mean - mean).norm() / std::sqrt(mean.size()), 0.05 * spread);
+    EXPECT_LT((m_before.covariance - covariance).norm(), 0.05 * covariance.norm());
+}
+
+TEST_F(FormConditioning, IsGaussianConditioning) {
+    Survey partial = survey(0.0003);
+    testing::hide(m_net, partial, m_net.free_nodes()[4]);
+    const ConditionedForm after = condition(partial, infinite);
+    const Eigen::Index d = m_before.mean.size();
+    Eigen::VectorXd precision =
+        free_coordinates(m_net, partial.noise_std).cwiseAbs2().cwiseInverse();
+    precision.segment<3>(3 * 4).setZero();
+    const Eigen::MatrixXd before_inverse = m_before.covariance.inverse();
+    const Eigen::MatrixXd covariance =
+        (before_inverse + Eigen::MatrixXd(precision.asDiagonal())).inverse();
+    const Eigen::VectorXd deviation = free_coordinates(m_net, partial.form) - m_model.nominal_form;
+    const Eigen::VectorXd mean =
+        covariance * (before_inverse * m_before.mean + precision.cwiseProduct(deviation));
+    EXPECT_LT((after.mean() - mean).norm(), 1e-6 * mean.norm());
+    const Eigen::MatrixXd gradients = Eigen::MatrixXd::Random(d, 5);
+    const Eigen::VectorXd expected = (gradients.transpose() * covariance * gradients).diagonal();
+    EXPECT_LT((after.variances(gradients) - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST_F(FormConditioning, TestsATargetAgainstWhatAllOthersLetExpect) {
+    Survey wrong = survey(0.0003);
+    const int node = m_net.free_nodes()[7];
+    wrong.form(1, node) += 0.01;
+    const ConditionedForm after = condition(wrong, outlier_threshold(0.001, 12));
+    ASSERT_EQ(after.outliers().size(), 1U);
+    EXPECT_EQ(after.outliers()[0].node, node);
+    EXPECT_NEAR(after.outliers()[0].distance, 0.01, 0.002);
+
+    // The form is that of the survey without it.
+    Survey without = wrong;
+    testing::hide(m_net, without, node);
+    const ConditionedForm expected = condition(without, infinite);
+    EXPECT_LT((after.mean() - expected.mean()).norm(), 1e-10);
+}
+
+TEST_F(FormConditioning, RaisesFalseAlarmsAsOftenAsStated) {
+    constexpr int surveys = 400;
+    int alarms = 0;
+    double ratio = 0.0;
+    for (int k = 0; k < surveys; ++k) {
+        const Survey good = testing::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
+        const ConditionedForm after = condition(good, outlier_threshold(0.1, 12));
+        alarms += after.outliers().empty() ? 0 : 1;
+        ratio += after.noise_ratio() / surveys;
+    }
+    // 40 expected; five standard deviations about it.
+    EXPECT_GT(alarms, 10);
+    EXPECT_LT(alarms, 70);
+    EXPECT_NEAR(ratio, 1.0, 0.1);
+}
+
+TEST_F(FormConditioning, SaysWhereTheSurveyDoesNotFit) {
+    Survey wrong = survey(0.0003);
+    for (size_t i = 0; i < wrong.surveyed.size(); i += 2) {
+        wrong.form(static_cast<Eigen::Index>(i % 3), wrong.surveyed[i]) += 0.02;
+    }
+    EXPECT_FALSE(condition(wrong, outlier_threshold(0.001, 12)).fits());
+    EXPECT_TRUE(condition(survey(0.0003), outlier_threshold(0.001, 12)).fits());
+}
+
+TEST_F(FormConditioning, MeanFunctionsHaveTheGradientsOfTheirDifferenceQuotients) {
+    const Eigen::VectorXd at = 0.01 * Eigen::VectorXd::Random(m_model.nominal_form.size());
+    const Eigen::MatrixXd expected = testing::finite_differences(
+        [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+            return mean_values(m_net, MeanFunction::geometry, m_model.nominal_form, x).col(0);
+        },
+        at, 1e-4);
+    const Eigen::MatrixXd gradient =
+        mean_gradient(m_net, MeanFunction::geometry, m_model.nominal_form, at);
+    EXPECT_LT((gradient - expected).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_TRUE(mean_gradient(m_net, MeanFunction::zero, m_model.nominal_form, at).isZero(0.0));
+}
+
+TEST_F(FormConditioning, TheGeometricMeanIsThatOfNominalStrain) {
+    const Eigen::VectorXd at = 0.01 * Eigen::VectorXd::Random(m_model.nominal_form.size());
+    const Eigen::VectorXd mean =
+        mean_values(m_net, MeanFunction::geometry, m_model.nominal_form, at).col(0);
+    for (int i = 0; i < m_net.interior_edge_count(); ++i) {
+        const int edge = m_net.interior_edges()[static_cast<size_t>(i)];
+        const auto [s, t] = m_net.edges()[static_cast<size_t>(edge)];
+        const auto length = [&](const Eigen::VectorXd& deviation) {
+            const Points form = with_free_coordinates(m_net, m_model.nominal_form + deviation);
+            return (form.col(s) - form.col(t)).norm();
+        };
+        const double nominal = m_net.unstressed_lengths()(edge);
+        const double strain = length(Eigen::VectorXd::Zero(at.size())) / nominal - 1.0;
+        EXPECT_NEAR(mean(i), length(at) / (1.0 + strain) - nominal, 1e-15);
+    }
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against processes that take a survey's noise for truth, intervals that do not hold under
+// it, and gross errors that spoil the rest.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/best_possible.hpp"
+#include "taut/identification/identification.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace taut {
+namespace {
+
+constexpr LengthLaw uniform{LengthLaw::Kind::uniform, 0.003};
+constexpr LengthLaw normal{LengthLaw::Kind::normal, 0.0015};
+
+LengthModel model_of(const CableNet& net, const LengthLaw& law,
+                     const TrainingSettings& settings = {}) {
+    const Sampler sampler(net, law, 1);
+    DataSet data = sampler.empty();
+    sampler.extend(data, 300);
+    return train(net, data, data.converged_in(0, 300), settings);
+}
+
+struct Score {
+    double mse = 0.0;
+    double best_possible = 0.0;
+    double coverage = 0.0;
+};
+
+/// Over surveys of random nets with noise and hidden nodes.
+Score score(const CableNet& net, const LengthModel& model, double noise, int surveys,
+            int hidden = 0) {
+    Score sum;
+    for (int k = 0; k < surveys; ++k) {
+        auto s = testing::simulate(net, model.law, noise, 500 + static_cast<unsigned>(k));
+        for (int h = 0; h < hidden; ++h) {
+            testing::hide(net, s.survey, net.free_nodes()[static_cast<size_t>(5 * h + k % 5)]);
+        }
+        const Identification found = identify_by_processes(net, model, s.survey);
+        const double weight = 1.0 / (surveys * net.interior_edge_count());
+        for (size_t i = 0; i < found.edges.size(); ++i) {
+            const IdentifiedEdge& e = found.edges[i];
+            const double truth = s.deviations(static_cast<Eigen::Index>(i));
+            sum.mse += weight * std::pow(e.length_deviation - truth, 2);
+            sum.coverage += e.lower <= truth && truth <= e.upper ? weight : 0.0;
+            if (model.law.kind == LengthLaw::Kind::uniform) {
+                EXPECT_GE(e.lower, -model.law.scale);
+                EXPECT_LE(e.upper, model.law.scale);
+            }
+        }
+        if (noise > 0.0) {
+            sum.best_possible +=
+                best_possible_variances(net, with_length_deviations(net, s.deviations),
+                                        s.truth.form, s.survey, model.law)
+                    .mean() /
+                surveys;
+        }
+    }
+    return sum;
+}
+
+TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
+    const CableNet net = hypar(5, 6);
+    for (const LengthLaw& law : {uniform, normal}) {
+        const LengthModel model = model_of(net, law);
+        for (const double noise : {0.0, 0.0001, 0.0005, 0.002}) {
+            const Score s = score(net, model, noise, 40);
+            SCOPED_TRACE(law.to_string() + ", noise " + std::to_string(noise));
+            EXPECT_GT(s.coverage, 0.93);
+            EXPECT_LT(s.coverage, 0.97);
+            if (noise > 0.0) {
+                EXPECT_LT(s.mse, (noise < 0.0002 ? 1.8 : 1.05) * s.best_possible);
+            }
+        }
+    }
+}
+
+TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
+    const CableNet net = hypar(5, 6);
+    const Score s = score(net, model_of(net, normal), 0.0005, 40, 3);
+    EXPECT_GT(s.coverage, 0.93);
+    EXPECT_LT(s.coverage, 0.97);
+    EXPECT_LT(s.mse, 1.05 * s.best_possible);
+}
+
+TEST(ProcessesOnSite, TheGeometricMeanLeavesLessToLearn) {
+    const CableNet net = hypar(5, 6);
+    const double zero =
+        score(net, model_of(net, uniform, {.mean = MeanFunction::zero}), 0.0, 10).mse;
+    const double geometry = score(net, model_of(net, uniform), 0.0, 10).mse;
+    EXPECT_LT(geometry, 0.5 * zero);
+}
+
+TEST(ProcessesOnSite, GrossErrorsAreFoundAndLeftOut) {
+    const CableNet net = hypar(6, 6);
+    const LengthModel model = model_of(net, uniform);
+    auto s = testing::simulate(net, uniform, 0.0005, 3);
+    const int moved = net.free_nodes()[10];
+    const int a = net.free_nodes()[20];
+    const int b = net.free_nodes()[27];
+    s.survey.form(2, moved) += 0.05;
+    s.survey.form.col(a).swap(s.survey.form.col(b));
+    const Identification found = identify_by_processes(net, model, s.survey);
+    EXPECT_EQ(found.status, IdentificationStatus::converged);
+    std::vector<int> nodes;
+    for (const Outlier& outlier : found.outliers) {
+        nodes.push_back(outlier.node);
+        EXPECT_GT(outlier.statistic, found.outlier_threshold);
+    }
+    std::ranges::sort(nodes);
+    EXPECT_EQ(nodes, (std::vector<int>{moved, a, b}));
+}
+
+TEST(ProcessesOnSite, AModelAsInThePaperTakesTheSurveyForExactAndWhole) {
+    const CableNet net = hypar(3, 4);
+    const LengthModel model = model_of(net, uniform, TrainingSettings::as_in_paper());
+    auto s = testing::simulate(net, uniform, 0.0005, 3);
+    const Identification found = identify_by_processes(net, model, s.survey);
+    const LengthEstimates expected =
+        estimate_lengths(net, model, free_coordinates(net, s.survey.form) - model.nominal_form);
+    for (size_t i = 0; i < found.edges.size(); ++i) {
+        EXPECT_EQ(found.edges[i].length_deviation, expected.mean(static_cast<Eigen::Index>(i), 0));
+    }
+    testing::hide(net, s.survey, net.free_nodes()[2]);
+    EXPECT_THROW((void)identify_by_processes(net, model, s.survey), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut
