@@ -30,6 +30,7 @@ struct Cell {
 /// The cells in the order of the rows.
 std::vector<Cell> cells_of(const ComparisonSettings& settings) {
     std::vector<Cell> cells;
+    cells.reserve(settings.noises.size());
     const int training = settings.common_training();
     for (const double noise : settings.noises) {
         cells.push_back({.kind = {.noise_std = noise}, .training_samples = training});

@@ -35,7 +35,7 @@ TEST(Goals, AreReachedOnTheBuiltInNet) {
     const ComparisonSettings settings{.noises = {0.0, 1e-4, 5e-4, 2e-3},
                                       .training_samples = {950},
                                       .hidden_parts = {0.1},
-                                      .surveys = 24};
+                                      .surveys = 16};
     const Comparison comparison = compare_methods(hilo_quarter(), settings);
     EXPECT_LE(row_at(comparison, "balance", {}).result.mse_of_taut, 1e-20);
     EXPECT_LE(row_at(comparison, "map", {}).result.mse_of_taut, 1e-14);
