@@ -41,6 +41,7 @@ constexpr std::array all_metrics{KernelMetric::isotropic, KernelMetric::directio
 template <typename Setting, size_t N>
 std::vector<std::string> names(const std::array<Setting, N>& all) {
     std::vector<std::string> result;
+    result.reserve(N);
     for (const Setting setting : all) {
         result.emplace_back(to_string(setting));
     }

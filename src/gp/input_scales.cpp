@@ -45,11 +45,13 @@ int group_count(const std::vector<int>& groups, Eigen::Index dimensions) {
     return std::ranges::max(groups) + 1;
 }
 
-/// Inputs and outputs that the scales are estimated from.
+/// Inputs and outputs that the scales are estimated from, and the best seen so far.
 struct Problem {
     Eigen::MatrixXd inputs;
     Eigen::MatrixXd outputs;
     const std::vector<int>& groups;
+    std::vector<double> best_log_scales;
+    double best_value = std::numeric_limits<double>::infinity();
 };
 
 Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
@@ -65,16 +67,21 @@ Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     }
     return {.inputs = inputs.leftCols(n),
             .outputs = outputs.topRows(n)(Eigen::all, usable),
-            .groups = groups};
+            .groups = groups,
+            .best_log_scales = {}};
 }
 
 double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
-    const auto& problem = *static_cast<const Problem*>(data);
+    auto& problem = *static_cast<Problem*>(data);
     const ScalesLikelihood at = scales_likelihood(
         problem.inputs, problem.outputs, problem.groups,
         Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
     if (!gradient.empty()) {
         Eigen::VectorXd::Map(gradient.data(), at.gradient.size()) = at.gradient;
+    }
+    if (at.value < problem.best_value) {
+        problem.best_value = at.value;
+        problem.best_log_scales = x;
     }
     return at.value;
 }
@@ -156,20 +163,22 @@ Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& i
         return Eigen::VectorXd::Ones(inputs.rows());
     }
     const double start = best_common_scale(problem, count);
-    std::vector<double> log_scales(static_cast<size_t>(count), start);
+    problem.best_log_scales.assign(static_cast<size_t>(count), start);
     nlopt::opt optimizer(nlopt::LD_LBFGS, static_cast<unsigned>(count));
     optimizer.set_min_objective(evaluate, &problem);
     optimizer.set_lower_bounds(start - std::log(widest_factor));
     optimizer.set_upper_bounds(start + std::log(widest_factor));
     optimizer.set_ftol_rel(relative_tolerance);
     optimizer.set_maxeval(most_evaluations);
-    double value = 0.0;
     try {
-        optimizer.optimize(log_scales, value);
-    } catch (const nlopt::roundoff_limited&) {
-        // As good as rounding lets it become.
+        (void)optimizer.optimize(problem.best_log_scales);
+    } catch (const std::runtime_error&) {
+        // The line search found nothing lower: it is at the bottom, as near as rounding lets it be.
+        if (!std::isfinite(problem.best_value)) {
+            throw;
+        }
     }
-    const Eigen::VectorXd found = Eigen::VectorXd::Map(log_scales.data(), count);
+    const Eigen::VectorXd found = Eigen::VectorXd::Map(problem.best_log_scales.data(), count);
     Eigen::VectorXd result = scales_of(groups, found);
     return result / std::exp(result.array().log().mean());
 }

@@ -42,13 +42,14 @@ std::optional<json> read_with_h5py(const std::filesystem::path& path) {
     return json::parse(output);
 }
 
-void expect_attributes(const json& found, const std::string& format, const NetFile& net) {
+void expect_attributes(const json& found, const std::string& format, int version, size_t count,
+                       const NetFile& net) {
     EXPECT_EQ(found["attributes"]["format"], format);
-    EXPECT_EQ(found["attributes"]["version"], 1);
+    EXPECT_EQ(found["attributes"]["version"], version);
     EXPECT_EQ(found["attributes"]["law"], "uniform:3mm");
     EXPECT_EQ(found["attributes"]["seed"], 7);
     EXPECT_EQ(found["attributes"]["net_fingerprint"], net.net.fingerprint());
-    EXPECT_EQ(found["attributes"].size(), 5U);
+    EXPECT_EQ(found["attributes"].size(), count);
     const std::string text = found["datasets"]["net"]["values"][0];
     EXPECT_EQ(parse_net(text, "net").net.fingerprint(), net.net.fingerprint());
     EXPECT_EQ(found["datasets"]["free_nodes"]["values"], net.net.free_nodes());
@@ -83,7 +84,7 @@ TEST(H5py, FindsEveryNumberOfADataSet) {
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-data-set", net);
+    expect_attributes(*found, "taut-data-set", 1, 5, net);
     expect_numbers(*found, "nominal_form", data.nominal_form, "m");
     expect_numbers(*found, "form_deviation", data.form_deviations, "m");
     expect_numbers(*found, "length_deviation", data.length_deviations, "m");
@@ -111,7 +112,11 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-model", net);
+    expect_attributes(*found, "taut-model", 2, 7, net);
+    EXPECT_EQ((*found)["attributes"]["mean_function"], "zero");
+    EXPECT_EQ((*found)["attributes"]["kernel_metric"], "isotropic");
+    expect_numbers(*found, "input_scales", model.input_scales, "1");
+    expect_numbers(*found, "training_outputs", model.length_deviations, "m");
     expect_numbers(*found, "nominal_form", model.nominal_form, "m");
     expect_numbers(*found, "training_inputs", model.processes.inputs, "m");
     expect_numbers(*found, "weights", model.processes.weights, "m");
@@ -148,7 +153,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     EXPECT_EQ(datasets["fit_status"]["attributes"]["meaning"],
               "0: fitted, 1: constant output, 2: non-finite output");
     EXPECT_EQ(datasets["spectrum"]["values"][6], model.processes.processes[6].spectrum);
-    EXPECT_EQ(datasets.size(), 13U + 3U * model.processes.spectra.size());
+    EXPECT_EQ(datasets.size(), 15U + 3U * model.processes.spectra.size());
 }
 
 }  // namespace
