@@ -13,7 +13,7 @@
 namespace taut::app {
 namespace {
 
-constexpr const char* row_format = "  {:>8}  {:<15}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>10}{:>8}\n";
+constexpr const char* row_format = "  {:>8}  {:<15}{:>10}{:>10}{:>8}{:>10}{:>9}{:>10}{:>10}{:>8}\n";
 
 std::string head(const std::string& axis) {
     return fmt::format(row_format, axis, "", "MSE", "RMSE", "over", "MRSE", "form", "inside",
