@@ -11,8 +11,8 @@ int main() {
         .samples = 300, .validation = 20, .law = {.scale = 0.003}, .seed = 7};
     const taut::Study study = taut::run_study(taut::hypar(8, 10), settings);
 
-    std::cout << "MSE " << study.gp_as_in_paper.errors.mse << " m2, MRSE "
-              << 100.0 * study.gp_as_in_paper.errors.mrse << " %\n"
+    std::cout << "MSE " << study.as_in_paper().errors.mse << " m2, MRSE "
+              << 100.0 * study.as_in_paper().errors.mrse << " %\n"
               << "mean form error: nominal " << 1e3 * study.form_errors.nominal.mean
               << " mm, identified " << 1e3 * study.form_errors.identified.mean << " mm\n";
     return study.form_errors.identified.mean < study.form_errors.nominal.mean ? 0 : 1;

@@ -65,6 +65,7 @@ void add_train(CLI::App& program);
 void add_identify(CLI::App& program);
 void add_reproduce(CLI::App& program);
 void add_survey(CLI::App& program);
+void add_compare(CLI::App& program);
 void add_report(CLI::App& program);
 
 }  // namespace taut::app

@@ -17,11 +17,48 @@ std::string form_error_line(std::string_view name, const FormErrors& paper, cons
                        mm(first.identified), mm(mean.identified));
 }
 
+constexpr const char* method_format = "  {:<15}{:>10}{:>9}{:>15}{:>13}{:>12}{:>14}{:>11}\n";
+
+std::string method_line(const MethodResult& method) {
+    if (method.identified() == 0) {
+        return fmt::format("  {:<15}failed: {}\n", method.name, method.first_failure);
+    }
+    const LengthErrors& errors = method.errors;
+    std::string text = fmt::format(method_format, method.name, fmt::format("{:.2g}", errors.mse),
+                                   fmt::format("{:.2g}", 100.0 * errors.mrse),
+                                   fmt::format("{:.2g}", 1e3 * errors.mean_max_abs()),
+                                   fmt::format("{:.2g}", 1e3 * errors.std_mean()),
+                                   fmt::format("{:.1f}", 100.0 * method.coverage),
+                                   fmt::format("{:.3g}", 1e3 * method.form_error.mean),
+                                   fmt::format("{:.0f}", 1e3 * method.seconds));
+    if (method.failed > 0) {
+        text += fmt::format("  {:<15}failed on {} of {} samples, left out above: {}\n", "",
+                            method.failed, method.surveys, method.first_failure);
+    }
+    return text;
+}
+
+/// A line for the paper and one for each method.
+std::string lengths_table(const Study& study, const PaperFigures& paper) {
+    std::string text =
+        "\nIdentified lengths, of exact forms\n" +
+        fmt::format(method_format, "", "MSE", "MRSE", "largest mean", "std, mean of", "inside the",
+                    "form error,", "time each") +
+        fmt::format(method_format, "", "[m2]", "[%]", "error [mm]", "edges [mm]", "95 % [%]",
+                    "mean [mm]", "[ms]") +
+        fmt::format(method_format, "paper", fmt::format("{:.2g}", paper.mse),
+                    fmt::format("{:.2g}", 100.0 * paper.mrse), "-", "-", "-",
+                    fmt::format("{:.3g}", 1e3 * paper.form_errors.identified.mean), "-");
+    for (const MethodResult& method : study.methods) {
+        text += method_line(method);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string paper_table(const Study& study) {
     const PaperFigures paper;
-    const LengthErrors& errors = study.gp_as_in_paper.errors;
     std::string text = fmt::format(
         "{} samples ({}, seed {}): {} for training, {} for validation; {} with slack edges, {} not "
         "converged\n",
@@ -33,18 +70,7 @@ std::string paper_table(const Study& study) {
         text += fmt::format("The paper's net is another one: {} free nodes, {} interior edges.\n",
                             paper.free_nodes, paper.interior_edges);
     }
-    text += fmt::format("\nError of the identified lengths{:>19}{:>12}\n", "paper", "here");
-    text += fmt::format("  {:<36}{:>12.2g}{:>12.2g}  m2\n", "mean squared error (MSE)", paper.mse,
-                        errors.mse);
-    text += fmt::format("  {:<36}{:>12.2g}{:>12.2g}  %\n", "mean relative squared error (MRSE)",
-                        100.0 * paper.mrse, 100.0 * errors.mrse);
-    text += fmt::format("  {:<36}{:>12}{:>12.2g}  mm\n", "largest mean error of an edge", "-",
-                        1e3 * errors.mean_max_abs());
-    text += fmt::format("  {:<36}{:>12}{:>12.2g}  mm\n", "standard deviation, mean of the edges",
-                        "-", 1e3 * errors.std_mean());
-    text += fmt::format("  {:<36}{:>12}{:>12.1f}  %\n", "inside the 95 % interval", "-",
-                        100.0 * study.gp_as_in_paper.coverage);
-
+    text += lengths_table(study, paper);
     text += fmt::format("\nForm error [mm]{:>18}{:>29}\n", "nominal", "identified");
     text += fmt::format("  {:<8}{:>12}{:>12}{:>12}{:>14}{:>12}{:>12}\n", "", "paper", "here",
                         "here, mean", "paper", "here", "here, mean");
@@ -56,13 +82,14 @@ std::string paper_table(const Study& study) {
     line("min", &FormErrorSummary::min);
     line("mean", &FormErrorSummary::mean);
     line("RMSE", &FormErrorSummary::rmse);
-    text += "  here: the first validation sample, as in the paper; mean: over all of them\n";
+    text +=
+        "  here: gp_as_in_paper, the first validation sample, as in the paper; mean: over all of "
+        "them\n";
     text += fmt::format("  identified / nominal, means: paper {:.3f}, here {:.3f}\n",
                         paper.form_errors.identified.mean / paper.form_errors.nominal.mean,
                         study.form_errors.identified.mean / study.form_errors.nominal.mean);
-    if (study.forms_not_converged > 0) {
-        text += fmt::format("  left out: {} identified forms that did not converge\n",
-                            study.forms_not_converged);
+    if (const int left_out = study.as_in_paper().forms_not_converged; left_out > 0) {
+        text += fmt::format("  left out: {} identified forms that did not converge\n", left_out);
     }
     text += fmt::format(
         "\nSeconds: sampling {:.2f}, training {:.2f}, identification {:.2f}, in all {:.2f}\n",

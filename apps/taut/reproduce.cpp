@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "interruption.hpp"
 #include "net_summary.hpp"
+#include "output_directory.hpp"
 #include "paper_table.hpp"
 #include "progress.hpp"
 #include "run_record.hpp"
@@ -38,14 +39,14 @@ NetFile net_of(const ReproduceOptions& options) {
                                : read_net(options.net);
 }
 
-/// Refuses a directory that could not be written to, before the work and without making it, one
-/// where a data set and a model would stay behind that are not of the new study, and one where the
-/// net would be written over.
+/// Refuses what check_output_directory() does, and a directory where a data set and a model would
+/// stay behind that are not of the new study.
 void check_directory(const ReproduceOptions& options) {
     const std::filesystem::path directory(options.directory);
-    if (directory.empty()) {
-        throw std::invalid_argument("the output directory has no name");
-    }
+    check_output_directory(directory,
+                           {"results.json", "report.html", "edges.csv", "errors.csv", "nodes.csv",
+                            "data.h5", "model.h5"},
+                           {options.net});
     for (const char* name : {"data.h5", "model.h5"}) {
         if (!options.keep && std::filesystem::exists(directory / name)) {
             throw InputError((directory / name).string(), "",
@@ -53,15 +54,6 @@ void check_directory(const ReproduceOptions& options) {
                              "directory");
         }
     }
-    for (const char* name : {"results.json", "report.html", "edges.csv", "errors.csv", "nodes.csv",
-                             "data.h5", "model.h5"}) {
-        refuse_overwriting({(directory / name).string()}, {options.net});
-    }
-    std::filesystem::path first_new = std::filesystem::absolute(directory) / "results.json";
-    while (!std::filesystem::exists(first_new.parent_path())) {
-        first_new = first_new.parent_path();
-    }
-    AtomicFile{first_new};
 }
 
 void run(ReproduceOptions options) {

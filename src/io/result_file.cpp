@@ -41,6 +41,18 @@ void check_form_errors(const JsonValue& errors) {
     }
 }
 
+/// A method that failed throughout has no numbers.
+void check_method(const JsonValue& method) {
+    for (const char* key : {"mse", "mrse", "error_mean_max_abs", "error_std_mean"}) {
+        static_cast<void>(method.require(key, "a number, or null"));
+        static_cast<void>(optional_number(method, key));
+    }
+    static_cast<void>(optional_number(method, "coverage_95"));
+    if (const auto errors = find_unless_null(method, "form_error")) {
+        require_numbers(*errors, {"max", "min", "mean", "rmse"});
+    }
+}
+
 Eigen::MatrixXd read_errors(const JsonValue& errors, Eigen::Index edges, int samples) {
     const auto all = errors.find("all");
     if (!all) {
@@ -82,8 +94,7 @@ StudyResult read_study(const JsonValue& root) {
         methods.fail("is empty, expected at least one method");
     }
     for (const auto& [name, method] : methods.json().items()) {
-        require_numbers(require_object(methods, name),
-                        {"mse", "mrse", "error_mean_max_abs", "error_std_mean"});
+        check_method(require_object(methods, name));
     }
     check_form_errors(require_object(root, "form_error"));
     require_numbers(require_object(root, "seconds"),
@@ -233,9 +244,11 @@ ComparisonResult read_comparison(const JsonValue& root) {
     for (size_t i = 0; i < rows.array_size("a list of rows"); ++i) {
         const JsonValue row = rows.at(i);
         row.require_object("a row");
-        for (const char* key : {"mrse", "form_error", "coverage", "seconds"}) {
+        for (const char* key : {"mrse", "form_error", "coverage", "seconds", "training_seconds",
+                                "surveys", "failed"}) {
             static_cast<void>(optional_number(row, key));
         }
+        check_texts(row, {"first_failure"});
         result.rows.push_back(
             {.method = row.require("method", "a method").text(),
              .noise = row.require("noise", "a number [m]").number(),

@@ -57,6 +57,14 @@ ResultJson counts_json(const CableNet& net) {
             {"fingerprint", net.fingerprint()}};
 }
 
+void add_run(ResultJson& document, const RunRecord& run) {
+    for (const auto& [key, text] : {std::pair{"date", run.date}, {"command", run.command}}) {
+        if (!text.empty()) {
+            document[key] = text;
+        }
+    }
+}
+
 ResultJson net_json(const CableNet& net) {
     return ResultJson::parse(net_to_json(net));
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "taut/io/results_json.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -20,6 +21,9 @@ using ResultJson = nlohmann::ordered_json;
 
 /// Numbers rounded to so many significant digits, which keeps a result small.
 [[nodiscard]] ResultJson numbers_json(const Eigen::Ref<const Eigen::VectorXd>& numbers, int digits);
+
+/// What is known of how a result came about, as keys of it.
+void add_run(ResultJson& document, const RunRecord& run);
 
 /// [[x, y, z]...], to 10 nm for a net of some 10 m.
 [[nodiscard]] ResultJson points_json(const Points& points);

@@ -22,20 +22,33 @@ Json to_json(const FormErrors& errors) {
     return {{"nominal", to_json(errors.nominal)}, {"identified", to_json(errors.identified)}};
 }
 
+/// All numbers of the lengths are null where no survey was identified.
 Json to_json(const MethodResult& method) {
-    return {{"mse", method.errors.mse},
-            {"mrse", method.errors.mrse},
-            {"error_mean_max_abs", method.errors.mean_max_abs()},
-            {"error_std_mean", method.errors.std_mean()},
-            {"coverage_95", method.coverage}};
+    Json json{{"surveys", method.surveys}, {"failed", method.failed}};
+    if (method.failed > 0) {
+        json["first_failure"] = method.first_failure;
+    }
+    const bool any = method.identified() > 0;
+    const auto number = [any](double value) { return any ? Json(value) : Json(); };
+    json["mse"] = number(method.errors.mse);
+    json["mse_of_taut_edges"] = number(method.mse_of_taut);
+    json["mrse"] = number(method.errors.mrse);
+    json["error_mean_max_abs"] = any ? Json(method.errors.mean_max_abs()) : Json();
+    json["error_std_mean"] = any ? Json(method.errors.std_mean()) : Json();
+    json["coverage_95"] = number(method.coverage);
+    json["form_error"] = any ? to_json(method.form_error) : Json();
+    json["forms_not_converged"] = method.forms_not_converged;
+    json["training_seconds"] = method.training_seconds;
+    json["seconds"] = method.seconds;
+    return json;
 }
 
-void add_run(Json& document, const RunRecord& run) {
-    for (const auto& [key, text] : {std::pair{"date", run.date}, {"command", run.command}}) {
-        if (!text.empty()) {
-            document[key] = text;
-        }
+Json methods_json(const Study& study) {
+    Json methods = Json::object();
+    for (const MethodResult& method : study.methods) {
+        methods[method.name] = to_json(method);
     }
+    return methods;
 }
 
 /// The first validation sample, the paper's k = 1: lengths in the order of the interior edges,
@@ -66,7 +79,7 @@ Json sample_json(const Study& study) {
 /// Statistics of the errors of each interior edge, and all errors where they are few enough.
 Json errors_json(const Study& study) {
     constexpr Eigen::Index most_errors = 100'000;
-    const LengthErrors& errors = study.gp_as_in_paper.errors;
+    const LengthErrors& errors = study.as_in_paper().errors;
     Json result{{"mean", numbers_json(errors.mean, 6)}, {"std", numbers_json(errors.std, 6)}};
     if (study.estimates.mean.size() <= most_errors) {
         Json all = Json::array();
@@ -145,10 +158,10 @@ std::string study_to_json(const Study& study, const RunRecord& run) {
           {"validation", study.validation.size()},
           {"with_slack", study.data.with_slack()},
           {"not_converged", study.data.not_converged()}}},
-        {"methods", {{study.gp_as_in_paper.name, to_json(study.gp_as_in_paper)}}},
+        {"methods", methods_json(study)},
         {"form_error", to_json(study.form_errors)},
         {"form_error_mean_over_validation", to_json(study.mean_form_errors)},
-        {"forms_not_converged", study.forms_not_converged},
+        {"forms_not_converged", study.as_in_paper().forms_not_converged},
         {"paper",
          {{"mse", paper.mse}, {"mrse", paper.mrse}, {"form_error", to_json(paper.form_errors)}}},
         {"seconds",

@@ -53,4 +53,11 @@ FormErrorSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& distances) {
             .rmse = std::sqrt(distances.squaredNorm() / static_cast<double>(distances.size()))};
 }
 
+void add_to_mean(FormErrorSummary& mean, const FormErrorSummary& summary, int count) {
+    mean.max += summary.max / count;
+    mean.min += summary.min / count;
+    mean.mean += summary.mean / count;
+    mean.rmse += summary.rmse / count;
+}
+
 }  // namespace taut

@@ -3,110 +3,88 @@
 #include "taut/study/study.hpp"
 
 #include <fmt/core.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <chrono>
+#include <optional>
+#include <stdexcept>
+
+#include "study/stages.hpp"
+#include "study/stopwatch.hpp"
 
 namespace taut {
 namespace {
 
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
-};
-
-DataSet draw_samples(const Sampler& sampler, int count, const StudyProgress& progress,
-                     const std::stop_token& stop) {
-    DataSet data = sampler.empty();
-    const int block = std::max(16, count / 50);
-    while (data.size() < count) {
-        progress("sampling", data.size(), count);
-        if (!sampler.extend(data, std::min(count, data.size() + block), stop)) {
-            throw Interrupted();
+/// Mean and std of all identifications, none of which failed.
+LengthEstimates estimates_of(const std::vector<std::optional<Identification>>& identifications,
+                             Eigen::Index edges) {
+    const auto count = static_cast<Eigen::Index>(identifications.size());
+    LengthEstimates estimates{.mean = Eigen::MatrixXd(edges, count),
+                              .std = Eigen::MatrixXd(edges, count)};
+    for (Eigen::Index k = 0; k < count; ++k) {
+        for (Eigen::Index i = 0; i < edges; ++i) {
+            const IdentifiedEdge& edge =
+                identifications[static_cast<size_t>(k)]->edges[static_cast<size_t>(i)];
+            estimates.mean(i, k) = edge.length_deviation;
+            estimates.std(i, k) = edge.std;
         }
     }
-    progress("sampling", count, count);
-    return data;
+    return estimates;
 }
 
-LengthModel train_on(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
-                     const StudyProgress& progress, const std::stop_token& stop) {
-    TrainingSettings settings = TrainingSettings::as_in_paper();
-    settings.fit.progress = [&](int made) {
-        if (stop.stop_requested()) {
-            throw Interrupted();
-        }
-        progress("training", made, settings.fit.max_spectra);
-    };
-    return train(net, data, samples, settings);
-}
-
-double coverage(const Eigen::MatrixXd& truth, const LengthEstimates& estimates) {
-    const auto inside =
-        (truth - estimates.mean).array().abs() <= half_interval_95 * estimates.std.array();
-    return static_cast<double>(inside.count()) / static_cast<double>(truth.size());
-}
-
-void add(FormErrorSummary& sum, const FormErrorSummary& summary, double weight) {
-    sum.max += weight * summary.max;
-    sum.min += weight * summary.min;
-    sum.mean += weight * summary.mean;
-    sum.rmse += weight * summary.rmse;
-}
-
-/// The errors of the nominal and of the identified form at the free nodes of every validation
-/// sample. Fills what the study tells of them.
-void compare_forms(Study& study, const Points& nominal_form, const std::stop_token& stop) {
-    const CableNet& net = study.net;
-    const auto count = static_cast<Eigen::Index>(study.validation.size());
-    Eigen::MatrixXd nominal(net.free_node_count(), count);
-    Eigen::MatrixXd identified(net.free_node_count(), count);
-    std::vector<char> converged(study.validation.size(), 0);
-    tbb::enumerable_thread_specific<EquilibriumSolver> solvers(
-        [&] { return EquilibriumSolver(net); });
-    tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index k) {
-        if (stop.stop_requested()) {
-            return;
-        }
-        const Eigen::VectorXd true_form =
-            study.data.nominal_form +
-            study.data.form_deviations.col(study.validation[static_cast<size_t>(k)]);
-        const Equilibrium predicted =
-            solvers.local().solve(with_length_deviations(net, study.estimates.mean.col(k)),
-                                  with_free_coordinates(net, true_form));
-        converged[static_cast<size_t>(k)] = static_cast<char>(predicted.balanced());
-        nominal.col(k) = node_distances(true_form, free_coordinates(net, nominal_form));
-        identified.col(k) = node_distances(true_form, free_coordinates(net, predicted.form));
-        if (k == 0) {
-            study.identified_form = predicted.form;
-        }
-    });
-    if (stop.stop_requested()) {
-        throw Interrupted();
+/// Fills all that the study tells of the paper's way alone.
+void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vector<Trial>& trials,
+                      const Points& nominal_form) {
+    const MethodResult& result = evaluation.result;
+    if (result.failed > 0) {
+        throw std::runtime_error(fmt::format("{} of {} validation samples were not identified: {}",
+                                             result.failed, result.surveys, result.first_failure));
     }
-    const auto usable = std::ranges::count(converged, 1);
-    study.forms_not_converged = static_cast<int>(count - usable);
-    if (converged.front() == 0) {
+    const Equilibrium& first = evaluation.identifications.front()->predicted;
+    if (!first.balanced()) {
         throw std::runtime_error("the first validation sample's identified form did not converge");
     }
-    for (Eigen::Index k = 0; k < count; ++k) {
-        if (converged[static_cast<size_t>(k)] == 1) {
-            const double weight = 1.0 / static_cast<double>(usable);
-            add(study.mean_form_errors.nominal, summarise(nominal.col(k)), weight);
-            add(study.mean_form_errors.identified, summarise(identified.col(k)), weight);
+    const CableNet& net = study.net;
+    study.estimates = estimates_of(evaluation.identifications, net.interior_edge_count());
+    const Eigen::VectorXd nominal = free_coordinates(net, nominal_form);
+    const Eigen::VectorXd truth = free_coordinates(net, trials.front().form);
+    study.identified_form = first.form;
+    study.nominal_form_error = node_distances(truth, nominal);
+    study.identified_form_error = node_distances(truth, free_coordinates(net, first.form));
+    study.form_errors = {.nominal = summarise(study.nominal_form_error),
+                         .identified = summarise(study.identified_form_error)};
+    study.mean_form_errors.identified = result.form_error;
+    for (size_t k = 0; k < trials.size(); ++k) {
+        if (evaluation.identifications[k]->predicted.balanced()) {
+            add_to_mean(study.mean_form_errors.nominal,
+                        summarise(node_distances(free_coordinates(net, trials[k].form), nominal)),
+                        result.surveys - result.forms_not_converged);
         }
     }
-    study.nominal_form_error = nominal.col(0);
-    study.identified_form_error = identified.col(0);
-    study.form_errors = {.nominal = summarise(nominal.col(0)),
-                         .identified = summarise(identified.col(0))};
+}
+
+/// Tries all ways on exact surveys of the validation samples.
+void try_methods(Study& study, const LengthModel& best, double paper_seconds, double best_seconds,
+                 const Points& nominal_form, const StudyProgress& tell,
+                 const std::stop_token& stop) {
+    const CableNet& net = study.net;
+    const std::vector<Trial> trials =
+        simulate_trials(net, study.data, study.validation, {}, study.settings.seed);
+    std::vector methods{method_as_in_paper(net, study.model), method_by_processes(net, best),
+                        method_by_force_balance(net, study.settings.law),
+                        method_by_maximum_a_posteriori(net, study.settings.law)};
+    methods[0].training_seconds = paper_seconds;
+    methods[1].training_seconds = best_seconds;
+    StepCounter steps("identification", static_cast<int>(methods.size() * trials.size()), tell);
+    for (const Method& method : methods) {
+        const Evaluation evaluation =
+            evaluate(net, method, trials, [&steps] { steps.tick(); }, stop);
+        if (stop.stop_requested()) {
+            throw Interrupted();
+        }
+        if (study.methods.empty()) {
+            tell_as_in_paper(study, evaluation, trials, nominal_form);
+        }
+        study.methods.push_back(evaluation.result);
+    }
 }
 
 }  // namespace
@@ -143,21 +121,18 @@ Study run_study(const CableNet& net, const StudySettings& settings, const StudyP
             fmt::format("only {} training and {} validation samples found their equilibrium",
                         training_samples.size(), study.validation.size()));
     }
-    const Stopwatch training;
-    study.model = train_on(net, study.data, training_samples, tell, stop);
-    study.seconds.training = training.seconds();
+    Training training(net, 2, tell, stop);
+    const Stopwatch paper_training;
+    study.model = training.as_in_paper(study.data, training_samples);
+    const double paper_seconds = paper_training.seconds();
+    const Stopwatch best_training;
+    const LengthModel best = training.best(study.data, training_samples);
+    const double best_seconds = best_training.seconds();
+    study.seconds.training = paper_seconds + best_seconds;
 
-    tell("identification", 0, 1);
     const Stopwatch identification;
-    const Eigen::MatrixXd truth = study.data.length_deviations(Eigen::all, study.validation);
-    study.estimates =
-        estimate_lengths(net, study.model, study.data.form_deviations(Eigen::all, study.validation));
-    study.gp_as_in_paper = {.name = "gp_as_in_paper",
-                            .errors = length_errors(truth, study.estimates.mean),
-                            .coverage = coverage(truth, study.estimates)};
-    compare_forms(study, sampler.nominal().form, stop);
+    try_methods(study, best, paper_seconds, best_seconds, sampler.nominal().form, tell, stop);
     study.seconds.identification = identification.seconds();
-    tell("identification", 1, 1);
     study.seconds.total = total.seconds();
     return study;
 }

@@ -11,7 +11,7 @@ using namespace taut::test;
 
 const std::vector<std::string> commands{"example",  "import",    "inspect", "form",
                                         "export",   "sample",    "train",   "survey",
-                                        "identify", "reproduce", "report"};
+                                        "identify", "reproduce", "compare", "report"};
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 

@@ -126,6 +126,17 @@ TEST_F(Interruption, OfReproduceWritesNothing) {
     }
 }
 
+TEST_F(Interruption, OfCompareWritesNothing) {
+    const Files before = files();
+    const auto told = [](const Outcome& outcome) { return !outcome.err.empty(); };
+    expect_error(
+        signalled(SIGINT,
+                  {"compare", "net.json", "-o", "new", "--training", "20", "--surveys", "1000000"},
+                  told, milliseconds(200)),
+        130, "interrupted");
+    EXPECT_EQ(files(), before);
+}
+
 TEST_F(Interruption, OfACommandThatKeepsNothingIsToldInOneLine) {
     const Files before = files();
     expect_error(signalled(

@@ -200,6 +200,37 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
+    Compare, Refused,
+    testing::Values(
+        Request{"no_net", "compare -o out", "NET"},
+        Request{"missing_net", "compare nothing.json -o out", "nothing.json"},
+        Request{"no_output", "compare net.json", "--output"},
+        Request{"empty_output", "compare net.json -o ''", "no name"},
+        Request{"output_is_a_file", "compare net.json -o text", "text"},
+        Request{"noise_of_unknown_unit", "compare net.json -o out --noise 0,0.5in",
+                "--noise has the entry '0.5in'"},
+        Request{"noise_beyond_all_measure", "compare net.json -o out --noise 0.5m --training 9",
+                "noise of 0.5 m"},
+        Request{"negative_noise", "compare net.json -o out --noise 0,-1mm",
+                "--noise has the entry '-1mm'"},
+        Request{"no_noise", "compare net.json -o out --noise ''", "--noise has the entry ''"},
+        Request{"an_empty_entry", "compare net.json -o out --noise 0,,1mm",
+                "--noise has the entry ''"},
+        Request{"one_training_sample", "compare net.json -o out --training 100,1",
+                "--training has the entry '1'"},
+        Request{"training_in_words", "compare net.json -o out --training many",
+                "--training has the entry 'many'"},
+        Request{"hidden_without_unit", "compare net.json -o out --hidden 0.1",
+                "--hidden has the entry '0.1'"},
+        Request{"all_hidden", "compare net.json -o out --hidden 100%",
+                "--hidden has the entry '100%'"},
+        Request{"no_surveys", "compare net.json -o out --surveys 0", "0 surveys"},
+        Request{"unknown_law", "compare net.json -o out --law gauss:5mm", "'gauss:5mm'"},
+        Request{"net_without_interior_edge", "compare no_interior.json -o out",
+                "no interior edge"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
     Train, Refused,
     testing::Values(Request{"missing_data", "train nothing.h5 -o old.h5", "nothing.h5"},
                     Request{"text_for_data", "train text -o old.h5", "text"},

@@ -37,7 +37,7 @@ TEST_F(Reproduce, WritesResultsWithEveryKeyOfTheContract) {
         "format": "", "version": 1,
         "net": {"name": "", "free_nodes": 1, "supports": 1, "interior_edges": 1, "adjustable_edges": 1},
         "samples": {"total": 1, "training": 1, "validation": 1, "with_slack": 1, "not_converged": 1},
-        "methods": {"gp_as_in_paper": {"mse": 0.1, "mrse": 0.1, "error_mean_max_abs": 0.1, "error_std_mean": 0.1}},
+        "methods": {"gp_as_in_paper": {"mse": 0.1, "mrse": 0.1, "error_mean_max_abs": 0.1, "error_std_mean": 0.1}, "gp": {"mse": 0.1}, "balance": {"mse": 0.1}, "map": {"mse": 0.1}},
         "form_error": {"nominal": {"max": 0.1, "min": 0.1, "mean": 0.1, "rmse": 0.1},
                        "identified": {"max": 0.1, "min": 0.1, "mean": 0.1, "rmse": 0.1}},
         "seconds": {"sampling": 0.1, "training": 0.1, "identification": 0.1, "total": 0.1}})"));
@@ -60,11 +60,18 @@ TEST_F(Reproduce, TellsTheNumbersOfTheStudy) {
         hypar(3, 4),
         {.samples = 50, .validation = 8, .law = parse_length_law("uniform:3mm"), .seed = 5});
     const json& method = results["methods"]["gp_as_in_paper"];
-    const LengthErrors& errors = study.gp_as_in_paper.errors;
+    const LengthErrors& errors = study.as_in_paper().errors;
     EXPECT_DOUBLE_EQ(method["mse"], errors.mse);
     EXPECT_DOUBLE_EQ(method["mrse"], errors.mrse);
     EXPECT_DOUBLE_EQ(method["error_mean_max_abs"], errors.mean_max_abs());
     EXPECT_DOUBLE_EQ(method["error_std_mean"], errors.std_mean());
+    for (const MethodResult& other : study.methods) {
+        const json& found = results["methods"][other.name];
+        EXPECT_EQ(found["failed"], other.failed);
+        EXPECT_DOUBLE_EQ(found["mse"], other.errors.mse) << other.name;
+        EXPECT_DOUBLE_EQ(found["coverage_95"], other.coverage);
+        EXPECT_DOUBLE_EQ(found["form_error"]["mean"], other.form_error.mean);
+    }
     EXPECT_EQ(results["samples"]["with_slack"], study.data.with_slack());
     const auto expect_summary = [](const json& found, const FormErrorSummary& expected) {
         EXPECT_DOUBLE_EQ(found["max"], expected.max);
@@ -111,6 +118,9 @@ TEST_F(Reproduce, PrintsThePapersFiguresBesideItsOwn) {
     EXPECT_THAT(text, testing::HasSubstr("1.7e-08"));  // the paper's MSE
     EXPECT_THAT(text, testing::HasSubstr("13.8"));     // its largest nominal form error [mm]
     EXPECT_THAT(text, testing::HasSubstr("0.776"));    // and identified
+    for (const std::string method : {"\n  gp_as_in_paper ", "\n  gp ", "\n  balance ", "\n  map "}) {
+        EXPECT_THAT(text, testing::HasSubstr(method));
+    }
     EXPECT_THAT(text, testing::HasSubstr("The paper's net is another one"));
     EXPECT_THAT(text, testing::HasSubstr(has_report_viewer() ? "report: study/report.html"
                                                              : "report: left out"));
@@ -153,6 +163,10 @@ TEST_F(Reproduce, GivesTheSameNumbersAgain) {
         results.erase("seconds");
         results.erase("date");
         results.erase("command");
+        for (json& method : results["methods"]) {
+            method.erase("seconds");
+            method.erase("training_seconds");
+        }
         return results;
     };
     reproduce("one");

@@ -28,16 +28,16 @@ TEST(PaperFigures, AreReachedOnTheBuiltInNet) {
     EXPECT_EQ(study.validation.size(), 50U);
     EXPECT_LT(study.data.with_slack(), 50);
 
-    const LengthErrors& errors = study.gp_as_in_paper.errors;
+    const LengthErrors& errors = study.as_in_paper().errors;
     EXPECT_LE(errors.mse, 2.5e-8);
     EXPECT_GE(errors.mse, 1e-9);
     EXPECT_LE(errors.mrse, 0.003);
     // The paper's errors have means that are small beside their standard deviations.
     EXPECT_LT(errors.mean_max_abs(), errors.std_mean());
-    EXPECT_GE(study.gp_as_in_paper.coverage, 0.93);
-    EXPECT_LE(study.gp_as_in_paper.coverage, 0.97);
+    EXPECT_GE(study.as_in_paper().coverage, 0.93);
+    EXPECT_LE(study.as_in_paper().coverage, 0.97);
 
-    EXPECT_EQ(study.forms_not_converged, 0);
+    EXPECT_EQ(study.as_in_paper().forms_not_converged, 0);
     EXPECT_GE(study.mean_form_errors.nominal.mean, 4e-3);
     EXPECT_LE(study.mean_form_errors.nominal.mean, 6e-3);
     EXPECT_LE(study.mean_form_errors.identified.mean, 0.08 * study.mean_form_errors.nominal.mean);

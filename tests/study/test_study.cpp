@@ -56,14 +56,15 @@ TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
                                     TrainingSettings::as_in_paper());
     const Eigen::MatrixXd validation = m_study.data.form_deviations.rightCols(12);
     const LengthEstimates estimates = estimate_lengths(m_study.net, model, validation);
-    EXPECT_EQ(m_study.estimates.mean, estimates.mean);
-    EXPECT_EQ(m_study.estimates.std, estimates.std);
+    // One form at a time or all at once: sums of the BLAS in another order.
+    EXPECT_LT((m_study.estimates.mean - estimates.mean).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((m_study.estimates.std - estimates.std).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
     const LengthErrors expected = length_errors(truth(), m_study.estimates.mean);
-    const LengthErrors& errors = m_study.gp_as_in_paper.errors;
-    EXPECT_EQ(m_study.gp_as_in_paper.name, "gp_as_in_paper");
+    const LengthErrors& errors = m_study.as_in_paper().errors;
+    EXPECT_EQ(m_study.as_in_paper().name, "gp_as_in_paper");
     EXPECT_EQ(errors.mse, expected.mse);
     EXPECT_EQ(errors.mrse, expected.mrse);
     EXPECT_EQ(errors.mean, expected.mean);
@@ -71,6 +72,18 @@ TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
     // It learnt something: guessing zero throughout has the relative error one.
     EXPECT_LT(errors.mrse, 0.1);
     EXPECT_GT(errors.mrse, 0.0);
+}
+
+TEST_F(SmallStudy, TriesEveryWayOnTheSameSamples) {
+    std::vector<std::string> names;
+    for (const MethodResult& method : m_study.methods) {
+        names.push_back(method.name);
+        EXPECT_EQ(method.surveys, 12);
+        EXPECT_EQ(method.failed, 0) << method.first_failure;
+    }
+    EXPECT_THAT(names, testing::ElementsAre("gp_as_in_paper", "gp", "balance", "map"));
+    EXPECT_LT(m_study.methods[2].mse_of_taut, 1e-20);
+    EXPECT_LT(m_study.methods[3].mse_of_taut, 1e-14);
 }
 
 TEST_F(SmallStudy, CountsHowManyLengthsLieInTheirInterval) {
@@ -83,9 +96,9 @@ TEST_F(SmallStudy, CountsHowManyLengthsLieInTheirInterval) {
                 std::abs(true_deviations(i, k) - m_study.estimates.mean(i, k)) <= half ? 1 : 0;
         }
     }
-    EXPECT_DOUBLE_EQ(m_study.gp_as_in_paper.coverage,
+    EXPECT_DOUBLE_EQ(m_study.as_in_paper().coverage,
                      inside / static_cast<double>(true_deviations.size()));
-    EXPECT_GT(m_study.gp_as_in_paper.coverage, 0.85);
+    EXPECT_GT(m_study.as_in_paper().coverage, 0.85);
 }
 
 TEST_F(SmallStudy, TellsTheNominalFormErrorOfTheFirstValidationSample) {
@@ -142,14 +155,14 @@ TEST_F(SmallStudy, TellsTheMeanFormErrorsOfAllValidationSamples) {
         EXPECT_NEAR(a.mean, b.mean, 1e-10);
         EXPECT_NEAR(a.rmse, b.rmse, 1e-10);
     };
-    EXPECT_EQ(m_study.forms_not_converged, 0);
+    EXPECT_EQ(m_study.as_in_paper().forms_not_converged, 0);
     expect_near(m_study.mean_form_errors.nominal, mean.nominal);
     expect_near(m_study.mean_form_errors.identified, mean.identified);
 }
 
 TEST_F(SmallStudy, GivesTheSameNumbersForTheSameSeed) {
     const Study again = run_study(m_net, small);
-    EXPECT_EQ(again.gp_as_in_paper.errors.mse, m_study.gp_as_in_paper.errors.mse);
+    EXPECT_EQ(again.as_in_paper().errors.mse, m_study.as_in_paper().errors.mse);
     EXPECT_EQ(again.estimates.mean, m_study.estimates.mean);
     EXPECT_EQ(again.identified_form_error, m_study.identified_form_error);
 }
@@ -157,8 +170,8 @@ TEST_F(SmallStudy, GivesTheSameNumbersForTheSameSeed) {
 TEST_F(SmallStudy, GivesOtherNumbersForAnotherSeed) {
     StudySettings settings = small;
     settings.seed = 4;
-    EXPECT_NE(run_study(m_net, settings).gp_as_in_paper.errors.mse,
-              m_study.gp_as_in_paper.errors.mse);
+    EXPECT_NE(run_study(m_net, settings).as_in_paper().errors.mse,
+              m_study.as_in_paper().errors.mse);
 }
 
 TEST_F(SmallStudy, TellsHowLongItsStagesTook) {
@@ -173,12 +186,13 @@ TEST(Study, IdentifiesTheBuiltInNetBetterThanItsDesign) {
     const Study study = run_study(hilo_quarter(), {.samples = 200, .validation = 10});
     EXPECT_LT(study.form_errors.identified.mean, study.form_errors.nominal.mean);
     EXPECT_LT(study.mean_form_errors.identified.mean, study.mean_form_errors.nominal.mean);
-    EXPECT_LT(study.gp_as_in_paper.errors.mrse, 1.0) << "no better than no identification";
+    EXPECT_LT(study.as_in_paper().errors.mrse, 1.0) << "no better than no identification";
 }
 
 TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
     std::vector<std::string> stages;
     int last_done = -1;
+    int last_total = 0;
     const auto progress = [&](std::string_view stage, int done, int total) {
         if (stages.empty() || stages.back() != stage) {
             stages.emplace_back(stage);
@@ -188,10 +202,11 @@ TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
         EXPECT_LE(done, total) << stage;
         EXPECT_EQ(stage != "sampling" || total == 60, true);
         last_done = done;
+        last_total = total;
     };
     (void)run_study(hypar(4, 5), small, progress);
     EXPECT_THAT(stages, testing::ElementsAre("sampling", "training", "identification"));
-    EXPECT_EQ(last_done, 1);
+    EXPECT_EQ(last_done, last_total);
 }
 
 class StoppedIn : public testing::TestWithParam<std::string> {};

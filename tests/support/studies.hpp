@@ -41,9 +41,16 @@ inline Study made_up_study(const CableNet& net, int validation = 5, double scale
     study.model.processes.inputs.resize(3 * n, validation);
     study.estimates = {.mean = truth - errors,
                        .std = Eigen::MatrixXd::Constant(m, validation, 1e-4)};
-    study.gp_as_in_paper = {.name = "gp_as_in_paper",
-                            .errors = length_errors(truth, study.estimates.mean),
-                            .coverage = 0.942};
+    for (const char* name : {"gp_as_in_paper", "gp", "balance", "map"}) {
+        study.methods.push_back({.name = name,
+                                 .surveys = validation,
+                                 .errors = length_errors(truth, study.estimates.mean),
+                                 .coverage = 0.942,
+                                 .form_error = {.mean = 0.00028 * scale}});
+    }
+    study.methods.back().failed = validation;  // a method that gave no result
+    study.methods.back().first_failure = "made to fail";
+    study.methods.back().errors = {};
     study.nominal_form_error = Eigen::VectorXd::LinSpaced(n, 0.0003, 0.0119);
     study.identified_form_error = scale * Eigen::VectorXd::LinSpaced(n, 0.00002, 0.00083);
     study.identified_form = net.nodes();

@@ -33,6 +33,10 @@ export function paperSection(study: Study): HTMLElement {
       row("largest mean error of an edge [mm]", "–", (m) => millimetres(m.error_mean_max_abs)),
       row("standard deviation, mean of the edges [mm]", "–", (m) => millimetres(m.error_std_mean)),
       row("true lengths inside their 95 % interval [%]", "–", (m) => percent(m.coverage_95)),
+      ...(methods.length > 1 ? [
+        row("form error, mean of nodes and trials [mm]", short(paper && 1e3 * paper.form_error.identified.mean), (m) => millimetres(m.form_error?.mean)),
+        row("trials without a result", "–", (m) => String(m.failed ?? "–")),
+      ] : []),
     ], ["", "paper", ...methods.map(() => "here")]);
   const forms = plainTable("Form error, paper and measured here",
     ["Form error [mm]", source("nominal", "paper"), source("nominal", "here"), source("identified", "paper"), source("identified", "here"), "identified, mean of all trials"],
@@ -74,8 +78,8 @@ export function listsSection(result: Identification, model: Model, selection: Se
 
 export function comparisonSection(comparison: Comparison): HTMLElement {
   const { rows } = comparison;
-  const value = (key: "training_samples" | "hidden_fraction" | "mse" | "mrse" | "form_error" | "coverage" | "seconds" | "best_possible_mse", factor = 1) =>
-    (row: number): number => factor * (rows[row]![key] ?? NaN);
+  type Key = "training_samples" | "hidden_fraction" | "mse" | "mrse" | "form_error" | "coverage" | "training_seconds" | "seconds" | "best_possible_mse" | "surveys" | "failed";
+  const value = (key: Key, factor = 1) => (row: number): number => factor * (rows[row]![key] ?? NaN);
   const table = new Table({
     caption: "All methods, noises and training sizes", rowCount: rows.length, fileName: "comparison.csv",
     columns: [
@@ -88,7 +92,11 @@ export function comparisonSection(comparison: Comparison): HTMLElement {
       { label: "MRSE", unit: "%", value: value("mrse", 100) },
       { label: "form error", unit: "mm", value: value("form_error", 1e3) },
       { label: "coverage", unit: "%", value: value("coverage", 100) },
-      { label: "time", unit: "s", value: value("seconds") },
+      { label: "training", unit: "s", value: value("training_seconds") },
+      { label: "time each", unit: "ms", value: value("seconds", 1e3) },
+      { label: "surveys", decimals: 0, value: value("surveys") },
+      { label: "failed", decimals: 0, value: value("failed") },
+      { label: "first failure", value: (row) => rows[row]!.first_failure ?? "" },
     ],
   });
   return section("tables", "All numbers", table.element);
@@ -116,6 +124,13 @@ export function settingsSection(result: Result): HTMLElement {
     add("not converged", samples.not_converged);
     add("identified forms not converged", result.forms_not_converged);
     for (const stage of ["sampling", "training", "identification", "total"]) add(stage === "total" ? "time in all" : `time, ${stage}`, `${number(seconds[stage])} s`);
+  }
+  if (result.format === "taut-comparison" && result.samples) {
+    add("samples drawn", result.samples.total);
+    add("not converged", result.samples.not_converged);
+    add("surveys of each kind", result.samples.surveyed);
+    add("of these with slack edges", result.samples.surveyed_with_slack);
+    add("time in all", result.seconds && `${number(result.seconds.total)} s`);
   }
   if (result.format === "taut-identification") {
     add("method", result.method);

@@ -28,8 +28,8 @@ export function fixed(value: number, decimals: number): string {
   return Number.isFinite(value) ? value.toFixed(decimals).replace("-", "−") : "–";
 }
 
-export const millimetres = (metres: number | undefined): string => number(1e3 * (metres ?? NaN));
-export const percent = (part: number | undefined): string => number(1e2 * (part ?? NaN));
+export const millimetres = (metres: number | null | undefined): string => number(1e3 * (metres ?? NaN));
+export const percent = (part: number | null | undefined): string => number(1e2 * (part ?? NaN));
 
 /** A count with its noun: "1 edge", "536 edges". */
 export function counted(count: number, noun: string): string {

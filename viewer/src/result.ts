@@ -49,12 +49,19 @@ export interface FormErrors {
   identified: FormErrorSummary;
 }
 
+/** A number is null where the method gave no lengths. */
 export interface Method {
-  mse: number;
-  mrse: number;
-  error_mean_max_abs: number;
-  error_std_mean: number;
-  coverage_95?: number;
+  surveys?: number;
+  failed?: number;
+  first_failure?: string;
+  mse: number | null;
+  mrse: number | null;
+  error_mean_max_abs: number | null;
+  error_std_mean: number | null;
+  coverage_95?: number | null;
+  form_error?: FormErrorSummary | null;
+  training_seconds?: number;
+  seconds?: number;
 }
 
 export interface Study extends Head {
@@ -133,12 +140,19 @@ export interface ComparisonRow {
   mrse?: number | null;
   form_error?: number | null;
   coverage?: number | null;
+  training_seconds?: number | null;
   seconds?: number | null;
+  surveys?: number | null;
+  failed?: number | null;
+  first_failure?: string | null;
+  mse_of_taut_edges?: number | null;
   best_possible_mse?: number | null;
 }
 
 export interface Comparison extends Head {
   format: "taut-comparison";
+  samples?: { total: number; not_converged: number; surveyed: number; surveyed_with_slack: number };
+  seconds?: Record<string, number>;
   rows: ComparisonRow[];
 }
 

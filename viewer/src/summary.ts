@@ -41,7 +41,7 @@ function times(before: number, after: number): string {
 
 function ofStudy(study: Study): Summary {
   const [name, method] = methodsOf(study)[0]!;
-  const error = 1e3 * Math.sqrt(method.mse);
+  const error = 1e3 * Math.sqrt(method.mse ?? NaN);
   const { nominal, identified } = study.form_error;
   const ratio = times(nominal.mean, identified.mean);
   return {
@@ -53,7 +53,7 @@ function ofStudy(study: Study): Summary {
     sentences: [
       `From the form alone, each cable's unstressed length is told to within ${number(error)} mm (root mean square over all cables and trials), where it was unknown ${lawWords(study.law)}: ${percent(method.mrse)} % of the squared deviation is left.`,
       `A model with the identified lengths predicts the net's true form to ${millimetres(identified.mean)} mm in the mean (${millimetres(identified.max)} mm at most); with the lengths as designed it is ${millimetres(nominal.mean)} mm off${ratio ? `. The error is ${ratio}` : ""}.`,
-      method.coverage_95 === undefined
+      method.coverage_95 == null
         ? `The worst cable's error is ${millimetres(method.error_mean_max_abs)} mm in the mean of the trials.`
         : `${method.coverage_95 > 0.9 ? "The stated uncertainty holds" : "The stated uncertainty is too small"}: ${percent(method.coverage_95)} % of the true lengths lie inside their 95 % interval.` +
           (study.samples.with_slack > 0 ? ` In ${counted(study.samples.with_slack, "sample")} of ${study.samples.total} some cable went slack, whose length the form does not show.` : ""),
@@ -119,8 +119,13 @@ function ofIdentification(result: Identification): Summary {
   };
 }
 
-const coverageWords = (least: number, most: number): string =>
-  percent(least) === percent(most) ? `${percent(least)} %` : `Between ${percent(least)} and ${percent(most)} %`;
+/** "map 95.0 to 95.3 %". */
+function coverageWords(method: string, rows: ComparisonRow[]): string {
+  const covered = rows.filter((r) => r.method === method && typeof r.coverage === "number").map((r) => percent(r.coverage));
+  if (covered.length === 0) return "";
+  const [least, most] = [Math.min(...covered.map(Number)), Math.max(...covered.map(Number))];
+  return `${method} ${least === most ? "" : `${short(least)} to `}${short(most)} %`;
+}
 
 function ofComparison(comparison: Comparison): Summary {
   const rows = comparison.rows.filter((r) => typeof r.mse === "number");
@@ -136,11 +141,12 @@ function ofComparison(comparison: Comparison): Summary {
     return `At a noise of ${short(1e3 * noise)} mm a coordinate, ${row.method} does best: ${mm(row.mse!)} a length (RMS)` +
       (possible ? `, where the best possible is ${mm(possible)}.` : ".");
   };
-  const covered = rows.filter((r) => typeof r.coverage === "number").map((r) => r.coverage!);
+  // Without noise an interval is as wide as the reckoning is exact, and holds all.
+  const covered = methods.map((method) => coverageWords(method, rows.filter((r) => r.noise > 0))).filter(Boolean);
   const sentences = [at(noises[0]!)];
   if (noises.length > 1) sentences.push(at(noises.at(-1)!));
   sentences.push(covered.length > 0
-    ? `${coverageWords(Math.min(...covered), Math.max(...covered))} of the true lengths lie inside the stated 95 % intervals.`
+    ? `Of the true lengths lie inside the stated 95 % intervals, where there is noise: ${covered.join(", ")}.`
     : `${counted(methods.length, "method")} were compared at ${counted(noises.length, "noise level")}.`);
   return {
     title: "Which method tells the lengths best",

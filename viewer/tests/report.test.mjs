@@ -304,7 +304,11 @@ test("a comparison shows each method and the best possible", async () => {
   assert.equal(await page.locator("#figures [data-figure]").count(), 2);
   assert.match(await page.textContent("#figures"), /best possible/);
   assert.equal(await page.locator("#tables tr[data-row]").count(), result.rows.length);
-  assert.match(await page.textContent(".sentences"), /map does best/);
+  const sentences = await page.textContent(".sentences");
+  assert.match(sentences, /At a noise of 0\.5 mm a coordinate, \w+ does best: .* mm a length \(RMS\), where the best possible is/);
+  assert.match(sentences, /95 % intervals, where there is noise: .*map [\d.]+/);
+  const unable = await page.locator("#tables tr[data-row]", { hasText: "needs a survey of all free nodes" }).count();
+  assert.equal(unable, result.rows.filter((r) => r.first_failure === "needs a survey of all free nodes").length);
   await close(page);
 });
 

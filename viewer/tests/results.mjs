@@ -50,18 +50,6 @@ function hostile(identification) {
   return result;
 }
 
-function comparison() {
-  const rows = [];
-  for (const [method, factor] of [["gp", 1.6], ["map", 1.05], ["balance", 3]]) {
-    for (const [noise, best] of [[0, 1e-10], [1e-4, 1.86e-8], [5e-4, 4.3e-7]]) {
-      for (const training of method === "gp" ? [100, 900] : [null]) {
-        rows.push({ method, noise, training_samples: training, hidden_fraction: 0, mse: factor * best, mrse: 0.002, form_error: 2e-4, coverage: 0.94, seconds: 1.5, best_possible_mse: best });
-      }
-    }
-  }
-  return { format: "taut-comparison", version: 1, program: "taut", net: { name: "hypar", free_nodes: 30 }, rows };
-}
-
 export function makeReports() {
   taut("example", "hypar:5x6", "-o", "net.json");
   const run = ["reproduce", "--net", "net.json", "--law", "uniform:2mm", "--quiet"];
@@ -76,6 +64,6 @@ export function makeReports() {
   write("bare", bare);
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
-  write("comparison", comparison());
-  return Object.fromEntries(["study/results", "one/results", "plain", "bare", "troubled", "hostile", "comparison"].map((name) => [name.split("/")[0], report(name)]));
+  taut("compare", "net.json", "-o", "comparison", "--law", "uniform:2mm", "--noise", "0,0.1mm,0.5mm", "--training", "30,60", "--surveys", "4", "--quiet");
+  return Object.fromEntries(["study/results", "one/results", "plain", "bare", "troubled", "hostile", "comparison/comparison"].map((name) => [name.split("/")[0], report(name)]));
 }

@@ -46,4 +46,7 @@ struct FormErrorSummary {
 /// @throws std::invalid_argument where there is none
 [[nodiscard]] FormErrorSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& distances);
 
+/// Adds one of `count` summaries to the mean of each of their numbers.
+void add_to_mean(FormErrorSummary& mean, const FormErrorSummary& summary, int count);
+
 }  // namespace taut

@@ -3,11 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <stdexcept>
 #include <stop_token>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "taut/identification/identification.hpp"
@@ -15,6 +11,8 @@
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/study/error_statistics.hpp"
+#include "taut/study/evaluation.hpp"
+#include "taut/study/progress.hpp"
 
 namespace taut {
 
@@ -36,29 +34,24 @@ struct FormErrors {
     FormErrorSummary identified;
 };
 
-/// How well one method identified the validation samples.
-struct MethodResult {
-    std::string name;  ///< "gp_as_in_paper"
-    LengthErrors errors;
-    double coverage = 0.0;  ///< part of the true length deviations inside their 95 % interval
-};
-
 /// The paper's numerical experiment (section 5) on one net.
 struct Study {
     CableNet net;
     StudySettings settings;
     DataSet data;
-    LengthModel model;
+    LengthModel model;            ///< as in the paper
     std::vector<int> validation;  ///< indices of the validation samples, those that converged
-    LengthEstimates estimates;    ///< of the validation samples (m_I x n_v) [m]
-    MethodResult gp_as_in_paper;
+    /// Every way of identification on exact surveys of the validation samples: "gp_as_in_paper",
+    /// "gp", "balance", "map". All below is of the first, the paper's.
+    std::vector<MethodResult> methods;
+    LengthEstimates estimates;  ///< of the validation samples (m_I x n_v) [m]
     /// Per free node (n_I) for the first validation sample, the paper's k = 1 [m].
     Eigen::VectorXd nominal_form_error;
     Eigen::VectorXd identified_form_error;
     Points identified_form;       ///< all nodes' (3 x n), of that sample [m]
     FormErrors form_errors;       ///< of that sample
     FormErrors mean_form_errors;  ///< each number's mean over the validation samples
-    int forms_not_converged = 0;  ///< validation samples left out of these means
+    [[nodiscard]] const MethodResult& as_in_paper() const { return methods.front(); }
     struct Seconds {
         double sampling = 0.0;
         double training = 0.0;
@@ -67,21 +60,11 @@ struct Study {
     } seconds;
 };
 
-/// Told of the work as it goes on: the stage ("sampling", "training", "identification"), steps done
-/// and steps in all. In training the steps are decompositions, of which fewer than announced may be
-/// needed.
-using StudyProgress = std::function<void(std::string_view stage, int done, int total)>;
-
-/// Thrown where a stop was requested before the study was done.
-class Interrupted : public std::runtime_error {
-public:
-    Interrupted() : std::runtime_error("interrupted") {}
-};
-
 /// Runs the experiment: draws the data set (Algorithm 2), trains on all samples but the validation
-/// samples (Algorithm 1), identifies these (eq. ident) and compares with the truth.
+/// samples (Algorithm 1), identifies these (eq. ident) and compares with the truth; then does the
+/// same by the other ways of identification.
 /// @throws std::invalid_argument as StudySettings::check() and Sampler
-/// @throws std::runtime_error where too few samples converge
+/// @throws std::runtime_error where too few samples converge, or the paper's way fails on one
 /// @throws Interrupted
 [[nodiscard]] Study run_study(const CableNet& net, const StudySettings& settings,
                               const StudyProgress& progress = {}, const std::stop_token& stop = {});

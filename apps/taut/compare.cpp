@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <charconv>
+#include <filesystem>
+
+#include "command.hpp"
+#include "comparison_table.hpp"
+#include "interruption.hpp"
+#include "net_summary.hpp"
+#include "output_directory.hpp"
+#include "progress.hpp"
+#include "run_record.hpp"
+#include "taut/io/comparison_files.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/io/result_file.hpp"
+#include "taut/net/units.hpp"
+#include "taut/report/report_html.hpp"
+#include "taut/study/comparison.hpp"
+
+namespace taut::app {
+namespace {
+
+struct CompareOptions : CommonOptions {
+    std::string net;
+    std::string directory;
+    std::string noises = "0,0.1mm,0.2mm,0.5mm,1mm,2mm";
+    std::string training = "100,200,500,950,2000";
+    std::string hidden = "0,10%";
+    std::string law = "uniform:5mm";
+    ComparisonSettings comparison;
+};
+
+/// A list with commas, each entry by a function that throws where it is no such value.
+template <class Parse>
+auto parse_list(const std::string& text, const std::string& option, const std::string& expected,
+                Parse parse) {
+    std::vector<decltype(parse(text))> values;
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find(',', begin), text.size());
+        const std::string entry = text.substr(begin, end - begin);
+        try {
+            values.push_back(parse(entry));
+        } catch (const std::invalid_argument&) {
+            throw std::invalid_argument(
+                fmt::format("{} has the entry '{}', expected {}", option, entry, expected));
+        }
+        begin = end + 1;
+    }
+    return values;
+}
+
+template <class T>
+T parse_whole(std::string_view text, std::string_view unit) {
+    T value{};
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || std::string_view(rest, static_cast<size_t>(end - rest)) != unit) {
+        throw std::invalid_argument("not a number");
+    }
+    return value;
+}
+
+void parse(CompareOptions& options) {
+    ComparisonSettings& comparison = options.comparison;
+    comparison.law = parse_length_law(options.law);
+    comparison.noises =
+        parse_list(options.noises, "--noise", "standard deviations as in 0,0.1mm,0.5mm",
+                   [](const std::string& text) {
+                       const double noise = text == "0" ? 0.0 : parse_length(text);
+                       if (!(noise >= 0.0)) {
+                           throw std::invalid_argument("negative");
+                       }
+                       return noise;
+                   });
+    comparison.training_samples =
+        parse_list(options.training, "--training", "whole numbers of at least 2 as in 100,950",
+                   [](const std::string& text) {
+                       const int count = parse_whole<int>(text, "");
+                       if (count < 2) {
+                           throw std::invalid_argument("too few");
+                       }
+                       return count;
+                   });
+    comparison.hidden_parts =
+        parse_list(options.hidden, "--hidden", "parts from 0% to below 100% as in 0,10%",
+                   [](const std::string& text) {
+                       const double percent = text == "0" ? 0.0 : parse_whole<double>(text, "%");
+                       if (!(percent >= 0.0 && percent < 100.0)) {
+                           throw std::invalid_argument("out of range");
+                       }
+                       return percent / 100.0;
+                   });
+    comparison.check();
+}
+
+void run(CompareOptions options) {
+    const auto threads = options.limit_threads();
+    parse(options);
+    const CableNet net = read_net(options.net).net;
+    const std::filesystem::path directory(options.directory);
+    check_output_directory(directory, {"comparison.json", "comparison.csv", "report.html"},
+                           {options.net});
+
+    const std::stop_token stop = Interruption::stop_token();
+    const Comparison comparison = [&] {
+        Progress progress(options.quiet);
+        return compare_methods(
+            net, options.comparison,
+            [&](std::string_view stage, int done, int total) { progress.show(stage, done, total); },
+            stop);
+    }();
+    const std::string json = comparison_to_json(comparison, run_record());
+    std::vector<std::pair<std::string, std::string>> files{
+        {"comparison.json", json}, {"comparison.csv", comparison_to_csv(comparison)}};
+    if (has_report_viewer()) {
+        files.emplace_back("report.html", report_html(parse_result(json, "comparison.json")));
+    }
+    write_files(directory, files);
+
+    if (options.json) {
+        fmt::print("{}", json);
+        return;
+    }
+    fmt::print("{}\n{}\n", counts_text(net), comparison_table(comparison));
+    fmt::print("written to {}: comparison.json, comparison.csv\nreport: {}\n", options.directory,
+               has_report_viewer() ? (directory / "report.html").string()
+                                   : "left out, this taut was built without Node.js");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program) {
+    auto options = std::make_shared<CompareOptions>();
+    CLI::App& command = add_command(
+        program, "compare",
+        "Compare the ways of identification with each other and with the best possible.\n"
+        "Along three axes, not over all combinations: the noise of the survey, at 950 training\n"
+        "samples (or the most, where 950 is none of them); the training samples, at noise 0 and\n"
+        "0.5 mm (or the largest); the part of hidden nodes, at 950 samples and 0.5 mm.",
+        "  taut compare net.json -o comparison\n"
+        "  taut compare net.json -o comparison --noise 0,0.5mm --training 100,300 --hidden 0,20%",
+        *options);
+    command.add_option("NET", options->net, "Net file")->required();
+    command.add_option("-o,--output", options->directory, "Directory to write into")->required();
+    command
+        .add_option("--noise", options->noises,
+                    "Standard deviations of normal noise on every coordinate")
+        ->capture_default_str();
+    command
+        .add_option("--training", options->training,
+                    "Numbers of samples to train on; 5000 take minutes and some 5 GB")
+        ->capture_default_str();
+    command.add_option("--hidden", options->hidden, "Parts of the free nodes that stay hidden")
+        ->capture_default_str();
+    command
+        .add_option("--surveys", options->comparison.surveys,
+                    "Surveys of each kind, of samples that nothing was trained on")
+        ->capture_default_str();
+    command.add_option("--law", options->law, "Law of the length deviations")
+        ->capture_default_str();
+    add_seed_option(command, options->comparison.seed);
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

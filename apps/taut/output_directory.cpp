@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "output_directory.hpp"
+
+#include <stdexcept>
+
+#include "command.hpp"
+#include "taut/io/file.hpp"
+
+namespace taut::app {
+
+void check_output_directory(const std::filesystem::path& directory,
+                            const std::vector<std::string>& names,
+                            const std::vector<std::string>& inputs) {
+    if (directory.empty()) {
+        throw std::invalid_argument("the output directory has no name");
+    }
+    for (const std::string& name : names) {
+        refuse_overwriting({(directory / name).string()}, inputs);
+    }
+    std::filesystem::path first_new = std::filesystem::absolute(directory) / names.front();
+    while (!std::filesystem::exists(first_new.parent_path())) {
+        first_new = first_new.parent_path();
+    }
+    AtomicFile{first_new};
+}
+
+}  // namespace taut::app

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/study/evaluation.hpp"
+#include "taut/study/progress.hpp"
+
+namespace taut {
+
+/// Over what the ways of identification are compared. Not over all combinations, but along three
+/// axes: noise, at common_training() samples; training samples, without noise (if that is one of
+/// the noises) and at common_noise(); hidden nodes, at both common ones. Only the third hides
+/// nodes.
+struct ComparisonSettings {
+    std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
+    std::vector<int> training_samples{100, 200, 500, 950, 2000};
+    std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is there anyway
+    int surveys = 50;  ///< of samples that no model was trained on; the same for all ways
+    LengthLaw law;
+    std::uint64_t seed = 1;
+
+    /// 950, as in the paper, where that is among the training samples; else the most.
+    [[nodiscard]] int common_training() const;
+    /// 0.5 mm where that is among the noises; else the largest [m].
+    [[nodiscard]] double common_noise() const;
+
+    /// @throws std::invalid_argument for an empty list, noise that is negative or not finite, fewer
+    ///   than two training samples, a hidden part outside [0, 1), and no survey
+    void check() const;
+};
+
+/// One method on surveys of one kind.
+struct ComparisonRow {
+    SurveyKind kind;
+    std::optional<int> training_samples;  ///< empty: the method learns from none
+    MethodResult result;
+    /// Of these surveys, whatever the method. Empty without noise and hidden nodes, where every
+    /// length can be known but that of a slack edge; and where it could not be computed.
+    std::optional<BestPossible> best_possible;
+};
+
+/// The ways of identification beside each other on one net.
+struct Comparison {
+    CableNet net;
+    ComparisonSettings settings;  ///< its lists ascending, without repetitions
+    /// The axis of noise, then of training samples, then of hidden nodes, each kind of survey once;
+    /// of each "gp_as_in_paper", "gp", "balance", "map".
+    std::vector<ComparisonRow> rows;
+    int samples = 0;             ///< drawn
+    int not_converged = 0;       ///< of these, neither trained on nor surveyed
+    int surveys = 0;             ///< of each kind
+    int surveys_with_slack = 0;  ///< in whose true form an edge is slack
+    struct Seconds {
+        double sampling = 0.0;
+        double training = 0.0;
+        double identification = 0.0;
+        double total = 0.0;
+    } seconds;
+};
+
+/// @throws std::invalid_argument as ComparisonSettings::check(), Sampler and simulate_trials()
+/// @throws std::runtime_error where too few samples converge
+/// @throws Interrupted
+[[nodiscard]] Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
+                                         const StudyProgress& progress = {},
+                                         const std::stop_token& stop = {});
+
+}  // namespace taut

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "taut/identification/identification.hpp"
+#include "taut/identification/model.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+/// A way of identification, ready to be tried on surveys of one net. It refers to the net and the
+/// model that it was made with.
+struct Method {
+    std::string name;
+    std::optional<int> training_samples;  ///< what it learnt from; empty: it learns from none
+    double training_seconds = 0.0;
+    bool needs_all_nodes = false;  ///< takes no survey with hidden nodes
+    /// Its dense algebra uses all threads, and wants to be called from one at a time.
+    bool uses_all_threads = false;
+    std::function<Identification(const Survey&)> identify;
+};
+
+/// "gp_as_in_paper": eq. ident as it stands, on the surveyed form as it is: nothing is reckoned
+/// with that the paper does not, noise and slack edges neither. The predicted form may be out of
+/// balance.
+/// @param model trained as in the paper
+[[nodiscard]] Method method_as_in_paper(const CableNet& net, const LengthModel& model);
+
+/// "gp": identify_by_processes().
+[[nodiscard]] Method method_by_processes(const CableNet& net, const LengthModel& model);
+
+/// "balance": identify_by_force_balance().
+[[nodiscard]] Method method_by_force_balance(const CableNet& net, const LengthLaw& law);
+
+/// "map": identify_by_maximum_a_posteriori().
+[[nodiscard]] Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law);
+
+}  // namespace taut

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "taut/sampling/data_set.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// What an instrument does to the form of a trial.
+struct SurveyKind {
+    double noise_std = 0.0;    ///< normal noise on every coordinate of a free node [m]
+    double hidden_part = 0.0;  ///< of the free nodes, not surveyed; in [0, 1)
+
+    friend bool operator==(const SurveyKind&, const SurveyKind&) = default;
+};
+
+/// A survey whose truth is known.
+struct Trial {
+    Eigen::VectorXd deviations;  ///< true length deviations of the interior edges (m_I) [m]
+    Points form;                 ///< true form (3 x n) [m]
+    /// Of the interior edges (m_I): without tension in the true form, which hides their lengths.
+    std::vector<bool> slack;
+    Survey survey;  ///< noise is stated as it is
+};
+
+/// Surveys of samples of a data set. Noise and hidden nodes of a trial follow from the seed and the
+/// sample alone, so that trials of two kinds differ in nothing but the kind: the noise is the same
+/// but for its size.
+/// @param samples which; their forces must balance
+/// @throws std::invalid_argument as simulate_survey(), and for noise so large that surveyed points
+///   are nowhere near their nodes
+[[nodiscard]] std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
+                                                 const std::vector<int>& samples,
+                                                 const SurveyKind& kind, std::uint64_t seed);
+
+}  // namespace taut

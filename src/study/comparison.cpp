@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/study/comparison.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "study/stages.hpp"
+#include "study/stopwatch.hpp"
+
+namespace taut {
+namespace {
+
+template <class T>
+void sort_once(std::vector<T>& values) {
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/// Which methods are tried on surveys of one kind.
+struct Cell {
+    SurveyKind kind;
+    int training_samples = 0;
+    bool only_trained = false;  ///< the methods that learn from no samples were tried already
+};
+
+/// The cells in the order of the rows.
+std::vector<Cell> cells_of(const ComparisonSettings& settings) {
+    std::vector<Cell> cells;
+    cells.reserve(settings.noises.size());
+    const int training = settings.common_training();
+    for (const double noise : settings.noises) {
+        cells.push_back({.kind = {.noise_std = noise}, .training_samples = training});
+    }
+    for (const double noise : settings.noises) {
+        if (noise != 0.0 && noise != settings.common_noise()) {
+            continue;
+        }
+        for (const int count : settings.training_samples) {
+            if (count != training) {
+                cells.push_back({.kind = {.noise_std = noise},
+                                 .training_samples = count,
+                                 .only_trained = true});
+            }
+        }
+    }
+    for (const double hidden : settings.hidden_parts) {
+        if (hidden > 0.0) {
+            cells.push_back({.kind = {.noise_std = settings.common_noise(), .hidden_part = hidden},
+                             .training_samples = training});
+        }
+    }
+    return cells;
+}
+
+/// How many identifications are tried on so many surveys of each kind.
+int identifications(const std::vector<Cell>& cells, size_t surveys) {
+    size_t count = 0;
+    for (const Cell& cell : cells) {
+        const size_t trained = 2;
+        const size_t untrained = cell.only_trained ? 0 : 2;
+        const bool takes_all = cell.kind.hidden_part == 0.0;  // else one of either
+        count += (trained + untrained) / (takes_all ? 1 : 2) * surveys;
+    }
+    return static_cast<int>(count);
+}
+
+/// A comparison under way.
+class Comparing {
+public:
+    Comparing(Comparison& comparison, const DataSet& data, std::vector<int> surveyed,
+              const StudyProgress& progress, const std::stop_token& stop)
+        : m_comparison(comparison),
+          m_data(data),
+          m_surveyed(std::move(surveyed)),
+          m_cells(cells_of(comparison.settings)),
+          m_stop(stop),
+          m_training(comparison.net,
+                     static_cast<int>(2 * comparison.settings.training_samples.size()), progress,
+                     stop),
+          m_steps("identification", identifications(m_cells, m_surveyed.size()), progress) {
+        m_rows.resize(m_cells.size());
+    }
+
+    /// Models one after the other, and of each all that it identifies: only two at a time take
+    /// memory.
+    void run() {
+        for (const int count : m_comparison.settings.training_samples) {
+            run_with(count);
+        }
+        for (std::vector<ComparisonRow>& rows : m_rows) {
+            std::ranges::move(rows, std::back_inserter(m_comparison.rows));
+        }
+    }
+
+private:
+    void run_with(int count) {
+        const std::vector<int> samples = m_data.converged_in(0, count);
+        if (samples.size() < 2) {
+            throw std::runtime_error(fmt::format(
+                "only {} of {} training samples found their equilibrium", samples.size(), count));
+        }
+        const Stopwatch paper_training;
+        const LengthModel paper = m_training.as_in_paper(m_data, samples);
+        const double paper_seconds = paper_training.seconds();
+        const Stopwatch best_training;
+        const LengthModel best = m_training.best(m_data, samples);
+        const double best_seconds = best_training.seconds();
+        m_comparison.seconds.training += paper_seconds + best_seconds;
+
+        const CableNet& net = m_comparison.net;
+        const LengthLaw& law = m_comparison.settings.law;
+        std::vector methods{method_as_in_paper(net, paper), method_by_processes(net, best),
+                            method_by_force_balance(net, law),
+                            method_by_maximum_a_posteriori(net, law)};
+        methods[0].training_seconds = paper_seconds;
+        methods[1].training_seconds = best_seconds;
+        const Stopwatch identification;
+        for (size_t c = 0; c < m_cells.size(); ++c) {
+            if (m_cells[c].training_samples == count) {
+                m_rows[c] = rows_of(m_cells[c], methods);
+            }
+        }
+        m_comparison.seconds.identification += identification.seconds();
+    }
+
+    [[nodiscard]] std::vector<ComparisonRow> rows_of(const Cell& cell,
+                                                     const std::vector<Method>& methods) {
+        const std::vector<Trial> trials = simulate_trials(m_comparison.net, m_data, m_surveyed,
+                                                          cell.kind, m_comparison.settings.seed);
+        const std::optional<BestPossible> best =
+            cell.kind == SurveyKind{}
+                ? std::nullopt
+                : best_possible(m_comparison.net, m_comparison.settings.law, trials);
+        std::vector<ComparisonRow> rows;
+        for (const Method& method : methods) {
+            if (cell.only_trained && !method.training_samples) {
+                continue;
+            }
+            rows.push_back({.kind = cell.kind,
+                            .training_samples = method.training_samples
+                                                    ? std::optional(cell.training_samples)
+                                                    : std::nullopt,
+                            .result = result_of(method, cell.kind, trials),
+                            .best_possible = best});
+        }
+        return rows;
+    }
+
+    [[nodiscard]] MethodResult result_of(const Method& method, const SurveyKind& kind,
+                                         const std::vector<Trial>& trials) {
+        if (method.needs_all_nodes && kind.hidden_part > 0.0) {
+            const auto count = static_cast<int>(trials.size());
+            return {.name = method.name,
+                    .surveys = count,
+                    .failed = count,
+                    .first_failure = "needs a survey of all free nodes",
+                    .training_seconds = method.training_seconds};
+        }
+        MethodResult result =
+            evaluate(m_comparison.net, method, trials, [this] { m_steps.tick(); }, m_stop).result;
+        if (m_stop.stop_requested()) {
+            throw Interrupted();
+        }
+        return result;
+    }
+
+    Comparison& m_comparison;
+    const DataSet& m_data;
+    std::vector<int> m_surveyed;
+    std::vector<Cell> m_cells;
+    std::vector<std::vector<ComparisonRow>> m_rows;  ///< of each cell
+    std::stop_token m_stop;
+    Training m_training;
+    StepCounter m_steps;
+};
+
+int count_with_slack(const DataSet& data, const std::vector<int>& samples) {
+    return static_cast<int>(std::ranges::count_if(samples, [&data](int sample) {
+        return data.slack_counts[static_cast<size_t>(sample)] > 0;
+    }));
+}
+
+}  // namespace
+
+int ComparisonSettings::common_training() const {
+    constexpr int as_in_paper = 950;
+    return std::ranges::find(training_samples, as_in_paper) != training_samples.end()
+               ? as_in_paper
+               : std::ranges::max(training_samples);
+}
+
+double ComparisonSettings::common_noise() const {
+    constexpr double of_a_total_station = 0.5e-3;
+    constexpr double rounding = 1e-9;
+    const auto found = std::ranges::find_if(
+        noises, [](double noise) { return std::abs(noise - of_a_total_station) < rounding; });
+    return found != noises.end() ? *found : std::ranges::max(noises);
+}
+
+void ComparisonSettings::check() const {
+    if (noises.empty() || training_samples.empty()) {
+        throw std::invalid_argument(
+            "no noise or no number of training samples, expected at least "
+            "one of both");
+    }
+    for (const double noise : noises) {
+        if (!(noise >= 0.0) || !std::isfinite(noise)) {
+            throw std::invalid_argument(
+                fmt::format("noise is {} m, expected at least 0 and finite", noise));
+        }
+    }
+    for (const int count : training_samples) {
+        if (count < 2) {
+            throw std::invalid_argument(
+                fmt::format("{} training samples, expected at least 2", count));
+        }
+    }
+    for (const double part : hidden_parts) {
+        if (!(part >= 0.0 && part < 1.0)) {
+            throw std::invalid_argument(
+                fmt::format("the hidden part is {}, expected at least 0 and below 1", part));
+        }
+    }
+    if (surveys < 1) {
+        throw std::invalid_argument(fmt::format("{} surveys, expected at least 1", surveys));
+    }
+}
+
+Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
+                           const StudyProgress& progress, const std::stop_token& stop) {
+    settings.check();
+    const StudyProgress tell = progress ? progress : [](std::string_view, int, int) {};
+    const Stopwatch total;
+    Comparison comparison{.net = net, .settings = settings};
+    sort_once(comparison.settings.noises);
+    sort_once(comparison.settings.training_samples);
+    sort_once(comparison.settings.hidden_parts);
+
+    const Stopwatch sampling;
+    const Sampler sampler(net, settings.law, settings.seed);
+    const int training = comparison.settings.training_samples.back();
+    const DataSet data = draw_samples(sampler, training + settings.surveys, tell, stop);
+    comparison.seconds.sampling = sampling.seconds();
+    comparison.samples = data.size();
+    comparison.not_converged = data.not_converged();
+    const std::vector<int> surveyed = data.converged_in(training, data.size());
+    if (surveyed.empty()) {
+        throw std::runtime_error("no surveyed sample found its equilibrium");
+    }
+    comparison.surveys = static_cast<int>(surveyed.size());
+    comparison.surveys_with_slack = count_with_slack(data, surveyed);
+
+    Comparing(comparison, data, surveyed, tell, stop).run();
+    comparison.seconds.total = total.seconds();
+    return comparison;
+}
+
+}  // namespace taut

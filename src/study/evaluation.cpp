@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/study/evaluation.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "study/stopwatch.hpp"
+#include "taut/identification/best_possible.hpp"
+
+namespace taut {
+namespace {
+
+/// One identification, or why there is none.
+struct Outcome {
+    std::optional<Identification> identification;
+    std::string failure;
+    double seconds = 0.0;
+};
+
+Outcome attempt(const Method& method, const Survey& survey) {
+    const Stopwatch stopwatch;
+    Outcome outcome;
+    try {
+        outcome.identification = method.identify(survey);
+        if (outcome.identification->status != IdentificationStatus::converged) {
+            outcome.failure = to_string(outcome.identification->status);
+            outcome.identification.reset();
+        }
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        outcome.failure = error.what();
+    }
+    outcome.seconds = stopwatch.seconds();
+    return outcome;
+}
+
+std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>& trials,
+                                 const std::function<void()>& tick, const std::stop_token& stop) {
+    std::vector<Outcome> outcomes(trials.size());
+    const auto run = [&](size_t k) {
+        if (!stop.stop_requested()) {
+            outcomes[k] = attempt(method, trials[k].survey);
+            if (tick) {
+                tick();
+            }
+        }
+    };
+    if (method.uses_all_threads) {
+        for (size_t k = 0; k < trials.size(); ++k) {
+            run(k);
+        }
+    } else {
+        tbb::parallel_for(size_t{0}, trials.size(), run);
+    }
+    return outcomes;
+}
+
+/// Sums over the edges and surveys of a mean.
+struct Sums {
+    double squared_errors_of_taut = 0.0;
+    int taut = 0;
+    int inside = 0;
+};
+
+/// Fills all numbers that need an identification.
+void fill(MethodResult& result, const CableNet& net, const std::vector<Trial>& trials,
+          const std::vector<std::optional<Identification>>& identifications) {
+    const Eigen::Index m = net.interior_edge_count();
+    Eigen::MatrixXd truth(m, result.identified());
+    Eigen::MatrixXd estimate(m, result.identified());
+    Sums sums;
+    Eigen::Index column = 0;
+    const auto balanced =
+        static_cast<int>(std::ranges::count_if(identifications, [](const auto& identification) {
+            return identification && identification->predicted.balanced();
+        }));
+    for (size_t k = 0; k < trials.size(); ++k) {
+        if (!identifications[k]) {
+            continue;
+        }
+        const Trial& trial = trials[k];
+        for (Eigen::Index i = 0; i < m; ++i) {
+            const IdentifiedEdge& edge = identifications[k]->edges[static_cast<size_t>(i)];
+            const double error = trial.deviations(i) - edge.length_deviation;
+            estimate(i, column) = edge.length_deviation;
+            const bool is_inside =
+                edge.lower <= trial.deviations(i) && trial.deviations(i) <= edge.upper;
+            sums.inside += is_inside ? 1 : 0;
+            if (!trial.slack[static_cast<size_t>(i)]) {
+                sums.squared_errors_of_taut += error * error;
+                ++sums.taut;
+            }
+        }
+        truth.col(column++) = trial.deviations;
+        if (identifications[k]->predicted.balanced()) {
+            add_to_mean(result.form_error,
+                        summarise(node_distances(
+                            free_coordinates(net, trial.form),
+                            free_coordinates(net, identifications[k]->predicted.form))),
+                        balanced);
+        }
+    }
+    result.errors = length_errors(truth, estimate);
+    result.mse_of_taut = sums.taut > 0 ? sums.squared_errors_of_taut / sums.taut : 0.0;
+    result.coverage = sums.inside / static_cast<double>(truth.size());
+    result.forms_not_converged = result.identified() - balanced;
+}
+
+}  // namespace
+
+Evaluation evaluate(const CableNet& net, const Method& method, const std::vector<Trial>& trials,
+                    const std::function<void()>& tick, const std::stop_token& stop) {
+    Evaluation evaluation;
+    MethodResult& result = evaluation.result;
+    result.name = method.name;
+    result.surveys = static_cast<int>(trials.size());
+    result.training_seconds = method.training_seconds;
+    for (Outcome& outcome : attempt_all(method, trials, tick, stop)) {
+        result.seconds += outcome.seconds / static_cast<double>(trials.size());
+        if (!outcome.identification) {
+            ++result.failed;
+            if (result.first_failure.empty()) {
+                result.first_failure = outcome.failure;
+            }
+        }
+        evaluation.identifications.push_back(std::move(outcome.identification));
+    }
+    if (result.identified() > 0) {
+        fill(result, net, trials, evaluation.identifications);
+    }
+    return evaluation;
+}
+
+std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& law,
+                                          const std::vector<Trial>& trials) {
+    Eigen::MatrixXd variances(net.interior_edge_count(), static_cast<Eigen::Index>(trials.size()));
+    try {
+        tbb::parallel_for(Eigen::Index{0}, variances.cols(), [&](Eigen::Index k) {
+            const Trial& trial = trials[static_cast<size_t>(k)];
+            variances.col(k) = best_possible_variances(
+                net, with_length_deviations(net, trial.deviations), trial.form, trial.survey, law);
+        });
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+    double sum_of_taut = 0.0;
+    int taut = 0;
+    for (Eigen::Index k = 0; k < variances.cols(); ++k) {
+        for (Eigen::Index i = 0; i < variances.rows(); ++i) {
+            if (!trials[static_cast<size_t>(k)].slack[static_cast<size_t>(i)]) {
+                sum_of_taut += variances(i, k);
+                ++taut;
+            }
+        }
+    }
+    return BestPossible{.mse = variances.mean(),
+                        .mse_of_taut = taut > 0 ? sum_of_taut / taut : 0.0};
+}
+
+}  // namespace taut

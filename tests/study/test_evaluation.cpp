@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a comparison that flatters: trials that differ in more than they say, failures
+// that vanish, slack edges that are counted among what a form shows, coverage of other intervals.
+
+#include "taut/study/evaluation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/best_possible.hpp"
+#include "taut/sampling/sampler.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace {
+
+using namespace taut;
+
+class Trials : public testing::Test {
+protected:
+    Trials() { Sampler(m_net, m_law, 4).extend(m_data, 6); }
+
+    [[nodiscard]] std::vector<Trial> simulated(const SurveyKind& kind,
+                                               std::uint64_t seed = 1) const {
+        return simulate_trials(m_net, m_data, m_samples, kind, seed);
+    }
+
+    /// Identifies the truth but for a known error of one edge, and says +- 1 mm.
+    [[nodiscard]] Method planted(const std::vector<Trial>& trials, double error) const {
+        return {.name = "planted", .identify = [this, &trials, error](const Survey& survey) {
+                    const auto found = std::ranges::find_if(trials, [&survey](const Trial& trial) {
+                        return trial.survey.form == survey.form;
+                    });
+                    Identification result{.method = "planted"};
+                    for (int i = 0; i < m_net.interior_edge_count(); ++i) {
+                        const double x = found->deviations(i) + (i == 3 ? error : 0.0);
+                        result.edges.push_back({.edge = m_net.interior_edges()[i],
+                                                .length_deviation = x,
+                                                .lower = x - 1e-3,
+                                                .upper = x + 1e-3});
+                    }
+                    result.predicted.status = EquilibriumStatus::converged;
+                    result.predicted.form = found->form;
+                    result.predicted.form(2, m_net.free_nodes()[0]) += 0.01;
+                    return result;
+                }};
+    }
+
+    const CableNet m_net = hypar(3, 4);
+    const LengthLaw m_law{LengthLaw::Kind::uniform, 0.002};
+    const std::vector<int> m_samples{1, 2, 4, 5};
+    DataSet m_data = Sampler(m_net, m_law, 4).empty();
+};
+
+TEST_F(Trials, AreTheSamplesAndExactSurveysOfThem) {
+    const std::vector<Trial> trials = simulated({});
+    ASSERT_EQ(trials.size(), 4U);
+    for (size_t k = 0; k < trials.size(); ++k) {
+        EXPECT_EQ(trials[k].deviations, m_data.length_deviations.col(m_samples[k]));
+        const Eigen::VectorXd form = m_data.nominal_form + m_data.form_deviations.col(m_samples[k]);
+        EXPECT_EQ(free_coordinates(m_net, trials[k].form), form);
+        EXPECT_EQ(trials[k].survey.form, trials[k].form);
+        EXPECT_EQ(trials[k].survey.surveyed, m_net.free_nodes());
+    }
+}
+
+TEST_F(Trials, OfTwoNoisesDifferInTheSizeOfTheirNoiseAlone) {
+    const auto exact = simulated({});
+    const auto one = simulated({.noise_std = 1e-4});
+    const auto two = simulated({.noise_std = 2e-4});
+    for (size_t k = 0; k < one.size(); ++k) {
+        const Points noise = one[k].survey.form - exact[k].survey.form;
+        const Points twice = two[k].survey.form - exact[k].survey.form;
+        EXPECT_GT(noise.cwiseAbs().maxCoeff(), 1e-5);
+        EXPECT_LT((twice - 2.0 * noise).cwiseAbs().maxCoeff(), 1e-15);
+        EXPECT_EQ(two[k].survey.noise_std(1, m_net.free_nodes()[2]), 2e-4);
+        EXPECT_EQ(one[k].deviations, two[k].deviations);
+    }
+    EXPECT_NE(one[0].survey.form - exact[0].survey.form, one[1].survey.form - exact[1].survey.form);
+    EXPECT_NE(simulated({.noise_std = 1e-4}, 2)[0].survey.form, one[0].survey.form);
+}
+
+TEST_F(Trials, HideThePartOfTheNodesThatTheirKindSays) {
+    for (const Trial& trial : simulated({.noise_std = 1e-4, .hidden_part = 0.25})) {
+        EXPECT_EQ(trial.survey.missing.size(), 3U);
+        EXPECT_EQ(trial.survey.surveyed.size(), 9U);
+    }
+}
+
+TEST_F(Trials, KnowWhichInteriorEdgesAreSlack) {
+    const LengthLaw wide{LengthLaw::Kind::uniform, 0.02};
+    const Sampler sampler(m_net, wide, 4);
+    DataSet data = sampler.empty();
+    sampler.extend(data, 20);
+    int slack = 0;
+    for (const Trial& trial : simulate_trials(m_net, data, data.converged_in(0, 20), {}, 1)) {
+        const Eigen::VectorXd tension =
+            tensions(m_net, with_length_deviations(m_net, trial.deviations), trial.form);
+        for (int i = 0; i < m_net.interior_edge_count(); ++i) {
+            EXPECT_EQ(trial.slack[i], tension(m_net.interior_edges()[i]) == 0.0);
+            slack += trial.slack[i] ? 1 : 0;
+        }
+    }
+    EXPECT_GT(slack, 5);
+}
+
+TEST_F(Trials, AreEvaluatedByTheErrorsAndIntervalsOfTheMethod) {
+    const auto trials = simulated({});
+    const int m = m_net.interior_edge_count();
+    const MethodResult inside = evaluate(m_net, planted(trials, 5e-4), trials).result;
+    EXPECT_EQ(inside.name, "planted");
+    EXPECT_EQ(inside.surveys, 4);
+    EXPECT_EQ(inside.failed, 0);
+    EXPECT_NEAR(inside.errors.mse, 25e-8 / m, 1e-15);
+    EXPECT_NEAR(inside.mse_of_taut, 25e-8 / m, 1e-15);
+    EXPECT_NEAR(inside.errors.mean(3), -5e-4, 1e-15);
+    EXPECT_EQ(inside.coverage, 1.0);
+    EXPECT_NEAR(inside.form_error.max, 0.01, 1e-15);
+    EXPECT_NEAR(inside.form_error.mean, 0.01 / m_net.free_node_count(), 1e-15);
+    EXPECT_GT(inside.seconds, 0.0);
+    const MethodResult outside = evaluate(m_net, planted(trials, 2e-3), trials).result;
+    EXPECT_DOUBLE_EQ(outside.coverage, (m - 1.0) / m);
+}
+
+TEST_F(Trials, LeaveSlackEdgesOutOfTheErrorOfTautOnes) {
+    auto trials = simulated({});
+    for (Trial& trial : trials) {
+        trial.slack[3] = true;
+    }
+    const MethodResult result = evaluate(m_net, planted(trials, 5e-4), trials).result;
+    EXPECT_EQ(result.mse_of_taut, 0.0);
+    EXPECT_GT(result.errors.mse, 0.0);
+}
+
+TEST_F(Trials, CountFailuresAndLeaveThemOutOfAllNumbers) {
+    const auto trials = simulated({});
+    const Method good = planted(trials, 5e-4);
+    Method method = good;
+    method.identify = [&](const Survey& survey) -> Identification {
+        if (survey.form == trials[1].survey.form) {
+            throw std::runtime_error("no such luck");
+        }
+        Identification result = good.identify(survey);
+        if (survey.form == trials[2].survey.form) {
+            result.status = IdentificationStatus::iteration_limit;
+            result.edges[0].length_deviation = 1e3;
+        }
+        return result;
+    };
+    for (const bool uses_all_threads : {false, true}) {
+        method.uses_all_threads = uses_all_threads;
+        const Evaluation evaluation = evaluate(m_net, method, trials);
+        EXPECT_EQ(evaluation.result.surveys, 4);
+        EXPECT_EQ(evaluation.result.failed, 2);
+        EXPECT_EQ(evaluation.result.identified(), 2);
+        EXPECT_EQ(evaluation.result.first_failure, "no such luck");
+        EXPECT_NEAR(evaluation.result.errors.mse, 25e-8 / m_net.interior_edge_count(), 1e-15);
+        EXPECT_TRUE(evaluation.identifications[0].has_value());
+        EXPECT_FALSE(evaluation.identifications[1].has_value());
+        EXPECT_FALSE(evaluation.identifications[2].has_value());
+    }
+    method.identify = [](const Survey&) -> Identification { throw std::invalid_argument("never"); };
+    const MethodResult none = evaluate(m_net, method, trials).result;
+    EXPECT_EQ(none.failed, 4);
+    EXPECT_EQ(none.first_failure, "never");
+}
+
+TEST_F(Trials, CountFormsOutOfBalanceAndLeaveThemOutOfTheFormError) {
+    const auto trials = simulated({});
+    const Method good = planted(trials, 0.0);
+    Method method = good;
+    method.identify = [&](const Survey& survey) {
+        Identification result = good.identify(survey);
+        if (survey.form == trials[0].survey.form) {
+            result.predicted.status = EquilibriumStatus::iteration_limit;
+            result.predicted.form.setConstant(7.0);
+        }
+        return result;
+    };
+    const MethodResult result = evaluate(m_net, method, trials).result;
+    EXPECT_EQ(result.failed, 0);
+    EXPECT_EQ(result.forms_not_converged, 1);
+    EXPECT_NEAR(result.form_error.max, 0.01, 1e-15);
+}
+
+TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBestPossible) {
+    auto trials = simulated({.noise_std = 5e-4, .hidden_part = 0.2});
+    double mean = 0.0;
+    for (const Trial& trial : trials) {
+        mean += best_possible_variances(m_net, with_length_deviations(m_net, trial.deviations),
+                                        trial.form, trial.survey, m_law)
+                    .mean() /
+                4.0;
+    }
+    const auto best = best_possible(m_net, m_law, trials);
+    ASSERT_TRUE(best);
+    EXPECT_DOUBLE_EQ(best->mse, mean);
+    EXPECT_DOUBLE_EQ(best->mse_of_taut, mean);
+    for (Trial& trial : trials) {
+        trial.slack.assign(trial.slack.size(), true);
+        trial.slack[0] = false;
+    }
+    EXPECT_NE(best_possible(m_net, m_law, trials)->mse_of_taut, mean);
+}
+
+TEST_F(Trials, AreStoppedWhereThatIsRequested) {
+    const auto trials = simulated({});
+    Method method = planted(trials, 0.0);
+    method.uses_all_threads = true;
+    std::stop_source source;
+    int ticks = 0;
+    const Evaluation evaluation = evaluate(
+        m_net, method, trials,
+        [&] {
+            ++ticks;
+            source.request_stop();
+        },
+        source.get_token());
+    EXPECT_EQ(ticks, 1);
+    EXPECT_FALSE(evaluation.identifications[1].has_value());
+}
+
+}  // namespace
