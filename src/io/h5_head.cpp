@@ -17,9 +17,9 @@ void check_format(const hdf5::Reader& reader, const std::string& format, std::ui
         reader.fail("format", fmt::format("is {}, expected '{}'", quote(found), format));
     }
     const std::uint64_t found_version = reader.number_attribute("version");
-    if (found_version != known_h5_version) {
+    if (found_version != version) {
         reader.fail("version", fmt::format("is {}, expected {}, the only one that this taut knows",
-                                           found_version, known_h5_version));
+                                           found_version, version));
     }
 }
 

@@ -24,23 +24,23 @@ Json to_json(const FormErrors& errors) {
 
 /// All numbers of the lengths are null where no survey was identified.
 Json to_json(const MethodResult& method) {
-    Json json{{"surveys", method.surveys}, {"failed", method.failed}};
+    Json object{{"surveys", method.surveys}, {"failed", method.failed}};
     if (method.failed > 0) {
-        json["first_failure"] = method.first_failure;
+        object["first_failure"] = method.first_failure;
     }
     const bool any = method.identified() > 0;
     const auto number = [any](double value) { return any ? Json(value) : Json(); };
-    json["mse"] = number(method.errors.mse);
-    json["mse_of_taut_edges"] = number(method.mse_of_taut);
-    json["mrse"] = number(method.errors.mrse);
-    json["error_mean_max_abs"] = any ? Json(method.errors.mean_max_abs()) : Json();
-    json["error_std_mean"] = any ? Json(method.errors.std_mean()) : Json();
-    json["coverage_95"] = number(method.coverage);
-    json["form_error"] = any ? to_json(method.form_error) : Json();
-    json["forms_not_converged"] = method.forms_not_converged;
-    json["training_seconds"] = method.training_seconds;
-    json["seconds"] = method.seconds;
-    return json;
+    object["mse"] = number(method.errors.mse);
+    object["mse_of_taut_edges"] = number(method.mse_of_taut);
+    object["mrse"] = number(method.errors.mrse);
+    object["error_mean_max_abs"] = any ? Json(method.errors.mean_max_abs()) : Json();
+    object["error_std_mean"] = any ? Json(method.errors.std_mean()) : Json();
+    object["coverage_95"] = number(method.coverage);
+    object["form_error"] = any ? to_json(method.form_error) : Json();
+    object["forms_not_converged"] = method.forms_not_converged;
+    object["training_seconds"] = method.training_seconds;
+    object["seconds"] = method.seconds;
+    return object;
 }
 
 Json methods_json(const Study& study) {
