@@ -21,6 +21,7 @@ endif()
 
 option(TAUT_BUILD_APP "Build the command line program" ${PROJECT_IS_TOP_LEVEL})
 option(TAUT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(TAUT_TESTS_BY_PROGRAM "Give ctest the tests of a room as one test: with the sanitizers most of the time goes into starting processes" OFF)
 option(TAUT_BUILD_EXAMPLES "Build the examples" ${PROJECT_IS_TOP_LEVEL})
 option(TAUT_BUILD_BENCHMARKS "Build the benchmarks (default: where Google Benchmark is found)" ${TAUT_WITH_BENCHMARKS})
 set(TAUT_CLARABEL_DEFAULT OFF)

@@ -4,7 +4,7 @@
 include(GoogleTest)
 
 # taut_add_tests(<room> <file>...) makes the program test_<room> and one ctest test for each of its
-# tests. Includes: public headers, private ones as "<room>/name.hpp", helpers as "support/name.hpp".
+# tests (TAUT_TESTS_BY_PROGRAM: for all of them). Includes: public headers, private ones as "<room>/name.hpp", helpers as "support/name.hpp".
 function(taut_add_tests room)
     if(NOT ARGN)
         return()
@@ -20,6 +20,12 @@ function(taut_add_tests room)
         PkgConfig::TAUT_HDF5)
     # Tests are compiled far longer than they run: little optimisation.
     target_compile_options(${target} PRIVATE -O1)
+    if(TAUT_TESTS_BY_PROGRAM)
+        add_test(NAME ${room} COMMAND ${target} --gtest_brief=1)
+        set_tests_properties(${room} PROPERTIES
+            TIMEOUT 900 LABELS ${room} ENVIRONMENT "RC_PARAMS=seed=1")
+        return()
+    endif()
     gtest_discover_tests(${target}
         TEST_PREFIX "${room}."
         DISCOVERY_TIMEOUT 60

@@ -16,8 +16,8 @@ build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-de
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev python3-sklearn python3-h5py python3-scipy)
 lint=(clang-format-19 clang-tidy-19)
-# libclang-rt holds libFuzzer and the sanitizers.
-fuzz=(clang-19 libclang-rt-19-dev)
+# libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they tell.
+fuzz=(clang-19 libclang-rt-19-dev llvm-19)
 
 # The report's viewer is bundled by Node.js. One that is there already, from elsewhere too, will do.
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then

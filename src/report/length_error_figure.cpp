@@ -19,6 +19,9 @@ constexpr int most_dots = 30000;
 /// The errors of the edges, as columns of dots. Dots less than half a unit apart fall together.
 PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const std::vector<int>& edges) {
     PathData path;
+    if (errors_mm.cols() == 0) {  // the matrix has no memory whose rows could be taken
+        return path;
+    }
     std::vector<double> column(static_cast<size_t>(errors_mm.cols()));
     for (const int i : edges) {
         std::ranges::transform(errors_mm.row(i), column.begin(),

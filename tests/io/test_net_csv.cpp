@@ -70,7 +70,7 @@ TEST(ParseNetCsv, RefusesWhatIsNoSuchPair) {
               "e.csv:2: names the node '9', which is not in n.csv");
     EXPECT_EQ(error(node_table, "a,b,q\n1,1,1\n"), "e.csv:2: joins the node '1' to itself");
     EXPECT_EQ(error(node_table, "a,b,q\n1,2,1\n2,1,1\n"),
-              "e.csv:3: joins the node_table '2' and '1' a second time");
+              "e.csv:3: joins the nodes '2' and '1' a second time");
     EXPECT_EQ(error(node_table, "a,b,q\n1,2,x\n"), "e.csv:2: q is 'x', expected a finite number");
 }
 
