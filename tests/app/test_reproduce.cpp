@@ -118,7 +118,8 @@ TEST_F(Reproduce, PrintsThePapersFiguresBesideItsOwn) {
     EXPECT_THAT(text, testing::HasSubstr("1.7e-08"));  // the paper's MSE
     EXPECT_THAT(text, testing::HasSubstr("13.8"));     // its largest nominal form error [mm]
     EXPECT_THAT(text, testing::HasSubstr("0.776"));    // and identified
-    for (const std::string method : {"\n  gp_as_in_paper ", "\n  gp ", "\n  balance ", "\n  map "}) {
+    for (const std::string method :
+         {"\n  gp_as_in_paper ", "\n  gp ", "\n  balance ", "\n  map "}) {
         EXPECT_THAT(text, testing::HasSubstr(method));
     }
     EXPECT_THAT(text, testing::HasSubstr("The paper's net is another one"));

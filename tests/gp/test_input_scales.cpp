@@ -17,7 +17,7 @@
 namespace taut::gp {
 namespace {
 
-using testing::normal_matrix;
+using test::normal_matrix;
 
 /// Depends on the first input strongly, on the second little, and not at all on the last two.
 Eigen::MatrixXd outputs_of(const Eigen::MatrixXd& inputs) {
@@ -33,7 +33,7 @@ TEST(ScalesLikelihood, HasTheGradientOfItsDifferenceQuotient) {
     const Eigen::MatrixXd outputs = outputs_of(inputs);
     const std::vector<int> groups{0, 1, 2, 1};
     const Eigen::VectorXd at{{-0.3, -1.0, -2.0}};
-    const Eigen::MatrixXd expected = taut::testing::finite_differences(
+    const Eigen::MatrixXd expected = test::finite_differences(
         [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
             return Eigen::VectorXd::Constant(1,
                                              scales_likelihood(inputs, outputs, groups, x).value);

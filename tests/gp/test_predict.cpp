@@ -55,7 +55,7 @@ TEST(MeanGradient, IsTheDifferenceQuotientOfTheMean) {
     const FittedProcesses fitted = fit(inputs, outputs);
     ASSERT_GT(fitted.spectra.size(), 1);
     const Eigen::VectorXd at = normal_matrix(3, 1, 5);
-    const Eigen::MatrixXd expected = taut::testing::finite_differences(
+    const Eigen::MatrixXd expected = test::finite_differences(
         [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return fitted.predict(x).mean.col(0); },
         at, 1e-3);
     const Eigen::MatrixXd gradient = fitted.mean_gradient(at);

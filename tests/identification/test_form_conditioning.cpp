@@ -33,7 +33,7 @@ protected:
     }
 
     [[nodiscard]] Survey survey(double noise) const {
-        return testing::simulate(m_net, m_model.law, noise, 5).survey;
+        return test::simulate(m_net, m_model.law, noise, 5).survey;
     }
 
     [[nodiscard]] ConditionedForm condition(const Survey& survey, double threshold) const {
@@ -60,7 +60,7 @@ TEST_F(FormConditioning, BeforeASurveyIsTheLawThroughTheStaticsAndWhatTheseMiss)
 
 TEST_F(FormConditioning, IsGaussianConditioning) {
     Survey partial = survey(0.0003);
-    testing::hide(m_net, partial, m_net.free_nodes()[4]);
+    test::hide(m_net, partial, m_net.free_nodes()[4]);
     const ConditionedForm after = condition(partial, infinite);
     const Eigen::Index d = m_before.mean.size();
     Eigen::VectorXd precision =
@@ -89,7 +89,7 @@ TEST_F(FormConditioning, TestsATargetAgainstWhatAllOthersLetExpect) {
 
     // The form is that of the survey without it.
     Survey without = wrong;
-    testing::hide(m_net, without, node);
+    test::hide(m_net, without, node);
     const ConditionedForm expected = condition(without, infinite);
     EXPECT_LT((after.mean() - expected.mean()).norm(), 1e-10);
 }
@@ -99,7 +99,7 @@ TEST_F(FormConditioning, RaisesFalseAlarmsAsOftenAsStated) {
     int alarms = 0;
     double ratio = 0.0;
     for (int k = 0; k < surveys; ++k) {
-        const Survey good = testing::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
+        const Survey good = test::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
         const ConditionedForm after = condition(good, outlier_threshold(0.1, 12));
         alarms += after.outliers().empty() ? 0 : 1;
         ratio += after.noise_ratio() / surveys;
@@ -121,7 +121,7 @@ TEST_F(FormConditioning, SaysWhereTheSurveyDoesNotFit) {
 
 TEST_F(FormConditioning, MeanFunctionsHaveTheGradientsOfTheirDifferenceQuotients) {
     const Eigen::VectorXd at = 0.01 * Eigen::VectorXd::Random(m_model.nominal_form.size());
-    const Eigen::MatrixXd expected = testing::finite_differences(
+    const Eigen::MatrixXd expected = test::finite_differences(
         [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
             return mean_values(m_net, MeanFunction::geometry, m_model.nominal_form, x).col(0);
         },

@@ -17,8 +17,8 @@
 namespace taut {
 namespace {
 
-constexpr LengthLaw uniform{LengthLaw::Kind::uniform, 0.003};
-constexpr LengthLaw normal{LengthLaw::Kind::normal, 0.0015};
+constexpr LengthLaw uniform_law{LengthLaw::Kind::uniform, 0.003};
+constexpr LengthLaw gaussian_law{LengthLaw::Kind::normal, 0.0015};
 
 LengthModel model_of(const CableNet& net, const LengthLaw& law,
                      const TrainingSettings& settings = {}) {
@@ -39,9 +39,9 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
             int hidden = 0) {
     Score sum;
     for (int k = 0; k < surveys; ++k) {
-        auto s = testing::simulate(net, model.law, noise, 500 + static_cast<unsigned>(k));
+        auto s = test::simulate(net, model.law, noise, 500 + static_cast<unsigned>(k));
         for (int h = 0; h < hidden; ++h) {
-            testing::hide(net, s.survey, net.free_nodes()[static_cast<size_t>(5 * h + k % 5)]);
+            test::hide(net, s.survey, net.free_nodes()[static_cast<size_t>(5 * h + k % 5)]);
         }
         const Identification found = identify_by_processes(net, model, s.survey);
         const double weight = 1.0 / (surveys * net.interior_edge_count());
@@ -68,7 +68,7 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
 
 TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
     const CableNet net = hypar(5, 6);
-    for (const LengthLaw& law : {uniform, normal}) {
+    for (const LengthLaw& law : {uniform_law, gaussian_law}) {
         const LengthModel model = model_of(net, law);
         for (const double noise : {0.0, 0.0001, 0.0005, 0.002}) {
             const Score s = score(net, model, noise, 40);
@@ -84,7 +84,7 @@ TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
 
 TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
     const CableNet net = hypar(5, 6);
-    const Score s = score(net, model_of(net, normal), 0.0005, 40, 3);
+    const Score s = score(net, model_of(net, gaussian_law), 0.0005, 40, 3);
     EXPECT_GT(s.coverage, 0.93);
     EXPECT_LT(s.coverage, 0.97);
     EXPECT_LT(s.mse, 1.05 * s.best_possible);
@@ -93,15 +93,15 @@ TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
 TEST(ProcessesOnSite, TheGeometricMeanLeavesLessToLearn) {
     const CableNet net = hypar(5, 6);
     const double zero =
-        score(net, model_of(net, uniform, {.mean = MeanFunction::zero}), 0.0, 10).mse;
-    const double geometry = score(net, model_of(net, uniform), 0.0, 10).mse;
+        score(net, model_of(net, uniform_law, {.mean = MeanFunction::zero}), 0.0, 10).mse;
+    const double geometry = score(net, model_of(net, uniform_law), 0.0, 10).mse;
     EXPECT_LT(geometry, 0.5 * zero);
 }
 
 TEST(ProcessesOnSite, GrossErrorsAreFoundAndLeftOut) {
     const CableNet net = hypar(6, 6);
-    const LengthModel model = model_of(net, uniform);
-    auto s = testing::simulate(net, uniform, 0.0005, 3);
+    const LengthModel model = model_of(net, uniform_law);
+    auto s = test::simulate(net, uniform_law, 0.0005, 3);
     const int moved = net.free_nodes()[10];
     const int a = net.free_nodes()[20];
     const int b = net.free_nodes()[27];
@@ -120,15 +120,15 @@ TEST(ProcessesOnSite, GrossErrorsAreFoundAndLeftOut) {
 
 TEST(ProcessesOnSite, AModelAsInThePaperTakesTheSurveyForExactAndWhole) {
     const CableNet net = hypar(3, 4);
-    const LengthModel model = model_of(net, uniform, TrainingSettings::as_in_paper());
-    auto s = testing::simulate(net, uniform, 0.0005, 3);
+    const LengthModel model = model_of(net, uniform_law, TrainingSettings::as_in_paper());
+    auto s = test::simulate(net, uniform_law, 0.0005, 3);
     const Identification found = identify_by_processes(net, model, s.survey);
     const LengthEstimates expected =
         estimate_lengths(net, model, free_coordinates(net, s.survey.form) - model.nominal_form);
     for (size_t i = 0; i < found.edges.size(); ++i) {
         EXPECT_EQ(found.edges[i].length_deviation, expected.mean(static_cast<Eigen::Index>(i), 0));
     }
-    testing::hide(net, s.survey, net.free_nodes()[2]);
+    test::hide(net, s.survey, net.free_nodes()[2]);
     EXPECT_THROW((void)identify_by_processes(net, model, s.survey), std::invalid_argument);
 }
 

@@ -20,8 +20,8 @@ namespace {
 using namespace taut;
 
 constexpr double noise_std = 0.5e-3;
-constexpr LengthLaw uniform{LengthLaw::Kind::uniform, 0.005};
-constexpr LengthLaw normal{LengthLaw::Kind::normal, 0.003};
+constexpr LengthLaw uniform_5mm{LengthLaw::Kind::uniform, 0.005};
+constexpr LengthLaw normal_3mm{LengthLaw::Kind::normal, 0.003};
 
 Survey survey_without(const CableNet& net, const std::set<int>& hidden) {
     Survey survey{.form = net.nodes(),
@@ -80,12 +80,12 @@ TEST(SurveyProspect, AgreesWithTheBestPossibleWhereAllNodesAreTargeted) {
     const CableNet net = hilo_quarter();
     const Points form = solve_equilibrium(net).form;
     const Survey survey = survey_without(net, {});
-    const SurveyProspect prospect = survey_prospect(net, form, survey, uniform);
+    const SurveyProspect prospect = survey_prospect(net, form, survey, uniform_5mm);
     const Eigen::VectorXd variances =
-        best_possible_variances(net, net.unstressed_lengths(), form, survey, uniform);
+        best_possible_variances(net, net.unstressed_lengths(), form, survey, uniform_5mm);
     EXPECT_LT((stds(prospect).cwiseAbs2() - variances).cwiseAbs().maxCoeff(), 1e-18);
     EXPECT_NEAR(prospect.rms_std(), std::sqrt(variances.mean()), 1e-12);
-    EXPECT_EQ(prospect.prior_std, uniform.std());
+    EXPECT_EQ(prospect.prior_std, uniform_5mm.std());
     EXPECT_EQ(prospect.count(EdgeStatus::identified), net.interior_edge_count());
 }
 
@@ -94,12 +94,12 @@ TEST(SurveyProspect, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
     const Points form = solve_equilibrium(net).form;
     for (const int radius : {0, 2, 4}) {
         const Survey survey = survey_without(net, region(net, net.free_nodes()[20], radius));
-        const SurveyProspect prospect = survey_prospect(net, form, survey, normal);
-        const Eigen::VectorXd expected = reference_std(net, survey, normal);
+        const SurveyProspect prospect = survey_prospect(net, form, survey, normal_3mm);
+        const Eigen::VectorXd expected = reference_std(net, survey, normal_3mm);
         EXPECT_LT((stds(prospect) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
         for (size_t i = 0; i < prospect.edges.size(); ++i) {
             const bool is_unobserved =
-                expected(static_cast<Eigen::Index>(i)) >= 0.95 * normal.std();
+                expected(static_cast<Eigen::Index>(i)) >= 0.95 * normal_3mm.std();
             EXPECT_EQ(prospect.edges[i].status,
                       is_unobserved ? EdgeStatus::unobserved : EdgeStatus::identified)
                 << i;
@@ -114,7 +114,7 @@ TEST(SurveyProspect, FindsUnobservedExactlyEdgesInsideAHiddenRegion) {
     const std::set<int> hidden = region(net, centre, 5);
     const std::set<int> core = region(net, centre, 3);
     const SurveyProspect prospect =
-        survey_prospect(net, form, survey_without(net, hidden), uniform);
+        survey_prospect(net, form, survey_without(net, hidden), uniform_5mm);
     int inside = 0;
     for (const EdgeProspect& e : prospect.edges) {
         const auto [s, t] = net.edges()[static_cast<size_t>(e.edge)];
@@ -131,11 +131,11 @@ TEST(SurveyProspect, FindsUnobservedExactlyEdgesInsideAHiddenRegion) {
 TEST(SurveyProspect, TellsWhatIdentificationsThenGive) {
     const CableNet net = hilo_quarter();
     const Points form = solve_equilibrium(net).form;
-    for (const LengthLaw& law : {uniform, normal}) {
-        taut::testing::SimulatedSurvey s = taut::testing::simulate(net, law, noise_std, 3);
+    for (const LengthLaw& law : {uniform_5mm, normal_3mm}) {
+        test::SimulatedSurvey s = test::simulate(net, law, noise_std, 3);
         for (const int node : net.free_nodes()) {
             if (node % 10 < 7) {
-                taut::testing::hide(net, s.survey, node);
+                test::hide(net, s.survey, node);
             }
         }
         const SurveyProspect prospect = survey_prospect(net, form, s.survey, law);
@@ -159,11 +159,11 @@ TEST(SurveyProspect, KnowsASlackEdge) {
     data.unstressed_lengths(edge) *= 1.5;
     const CableNet net(data);
     const SurveyProspect prospect =
-        survey_prospect(net, solve_equilibrium(net).form, survey_without(net, {}), uniform);
+        survey_prospect(net, solve_equilibrium(net).form, survey_without(net, {}), uniform_5mm);
     for (const EdgeProspect& e : prospect.edges) {
         EXPECT_EQ(e.status == EdgeStatus::slack, e.edge == edge);
         if (e.edge == edge) {
-            EXPECT_NEAR(e.std, uniform.std(), 1e-9);
+            EXPECT_NEAR(e.std, uniform_5mm.std(), 1e-9);
         }
     }
 }
@@ -172,11 +172,11 @@ TEST(SurveyProspect, RefusesASurveyOfNothingAndANetWithNothingToFind) {
     const CableNet net = hypar(3, 3);
     Survey survey = survey_without(net, {});
     survey.surveyed.clear();
-    EXPECT_THROW(static_cast<void>(survey_prospect(net, net.nodes(), survey, uniform)),
+    EXPECT_THROW(static_cast<void>(survey_prospect(net, net.nodes(), survey, uniform_5mm)),
                  std::invalid_argument);
     const CableNet known = hypar(1, 1);
     EXPECT_THROW(static_cast<void>(
-                     survey_prospect(known, known.nodes(), survey_without(known, {}), uniform)),
+                     survey_prospect(known, known.nodes(), survey_without(known, {}), uniform_5mm)),
                  std::invalid_argument);
 }
 

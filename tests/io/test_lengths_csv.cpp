@@ -13,7 +13,7 @@ namespace taut {
 namespace {
 
 TEST(LengthsCsv, HasARowAnInteriorEdgeByItsNameToTheLastBit) {
-    CableNetData data = testing::two_node_net_data();
+    CableNetData data = test::two_node_net_data();
     data.edge_ids = {"aA", "a,B", "ab", "bC", "bD"};
     const CableNet nominal(data);
     data.unstressed_lengths(1) += 0.25;
@@ -24,7 +24,7 @@ TEST(LengthsCsv, HasARowAnInteriorEdgeByItsNameToTheLastBit) {
 }
 
 TEST(LengthsCsv, RefusesAnotherNet) {
-    CableNetData data = testing::two_node_net_data();
+    CableNetData data = test::two_node_net_data();
     const CableNet nominal(data);
     data.adjustable = {0};
     EXPECT_THROW(static_cast<void>(lengths_to_csv(nominal, CableNet(data))), std::invalid_argument);

@@ -16,20 +16,20 @@ namespace {
 
 using namespace taut;
 
-constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+constexpr LengthLaw built_law{LengthLaw::Kind::uniform, 0.005};
 
 Eigen::VectorXd deviations(const CableNet& net, std::uint64_t seed) {
-    return (built_net(net, law, seed).unstressed_lengths() -
+    return (built_net(net, built_law, seed).unstressed_lengths() -
             net.unstressed_lengths())(net.interior_edges());
 }
 
 TEST(BuiltNet, HasInteriorLengthsOfTheLawAndAllElseAsDesigned) {
     const CableNet net = hypar(6, 8);
     const Eigen::VectorXd drawn = deviations(net, 7);
-    EXPECT_LE(drawn.cwiseAbs().maxCoeff(), law.scale);
-    EXPECT_NEAR(drawn.norm() / std::sqrt(static_cast<double>(drawn.size())), law.std(),
-                0.2 * law.std());
-    CableNetData data = built_net(net, law, 7).data();
+    EXPECT_LE(drawn.cwiseAbs().maxCoeff(), built_law.scale);
+    EXPECT_NEAR(drawn.norm() / std::sqrt(static_cast<double>(drawn.size())), built_law.std(),
+                0.2 * built_law.std());
+    CableNetData data = built_net(net, built_law, 7).data();
     for (const int edge : net.adjustable_edges()) {
         EXPECT_EQ(data.unstressed_lengths(edge), net.unstressed_lengths()(edge));
     }
@@ -41,7 +41,7 @@ TEST(BuiltNet, IsTheSameForASeedAndNoSampleOfIt) {
     const CableNet net = hypar(3, 4);
     EXPECT_EQ(deviations(net, 7), deviations(net, 7));
     EXPECT_NE(deviations(net, 7), deviations(net, 8));
-    const Sampler sampler(net, law, 7);
+    const Sampler sampler(net, built_law, 7);
     DataSet data = sampler.empty();
     sampler.extend(data, 20);
     for (const auto& sample : data.length_deviations.colwise()) {

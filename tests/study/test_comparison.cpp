@@ -22,12 +22,12 @@ using namespace taut;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const ComparisonSettings small{.noises = {5e-4, 0.0, 1e-4},
-                               .training_samples = {60, 20, 40},
-                               .hidden_parts = {0.0, 0.2},
-                               .surveys = 6,
-                               .law = {LengthLaw::Kind::uniform, 0.003},
-                               .seed = 3};
+const ComparisonSettings small_comparison{.noises = {5e-4, 0.0, 1e-4},
+                                          .training_samples = {60, 20, 40},
+                                          .hidden_parts = {0.0, 0.2},
+                                          .surveys = 6,
+                                          .law = {LengthLaw::Kind::uniform, 0.003},
+                                          .seed = 3};
 
 const ComparisonRow& row_of(const Comparison& comparison, const std::string& method,
                             const SurveyKind& kind, int training = 60) {
@@ -43,7 +43,7 @@ const ComparisonRow& row_of(const Comparison& comparison, const std::string& met
 class SmallComparison : public testing::Test {
 protected:
     const CableNet m_net = hypar(4, 5);
-    const Comparison m_comparison = compare_methods(m_net, small);
+    const Comparison m_comparison = compare_methods(m_net, small_comparison);
 };
 
 TEST_F(SmallComparison, HasARowForEachMethodAndPlaceOnItsAxes) {
@@ -75,7 +75,7 @@ TEST_F(SmallComparison, HasARowForEachMethodAndPlaceOnItsAxes) {
 }
 
 TEST_F(SmallComparison, TrainsOnTheFirstSamplesAndSurveysTheLast) {
-    const Sampler sampler(m_net, small.law, small.seed);
+    const Sampler sampler(m_net, small_comparison.law, small_comparison.seed);
     DataSet data = sampler.empty();
     sampler.extend(data, 66);
     ASSERT_EQ(data.not_converged(), 0);
@@ -114,7 +114,7 @@ TEST_F(SmallComparison, SaysWhatAMethodCannotDo) {
 
 TEST_F(SmallComparison, DoesNotDependOnTheNumberOfThreads) {
     const ThreadLimit one(1);
-    const Comparison again = compare_methods(m_net, small);
+    const Comparison again = compare_methods(m_net, small_comparison);
     ASSERT_EQ(again.rows.size(), m_comparison.rows.size());
     for (size_t i = 0; i < again.rows.size(); ++i) {
         const MethodResult& a = again.rows[i].result;
@@ -142,7 +142,7 @@ TEST_F(SmallComparison, TellsHowLongItsStagesTook) {
 }
 
 TEST(Comparison, CountsSurveysWithSlackEdges) {
-    ComparisonSettings settings = small;
+    ComparisonSettings settings = small_comparison;
     settings.law.scale = 0.01;
     settings.noises = {0.0};
     settings.training_samples = {20};
@@ -163,7 +163,7 @@ TEST(Comparison, TellsItsProgressToItsEndAndStopsWhereRequested) {
             last = {done, total};
         }
     };
-    (void)compare_methods(hypar(3, 3), small, progress);
+    (void)compare_methods(hypar(3, 3), small_comparison, progress);
     EXPECT_GT(last[0], 0);
     EXPECT_EQ(last[0], last[1]);
     for (const std::string stage : {"sampling", "training", "identification"}) {
@@ -173,7 +173,7 @@ TEST(Comparison, TellsItsProgressToItsEndAndStopsWhereRequested) {
                 source.request_stop();
             }
         };
-        EXPECT_THROW((void)compare_methods(hypar(3, 3), small, stop, source.get_token()),
+        EXPECT_THROW((void)compare_methods(hypar(3, 3), small_comparison, stop, source.get_token()),
                      Interrupted);
     }
 }
@@ -181,7 +181,7 @@ TEST(Comparison, TellsItsProgressToItsEndAndStopsWhereRequested) {
 TEST(ComparisonSettings, ChooseWhatTheOtherAxesAreHeldAt) {
     EXPECT_EQ(ComparisonSettings{}.common_training(), 950);
     EXPECT_EQ(ComparisonSettings{}.common_noise(), 5e-4);
-    EXPECT_EQ(small.common_training(), 60);
+    EXPECT_EQ(small_comparison.common_training(), 60);
     const ComparisonSettings other{.noises = {0.0, 3e-4, 1e-4}};
     EXPECT_EQ(other.common_noise(), 3e-4);
 }

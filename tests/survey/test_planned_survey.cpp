@@ -14,7 +14,7 @@ namespace {
 using namespace taut;
 
 TEST(PlannedSurvey, HoldsTheFreeNodesThatItNames) {
-    const CableNet net(taut::testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     const Survey survey = planned_survey(net, {{.id = "b"}, {.id = "C"}}, 0.001);
     EXPECT_EQ(survey.surveyed, std::vector<int>{3});
     EXPECT_EQ(survey.missing, std::vector<int>{0});
@@ -23,7 +23,7 @@ TEST(PlannedSurvey, HoldsTheFreeNodesThatItNames) {
 }
 
 TEST(PlannedSurvey, RefusesANameThatIsNoNodesOrComesTwiceWithItsLine) {
-    const CableNet net(taut::testing::two_node_net_data());
+    const CableNet net(test::two_node_net_data());
     for (const auto& [id, told] : {std::pair("c", "'c' is no node of the net 'two nodes'"),
                                    std::pair("a", "surveys node 'a' a second time"),
                                    std::pair("", "names no node, expected one")}) {
