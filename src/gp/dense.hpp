@@ -14,6 +14,21 @@ namespace taut::gp {
 [[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
                                                  const Eigen::MatrixXd& b);
 
+/// c += factor * a * b; small products by Eigen.
+void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                 const Eigen::Ref<const Eigen::MatrixXd>& a,
+                 const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+/// c += factor * a * b'
+void add_product_transposed(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                            const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+/// c += factor * a' * b
+void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                            const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b);
+
 /// x' A x of every column x of b (n x k), for a symmetric A (n x n). Reads the lower triangle of A.
 [[nodiscard]] Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower,
                                               const Eigen::MatrixXd& b);
