@@ -7,6 +7,7 @@
 #include <lapacke.h>
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 
 namespace taut::gp {
@@ -26,6 +27,11 @@ Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
                 static_cast<int>(rows));
     return c;
 }
+
+/// How many SerialBlas live, and the threads of BLAS before the first of them.
+std::mutex serial_mutex;
+int serial_count = 0;
+int threads_before = 1;
 
 /// Fewer multiplications than these are faster without a call to BLAS.
 constexpr double small_product = 4096.0;
@@ -54,6 +60,21 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     return multiply(CblasTrans, a, b);
+}
+
+SerialBlas::SerialBlas() {
+    const std::scoped_lock lock(serial_mutex);
+    if (serial_count++ == 0) {
+        threads_before = openblas_get_num_threads();
+        openblas_set_num_threads(1);
+    }
+}
+
+SerialBlas::~SerialBlas() {
+    const std::scoped_lock lock(serial_mutex);
+    if (--serial_count == 0) {
+        openblas_set_num_threads(threads_before);
+    }
 }
 
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const Part& a, const Part& b) {

@@ -14,7 +14,17 @@ namespace taut::gp {
 [[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
                                                  const Eigen::MatrixXd& b);
 
-/// c += factor * a * b; small products by Eigen.
+/// Keeps BLAS to the calling threads while it lives: for parallel loops that call it, and for
+/// results that are the same for any number of threads.
+class SerialBlas {
+public:
+    SerialBlas();
+    ~SerialBlas();
+    SerialBlas(const SerialBlas&) = delete;
+    SerialBlas& operator=(const SerialBlas&) = delete;
+};
+
+/// c += factor * a * b
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
                  const Eigen::Ref<const Eigen::MatrixXd>& a,
                  const Eigen::Ref<const Eigen::MatrixXd>& b);

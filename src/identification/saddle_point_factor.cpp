@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "identification/saddle_point_factor.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/LU>
 #include <algorithm>
+#include <atomic>
 #include <numeric>
+#include <ranges>
 
 #include "gp/dense.hpp"
 
@@ -19,8 +23,40 @@ auto& at(T& values, int i) {
 /// A panel takes nodes until it has so many pivots.
 constexpr int panel_width = 48;
 
-/// An update of the lower triangle is found by so many columns at once.
-constexpr Eigen::Index update_columns = 128;
+/// Large products are made by so many rows or columns at once.
+constexpr Eigen::Index part_size = 128;
+
+/// A branch of the tree takes at most such a part of the work, unless this is but some milliseconds
+/// [multiplications].
+constexpr double branch_count = 32.0;
+constexpr double least_work = 2e6;
+
+/// Calls in parallel for the parts of first .. end: begin and size of each.
+template <typename Function>
+void by_parts(Eigen::Index first, Eigen::Index end, const Function& function) {
+    if (end - first <= part_size) {
+        if (first < end) {
+            function(first, end - first);
+        }
+        return;
+    }
+    const Eigen::Index parts = (end - first + part_size - 1) / part_size;
+    tbb::parallel_for(Eigen::Index{0}, parts, [&](Eigen::Index part) {
+        const Eigen::Index from = first + part * part_size;
+        function(from, std::min(part_size, end - from));
+    });
+}
+
+/// Adds the lower triangle of a child's update where its rows stand in the parent's matrix.
+void add_update(const Eigen::MatrixXd& update, const std::vector<int>& place,
+                Eigen::MatrixXd& matrix) {
+    for (Eigen::Index b = 0; b < update.cols(); ++b) {
+        double* const column = matrix.col(place[static_cast<size_t>(b)]).data();
+        for (Eigen::Index a = b; a < update.rows(); ++a) {
+            column[place[static_cast<size_t>(a)]] += update(a, b);
+        }
+    }
+}
 
 /// Where the panels of a supernode begin among its pivots, and the end.
 std::vector<int> panels_of(const Supernode& supernode, const std::vector<int>& sizes) {
@@ -79,11 +115,12 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
         }
     }
     SupernodeTree tree = supernode_tree(sizes, std::move(couplings));
-    m_supernodes = std::move(tree.supernodes);
-    m_factors.resize(m_supernodes.size());
-    for (const Supernode& supernode : m_supernodes) {
-        m_panels.push_back(panels_of(supernode, sizes));
+    for (Supernode& supernode : tree.supernodes) {
+        std::vector<int> panels = panels_of(supernode, sizes);
+        m_fronts.push_back(
+            {.supernode = std::move(supernode), .panels = std::move(panels), .factor = {}});
     }
+    find_branches();
     m_unknowns = static_cast<int>(tree.number.size());
     for (int& unknown : m_unknown_of_node) {
         unknown = at(tree.number, unknown);
@@ -97,6 +134,36 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
     node_stiffness.assign(static_cast<size_t>(n), Eigen::Matrix3d::Zero());
     edge_stiffness.assign(net.edges.size(), Eigen::Matrix3d::Zero());
     length_rates.setZero(3, static_cast<Eigen::Index>(net.edges.size()));
+}
+
+/// Takes the largest subtrees that are a small part of the work as branches.
+void SaddlePointFactor::find_branches() {
+    std::vector<double> work;  // of the subtree of each front
+    std::vector<int> first;    // front of the subtree
+    for (int j = 0; j < static_cast<int>(m_fronts.size()); ++j) {
+        const Supernode& supernode = at(m_fronts, j).supernode;
+        const auto p = static_cast<double>(supernode.size);
+        const double size = p + static_cast<double>(supernode.rows.size());
+        work.push_back(p * size * size);
+        first.push_back(j);
+        for (const int child : supernode.children) {
+            work.back() += at(work, child);
+            first.back() = std::min(first.back(), at(first, child));
+        }
+    }
+    double total = 0.0;
+    for (int j = 0; j < static_cast<int>(m_fronts.size()); ++j) {
+        total += at(m_fronts, j).supernode.parent < 0 ? at(work, j) : 0.0;
+    }
+    const double most = std::max(total / branch_count, least_work);
+    for (int j = 0; j < static_cast<int>(m_fronts.size()); ++j) {
+        const int parent = at(m_fronts, j).supernode.parent;
+        if (at(work, j) > most) {
+            m_trunk.push_back(j);
+        } else if (parent < 0 || at(work, parent) > most) {
+            m_branches.push_back({.first = at(first, j), .end = j + 1});
+        }
+    }
 }
 
 /// The entries of the matrix in the columns of a supernode's pivots, lower triangle.
@@ -127,15 +194,20 @@ void SaddlePointFactor::assemble(const Supernode& supernode, Eigen::MatrixXd& ma
     }
 }
 
-/// Eliminates the pivots from the matrix, lower triangle, and leaves the update for the parent.
+/// Assembles a front with the updates of its children, eliminates the pivots and leaves the update
+/// for the parent; lower triangles.
 /// @return false where a pivot is singular
-bool SaddlePointFactor::eliminate(const Supernode& supernode, Eigen::MatrixXd& matrix,
-                                  Eigen::MatrixXd& L) const {
+bool SaddlePointFactor::eliminate(int front, std::vector<Eigen::MatrixXd>& matrices) {
+    auto& [supernode, panels, L] = at(m_fronts, front);
+    Eigen::MatrixXd& matrix = at(matrices, front);
+    assemble(supernode, matrix);
+    for (const int child : supernode.children) {
+        add_update(at(matrices, child), at(m_fronts, child).supernode.rows_in_parent, matrix);
+        at(matrices, child).resize(0, 0);
+    }
     const Eigen::Index size = matrix.rows();
     const auto p = static_cast<Eigen::Index>(supernode.size);
-    const auto q = size - p;
-    const auto& panels = m_panels[static_cast<size_t>(&supernode - m_supernodes.data())];
-    L.resize(size, p);
+    L.setZero(size, p);
     for (size_t k = 0; k + 1 < panels.size(); ++k) {
         const Eigen::Index begin = panels[k];
         const Eigen::Index end = panels[k + 1];
@@ -147,51 +219,38 @@ bool SaddlePointFactor::eliminate(const Supernode& supernode, Eigen::MatrixXd& m
         if (!inverse.allFinite()) {
             return false;
         }
-        const auto below = matrix.block(end, begin, size - end, width);
-        auto factor = L.block(end, begin, size - end, width);
-        factor.setZero();
-        gp::add_product(factor, 1.0, below, inverse);
+        by_parts(end, size, [&](Eigen::Index from, Eigen::Index rows) {
+            gp::add_product(L.block(from, begin, rows, width), 1.0,
+                            matrix.block(from, begin, rows, width), inverse);
+        });
         // The other panels now, the rows once all panels are eliminated.
-        for (size_t later = k + 1; later + 1 < panels.size(); ++later) {
-            const Eigen::Index from = panels[later];
-            const Eigen::Index columns = panels[later + 1] - from;
+        by_parts(end, p, [&](Eigen::Index from, Eigen::Index columns) {
             gp::add_product_transposed(matrix.block(from, from, size - from, columns), -1.0,
                                        L.block(from, begin, size - from, width),
                                        matrix.block(from, begin, columns, width));
-        }
+        });
     }
-    // Of the update only the lower triangle is used: by columns of blocks, from the diagonal down.
-    for (Eigen::Index from = p; from < size; from += update_columns) {
-        const Eigen::Index columns = std::min(update_columns, size - from);
+    by_parts(p, size, [&](Eigen::Index from, Eigen::Index columns) {
         gp::add_product_transposed(matrix.block(from, from, size - from, columns), -1.0,
                                    L.bottomRows(size - from), matrix.block(from, 0, columns, p));
-    }
-    matrix = matrix.bottomRightCorner(q, q).eval();
+    });
+    matrix = matrix.bottomRightCorner(size - p, size - p).eval();
     return true;
 }
 
 bool SaddlePointFactor::factorize() {
-    std::vector<Eigen::MatrixXd> matrices(m_supernodes.size());
-    for (size_t j = 0; j < m_supernodes.size(); ++j) {
-        const Supernode& supernode = m_supernodes[j];
-        Eigen::MatrixXd& matrix = matrices[j];
-        assemble(supernode, matrix);
-        for (const int child : supernode.children) {
-            const std::vector<int>& place = at(m_supernodes, child).rows_in_parent;
-            Eigen::MatrixXd& update = at(matrices, child);
-            for (Eigen::Index b = 0; b < update.cols(); ++b) {
-                double* const column = matrix.col(place[static_cast<size_t>(b)]).data();
-                for (Eigen::Index a = b; a < update.rows(); ++a) {
-                    column[place[static_cast<size_t>(a)]] += update(a, b);
-                }
+    const gp::SerialBlas serial;
+    std::vector<Eigen::MatrixXd> matrices(m_fronts.size());
+    std::atomic<bool> is_regular = true;
+    tbb::parallel_for(size_t{0}, m_branches.size(), [&](size_t b) {
+        for (int j = m_branches[b].first; j < m_branches[b].end && is_regular; ++j) {
+            if (!eliminate(j, matrices)) {
+                is_regular = false;
             }
-            update.resize(0, 0);
         }
-        if (!eliminate(supernode, matrix, m_factors[j])) {
-            return false;
-        }
-    }
-    return true;
+    });
+    return is_regular &&
+           std::ranges::all_of(m_trunk, [&](int front) { return eliminate(front, matrices); });
 }
 
 Eigen::VectorXd SaddlePointFactor::gather(const Vector& vector) const {
@@ -226,35 +285,32 @@ SaddlePointFactor::Vector SaddlePointFactor::scatter(const Eigen::VectorXd& unkn
 
 SaddlePointFactor::Vector SaddlePointFactor::solve(const Vector& right_side) const {
     Eigen::VectorXd x = gather(right_side);
-    Eigen::VectorXd v;  // the unknowns of a supernode
-    for (size_t j = 0; j < m_supernodes.size(); ++j) {
-        const Supernode& supernode = m_supernodes[j];
-        const Eigen::MatrixXd& L = m_factors[j];
-        v.setZero(L.rows());
+    Eigen::VectorXd v;  // the unknowns of a front
+    for (const auto& [supernode, panels, L] : m_fronts) {
+        const Eigen::Index size = L.rows();
+        v.setZero(size);
         v.head(L.cols()) = x.segment(supernode.begin, L.cols());
-        for (size_t k = 0; k + 1 < m_panels[j].size(); ++k) {
-            const Eigen::Index begin = m_panels[j][k];
-            const Eigen::Index end = m_panels[j][k + 1];
-            v.tail(v.size() - end).noalias() -=
-                L.block(end, begin, v.size() - end, end - begin) * v.segment(begin, end - begin);
+        for (size_t k = 0; k + 1 < panels.size(); ++k) {
+            const Eigen::Index begin = panels[k];
+            const Eigen::Index end = panels[k + 1];
+            v.tail(size - end).noalias() -=
+                L.block(end, begin, size - end, end - begin) * v.segment(begin, end - begin);
         }
         x.segment(supernode.begin, L.cols()) = v.head(L.cols());
-        x(supernode.rows) += v.tail(v.size() - L.cols());
+        x(supernode.rows) += v.tail(size - L.cols());
     }
-    for (size_t j = m_supernodes.size(); j-- > 0;) {
-        const Supernode& supernode = m_supernodes[j];
-        const Eigen::MatrixXd& L = m_factors[j];
-        v.resize(L.rows());
+    for (const auto& [supernode, panels, L] : m_fronts | std::views::reverse) {
+        const Eigen::Index size = L.rows();
+        v.resize(size);
         v.head(L.cols()) = x.segment(supernode.begin, L.cols());
-        v.tail(v.size() - L.cols()) = x(supernode.rows);
-        for (size_t k = m_panels[j].size() - 1; k-- > 0;) {
-            const Eigen::Index begin = m_panels[j][k];
-            const Eigen::Index end = m_panels[j][k + 1];
+        v.tail(size - L.cols()) = x(supernode.rows);
+        for (size_t k = panels.size() - 1; k-- > 0;) {
+            const Eigen::Index begin = panels[k];
+            const Eigen::Index end = panels[k + 1];
             const Eigen::Index width = end - begin;
             v.segment(begin, width) =
-                (L.block(begin, begin, width, width) * v.segment(begin, width) -
-                 L.block(end, begin, v.size() - end, width).transpose() * v.tail(v.size() - end))
-                    .eval();
+                L.block(begin, begin, width, width) * v.segment(begin, width) -
+                L.block(end, begin, size - end, width).transpose() * v.tail(size - end);
         }
         x.segment(supernode.begin, L.cols()) = v.head(L.cols());
     }
@@ -298,49 +354,58 @@ void SaddlePointFactor::read_covariance(const Supernode& supernode, const Eigen:
     }
 }
 
+/// The inverse at a front, of which its parent has filled in the rows; fills in those of the
+/// children. With Z = A^-1, pivots p of a panel and all later unknowns q of the front:
+///
+///   Z_qp = -Z_qq L,   Z_pp = pivot^-1 - L' Z_qp
+void SaddlePointFactor::invert(int front, std::vector<Eigen::MatrixXd>& inverses,
+                               Covariance& result) const {
+    const auto& [supernode, panels, L] = at(m_fronts, front);
+    const Eigen::Index size = L.rows();
+    Eigen::MatrixXd& Z = at(inverses, front);
+    if (supernode.parent < 0) {
+        Z.setZero(size, size);
+    }
+    for (size_t k = panels.size() - 1; k-- > 0;) {
+        const Eigen::Index begin = panels[k];
+        const Eigen::Index end = panels[k + 1];
+        const Eigen::Index width = end - begin;
+        const auto factor = L.block(end, begin, size - end, width);
+        const auto side = Z.block(end, begin, size - end, width);
+        by_parts(end, size, [&](Eigen::Index from, Eigen::Index rows) {
+            gp::add_product(Z.block(from, begin, rows, width), -1.0,
+                            Z.block(from, end, rows, size - end), factor);
+        });
+        Eigen::MatrixXd top = L.block(begin, begin, width, width);
+        gp::add_transposed_product(top, -1.0, factor, side);
+        Z.block(begin, end, width, size - end) = side.transpose();
+        Z.block(begin, begin, width, width) = 0.5 * (top + top.transpose());
+    }
+    read_covariance(supernode, Z, result);
+    for (const int child : supernode.children) {
+        const std::vector<int>& rows = at(m_fronts, child).supernode.rows_in_parent;
+        const auto q = static_cast<Eigen::Index>(rows.size());
+        const Eigen::Index child_size = at(m_fronts, child).factor.rows();
+        at(inverses, child).setZero(child_size, child_size);
+        at(inverses, child).bottomRightCorner(q, q) = Z(rows, rows);
+    }
+    Z.resize(0, 0);
+}
+
 SaddlePointFactor::Covariance SaddlePointFactor::covariance() const {
     Covariance result{.places = std::vector<Eigen::Matrix3d>(m_edges_of_node.size()),
                       .lengths = Eigen::VectorXd::Zero(length_weights.size()),
                       .extensions = Eigen::VectorXd::Zero(length_weights.size())};
-    // With Z = A^-1, pivots p of a panel and all later unknowns q of its supernode, from the roots
-    // on:
-    //   Z_qp = -Z_qq L,   Z_pp = pivot^-1 - L' Z_qp,
-    // where Z_qq at a supernode's rows is part of what the parent has found.
-    std::vector<Eigen::MatrixXd> inverses(m_supernodes.size());
-    std::vector<int> waiting(m_supernodes.size());
-    for (size_t j = m_supernodes.size(); j-- > 0;) {
-        const Supernode& supernode = m_supernodes[j];
-        const Eigen::MatrixXd& L = m_factors[j];
-        const Eigen::Index size = L.rows();
-        Eigen::MatrixXd& Z = inverses[j];
-        Z.resize(size, size);
-        if (supernode.parent >= 0) {
-            const std::vector<int>& from = supernode.rows_in_parent;
-            const auto q = static_cast<Eigen::Index>(from.size());
-            Z.bottomRightCorner(q, q) = at(inverses, supernode.parent)(from, from);
-            if (--at(waiting, supernode.parent) == 0) {
-                at(inverses, supernode.parent).resize(0, 0);
-            }
-        }
-        for (size_t k = m_panels[j].size() - 1; k-- > 0;) {
-            const Eigen::Index begin = m_panels[j][k];
-            const Eigen::Index end = m_panels[j][k + 1];
-            const Eigen::Index width = end - begin;
-            const auto factor = L.block(end, begin, size - end, width);
-            auto side = Z.block(end, begin, size - end, width);
-            side.setZero();
-            gp::add_product(side, -1.0, Z.bottomRightCorner(size - end, size - end), factor);
-            Eigen::MatrixXd top = L.block(begin, begin, width, width);
-            gp::add_transposed_product(top, -1.0, factor, side);
-            Z.block(begin, end, width, size - end) = side.transpose();
-            Z.block(begin, begin, width, width) = 0.5 * (top + top.transpose());
-        }
-        read_covariance(supernode, Z, result);
-        waiting[j] = static_cast<int>(supernode.children.size());
-        if (supernode.children.empty()) {
-            Z.resize(0, 0);
-        }
+    const gp::SerialBlas serial;
+    std::vector<Eigen::MatrixXd> inverses(m_fronts.size());
+    for (const int front : m_trunk | std::views::reverse) {
+        invert(front, inverses, result);
     }
+    tbb::parallel_for(size_t{0}, m_branches.size(), [&](size_t b) {
+        for (int j = m_branches[b].end; j-- > m_branches[b].first;) {
+            invert(j, inverses, result);
+        }
+    });
     return result;
 }
 

@@ -66,9 +66,23 @@ public:
     [[nodiscard]] Covariance covariance() const;
 
 private:
+    /// A supernode, where its panels begin among its pivots (and the end), and their factor.
+    struct Front {
+        Supernode supernode;
+        std::vector<int> panels;
+        /// The columns of the pivots: for each panel the inverse of its pivot on the diagonal, and
+        /// below it L.
+        Eigen::MatrixXd factor;
+    };
+    /// Fronts first .. end.
+    struct Branch {
+        int first = 0;
+        int end = 0;
+    };
+    void find_branches();
     void assemble(const Supernode& supernode, Eigen::MatrixXd& matrix) const;
-    [[nodiscard]] bool eliminate(const Supernode& supernode, Eigen::MatrixXd& matrix,
-                                 Eigen::MatrixXd& L) const;
+    [[nodiscard]] bool eliminate(int front, std::vector<Eigen::MatrixXd>& matrices);
+    void invert(int front, std::vector<Eigen::MatrixXd>& inverses, Covariance& result) const;
     void read_covariance(const Supernode& supernode, const Eigen::MatrixXd& inverse,
                          Covariance& result) const;
     [[nodiscard]] double extension_variance(int edge, int node, const Supernode& supernode,
@@ -83,12 +97,9 @@ private:
     std::vector<std::vector<int>> m_edges_of_node;  ///< free nodes
     std::vector<int> m_unknown_of_node;             ///< the first of six
     std::vector<int> m_unknown_of_edge;             ///< -1 for a known length
-    std::vector<Supernode> m_supernodes;            ///< children before parents, depth first
-    std::vector<std::vector<int>>
-        m_panels;  ///< one list a supernode: where they begin, and the end
-    /// One a supernode, with its pivots' columns: for each panel the inverse of its pivot on the
-    /// diagonal and below it L.
-    std::vector<Eigen::MatrixXd> m_factors;
+    std::vector<Front> m_fronts;                    ///< children before parents, depth first
+    std::vector<Branch> m_branches;                 ///< subtrees that are independent of each other
+    std::vector<int> m_trunk;                       ///< all other fronts, children before parents
     int m_unknowns = 0;
 };
 
