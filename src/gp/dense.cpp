@@ -34,7 +34,7 @@ int serial_count = 0;
 int threads_before = 1;
 
 /// Fewer multiplications than these are faster without a call to BLAS.
-constexpr double small_product = 4096.0;
+constexpr double small_product = 16384.0;
 
 bool is_small(Eigen::Index rows, Eigen::Index columns, Eigen::Index inner) {
     return static_cast<double>(rows) * static_cast<double>(columns) * static_cast<double>(inner) <
