@@ -7,6 +7,7 @@
 #include <lapacke.h>
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 
 namespace taut::gp {
@@ -27,6 +28,30 @@ Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
     return c;
 }
 
+/// How many SerialBlas live, and the threads of BLAS before the first of them.
+std::mutex serial_mutex;
+int serial_count = 0;
+int threads_before = 1;
+
+/// Fewer multiplications than these are faster without a call to BLAS.
+constexpr double small_product = 16384.0;
+
+bool is_small(Eigen::Index rows, Eigen::Index columns, Eigen::Index inner) {
+    return static_cast<double>(rows) * static_cast<double>(columns) * static_cast<double>(inner) <
+           small_product;
+}
+
+using Part = Eigen::Ref<const Eigen::MatrixXd>;
+
+void add(Eigen::Ref<Eigen::MatrixXd>& c, double factor, CBLAS_TRANSPOSE transpose_a, const Part& a,
+         CBLAS_TRANSPOSE transpose_b, const Part& b) {
+    const Eigen::Index inner = transpose_a == CblasTrans ? a.rows() : a.cols();
+    cblas_dgemm(CblasColMajor, transpose_a, transpose_b, static_cast<int>(c.rows()),
+                static_cast<int>(c.cols()), static_cast<int>(inner), factor, a.data(),
+                static_cast<int>(a.outerStride()), b.data(), static_cast<int>(b.outerStride()), 1.0,
+                c.data(), static_cast<int>(c.outerStride()));
+}
+
 }  // namespace
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -35,6 +60,47 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     return multiply(CblasTrans, a, b);
+}
+
+SerialBlas::SerialBlas() {
+    const std::scoped_lock lock(serial_mutex);
+    if (serial_count++ == 0) {
+        threads_before = openblas_get_num_threads();
+        openblas_set_num_threads(1);
+    }
+}
+
+SerialBlas::~SerialBlas() {
+    const std::scoped_lock lock(serial_mutex);
+    if (--serial_count == 0) {
+        openblas_set_num_threads(threads_before);
+    }
+}
+
+void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const Part& a, const Part& b) {
+    if (is_small(c.rows(), c.cols(), a.cols())) {
+        c.noalias() += factor * a * b;
+    } else {
+        add(c, factor, CblasNoTrans, a, CblasNoTrans, b);
+    }
+}
+
+void add_product_transposed(Eigen::Ref<Eigen::MatrixXd> c, double factor, const Part& a,
+                            const Part& b) {
+    if (is_small(c.rows(), c.cols(), a.cols())) {
+        c.noalias() += factor * a * b.transpose();
+    } else {
+        add(c, factor, CblasNoTrans, a, CblasTrans, b);
+    }
+}
+
+void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const Part& a,
+                            const Part& b) {
+    if (is_small(c.rows(), c.cols(), a.rows())) {
+        c.noalias() += factor * a.transpose() * b;
+    } else {
+        add(c, factor, CblasTrans, a, CblasNoTrans, b);
+    }
 }
 
 Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower, const Eigen::MatrixXd& b) {

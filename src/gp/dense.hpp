@@ -14,6 +14,31 @@ namespace taut::gp {
 [[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
                                                  const Eigen::MatrixXd& b);
 
+/// Keeps BLAS to the calling threads while it lives: for parallel loops that call it, and for
+/// results that are the same for any number of threads.
+class SerialBlas {
+public:
+    SerialBlas();
+    ~SerialBlas();
+    SerialBlas(const SerialBlas&) = delete;
+    SerialBlas& operator=(const SerialBlas&) = delete;
+};
+
+/// c += factor * a * b
+void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                 const Eigen::Ref<const Eigen::MatrixXd>& a,
+                 const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+/// c += factor * a * b'
+void add_product_transposed(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                            const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+/// c += factor * a' * b
+void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                            const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b);
+
 /// x' A x of every column x of b (n x k), for a symmetric A (n x n). Reads the lower triangle of A.
 [[nodiscard]] Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower,
                                               const Eigen::MatrixXd& b);

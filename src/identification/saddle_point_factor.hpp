@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "identification/supernodes.hpp"
 #include "statics/local_net.hpp"
 
 namespace taut {
@@ -17,15 +18,17 @@ namespace taut {
 ///   [    P B'] d        P: weights of lengths, one an interior edge, positive
 ///   [ H  B   ] lambda   H, B: sums over edges, as below
 ///
-/// It is eliminated node by node, in the order of the local net: place and multipliers of a node
-/// make one dense pivot with the lengths of the edges to earlier nodes. Any such order can be
-/// eliminated, as S and P are semidefinite and definite and so is H. And it keeps the digits where
-/// a survey is far more precise than what was known of the lengths: by the time that a length is
-/// eliminated both its ends have told of it. (Eliminating the lengths first, for the smaller matrix
-/// [S H; H -B P^-1 B'], loses them: it subtracts large variances from each other.)
+/// It is eliminated node by node, along each branch of the elimination tree in the order of the
+/// local net: place and multipliers of a node, then the lengths of the edges to earlier nodes. Any
+/// such order can be eliminated, as S and P are semidefinite and definite and so is H. And it keeps
+/// the digits where a survey is far more precise than what was known of the lengths: by the time
+/// that a length is eliminated both its ends have told of it. (Eliminating the lengths first, for
+/// the smaller matrix [S H; H -B P^-1 B'], loses them: it subtracts large variances from each
+/// other.)
 ///
-/// The method is multifrontal: a dense matrix a node that takes the updates of its children in the
-/// elimination tree.
+/// The method is multifrontal: a dense matrix a supernode that takes the updates of its children.
+/// Supernodes are eliminated in panels of some nodes; each is a dense pivot, of which the inverse
+/// is kept.
 class SaddlePointFactor {
 public:
     /// @param interior one flag an edge of the net: whether its length is unknown
@@ -63,21 +66,27 @@ public:
     [[nodiscard]] Covariance covariance() const;
 
 private:
-    /// One node with its pivot: the unknowns begin .. begin + size, six of its own first.
+    /// A supernode, where its panels begin among its pivots (and the end), and their factor.
     struct Front {
-        int begin = 0;
-        int size = 6;
-        int parent = -1;
-        int children = 0;
-        std::vector<int> rows;   ///< later unknowns that it is coupled with, ascending
-        std::vector<int> edges;  ///< all edges at this node
-        Eigen::MatrixXd pivot_inverse;
-        Eigen::MatrixXd L;  ///< rows x pivots
+        Supernode supernode;
+        std::vector<int> panels;
+        /// The columns of the pivots: for each panel the inverse of its pivot on the diagonal, and
+        /// below it L.
+        Eigen::MatrixXd factor;
     };
-    void assemble(int node, Eigen::MatrixXd& matrix, std::vector<int>& place) const;
-    [[nodiscard]] double extension_variance(int edge, int node, const Eigen::MatrixXd& inverse,
-                                            const std::vector<int>& place) const;
-    void set_places(const Front& front, std::vector<int>& place) const;
+    /// Fronts first .. end.
+    struct Branch {
+        int first = 0;
+        int end = 0;
+    };
+    void find_branches();
+    void assemble(const Supernode& supernode, Eigen::MatrixXd& matrix) const;
+    [[nodiscard]] bool eliminate(int front, std::vector<Eigen::MatrixXd>& matrices);
+    void invert(int front, std::vector<Eigen::MatrixXd>& inverses, Covariance& result) const;
+    void read_covariance(const Supernode& supernode, const Eigen::MatrixXd& inverse,
+                         Covariance& result) const;
+    [[nodiscard]] double extension_variance(int edge, int node, const Supernode& supernode,
+                                            const Eigen::MatrixXd& inverse) const;
     [[nodiscard]] bool is_unknown(int edge) const {
         return m_unknown_of_edge[static_cast<size_t>(edge)] >= 0;
     }
@@ -85,9 +94,12 @@ private:
     [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns) const;
 
     const LocalNet& m_net;
-    std::vector<Front> m_fronts;
-    std::vector<int> m_sequence;         ///< of the nodes, children before parents, depth first
-    std::vector<int> m_unknown_of_edge;  ///< -1 for a known length
+    std::vector<std::vector<int>> m_edges_of_node;  ///< free nodes
+    std::vector<int> m_unknown_of_node;             ///< the first of six
+    std::vector<int> m_unknown_of_edge;             ///< -1 for a known length
+    std::vector<Front> m_fronts;                    ///< children before parents, depth first
+    std::vector<Branch> m_branches;                 ///< subtrees that are independent of each other
+    std::vector<int> m_trunk;                       ///< all other fronts, children before parents
     int m_unknowns = 0;
 };
 

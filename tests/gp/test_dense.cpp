@@ -5,6 +5,7 @@
 // LAPACK, which shows only for matrices that are not square or not of one size.
 #include "gp/dense.hpp"
 
+#include <cblas.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -80,6 +81,45 @@ TEST(SymmetricEigen, RefusesAMatrixThatHoldsNoNumber) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(4, 4);
     matrix(2, 1) = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW((void)symmetric_eigen(matrix), std::runtime_error);
+}
+
+/// Parts of larger matrices, for Eigen (small) and BLAS.
+TEST(AddedProducts, AreThoseOfPartsOfMatrices) {
+    for (const Eigen::Index n : {2, 40}) {
+        const Eigen::MatrixXd a = normal_matrix(2 * n + 3, n + 2, 1);
+        const Eigen::MatrixXd b = normal_matrix(n + 5, n + 3, 2);
+        const auto A = a.block(1, 1, 2 * n, n);
+        const auto B = b.block(2, 2, n, n + 1);
+        const Eigen::MatrixXd before = normal_matrix(2 * n + 2, n + 4, 3);
+        const Eigen::MatrixXd expected =
+            before.block(1, 2, 2 * n, n + 1) - 0.5 * Eigen::MatrixXd(A) * Eigen::MatrixXd(B);
+        const Eigen::MatrixXd at = A.transpose();
+        const Eigen::MatrixXd bt = B.transpose();
+
+        Eigen::MatrixXd c = before;
+        add_product(c.block(1, 2, 2 * n, n + 1), -0.5, A, B);
+        EXPECT_TRUE(c.block(1, 2, 2 * n, n + 1).isApprox(expected, 1e-13));
+        EXPECT_EQ(c.col(1), before.col(1));
+        EXPECT_EQ(c.row(2 * n + 1), before.row(2 * n + 1));
+        c = before;
+        add_product_transposed(c.block(1, 2, 2 * n, n + 1), -0.5, A, bt);
+        EXPECT_TRUE(c.block(1, 2, 2 * n, n + 1).isApprox(expected, 1e-13));
+        c = before;
+        add_transposed_product(c.block(1, 2, 2 * n, n + 1), -0.5, at, B);
+        EXPECT_TRUE(c.block(1, 2, 2 * n, n + 1).isApprox(expected, 1e-13));
+    }
+}
+
+TEST(SerialBlas, GivesTheThreadsBackWithTheLast) {
+    const int before = openblas_get_num_threads();
+    {
+        const SerialBlas outer;
+        {
+            const SerialBlas inner;
+        }
+        EXPECT_EQ(openblas_get_num_threads(), 1);
+    }
+    EXPECT_EQ(openblas_get_num_threads(), before);
 }
 
 }  // namespace

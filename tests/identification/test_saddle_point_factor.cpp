@@ -9,16 +9,18 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "taut/design/builtin_nets.hpp"
+#include "taut/threads.hpp"
 
 namespace {
 
 using namespace taut;
 
-class OnAHypar : public testing::Test {
+class OnANet : public testing::Test {
 protected:
-    OnAHypar() {
+    explicit OnANet(CableNet net) : m_net(std::move(net)) {
         srand(1);
         m_factor.place_weights = Eigen::Matrix3Xd::Random(3, n).cwiseAbs();
         m_factor.place_weights.col(3).setZero();  // a hidden node
@@ -66,7 +68,50 @@ protected:
         return K.selfadjointView<Eigen::Lower>();
     }
 
-    const CableNet m_net = hypar(4, 5);
+    void expect_the_solution_of_the_dense_matrix() {
+        ASSERT_TRUE(m_factor.factorize());
+        const int m = m_net.edge_count();
+        Eigen::VectorXd b = Eigen::VectorXd::Random(6 * n + m);
+        for (int e = 0; e < m; ++e) {
+            b(6 * n + e) *= m_interior[static_cast<size_t>(e)] ? 1.0 : 0.0;
+        }
+        const Eigen::VectorXd x = dense().partialPivLu().solve(b);
+        const auto found = m_factor.solve({.places = b.head(3 * n).reshaped(3, n),
+                                           .lengths = b.tail(m),
+                                           .multipliers = b.segment(3 * n, 3 * n).reshaped(3, n)});
+        EXPECT_LT((found.places.reshaped() - x.head(3 * n)).norm(), 1e-9 * x.norm());
+        EXPECT_LT((found.multipliers.reshaped() - x.segment(3 * n, 3 * n)).norm(), 1e-9 * x.norm());
+        EXPECT_LT((found.lengths - x.tail(m)).norm(), 1e-9 * x.norm());
+    }
+
+    void expect_the_covariance_of_the_dense_inverse() {
+        ASSERT_TRUE(m_factor.factorize());
+        const Eigen::MatrixXd Z = dense().inverse();
+        const auto covariance = m_factor.covariance();
+        for (int i = 0; i < n; ++i) {
+            const Eigen::Matrix3d expected = Z.block<3, 3>(3 * i, 3 * i);
+            EXPECT_LT((covariance.places[static_cast<size_t>(i)] - expected).norm(),
+                      1e-8 * (1.0 + expected.norm()));
+        }
+        for (const int e : m_net.interior_edges()) {
+            const int row = 6 * n + e;
+            EXPECT_NEAR(covariance.lengths(e), Z(row, row), 1e-8);
+            // Extension: the ends' distance along -B, less the length.
+            Eigen::VectorXd w = Eigen::VectorXd::Zero(Z.rows());
+            const Eigen::Vector3d u = -m_factor.length_rates.col(e).normalized();
+            const auto [s, t] = m_local.edges[static_cast<size_t>(e)];
+            if (s < n) {
+                w.segment<3>(3 * s) = u;
+            }
+            if (t < n) {
+                w.segment<3>(3 * t) = -u;
+            }
+            w(row) = -1.0;
+            EXPECT_NEAR(covariance.extensions(e), w.dot(Z * w), 1e-8);
+        }
+    }
+
+    const CableNet m_net;
     const LocalNet m_local = number_for_elimination(m_net);
     const int n = m_local.free_count;
     std::vector<bool> m_interior = interior_flags();
@@ -82,47 +127,28 @@ private:
     }
 };
 
+class OnAHypar : public OnANet {
+protected:
+    OnAHypar() : OnANet(hypar(4, 5)) {}
+};
+
+/// Large enough for supernodes of several panels and for branches.
+class OnALargerHypar : public OnANet {
+protected:
+    OnALargerHypar() : OnANet(hypar(14, 14)) {}
+};
+
+class OnAHyparOfManyBranches : public OnANet {
+protected:
+    OnAHyparOfManyBranches() : OnANet(hypar(30, 30)) {}
+};
+
 TEST_F(OnAHypar, TheSolutionIsThatOfTheDenseMatrix) {
-    ASSERT_TRUE(m_factor.factorize());
-    const int m = m_net.edge_count();
-    Eigen::VectorXd b = Eigen::VectorXd::Random(6 * n + m);
-    for (int e = 0; e < m; ++e) {
-        b(6 * n + e) *= m_interior[static_cast<size_t>(e)] ? 1.0 : 0.0;
-    }
-    const Eigen::VectorXd x = dense().partialPivLu().solve(b);
-    const auto found = m_factor.solve({.places = b.head(3 * n).reshaped(3, n),
-                                       .lengths = b.tail(m),
-                                       .multipliers = b.segment(3 * n, 3 * n).reshaped(3, n)});
-    EXPECT_LT((found.places.reshaped() - x.head(3 * n)).norm(), 1e-9 * x.norm());
-    EXPECT_LT((found.multipliers.reshaped() - x.segment(3 * n, 3 * n)).norm(), 1e-9 * x.norm());
-    EXPECT_LT((found.lengths - x.tail(m)).norm(), 1e-9 * x.norm());
+    expect_the_solution_of_the_dense_matrix();
 }
 
 TEST_F(OnAHypar, TheCovarianceIsThatOfTheDenseInverse) {
-    ASSERT_TRUE(m_factor.factorize());
-    const Eigen::MatrixXd Z = dense().inverse();
-    const auto covariance = m_factor.covariance();
-    for (int i = 0; i < n; ++i) {
-        const Eigen::Matrix3d expected = Z.block<3, 3>(3 * i, 3 * i);
-        EXPECT_LT((covariance.places[static_cast<size_t>(i)] - expected).norm(),
-                  1e-8 * (1.0 + expected.norm()));
-    }
-    for (const int e : m_net.interior_edges()) {
-        const int row = 6 * n + e;
-        EXPECT_NEAR(covariance.lengths(e), Z(row, row), 1e-8);
-        // Extension: the ends' distance along -B, less the length.
-        Eigen::VectorXd w = Eigen::VectorXd::Zero(Z.rows());
-        const Eigen::Vector3d u = -m_factor.length_rates.col(e).normalized();
-        const auto [s, t] = m_local.edges[static_cast<size_t>(e)];
-        if (s < n) {
-            w.segment<3>(3 * s) = u;
-        }
-        if (t < n) {
-            w.segment<3>(3 * t) = -u;
-        }
-        w(row) = -1.0;
-        EXPECT_NEAR(covariance.extensions(e), w.dot(Z * w), 1e-8);
-    }
+    expect_the_covariance_of_the_dense_inverse();
 }
 
 TEST_F(OnAHypar, ASingularPivotIsTold) {
@@ -130,6 +156,49 @@ TEST_F(OnAHypar, ASingularPivotIsTold) {
     std::ranges::fill(m_factor.node_stiffness, Eigen::Matrix3d::Zero());
     std::ranges::fill(m_factor.edge_stiffness, Eigen::Matrix3d::Zero());
     EXPECT_FALSE(m_factor.factorize());
+}
+
+TEST_F(OnALargerHypar, TheSolutionIsThatOfTheDenseMatrix) {
+    expect_the_solution_of_the_dense_matrix();
+}
+
+TEST_F(OnALargerHypar, TheCovarianceIsThatOfTheDenseInverse) {
+    expect_the_covariance_of_the_dense_inverse();
+}
+
+// A far more precise survey than the lengths' law: variances fall by ten orders of magnitude.
+TEST_F(OnALargerHypar, PreciseSurveysKeepTheDigits) {
+    m_factor.place_weights.setConstant(1e10);
+    ASSERT_TRUE(m_factor.factorize());
+    const Eigen::MatrixXd Z = dense().inverse();
+    const auto covariance = m_factor.covariance();
+    for (int i = 0; i < n; ++i) {
+        const Eigen::Matrix3d expected = Z.block<3, 3>(3 * i, 3 * i);
+        EXPECT_LT((covariance.places[static_cast<size_t>(i)] - expected).norm(),
+                  1e-6 * expected.norm());
+    }
+}
+
+TEST_F(OnAHyparOfManyBranches, TheResultsAreTheSameForAnyNumberOfThreads) {
+    const SaddlePointFactor::Vector right_side{
+        .places = Eigen::Matrix3Xd::Random(3, n),
+        .lengths = Eigen::VectorXd::Random(m_net.edge_count()),
+        .multipliers = Eigen::Matrix3Xd::Random(3, n)};
+    const auto found = [&](int threads) {
+        const ThreadLimit limit(threads);
+        EXPECT_TRUE(m_factor.factorize());
+        return std::pair(m_factor.solve(right_side), m_factor.covariance());
+    };
+    const auto [solution, covariance] = found(1);
+    for (const int threads : {2, 4}) {
+        const auto [other_solution, other_covariance] = found(threads);
+        EXPECT_EQ(other_solution.places, solution.places);
+        EXPECT_EQ(other_solution.lengths, solution.lengths);
+        EXPECT_EQ(other_solution.multipliers, solution.multipliers);
+        EXPECT_EQ(other_covariance.places, covariance.places);
+        EXPECT_EQ(other_covariance.lengths, covariance.lengths);
+        EXPECT_EQ(other_covariance.extensions, covariance.extensions);
+    }
 }
 
 }  // namespace
