@@ -117,6 +117,9 @@ LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likel
         posterior.lower = std::max(std::min(posterior.lower, likelihood.slack_from), -bound);
         posterior.upper = std::isfinite(bound) ? bound : posterior.upper;
     }
+    // A slack part of little weight can draw the mean beyond the interval, far as it reaches.
+    posterior.lower = std::min(posterior.lower, posterior.mean);
+    posterior.upper = std::max(posterior.upper, posterior.mean);
     return posterior;
 }
 

@@ -20,14 +20,19 @@ std::vector<LengthLikelihood> likelihoods(const CableNet& net, const Conditioned
     std::vector<LengthLikelihood> result;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        // At loose nodes the variances can be lost in rounding errors: then nothing is told.
+        const bool is_told = variances(i) > 0.0;
         LengthLikelihood likelihood =
-            without_prior(knowledge.mean(i), std::sqrt(knowledge.variance(i)), fitted.deviations(i),
-                          std::sqrt(variances(i)));
+            is_told ? without_prior(knowledge.mean(i), std::sqrt(knowledge.variance(i)),
+                                    fitted.deviations(i), std::sqrt(variances(i)))
+                    : LengthLikelihood();
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
-        likelihood.extension = statics.slack()[static_cast<size_t>(edge)]
-                                   ? -std::numeric_limits<double>::infinity()
-                                   : (likelihood.slack_from - fitted.deviations(i)) /
-                                         std::sqrt(extension_variances(i));
+        if (statics.slack()[static_cast<size_t>(edge)]) {
+            likelihood.extension = -std::numeric_limits<double>::infinity();
+        } else if (extension_variances(i) > 0.0) {
+            likelihood.extension =
+                (likelihood.slack_from - fitted.deviations(i)) / std::sqrt(extension_variances(i));
+        }
         result.push_back(likelihood);
     }
     return result;

@@ -228,9 +228,9 @@ TEST_F(Chain, JsonIsAllThatStandardOutputHolds) {
         EXPECT_TRUE(document.is_object()) << testing::PrintToString(command);
     }
     EXPECT_EQ(json::parse(must_run({"inspect", "net.json", "--json"}))["net"]["free_nodes"], 12);
-    EXPECT_EQ(must_run({"identify", "net.json", "form.csv", "--model", "model.h5", "-o",
-                        "result.json", "--json"}),
-              read("result.json"));
+    const std::string printed = must_run({"identify", "net.json", "form.csv", "--model", "model.h5",
+                                          "-o", "result.json", "--json"});
+    EXPECT_EQ(printed, read("result.json"));
 }
 
 TEST_F(Chain, ACommandThatSucceedsReplacesItsOutput) {

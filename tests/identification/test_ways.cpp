@@ -20,6 +20,7 @@
 #include "taut/identification/best_possible.hpp"
 #include "taut/identification/force_balance.hpp"
 #include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/sampling/sampler.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -252,6 +253,34 @@ TEST(Ways, RefuseSurveysThatMakeNoSense) {
     EXPECT_THROW((void)identify_by_maximum_a_posteriori(net_7x7, good, uniform_3mm,
                                                         {.false_alarm_rate = 1.0}),
                  std::invalid_argument);
+}
+
+TEST(Ways, TellNoNumberThatIsNotOneWhereNodesAreLoose) {
+    // Lengths that leave whole nodes without tension.
+    const CableNet net = hypar(4, 5);
+    const LengthLaw wide{LengthLaw::Kind::uniform, 0.02};
+    const Sampler sampler(net, wide, 3);
+    DataSet data = sampler.empty();
+    sampler.extend(data, 40);
+    for (const int k : data.converged_in(0, 40)) {
+        for (const double noise : {0.0, 0.0005}) {
+            const Survey survey{
+                .form = with_free_coordinates(net, data.nominal_form + data.form_deviations.col(k)),
+                .noise_std = Points::Constant(3, net.node_count(), noise),
+                .surveyed = net.free_nodes(),
+                .missing = {}};
+            for (const bool by_balance : {true, false}) {
+                const Identification found = by_balance
+                                                 ? identify_by_force_balance(net, survey, wide)
+                                                 : map(net, survey, wide);
+                for (const IdentifiedEdge& e : found.edges) {
+                    ASSERT_TRUE(std::isfinite(e.std) && e.lower <= e.length_deviation &&
+                                e.length_deviation <= e.upper)
+                        << "sample " << k << ", edge " << e.edge;
+                }
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ struct LengthPosterior {
 };
 
 /// Likelihood times the density of the law itself, normalised: exactly, a mixture of truncated
-/// normal and uniform distributions. The interval holds 95 %, 2.5 % on either side; it never leaves
-/// the bounds of a uniform law. Where the edge is rather slack than not, all that is known is that
-/// bound: the interval begins at slack_from or where it would anyway, if that is lower, and ends at
-/// the bound of a uniform law.
+/// normal and uniform distributions. The interval holds 95 %, 2.5 % on either side, or more where
+/// it has to reach to the mean; it never leaves the bounds of a uniform law. Where the edge is
+/// rather slack than not, all that is known is that bound: the interval begins at slack_from or
+/// where it would anyway, if that is lower, and ends at the bound of a uniform law.
 /// @throws std::invalid_argument for a mean that is not finite, or a std that is not positive
 [[nodiscard]] LengthPosterior posterior_of(const LengthLaw& law,
                                            const LengthLikelihood& likelihood);
