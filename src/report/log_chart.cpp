@@ -121,9 +121,9 @@ std::optional<Drawing> log_chart(const LogChart& chart, const std::vector<LogSer
     if (places.values().empty()) {
         return std::nullopt;
     }
-    constexpr double line_height = 18.0;
+    constexpr double legend_line_height = 18.0;
     constexpr double plot_height = 280.0;
-    const double top = 10.0 + line_height * static_cast<double>(series.size());
+    const double top = 10.0 + legend_line_height * static_cast<double>(series.size());
     const double height = top + plot_height;
     const double lowest = lowest_drawn(series);
     const Axes axes = log_axes(chart, series, places, lowest, top, height);
@@ -140,7 +140,7 @@ std::optional<Drawing> log_chart(const LogChart& chart, const std::vector<LogSer
         draw_legend(
             svg, {axes.x.from, legend_y},
             {{.style = s.style, .words = s.name, .mark = Mark::dash, .attributes = is_wide}});
-        legend_y += line_height;
+        legend_y += legend_line_height;
         PathData line;
         PathData dots;
         bool is_joined = false;
@@ -151,7 +151,7 @@ std::optional<Drawing> log_chart(const LogChart& chart, const std::vector<LogSer
                 svg.path(s.style, mark, is_dot);
                 svg.text({axes.x(places(x)) + 8.0, word_y},
                          fmt::format("{} {}", short_number(y), chart.y_unit));
-                word_y -= line_height;
+                word_y -= legend_line_height;
                 continue;
             }
             const Eigen::Vector2d place = axes(places(x), std::log10(y));

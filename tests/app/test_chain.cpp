@@ -228,8 +228,8 @@ TEST_F(Chain, JsonIsAllThatStandardOutputHolds) {
         EXPECT_TRUE(document.is_object()) << testing::PrintToString(command);
     }
     EXPECT_EQ(json::parse(must_run({"inspect", "net.json", "--json"}))["net"]["free_nodes"], 12);
-    const std::string printed = must_run({"identify", "net.json", "form.csv", "--model", "model.h5",
-                                          "-o", "result.json", "--json"});
+    const std::string printed = must_run(
+        {"identify", "net.json", "form.csv", "--model", "model.h5", "-o", "result.json", "--json"});
     EXPECT_EQ(printed, read("result.json"));
 }
 
