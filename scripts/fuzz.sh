@@ -58,7 +58,8 @@ copy() { # reader file
     [[ ! -d $seeds/$1 ]] || cp "$2" $seeds/"$1"/
 }
 
-# Says nothing until it ends, since others run beside it.
+# Says nothing until it ends, since others run beside it. With a fixed seed, so that a run is all but
+# repeatable; the corpus that it leaves makes the next one go on from there.
 fuzz() { # reader
     local reader=$1 found=tests/fuzz/found/$1 log=$build/fuzz/$1.log
     [[ -d $found ]] || found=
@@ -66,7 +67,7 @@ fuzz() { # reader
     # shellcheck disable=SC2086
     if "$build/tests/fuzz/fuzz_$reader" "$build/fuzz/corpus/$reader" "$seeds/$reader" $found \
         -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -max_len=65536 \
-        -print_final_stats=1 -verbosity=0 -artifact_prefix="$build/fuzz/$reader-" 2>"$log"; then
+        -seed=1 -print_final_stats=1 -verbosity=0 -artifact_prefix="$build/fuzz/$reader-" 2>"$log"; then
         echo "fuzz: $reader: $(grep -oE "number_of_executed_units: *[0-9]+" "$log")"
         return 0
     fi
