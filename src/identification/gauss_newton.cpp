@@ -61,8 +61,16 @@ GaussNewtonResult fit_under_statics(ConditionedStatics& statics, const Knowledge
         double part = 1.0;
         Guess trial = moved(result.guess, step, part);
         Guess next = statics.step(trial, knowledge);
-        while (part > shortest_part && size_of(next) > (1.0 - 0.5 * part) * size_of(step) &&
-               size_of(next) > tolerance) {
+        const auto leads_astray = [&] {
+            return size_of(next) > (1.0 - 0.5 * part) * size_of(step) && size_of(next) > tolerance;
+        };
+        // A matrix from elsewhere need not even give a direction of descent.
+        if (!is_linearised_here && leads_astray()) {
+            step = linearised_step();
+            is_linearised_here = true;
+            continue;
+        }
+        while (part > shortest_part && leads_astray()) {
             part *= 0.5;
             trial = moved(result.guess, step, part);
             next = statics.step(trial, knowledge);

@@ -65,8 +65,9 @@ void amalgamate(std::vector<Supernode>& nodes) {
         Supernode& node = element(nodes, j);
         // Those with the most rows add the fewest zeros.
         std::vector<int> candidates = std::exchange(node.children, {});
-        std::ranges::stable_sort(candidates, std::greater{},
-                                 [&](int child) { return element(nodes, child).rows.size(); });
+        std::ranges::sort(candidates, std::greater{}, [&](int child) {
+            return std::pair(element(nodes, child).rows.size(), child);
+        });
         for (const int c : candidates) {
             Supernode& child = element(nodes, c);
             node.size += child.size;
