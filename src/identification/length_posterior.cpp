@@ -22,11 +22,15 @@ double log_normal_density(double x, double mean, double std) {
     return -0.5 * z * z - (std < infinity ? std::log(std) : 0.0);
 }
 
+/// Pressure that is no tension for sure, in standard deviations: more, and its square could
+/// overflow.
+constexpr double surely_slack = -1e6;
+
 /// Adds law part times likelihood: N(centre, spread^2) (uniform where the spread is infinite) on
 /// [lower, upper].
 void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likelihood,
               double centre, double spread, double lower, double upper) {
-    const double z = likelihood.extension;
+    const double z = likelihood.extension < surely_slack ? -infinity : likelihood.extension;
     if (z > -infinity) {
         // A product of normal densities is one again.
         const double law_precision = 1.0 / (spread * spread);
@@ -100,7 +104,7 @@ LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likel
             }
             break;
     }
-    if (likelihood.extension == -infinity && !(likelihood.slack_from < bound)) {
+    if (likelihood.extension < surely_slack && !(likelihood.slack_from < bound)) {
         // Slack, though the law has no such length: the law alone.
         LengthLikelihood none;
         none.extension = infinity;

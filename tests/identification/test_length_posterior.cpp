@@ -133,4 +133,21 @@ TEST(WithoutPrior, TimesThePriorIsThePosterior) {
     EXPECT_EQ(without_prior(0.0, 0.003, 0.0, 0.003).std, infinity);
 }
 
+TEST(LengthPosterior, OfAnEdgeUnderAnyPressureIsThatOfASlackOne) {
+    const LengthLikelihood slack{.mean = 0.001,
+                                 .std = 1e-6,
+                                 .slack_from = -0.002,
+                                 .extension = -std::numeric_limits<double>::infinity()};
+    for (const double z : {-1e7, -1e160, -1e300}) {
+        LengthLikelihood pressed = slack;
+        pressed.extension = z;
+        for (const LengthLaw& law : {uniform, normal, bimodal}) {
+            EXPECT_EQ(posterior_of(law, pressed).mean, posterior_of(law, slack).mean);
+            pressed.slack_from = 0.9;  // beyond any law
+            EXPECT_TRUE(std::isfinite(posterior_of(law, pressed).mean));
+            pressed.slack_from = slack.slack_from;
+        }
+    }
+}
+
 }  // namespace

@@ -167,8 +167,8 @@ TEST(MaximumAPosteriori, SettlesOnANetThatHardlyStretches) {
     constexpr int surveys = 10;
     double inside_all = 0.0;
     for (std::uint64_t seed = 0; seed < surveys; ++seed) {
-        const SimulatedSurvey s = simulate(stiff, uniform, 0.0005, seed);
-        const Identification result = map(stiff, s.survey, uniform);
+        const SimulatedSurvey s = simulate(stiff, uniform_3mm, 0.0005, seed);
+        const Identification result = map(stiff, s.survey, uniform_3mm);
         EXPECT_EQ(result.status, IdentificationStatus::converged) << "seed " << seed;
         inside_all += inside(result, s.deviations);
     }
