@@ -34,7 +34,7 @@ check_licence_lines() {
 clang_tidy() {
     local folder=$1 checks=$3 seen file stamp
     cmake --log-level=WARNING --preset release -B "$folder" -DCMAKE_UNITY_BUILD="$2" \
-        -DTAUT_BUILD_TESTS=OFF -DTAUT_BUILD_EXAMPLES=OFF -DTAUT_BUILD_BENCHMARKS=OFF
+        -DTAUT_BUILD_TESTS=OFF -DTAUT_BUILD_EXAMPLES=OFF -DTAUT_BUILD_BENCHMARKS=OFF || return 1
     seen=$(cat .clang-tidy "${sources[@]}" <(printf '%s\n' "$checks" "${sources[@]}") | sha256sum)
     mkdir -p $stamps
     /usr/bin/python3 -c 'import json, sys; [print(entry["file"]) for entry in json.load(sys.stdin)]' \

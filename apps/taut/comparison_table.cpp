@@ -13,13 +13,19 @@
 namespace taut::app {
 namespace {
 
-constexpr const char* row_format = "  {:>8}  {:<15}{:>10}{:>10}{:>8}{:>10}{:>9}{:>10}{:>10}{:>8}\n";
+constexpr const char* row_format =
+    "  {:>8}  {:<15}{:>9} {:>9} {:>8} {:>8} {:>8} {:>9} {:>9} {:>7}\n";
 
 std::string head(const std::string& axis) {
     return fmt::format(row_format, axis, "", "MSE", "RMSE", "over", "MRSE", "form", "inside",
                        "training", "each") +
            fmt::format(row_format, "", "", "[m2]", "[mm]", "best", "[%]", "[mm]", "95 % [%]", "[s]",
                        "[ms]");
+}
+
+std::string over(double factor) {
+    constexpr double large = 1000.0;
+    return factor < large ? fmt::format("{:.2f}", factor) : fmt::format("{:.1e}", factor);
 }
 
 std::string best_line(const std::string& place, const std::optional<BestPossible>& best) {
@@ -34,9 +40,8 @@ std::string line(const std::string& place, const ComparisonRow& row) {
     const MethodResult& r = row.result;
     std::string text;
     if (r.identified() > 0) {
-        const auto over_best = row.best_possible
-                                   ? fmt::format("{:.2f}", r.errors.mse / row.best_possible->mse)
-                                   : std::string("-");
+        const auto over_best =
+            row.best_possible ? over(r.errors.mse / row.best_possible->mse) : std::string("-");
         const bool has_form = r.forms_not_converged < r.identified();
         text = fmt::format(row_format, place, r.name, fmt::format("{:.3g}", r.errors.mse),
                            fmt::format("{:.3g}", 1e3 * std::sqrt(r.errors.mse)), over_best,

@@ -22,6 +22,7 @@
 #include "taut/io/survey_csv.hpp"
 #include "taut/net/units.hpp"
 #include "taut/sampling/sampler.hpp"
+#include "taut/statics/tensions.hpp"
 #include "taut/study/study.hpp"
 #include "training.hpp"
 
@@ -191,21 +192,54 @@ std::string failure_text(const IdentifyOptions& options, const Survey& survey,
             options.survey, result.outliers.size(), survey.surveyed.size(),
             format_length(survey.noise_std(Eigen::all, survey.surveyed).maxCoeff()));
     }
-    return fmt::format("{}: method {} found no lengths that settle: {}", options.survey,
-                       result.method, to_string(result.status));
+    return fmt::format("{}: method {} found no lengths that settle: {}{}", options.survey,
+                       result.method, to_string(result.status),
+                       result.method == "gp" ? "" : "; --method gp needs no such search");
+}
+
+/// Checks of a law for a net, by the rules of the sampler.
+void check_law_of(const CableNet& net, const IdentifyOptions& options) {
+    try {
+        check_law(net, parse_length_law(options.law));
+    } catch (const std::invalid_argument& error) {
+        throw InputError(options.net, "", error.what());
+    }
+}
+
+/// An exact form is met to rounding errors by the lengths that balance it. Where it is not, the
+/// intervals would be those of an exact survey around lengths that are not.
+void refuse_inexact_form(const IdentifyOptions& options, const CableNet& net, const Survey& survey,
+                         const Identification& result) {
+    constexpr double rounding = 1e-5;  // of an edge length
+    const double miss =
+        std::sqrt(result.residuals.squaredNorm() / static_cast<double>(result.residuals.size()));
+    if (result.method != "gp" && !is_noisy(survey) &&
+        miss > rounding * edge_lengths(net, net.nodes()).mean()) {
+        throw InputError(options.survey, "",
+                         fmt::format("is taken for exact, but no lengths of the law {} give its "
+                                     "form: the nearest miss it by {:.3g} mm RMS. Tell its noise "
+                                     "(--noise, or sx, sy, sz in the file), or another law",
+                                     options.law, 1e3 * miss));
+    }
 }
 
 void run(const IdentifyOptions& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
+    check_law_of(net, options);
     const Survey survey = read_survey(net, options);
     const Choice choice = choose_method(options, net, survey);
+    if (!options.model.empty() && choice.method != "gp") {
+        throw std::invalid_argument(
+            fmt::format("--model is for --method gp, not for {}", choice.method));
+    }
     check_outputs({options.output}, {options.net, options.survey, options.model, options.control});
     Outcome outcome = identify(options, net, survey, choice.method);
     outcome.result.method_reason = choice.reason;
     if (outcome.result.status != IdentificationStatus::converged) {
         throw NumericalFailure(failure_text(options, survey, outcome.result));
     }
+    refuse_inexact_form(options, net, survey, outcome.result);
     const std::string document = identification_to_json(net, survey, outcome.result, run_record());
     if (!options.output.empty()) {
         write_file(options.output, document);

@@ -21,7 +21,8 @@ constexpr const char* method_format = "  {:<15}{:>10}{:>9}{:>15}{:>13}{:>12}{:>1
 
 std::string method_line(const MethodResult& method) {
     if (method.identified() == 0) {
-        return fmt::format("  {:<15}failed: {}\n", method.name, method.first_failure);
+        return fmt::format("  {:<15}failed on all {} samples: {}\n", method.name, method.surveys,
+                           method.first_failure);
     }
     const LengthErrors& errors = method.errors;
     std::string text = fmt::format(method_format, method.name, fmt::format("{:.2g}", errors.mse),

@@ -11,6 +11,7 @@
 #include "taut/io/survey_csv.hpp"
 #include "taut/io/target_list.hpp"
 #include "taut/net/units.hpp"
+#include "taut/statics/tensions.hpp"
 #include "taut/survey/registration.hpp"
 
 namespace taut::app {
@@ -24,6 +25,19 @@ auto with_points_of(const std::string& file, const Action& action) {
         return action();
     } catch (const SurveyError& error) {
         throw InputError(file, error.line() > 0 ? std::to_string(error.line()) : "", error.what());
+    }
+}
+
+/// Noise that hides which node a target is on is most likely told in another unit.
+void refuse_absurd_noise(const CableNet& net, const Survey& survey) {
+    const double noise = survey.noise_std(Eigen::all, survey.surveyed).maxCoeff();
+    const double length = edge_lengths(net, net.nodes()).mean();
+    if (noise > length) {
+        throw SurveyError(
+            0,
+            fmt::format("noise of {:.4g} mm, expected less than the mean edge length, {:.4g} mm: "
+                        "is it told in another unit?",
+                        1e3 * noise, 1e3 * length));
     }
 }
 
@@ -84,6 +98,7 @@ Survey read_survey(const CableNet& net, const SurveyOptions& options) {
         }
         Survey survey = match_to_nodes(net, points, noise_std);
         refuse_empty(survey);
+        refuse_absurd_noise(net, survey);
         survey.control = std::move(residuals);
         return survey;
     });
@@ -103,6 +118,7 @@ Survey read_planned_survey(const CableNet& net, const SurveyOptions& options) {
     return with_points_of(options.survey, [&] {
         Survey survey = planned_survey(net, *targets, parse_noise(options.noise));
         refuse_empty(survey);
+        refuse_absurd_noise(net, survey);
         return survey;
     });
 }

@@ -157,7 +157,8 @@ void add_train(CLI::App& program) {
     command
         .add_option("--mean", options->mean,
                     "What is expected before anything is learnt: geometry (nominal strain in the "
-                    "edges as measured; default) or zero")
+                    "edges as measured; default) or zero, with the isotropic kernel the same as "
+                    "--as-in-paper")
         ->check(CLI::IsMember(names(all_means)))
         ->excludes(paper);
     command

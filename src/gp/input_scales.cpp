@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <nlopt.hpp>
 #include <stdexcept>
@@ -52,11 +53,13 @@ struct Problem {
     const std::vector<int>& groups;
     std::vector<double> best_log_scales;
     double best_value = std::numeric_limits<double>::infinity();
+    const std::function<void()>& progress;
+    std::exception_ptr failure;
 };
 
 Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
-                   const Eigen::Ref<const Eigen::MatrixXd>& outputs,
-                   const std::vector<int>& groups) {
+                   const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups,
+                   const std::function<void()>& progress) {
     const Eigen::Index n = std::min(most_inputs, inputs.cols());
     std::vector<Eigen::Index> usable;
     for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
@@ -68,35 +71,55 @@ Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     return {.inputs = inputs.leftCols(n),
             .outputs = outputs.topRows(n)(Eigen::all, usable),
             .groups = groups,
-            .best_log_scales = {}};
+            .best_log_scales = {},
+            .progress = progress,
+            .failure = {}};
 }
 
-double evaluate(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
+ScalesLikelihood evaluate(const Problem& problem, const Eigen::VectorXd& log_scales) {
+    if (problem.progress) {
+        problem.progress();
+    }
+    return scales_likelihood(problem.inputs, problem.outputs, problem.groups, log_scales);
+}
+
+/// For NLopt, which carries exceptions of few kinds.
+double objective(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
     auto& problem = *static_cast<Problem*>(data);
-    const ScalesLikelihood at = scales_likelihood(
-        problem.inputs, problem.outputs, problem.groups,
-        Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-    if (!gradient.empty()) {
-        Eigen::VectorXd::Map(gradient.data(), at.gradient.size()) = at.gradient;
+    if (problem.failure) {  // its line search does not end at once
+        throw nlopt::forced_stop();
     }
-    if (at.value < problem.best_value) {
-        problem.best_value = at.value;
-        problem.best_log_scales = x;
+    try {
+        const ScalesLikelihood at =
+            evaluate(problem, Eigen::VectorXd::Map(x.data(), static_cast<Eigen::Index>(x.size())));
+        if (!gradient.empty()) {
+            Eigen::VectorXd::Map(gradient.data(), at.gradient.size()) = at.gradient;
+        }
+        if (at.value < problem.best_value) {
+            problem.best_value = at.value;
+            problem.best_log_scales = x;
+        }
+        return at.value;
+    } catch (...) {
+        problem.failure = std::current_exception();
+        throw nlopt::forced_stop();
     }
-    return at.value;
 }
 
 /// One scale for all: the best of a few, from that of a nearly linear kernel to a rough one.
 double best_common_scale(const Problem& problem, Eigen::Index group_count) {
     const Eigen::MatrixXd squares = squared_distances(problem.inputs, problem.inputs);
     const double distance = std::sqrt(squares.mean());
+    if (!(distance > 0.0)) {
+        throw std::invalid_argument(
+            "the training inputs are all the same, expected different ones");
+    }
     double best = 0.0;
     double best_value = std::numeric_limits<double>::infinity();
     for (const double length_scale : {100.0, 30.0, 10.0, 3.0, 1.0}) {
         const double log_scale = -std::log(length_scale * distance);
-        const double value = scales_likelihood(problem.inputs, problem.outputs, problem.groups,
-                                               Eigen::VectorXd::Constant(group_count, log_scale))
-                                 .value;
+        const double value =
+            evaluate(problem, Eigen::VectorXd::Constant(group_count, log_scale)).value;
         if (value < best_value) {
             best = log_scale;
             best_value = value;
@@ -151,31 +174,34 @@ ScalesLikelihood scales_likelihood(const Eigen::Ref<const Eigen::MatrixXd>& inpu
 
 Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                                       const Eigen::Ref<const Eigen::MatrixXd>& outputs,
-                                      const std::vector<int>& groups) {
+                                      const std::vector<int>& groups,
+                                      const std::function<void()>& progress) {
     const int count = group_count(groups, inputs.rows());
     if (outputs.rows() != inputs.cols() || inputs.cols() < 2 || !inputs.allFinite()) {
         throw std::invalid_argument(
             fmt::format("{} inputs and {} rows of outputs, expected as many, finite, at least 2",
                         inputs.cols(), outputs.rows()));
     }
-    Problem problem = problem_of(inputs, outputs, groups);
+    Problem problem = problem_of(inputs, outputs, groups, progress);
     if (count == 1 || problem.outputs.cols() == 0) {
         return Eigen::VectorXd::Ones(inputs.rows());
     }
     const double start = best_common_scale(problem, count);
-    problem.best_log_scales.assign(static_cast<size_t>(count), start);
+    const std::vector<double> first(static_cast<size_t>(count), start);
+    problem.best_log_scales = first;
     nlopt::opt optimizer(nlopt::LD_LBFGS, static_cast<unsigned>(count));
-    optimizer.set_min_objective(evaluate, &problem);
+    optimizer.set_min_objective(objective, &problem);
     optimizer.set_lower_bounds(start - std::log(widest_factor));
     optimizer.set_upper_bounds(start + std::log(widest_factor));
     optimizer.set_ftol_rel(relative_tolerance);
     optimizer.set_maxeval(most_evaluations);
     try {
-        (void)optimizer.optimize(problem.best_log_scales);
+        (void)optimizer.optimize(first);
     } catch (const std::runtime_error&) {
-        // The line search found nothing lower: it is at the bottom, as near as rounding lets it be.
-        if (!std::isfinite(problem.best_value)) {
-            throw;
+        // Without a failure of ours, the line search found nothing lower: it is at the bottom, as
+        // near as rounding lets it be.
+        if (problem.failure) {
+            std::rethrow_exception(problem.failure);
         }
     }
     const Eigen::VectorXd found = Eigen::VectorXd::Map(problem.best_log_scales.data(), count);

@@ -29,7 +29,10 @@ Eigen::VectorXd best_possible_variances(const CableNet& net,
         throw std::runtime_error("the statics of the net are singular at this form");
     }
     statics.invert();
-    return statics.length_variances();
+    // At loose nodes they can be lost in rounding errors: then the law is all that is known.
+    const double of_law = law.std() * law.std();
+    return statics.length_variances().unaryExpr(
+        [of_law](double variance) { return variance > 0.0 ? variance : of_law; });
 }
 
 }  // namespace taut

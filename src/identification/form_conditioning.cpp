@@ -10,6 +10,29 @@
 #include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
+namespace {
+
+/// The covariance of centred samples (d x n) with its entries off the diagonal times 1 - a, where
+/// a = sum Var(s_ij) / sum s_ij^2 over these entries is their part that is chance.
+Eigen::MatrixXd shrunk_covariance(const Eigen::MatrixXd& centred) {
+    const auto n = static_cast<double>(centred.cols());
+    const Eigen::MatrixXd mean_product = gp::product(centred, centred.transpose()) / n;
+    const Eigen::MatrixXd squares = centred.cwiseAbs2();
+    // Of the products w = e_i e_j: sum (w - mean w)^2 = sum w^2 - n (mean w)^2.
+    const Eigen::MatrixXd spread =
+        gp::product(squares, squares.transpose()) - n * mean_product.cwiseAbs2();
+    const double unbiased = n / std::max(1.0, n - 1.0);
+    const double chance =
+        std::pow(unbiased, 3) / (n * n) * (spread.sum() - spread.diagonal().sum());
+    const double all =
+        unbiased * unbiased * (mean_product.squaredNorm() - mean_product.diagonal().squaredNorm());
+    const double part = all > 0.0 ? std::clamp(chance / all, 0.0, 1.0) : 1.0;
+    Eigen::MatrixXd result = (1.0 - part) * unbiased * mean_product;
+    result.diagonal() = unbiased * mean_product.diagonal();
+    return result;
+}
+
+}  // namespace
 
 FormDistribution form_before_survey(const CableNet& net, const LengthModel& model) {
     const Eigen::MatrixXd J = FormSensitivity(net, net.unstressed_lengths(),
@@ -18,18 +41,15 @@ FormDistribution form_before_survey(const CableNet& net, const LengthModel& mode
     Eigen::MatrixXd remainder = model.form_deviations() - gp::product(J, model.length_deviations);
     FormDistribution result{.mean = remainder.rowwise().mean(), .covariance = {}};
     remainder.colwise() -= result.mean;
-    remainder /= std::sqrt(static_cast<double>(std::max<Eigen::Index>(1, remainder.cols() - 1)));
-    // Both parts at once: [p J, E] [p J, E]'.
-    Eigen::MatrixXd root(J.rows(), J.cols() + remainder.cols());
-    root << model.law.std() * J, remainder;
-    result.covariance = gp::product(root, root.transpose());
+    result.covariance = shrunk_covariance(remainder);
+    result.covariance += model.law.std() * model.law.std() * gp::product(J, J.transpose());
     return result;
 }
 
-ConditionedForm::ConditionedForm(const CableNet& net, FormDistribution before, const Survey& survey,
-                                 const Eigen::VectorXd& nominal_form, const Points& noise,
-                                 double threshold)
-    : m_before(std::move(before)), m_noise(free_coordinates(net, noise)) {
+ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& before,
+                                 const Survey& survey, const Eigen::VectorXd& nominal_form,
+                                 const Points& noise, double threshold)
+    : m_before(before), m_noise(free_coordinates(net, noise)) {
     const Eigen::VectorXd surveyed = free_coordinates(net, survey.form) - nominal_form;
     const Neighbours neighbours = neighbours_of(net);
     std::vector<bool> left_out(static_cast<size_t>(net.node_count()), false);

@@ -7,24 +7,12 @@
 #include <vector>
 
 #include "gp/dense.hpp"
+#include "taut/identification/form_distribution.hpp"
 #include "taut/identification/identification.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
-
-/// Normal distribution of the free coordinates' deviations from the nominal form.
-struct FormDistribution {
-    Eigen::VectorXd mean;        ///< 3 n_I [m]
-    Eigen::MatrixXd covariance;  ///< 3 n_I x 3 n_I [m2]
-};
-
-/// What is known of the form before any survey: the length deviations' law, taken as normal,
-/// through the linearised statics J, and the remainder e = x - J d of the model's training samples:
-///   mean(e),   law.std()^2 J J' + cov(e).
-/// Thus the error of the linearisation is known for what it is (Kaipio and Somersalo's
-/// approximation error).
-[[nodiscard]] FormDistribution form_before_survey(const CableNet& net, const LengthModel& model);
 
 /// The form after a survey: a normal distribution conditioned on the surveyed coordinates with
 /// their noise, gross errors left out.
@@ -37,7 +25,7 @@ public:
     /// @param nominal_form that deviations refer to (3 n_I) [m]
     /// @param noise standard deviation of each coordinate (3 x n), positive where surveyed [m]
     /// @param threshold of the test; infinite: none
-    ConditionedForm(const CableNet& net, FormDistribution before, const Survey& survey,
+    ConditionedForm(const CableNet& net, const FormDistribution& before, const Survey& survey,
                     const Eigen::VectorXd& nominal_form, const Points& noise, double threshold);
 
     [[nodiscard]] const Eigen::VectorXd& mean() const { return m_mean; }  ///< 3 n_I [m]
@@ -63,7 +51,7 @@ private:
     /// L^-1 C_o g: what the survey takes from the variance is its square.
     [[nodiscard]] Eigen::MatrixXd reduced(const Eigen::MatrixXd& gradients) const;
 
-    FormDistribution m_before;
+    const FormDistribution& m_before;
     Eigen::VectorXd m_noise;               ///< of the free coordinates (3 n_I)
     std::vector<int> m_nodes;              ///< targets in use
     std::vector<int> m_observed;           ///< their coordinates, among the free ones

@@ -32,14 +32,23 @@ void check_lengths(const CableNet& net, const Eigen::VectorXd& lengths) {
     }
 }
 
+bool is_whole(const CableNet& net, const Survey& survey) {
+    return static_cast<int>(survey.surveyed.size()) == net.free_node_count();
+}
+
+int first_missing(const CableNet& net, const Survey& survey) {
+    return *std::ranges::mismatch(net.free_nodes(), survey.surveyed).in1;
+}
+
 /// Eq. ident at the surveyed form.
 Identification identify_as_in_paper(const CableNet& net, const LengthModel& model,
                                     const Survey& survey) {
-    if (!survey.missing.empty()) {
+    if (!is_whole(net, survey)) {
         throw std::invalid_argument(fmt::format(
             "the survey holds {} of {} free nodes, expected all for a model as in the paper: node "
             "'{}' is the first missing",
-            survey.surveyed.size(), net.free_node_count(), net.node_id(survey.missing.front())));
+            survey.surveyed.size(), net.free_node_count(),
+            net.node_id(first_missing(net, survey))));
     }
     const LengthEstimates estimates =
         estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
@@ -67,8 +76,9 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
                          .nominal = net.unstressed_lengths()(edge),
                          .length_deviation = mean,
                          .std = std,
-                         .lower = std::clamp(mean - half_interval_95 * std, -bound, bound),
-                         .upper = std::clamp(mean + half_interval_95 * std, -bound, bound),
+                         // Within the law's bounds, but for an estimate that lies beyond them.
+                         .lower = std::min(mean, std::max(mean - half_interval_95 * std, -bound)),
+                         .upper = std::max(mean, std::min(mean + half_interval_95 * std, bound)),
                          .status = std > unobserved_ratio * model.law.std()
                                        ? EdgeStatus::unobserved
                                        : EdgeStatus::identified};
@@ -88,8 +98,8 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
     return result;
 }
 
-bool is_exact_and_whole(const Survey& survey) {
-    return survey.missing.empty() &&
+bool is_exact_and_whole(const CableNet& net, const Survey& survey) {
+    return is_whole(net, survey) &&
            (survey.noise_std.cols() == 0 ||
             survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() == 0.0);
 }
@@ -128,17 +138,21 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
 
 /// Asks the processes at the form that the survey, the law and the linearised statics tell.
 Identification identify_conditionally(const CableNet& net, const LengthModel& model,
-                                      const Survey& survey) {
+                                      const FormDistribution* before, const Survey& survey) {
     Identification result;
     result.method = "gp";
     Eigen::VectorXd deviation = free_coordinates(net, survey.form) - model.nominal_form;
+    FormDistribution own;
     std::optional<ConditionedForm> after;
-    if (!is_exact_and_whole(survey)) {
+    if (!is_exact_and_whole(net, survey)) {
         const bool is_noisy = survey.noise_std.cols() > 0 &&
                               survey.noise_std(Eigen::all, survey.surveyed).maxCoeff() > 0.0;
         result.outlier_threshold =
             outlier_threshold(is_noisy ? default_false_alarm_rate : 0.0, survey.surveyed.size());
-        after.emplace(net, form_before_survey(net, model), survey, model.nominal_form,
+        if (before == nullptr) {
+            own = form_before_survey(net, model);
+        }
+        after.emplace(net, before != nullptr ? *before : own, survey, model.nominal_form,
                       reckoned_noise(net, survey), result.outlier_threshold);
         deviation = after->mean();
         result.outliers = after->outliers();
@@ -198,7 +212,7 @@ LengthEstimates estimate_lengths(const CableNet& net, const LengthModel& model,
 }
 
 Identification identify_by_processes(const CableNet& net, const LengthModel& model,
-                                     const Survey& survey) {
+                                     const Survey& survey, const FormDistribution* before) {
     if (model.net_fingerprint != net.fingerprint()) {
         throw std::invalid_argument(
             fmt::format("the model was trained for the net {}, expected {} ('{}')",
@@ -206,7 +220,7 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
     }
     check_survey(net, survey);
     return model.as_in_paper() ? identify_as_in_paper(net, model, survey)
-                               : identify_conditionally(net, model, survey);
+                               : identify_conditionally(net, model, before, survey);
 }
 
 }  // namespace taut

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "identification/mean_function.hpp"
 
+#include <utility>
+
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -44,8 +46,11 @@ Eigen::MatrixXd length_gradient(const CableNet& net, const Eigen::Ref<const Poin
         const auto [s, t] =
             net.edges()[static_cast<size_t>(net.interior_edges()[static_cast<size_t>(i)])];
         const Eigen::Vector3d direction = (form.col(s) - form.col(t)).normalized();
-        gradient.row(i).segment<3>(3 * net.free_index(s)) = direction.transpose();
-        gradient.row(i).segment<3>(3 * net.free_index(t)) = -direction.transpose();
+        for (const auto& [node, sign] : {std::pair{s, 1.0}, std::pair{t, -1.0}}) {
+            if (const int k = net.free_index(node); k >= 0) {
+                gradient.row(i).segment<3>(Eigen::Index{3} * k) = sign * direction.transpose();
+            }
+        }
     }
     return gradient;
 }

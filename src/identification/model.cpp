@@ -27,7 +27,8 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
 }
 
 Eigen::VectorXd input_scales(KernelMetric metric, const Eigen::MatrixXd& inputs,
-                             const Eigen::MatrixXd& outputs) {
+                             const Eigen::MatrixXd& outputs,
+                             const std::function<void(int)>& progress) {
     if (metric == KernelMetric::isotropic) {
         return Eigen::VectorXd::Ones(inputs.rows());
     }
@@ -35,7 +36,11 @@ Eigen::VectorXd input_scales(KernelMetric metric, const Eigen::MatrixXd& inputs,
     for (size_t i = 0; i < groups.size(); ++i) {
         groups[i] = static_cast<int>(metric == KernelMetric::direction ? i % 3 : i / 3);
     }
-    return gp::estimate_input_scales(inputs, outputs, groups);
+    return gp::estimate_input_scales(inputs, outputs, groups, [&progress] {
+        if (progress) {
+            progress(0);
+        }
+    });
 }
 
 }  // namespace
@@ -78,7 +83,7 @@ LengthModel train(const CableNet& net, const DataSet& data, const std::vector<in
     const Eigen::MatrixXd outputs =
         (model.length_deviations - mean_values(net, model.mean, model.nominal_form, forms))
             .transpose();
-    model.input_scales = input_scales(settings.metric, forms, outputs);
+    model.input_scales = input_scales(settings.metric, forms, outputs, settings.fit.progress);
     model.processes = gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit);
     return model;
 }

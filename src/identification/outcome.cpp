@@ -29,9 +29,12 @@ std::vector<LengthLikelihood> likelihoods(const CableNet& net, const Conditioned
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         if (statics.slack()[static_cast<size_t>(edge)]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();
-        } else if (extension_variances(i) > 0.0) {
+        } else {
+            const double extension = likelihood.slack_from - fitted.deviations(i);
             likelihood.extension =
-                (likelihood.slack_from - fitted.deviations(i)) / std::sqrt(extension_variances(i));
+                extension_variances(i) > 0.0
+                    ? extension / std::sqrt(extension_variances(i))
+                    : std::copysign(std::numeric_limits<double>::infinity(), extension);
         }
         result.push_back(likelihood);
     }

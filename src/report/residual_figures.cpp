@@ -116,8 +116,9 @@ Figure residual_histogram_figure(const IdentificationResult& result) {
                         .height = height,
                         .body = svg.take()}};
     figure.caption = fmt::format(
-        "Surveyed less predicted coordinate over the standard deviation that it should have, for "
-        "{}; where survey and net are as assumed, they follow the normal law. {} beyond three "
+        "Surveyed less predicted coordinate over the stated standard deviation of the survey, for "
+        "{}. A fit follows part of the noise: where survey and net are as assumed, the bars stand "
+        "somewhat inside the normal law, and its tails tell of gross errors. {} beyond three "
         "standard deviations. What lies beyond ±5 is counted in the last bins.",
         counted(static_cast<int>(values.size()), "coordinate"),
         beyond == 1 ? "1 lies" : fmt::format("{} lie", beyond));

@@ -214,9 +214,11 @@ void ComparisonSettings::check() const {
         }
     }
     for (const int count : training_samples) {
-        if (count < 2) {
+        // Kernel and data take some 16 n^2 bytes.
+        constexpr int most_samples = 20'000;
+        if (count < 2 || count > most_samples) {
             throw std::invalid_argument(
-                fmt::format("{} training samples, expected at least 2", count));
+                fmt::format("{} training samples, expected 2 to {}", count, most_samples));
         }
     }
     for (const double part : hidden_parts) {
@@ -225,8 +227,10 @@ void ComparisonSettings::check() const {
                 fmt::format("the hidden part is {}, expected at least 0 and below 1", part));
         }
     }
-    if (surveys < 1) {
-        throw std::invalid_argument(fmt::format("{} surveys, expected at least 1", surveys));
+    constexpr int most_surveys = 100'000;
+    if (surveys < 1 || surveys > most_surveys) {
+        throw std::invalid_argument(
+            fmt::format("{} surveys, expected 1 to {}", surveys, most_surveys));
     }
 }
 

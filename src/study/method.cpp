@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "taut/study/method.hpp"
 
+#include <memory>
+
 #include "taut/identification/force_balance.hpp"
+#include "taut/identification/form_distribution.hpp"
 #include "taut/identification/maximum_a_posteriori.hpp"
 
 namespace taut {
@@ -45,8 +48,12 @@ Method method_by_processes(const CableNet& net, const LengthModel& model) {
     return {.name = "gp",
             .training_samples = model.training_count(),
             .uses_all_threads = true,
-            .identify = [&net, &model](const Survey& survey) {
-                return identify_by_processes(net, model, survey);
+            .identify = [&net, &model,
+                         before = std::make_shared<FormDistribution>()](const Survey& survey) {
+                if (before->mean.size() == 0) {
+                    *before = form_before_survey(net, model);
+                }
+                return identify_by_processes(net, model, survey, &*before);
             }};
 }
 

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "support/finite_differences.hpp"
@@ -65,6 +67,18 @@ TEST(EstimateInputScales, FindsWhatMatters) {
     EXPECT_GT(scales(1), 2.0 * scales(2));
     EXPECT_GT(scales(1), 2.0 * scales(3));
 
+    // No less likely than one scale for all, whatever that is.
+    const auto value = [&](const Eigen::VectorXd& at) {
+        return scales_likelihood(inputs, outputs, {0, 1, 2, 3}, at).value;
+    };
+    double of_one_scale = std::numeric_limits<double>::infinity();
+    double of_these = of_one_scale;
+    for (double common = -5.0; common < 2.0; common += 0.25) {
+        of_one_scale = std::min(of_one_scale, value(Eigen::VectorXd::Constant(4, common)));
+        of_these = std::min(of_these, value(scales.array().log() + common));
+    }
+    EXPECT_LT(of_these, of_one_scale - 100.0);
+
     // And so predicts better where it was not trained.
     const Eigen::MatrixXd at = normal_matrix(4, 50, 9);
     const Eigen::MatrixXd truth = outputs_of(at);
@@ -92,6 +106,21 @@ TEST(EstimateInputScales, OfOneGroupOrNothingToLearnAreAllOne) {
               Eigen::VectorXd::Ones(4));
     EXPECT_EQ(estimate_input_scales(inputs, Eigen::MatrixXd::Ones(30, 2), {0, 1, 2, 3}),
               Eigen::VectorXd::Ones(4));
+}
+
+TEST(EstimateInputScales, EndsWhereItIsGivenUp) {
+    const Eigen::MatrixXd inputs = normal_matrix(4, 30, 1);
+    for (const int last : {2, 7}) {  // while it looks for a start, and afterwards
+        int calls = 0;
+        const auto give_up = [&calls, last] {
+            if (++calls == last) {
+                throw std::domain_error("given up");
+            }
+        };
+        EXPECT_THROW((void)estimate_input_scales(inputs, outputs_of(inputs), {0, 1, 2, 3}, give_up),
+                     std::domain_error);
+        EXPECT_EQ(calls, last);
+    }
 }
 
 TEST(EstimateInputScales, RefusesGroupsThatAreNotOneADimension) {

@@ -82,6 +82,33 @@ TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
     }
 }
 
+TEST(ProcessesOnSite, IntervalsAllButHoldWithFewSamplesAndLittleNoise) {
+    // 75 coordinates: the samples alone leave most directions of the remainder untold.
+    const CableNet net = hypar(5, 5);
+    const Sampler sampler(net, uniform_law, 1);
+    DataSet data = sampler.empty();
+    sampler.extend(data, 40);
+    const LengthModel model = train(net, data, data.converged_in(0, 40));
+    for (const double noise : {0.00001, 0.00003, 0.0001}) {
+        const Score s = score(net, model, noise, 30);
+        SCOPED_TRACE("noise " + std::to_string(noise));
+        // As narrow as without noise: from 40 samples the processes know their own errors poorly.
+        EXPECT_GT(s.coverage, 0.91);
+        EXPECT_LT(s.coverage, 0.97);
+    }
+}
+
+TEST(ProcessesOnSite, AnEdgeAtASupportMayBeOneToIdentify) {
+    CableNetData net_data = hypar(4, 4).data();
+    net_data.adjustable = std::vector<int>{hypar(4, 4).adjustable_edges().front()};
+    const CableNet net(net_data);
+    ASSERT_GT(net.interior_edge_count(), hypar(4, 4).interior_edge_count());
+    const Score s = score(net, model_of(net, gaussian_law), 0.0005, 30);
+    EXPECT_GT(s.coverage, 0.93);
+    EXPECT_LT(s.coverage, 0.97);
+    EXPECT_LT(s.mse, 1.1 * s.best_possible);
+}
+
 TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
     const CableNet net = hypar(5, 6);
     const Score s = score(net, model_of(net, gaussian_law), 0.0005, 40, 3);

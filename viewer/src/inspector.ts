@@ -10,9 +10,9 @@ function valueText(quantity: Quantity, index: number): string {
   const value = quantity.values[index]!;
   if (Number.isNaN(value)) return "–";
   if (quantity.kind === "names") return quantity.names![value]!.text;
-  const half = quantity.interval?.[index];
-  const interval = half === undefined || Number.isNaN(half) ? "" : ` ± ${fixed(half, quantity.decimals)}`;
-  return `${fixed(value, quantity.decimals)}${interval} ${quantity.unit}`;
+  const end = (ends: Float64Array): string => fixed(ends[index]!, quantity.decimals);
+  const interval = quantity.interval ? ` (95 %: ${end(quantity.interval.lower)} to ${end(quantity.interval.upper)})` : "";
+  return `${fixed(value, quantity.decimals)} ${quantity.unit}${interval}`;
 }
 
 function heading(model: Model, item: Item): string {

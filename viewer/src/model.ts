@@ -16,8 +16,8 @@ export interface Quantity {
   kind: "sequential" | "diverging" | "names";
   values: Float64Array;
   names?: { text: string; colour: Rgb }[];
-  /** Half the 95 % interval, where the value has one. */
-  interval?: Float64Array;
+  /** Ends of the 95 % interval, where the value has one. */
+  interval?: { lower: Float64Array; upper: Float64Array };
   decimals: number;
   /** Whether the colour scale begins at the lowest value, not at zero. */
   fromLowest?: boolean;
@@ -165,7 +165,7 @@ export function modelOfIdentification(result: Identification): Model {
   const net = result.cable_net;
   const model = netOf(net, result.form);
   model.charted = result.edges.map((e) => e.edge);
-  const of = (key: "length_deviation" | "std"): Float64Array =>
+  const of = (key: "length_deviation" | "std" | "lower" | "upper"): Float64Array =>
     spread(model.edgeCount, model.charted, result.edges.map((e) => e[key]));
   const statusOf = new Map(result.edges.map((e) => [e.edge, e.status]));
   const fromNominal = difference(result.form, net.nodes);
@@ -173,7 +173,7 @@ export function modelOfIdentification(result: Identification): Model {
     statusQuantity(model, (e) => statusOf.get(e) ?? "unobserved"),
     quantity({
       key: "identified", label: "length deviation, identified", head: "deviation", unit: "mm", of: "edge", kind: "diverging", decimals: 3, values: of("length_deviation"),
-      interval: spread(model.edgeCount, model.charted, result.edges.map((e) => (e.upper - e.lower) / 2)),
+      interval: { lower: of("lower"), upper: of("upper") },
     }),
     quantity({ key: "std", label: "standard deviation of the identified length", head: "std", unit: "mm", of: "edge", kind: "sequential", decimals: 3, values: of("std") }),
     ...(result.tension ? tensionAndStrain(net, result.tension, ", predicted", "") : []),

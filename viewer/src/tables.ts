@@ -12,8 +12,8 @@ function columnOf(quantity: Quantity, indices: number[]): Column[] {
   if (names) return [{ label, value: (row) => names[values[indices[row]!]!]?.text ?? "" }];
   const column: Column = { label, unit, decimals, value: (row) => values[indices[row]!]! };
   if (!interval) return [column];
-  const bound = (name: string, sign: number): Column => ({ label: name, unit, decimals, value: (row) => values[indices[row]!]! + sign * interval[indices[row]!]! });
-  return [column, bound("95 % from", -1), bound("to", 1)];
+  const end = (name: string, ends: Float64Array): Column => ({ label: name, unit, decimals, value: (row) => ends[indices[row]!]! });
+  return [column, end("95 % from", interval.lower), end("to", interval.upper)];
 }
 
 function tableOf(model: Model, selection: Selection, of: Item["of"], indices: number[], own: Column[], caption: string, first: string): HTMLElement {

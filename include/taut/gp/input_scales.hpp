@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 namespace taut::gp {
@@ -31,9 +32,11 @@ struct ScalesLikelihood {
 /// of one group share a scale. With the inputs so scaled, fit() estimates each output's own
 /// lambda, so that lambda_i of eq. SEkernel is that lambda times the dimension's scale. Where there
 /// are more than 500 inputs, 500 of them are used.
+/// @param progress called before each evaluation of the likelihood; may throw to give up
 /// @throws std::invalid_argument as fit(), and for groups that are not one a dimension, from 0 on
 [[nodiscard]] Eigen::VectorXd estimate_input_scales(
     const Eigen::Ref<const Eigen::MatrixXd>& inputs,
-    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups);
+    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups,
+    const std::function<void()>& progress = {});
 
 }  // namespace taut::gp

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/identification/form_distribution.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -104,22 +105,24 @@ struct LengthEstimates {
 /// distribution that the law of the lengths d gives them through the statics linearised at the
 /// nominal form, and through what these miss, e = x - J d, as the training samples show it:
 ///
-///   E x = mean(e),   C = law.std()^2 J J' + cov(e)
+///   E x = mean(e),   C = law.std()^2 J J' + cov(e)      (form_before_survey())
 ///
 /// Gaussian conditioning on the surveyed coordinates gives E[x | survey] and C[x | survey]. The
 /// uncertainty that is left goes through the processes to first order, with the gradient g of an
 /// edge's mean: variance = sigma(x)^2 + sigma_w^2 + g' C[x | survey] g. Law and slack edges then
-/// enter as in posterior_of(). Gross errors are looked for and left out as in
-/// identify_by_maximum_a_posteriori(), each target against what all others let expect of it.
+/// enter as in posterior_of(). Gross errors are looked for, each target
+/// against what all others let expect of it, and left out.
 ///
 /// A model as in the paper takes the survey for exact and whole: eq. ident as it stands, with
-/// intervals that end at the law's bounds.
+/// intervals that end at the law's bounds or, where that lies beyond them, the estimate.
+/// @param before form_before_survey(), where there are many surveys; else it is made here
 /// @throws std::invalid_argument where the model was trained for another net (both fingerprints are
 ///   named); as identify_by_maximum_a_posteriori(); and where a free node was not surveyed, for a
 ///   model as in the paper
 /// @throws std::runtime_error where an identified length is not positive, or the lengths find no
 ///   equilibrium
 [[nodiscard]] Identification identify_by_processes(const CableNet& net, const LengthModel& model,
-                                                   const Survey& survey);
+                                                   const Survey& survey,
+                                                   const FormDistribution* before = nullptr);
 
 }  // namespace taut
