@@ -131,7 +131,7 @@ TEST_F(Interruption, OfCompareWritesNothing) {
     const auto told = [](const Outcome& outcome) { return !outcome.err.empty(); };
     expect_error(
         signalled(SIGINT,
-                  {"compare", "net.json", "-o", "new", "--training", "20", "--surveys", "1000000"},
+                  {"compare", "net.json", "-o", "new", "--training", "20", "--surveys", "100000"},
                   told, milliseconds(200)),
         130, "interrupted");
     EXPECT_EQ(files(), before);
