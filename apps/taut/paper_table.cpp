@@ -30,7 +30,9 @@ std::string method_line(const MethodResult& method) {
                                    fmt::format("{:.2g}", 1e3 * errors.mean_max_abs()),
                                    fmt::format("{:.2g}", 1e3 * errors.std_mean()),
                                    fmt::format("{:.1f}", 100.0 * method.coverage),
-                                   fmt::format("{:.3g}", 1e3 * method.form_error.mean),
+                                   method.forms_not_converged < method.identified()
+                                       ? fmt::format("{:.3g}", 1e3 * method.form_error.mean)
+                                       : "-",
                                    fmt::format("{:.0f}", 1e3 * method.seconds));
     if (method.failed > 0) {
         text += fmt::format("  {:<15}failed on {} of {} samples, left out above: {}\n", "",

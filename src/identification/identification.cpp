@@ -52,18 +52,11 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
     }
     const LengthEstimates estimates =
         estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
-    const Eigen::VectorXd lengths = with_length_deviations(net, estimates.mean.col(0));
-    check_lengths(net, lengths);
+    check_lengths(net, with_length_deviations(net, estimates.mean.col(0)));
 
     Identification result;
     result.method = "gp";
-    result.predicted = EquilibriumSolver(net).solve(lengths, survey.form);
-    if (!result.predicted.balanced()) {
-        throw std::runtime_error(fmt::format(
-            "the identified lengths find no equilibrium: {:.4g} N out of balance after {} "
-            "iterations",
-            result.predicted.out_of_balance, result.predicted.iterations));
-    }
+    predict_form(result, net, survey, estimates.mean.col(0), survey.form);
     const Eigen::VectorXd measured = edge_lengths(net, survey.form);
     const double bound = model.law.kind == LengthLaw::Kind::uniform
                              ? model.law.scale
@@ -92,9 +85,6 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
         }
         result.edges.push_back(e);
     }
-    const Eigen::MatrixXd differences =
-        (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);
-    result.residuals = differences.colwise().norm().transpose();
     return result;
 }
 

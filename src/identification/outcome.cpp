@@ -57,6 +57,11 @@ void complete(Identification& result, const CableNet& net, const Survey& survey,
                                 .upper = posterior.upper,
                                 .status = status_of(law, posterior)});
     }
+    predict_form(result, net, survey, deviations, start);
+}
+
+void predict_form(Identification& result, const CableNet& net, const Survey& survey,
+                  const Eigen::VectorXd& deviations, const Points& start) {
     result.predicted = EquilibriumSolver(net).solve(with_length_deviations(net, deviations), start);
     if (!result.predicted.balanced()) {
         throw std::runtime_error(fmt::format(

@@ -22,4 +22,10 @@ void complete(Identification& result, const CableNet& net, const Survey& survey,
               const LengthLaw& law, const std::vector<LengthLikelihood>& likelihoods,
               const Points& start);
 
+/// Predicts the form from length deviations (m_I) [m], from a start, and compares it with the
+/// survey.
+/// @throws std::runtime_error where the lengths find no equilibrium
+void predict_form(Identification& result, const CableNet& net, const Survey& survey,
+                  const Eigen::VectorXd& deviations, const Points& start);
+
 }  // namespace taut

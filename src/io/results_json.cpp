@@ -36,7 +36,8 @@ Json to_json(const MethodResult& method) {
     object["error_mean_max_abs"] = any ? Json(method.errors.mean_max_abs()) : Json();
     object["error_std_mean"] = any ? Json(method.errors.std_mean()) : Json();
     object["coverage_95"] = number(method.coverage);
-    object["form_error"] = any ? to_json(method.form_error) : Json();
+    const bool has_form = method.forms_not_converged < method.identified();
+    object["form_error"] = has_form ? to_json(method.form_error) : Json();
     object["forms_not_converged"] = method.forms_not_converged;
     object["training_seconds"] = method.training_seconds;
     object["seconds"] = method.seconds;
