@@ -17,35 +17,34 @@ constexpr double smallest_shift = smallest_relative_stiffness;
 /// A shift above this makes steps so short that nothing is left of Newton's method.
 constexpr double largest_shift = 1e3;
 
+/// A step that the line search cut to less than this.
+constexpr double shortest_fair_step = 0.05;
+
 }  // namespace
 
-Descent::Descent(const LocalNet& net)
-    : m_state(net),
-      m_trial(net),
-      m_matrix(net),
-      m_residual(net.loads.size()),
-      m_direction(net.loads.size()) {
-    m_factor.analyzePattern(m_matrix.upper());
-}
+Descent::Descent(const LocalNet& net) : m_trial(net), m_direction(net.loads.size()) {}
 
-DescentResult Descent::run(const LocalNet& net, double relative_tolerance, int max_steps,
+DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& state,
+                           double relative_tolerance, DescentLimits limits,
                            std::vector<double>& energy_decreases) {
-    m_trial.set_unstressed_lengths(net, m_state.unstressed_lengths());
+    m_trial.set_unstressed_lengths(net, state.unstressed_lengths());
     DescentResult result;
     double shift = 0.0;
+    int short_steps = 0;
     double previous = std::numeric_limits<double>::infinity();
     while (true) {
-        const double imbalance = m_state.imbalance(net, relative_tolerance);
+        const double imbalance = state.imbalance(net, relative_tolerance);
         result.balanced = imbalance <= 1.0;
         // Balanced, and either far below the tolerance or no longer getting better: rounding
         // errors.
         if (result.balanced && (imbalance <= 0.01 || imbalance > 0.5 * previous)) {
             return result;
         }
-        if (result.steps >= max_steps || !find_direction(net, shift)) {
+        if (result.steps >= limits.max_steps || short_steps >= limits.max_short_steps ||
+            !find_direction(net, stiffness, state, shift)) {
             return result;
         }
-        const LineSearchStep step = search_line(net, m_state, m_direction, m_trial);
+        const LineSearchStep step = search_line(net, state, m_direction, m_trial);
         if (!step.accepted) {
             shift = std::max(smallest_shift, 100.0 * shift);
             if (result.balanced || shift > largest_shift) {
@@ -53,7 +52,7 @@ DescentResult Descent::run(const LocalNet& net, double relative_tolerance, int m
             }
             continue;
         }
-        std::swap(m_state, m_trial);
+        std::swap(state, m_trial);
         previous = imbalance;
         ++result.steps;
         energy_decreases.push_back(step.energy_decrease);
@@ -61,24 +60,25 @@ DescentResult Descent::run(const LocalNet& net, double relative_tolerance, int m
         // that the slack edges were not foreseen.
         if (step.length == 1.0) {
             shift = shift > 10.0 * smallest_shift ? 0.1 * shift : shift;
-        } else if (step.length < 0.05) {
+        } else if (step.length < shortest_fair_step) {
             shift = std::max(1e-6, 10.0 * shift);
         }
+        short_steps = step.length < shortest_fair_step ? short_steps + 1 : 0;
     }
 }
 
 /// Solves (H + shift D) d = -h. The shift grows until the matrix is positive definite.
-bool Descent::find_direction(const LocalNet& net, double& shift) {
+bool Descent::find_direction(const LocalNet& net, Stiffness& stiffness, const NetState& state,
+                             double& shift) {
     while (shift <= largest_shift) {
-        m_matrix.assemble(net, m_state.edges());
+        stiffness.matrix.assemble(net, state.edges());
         if (shift > 0.0) {
-            m_matrix.add_shift(shift);
+            stiffness.matrix.add_shift(shift);
         }
-        m_factor.factorize(m_matrix.upper());
-        if (m_factor.positive_definite()) {
-            m_residual = -m_state.forces();
-            m_direction = m_factor.solve(m_residual);
-            if (m_direction.allFinite() && m_direction.dot(m_state.forces()) <= 0.0) {
+        if (stiffness.factorize()) {
+            m_direction = -state.forces();
+            stiffness.factor.solve(m_direction);
+            if (m_direction.allFinite() && m_direction.dot(state.forces()) <= 0.0) {
                 return true;
             }
         }
@@ -87,16 +87,16 @@ bool Descent::find_direction(const LocalNet& net, double& shift) {
     return false;
 }
 
-bool Descent::has_loose_nodes(const LocalNet& net) {
+bool is_mechanism(const LocalNet& net, Stiffness& stiffness, const NetState& state) {
     // Where every edge is taut the stiffness is positive definite, since each part of the net hangs
     // on a support. What is taut by rounding errors alone does not count.
     const auto clearly_taut = [](const EdgeState& e) { return e.extension > 1e-9 * e.length; };
-    if (std::ranges::all_of(m_state.edges(), clearly_taut)) {
+    if (std::ranges::all_of(state.edges(), clearly_taut)) {
         return false;
     }
-    m_matrix.assemble(net, m_state.edges());
-    m_factor.factorize(m_matrix.upper());
-    return taut::has_loose_nodes(m_matrix, m_factor);
+    stiffness.matrix.assemble(net, state.edges());
+    stiffness.factorize();
+    return stiffness.has_loose_nodes();
 }
 
 }  // namespace taut

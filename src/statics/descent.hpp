@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "statics/net_state.hpp"
-#include "statics/stiffness_matrix.hpp"
+#include "statics/stiffness_factor.hpp"
 
 namespace taut {
 
@@ -15,34 +17,37 @@ struct DescentResult {
     int steps = 0;
 };
 
+/// When a descent ends though forces do not balance yet.
+struct DescentLimits {
+    int max_steps;
+    /// Steps in a row cut by the line search to less than a twentieth: then ever more edges go
+    /// slack or taut, a few a step.
+    int max_short_steps = std::numeric_limits<int>::max();
+};
+
 /// Newton's method on the energy of a net, with a line search, and a diagonal shift where slack
-/// edges make the stiffness singular. Does the symbolic work on construction; run() allocates
-/// nothing.
+/// edges make the stiffness singular. run() allocates nothing.
 class Descent {
 public:
     explicit Descent(const LocalNet& net);
 
-    /// Where the next run starts, and where the last one ended.
-    [[nodiscard]] NetState& state() { return m_state; }
-
-    /// Steps until forces balance, or `max_steps` are taken. Goes on below the tolerance until
+    /// Steps until forces balance, or a limit is reached. Goes on below the tolerance until
     /// rounding errors stop it or a hundredth is reached.
     /// @param energy_decreases takes one entry a step [J]
-    DescentResult run(const LocalNet& net, double relative_tolerance, int max_steps,
+    DescentResult run(const LocalNet& net, Stiffness& stiffness, NetState& state,
+                      double relative_tolerance, DescentLimits limits,
                       std::vector<double>& energy_decreases);
 
-    /// Whether slack edges leave nodes loose: the stiffness is singular to rounding.
-    [[nodiscard]] bool has_loose_nodes(const LocalNet& net);
-
 private:
-    [[nodiscard]] bool find_direction(const LocalNet& net, double& shift);
+    [[nodiscard]] bool find_direction(const LocalNet& net, Stiffness& stiffness,
+                                      const NetState& state, double& shift);
 
-    NetState m_state;
     NetState m_trial;  ///< at the form that the line search looks at
-    StiffnessMatrix m_matrix;
-    StiffnessFactor m_factor;
-    Eigen::VectorXd m_residual;
     Eigen::VectorXd m_direction;
 };
+
+/// Whether slack edges leave nodes of a net in equilibrium loose: its stiffness is singular to
+/// rounding.
+[[nodiscard]] bool is_mechanism(const LocalNet& net, Stiffness& stiffness, const NetState& state);
 
 }  // namespace taut

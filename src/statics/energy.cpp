@@ -39,7 +39,7 @@ Eigen::SparseMatrix<double> stiffness(const CableNet& net,
     const LocalNet local = number_naturally(net);
     StiffnessMatrix matrix(local);
     matrix.assemble(local, edge_states(net, unstressed_lengths, form));
-    return matrix.upper().selfadjointView<Eigen::Upper>();
+    return matrix.to_sparse();
 }
 
 }  // namespace taut

@@ -10,16 +10,14 @@
 
 #include "statics/arguments.hpp"
 #include "statics/descent.hpp"
+#include "statics/interior_point.hpp"
 
 namespace taut {
 namespace {
 
-/// More Newton steps than nets under tension need from a fair start. Who is not done by then most
-/// likely moves along a curved valley of the energy.
-constexpr int plain_steps = 30;
-
-/// How far forces must balance under one load before the approach goes on to the next, lighter one.
-constexpr double approach_tolerance = 1e-2;
+/// Newton's method alone is given up after this many steps, and so many short ones in a row. Nets
+/// under tension need fewer from a fair start.
+constexpr DescentLimits plain_descent{.max_steps = 30, .max_short_steps = 1};
 
 }  // namespace
 
@@ -38,52 +36,30 @@ std::string_view to_string(EquilibriumStatus status) {
 struct EquilibriumSolver::Workspace {
     EquilibriumSettings settings;
     LocalNet net;
-    Eigen::VectorXd loads;     ///< 3 n_I, the true ones: approach() changes net.loads [N]
-    double heavy_loads = 0.0;  ///< factor on the loads that stretches edges to twice their length
+    Stiffness stiffness;
     Descent descent;
-    NetState before;  ///< where an approach began
+    InteriorPoint interior_point;
+    NetState state;
+    NetState before;  ///< where the interior-point steps began
 
     Workspace(const CableNet& cable_net, EquilibriumSettings with)
         : settings(with),
           net(number_for_elimination(cable_net)),
-          loads(net.loads),
+          stiffness(net),
           descent(net),
-          before(net) {
-        // The edges at supports carry the sum of the loads. A guess: only its magnitude matters.
-        const double total = loads.reshaped(3, net.free_count).colwise().norm().sum();
-        const auto at_supports = std::ranges::count_if(
-            net.edges, [&](const Edge& e) { return std::ranges::max(e) >= net.free_count; });
-        if (total > 0.0) {
-            heavy_loads = net.axial_stiffness.mean() * static_cast<double>(at_supports) / total;
-        }
-    }
+          interior_point(net),
+          state(net),
+          before(net) {}
 
-    void set_loads(double factor) {
-        net.loads = factor * loads;
-        descent.state().update(net);
-    }
-
-    /// Takes a slack net under light loads near its equilibrium. There the energy is a curved
-    /// valley, steep across (edges that stretch) and flat along (slack edges that swing): a step
-    /// can be no longer than some (load / EA)^(1/3) of an edge. Heavier loads open the valley. So
-    /// this goes to the equilibrium under very heavy loads, and back through ever lighter ones.
-    /// Counts as one step, taken only if it lowers the energy.
-    /// @return Newton steps used
+    /// Interior-point steps, all together taken as one step, and only if that lowers the energy.
+    /// @return their number
     int approach(int max_steps, std::vector<double>& energy_decreases) {
-        before = descent.state();
-        const size_t steps_before = energy_decreases.size();
-        int steps = 0;
-        for (double factor = heavy_loads; factor > 1.0 && steps < max_steps; factor *= 0.1) {
-            set_loads(factor);
-            steps +=
-                descent.run(net, approach_tolerance, max_steps - steps, energy_decreases).steps;
-        }
-        set_loads(1.0);
-        energy_decreases.resize(steps_before);
-        if (const double decrease = before.energy_above(descent.state(), net); decrease > 0.0) {
+        before = state;
+        const int steps = interior_point.run(net, stiffness, state, max_steps);
+        if (const double decrease = before.energy_above(state, net); decrease > 0.0) {
             energy_decreases.push_back(decrease);
         } else {
-            descent.state() = before;
+            state = before;
         }
         return steps;
     }
@@ -113,22 +89,25 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
     Equilibrium result;
     result.energy_decreases.reserve(static_cast<size_t>(std::max(0, w.settings.max_iterations)));
 
-    NetState& state = w.descent.state();
+    NetState& state = w.state;
     state.set_unstressed_lengths(w.net, unstressed_lengths);
     w.net.gather(start, state.form());
     state.update(w.net);
 
-    const auto descend = [&](int max_steps) {
+    const auto descend = [&](DescentLimits limits) {
         const auto [balanced, steps] =
-            w.descent.run(w.net, w.settings.relative_tolerance, max_steps, result.energy_decreases);
+            w.descent.run(w.net, w.stiffness, state, w.settings.relative_tolerance, limits,
+                          result.energy_decreases);
         result.iterations += steps;
         return balanced;
     };
     const int limit = w.settings.max_iterations;
-    bool balanced = descend(std::min(plain_steps, limit));
+    DescentLimits at_first = plain_descent;
+    at_first.max_steps = std::min(at_first.max_steps, limit);
+    bool balanced = descend(at_first);
     if (!balanced && result.iterations < limit) {
         result.iterations += w.approach(limit - result.iterations, result.energy_decreases);
-        balanced = descend(limit - result.iterations);
+        balanced = descend({.max_steps = limit - result.iterations});
     }
 
     result.out_of_balance = state.largest_force();
@@ -136,8 +115,8 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
     result.form = w.net.scatter(state.form());
     result.slack_edges = state.slack_edges();
     if (balanced) {
-        result.status = w.descent.has_loose_nodes(w.net) ? EquilibriumStatus::slack_mechanism
-                                                         : EquilibriumStatus::converged;
+        result.status = is_mechanism(w.net, w.stiffness, state) ? EquilibriumStatus::slack_mechanism
+                                                                : EquilibriumStatus::converged;
     }
     return result;
 }

@@ -9,19 +9,18 @@
 #include <stdexcept>
 
 #include "statics/edge_state.hpp"
-#include "statics/stiffness_matrix.hpp"
+#include "statics/stiffness_factor.hpp"
 
 namespace taut {
 
 struct FormSensitivity::Factor {
     LocalNet net;
-    StiffnessMatrix matrix;
-    StiffnessFactor factor;
+    Stiffness stiffness;
     Eigen::Matrix3Xd force_rates;  ///< 3 x m, -dh_s/dl_0 = dh_t/dl_0 of each edge (s, t) [N/m]
     std::vector<int> row_of;       ///< local free node -> its place in r_I
 
     explicit Factor(const CableNet& cable_net)
-        : net(number_for_elimination(cable_net)), matrix(net) {}
+        : net(number_for_elimination(cable_net)), stiffness(net) {}
 
     /// Adds -dh/dl_0 of an edge, times its change of length, to a right-hand side.
     void add_force(int edge, double change, Eigen::Ref<Eigen::VectorXd> rhs) const {
@@ -36,7 +35,8 @@ struct FormSensitivity::Factor {
     }
 
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
-        const Eigen::VectorXd local = factor.solve(rhs);
+        Eigen::VectorXd local = rhs;
+        stiffness.factor.solve(local);
         Eigen::VectorXd result(local.size());
         for (int i = 0; i < net.free_count; ++i) {
             result.segment<3>(Eigen::Index{3} * row_of[static_cast<size_t>(i)]) =
@@ -63,12 +63,11 @@ FormSensitivity::FormSensitivity(const CableNet& net,
                 state.axial * state.length / unstressed_lengths(e) * state.direction;
         }
     }
-    f.factor.analyzePattern(f.matrix.upper());
-    f.matrix.assemble(f.net, states);
-    f.factor.factorize(f.matrix.upper());
-    if (has_loose_nodes(f.matrix, f.factor)) {
-        f.matrix.add_shift(smallest_relative_stiffness);
-        f.factor.factorize(f.matrix.upper());
+    f.stiffness.matrix.assemble(f.net, states);
+    f.stiffness.factorize();
+    if (f.stiffness.has_loose_nodes()) {
+        f.stiffness.matrix.add_shift(smallest_relative_stiffness);
+        f.stiffness.factorize();
     }
 }
 FormSensitivity::~FormSensitivity() = default;

@@ -3,7 +3,9 @@
 #include "statics/net_state.hpp"
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace taut {
 
@@ -74,6 +76,11 @@ std::vector<int> NetState::slack_edges() const {
 double NetState::mean_tension() const {
     const auto taut_count = static_cast<double>(m_edges.size()) - m_slack_count;
     return taut_count > 0.0 ? m_tension_sum / taut_count : 0.0;
+}
+
+double NetState::stretch_energy() const {
+    return std::transform_reduce(m_edges.begin(), m_edges.end(), 0.0, std::plus<>(),
+                                 [](const EdgeState& e) { return e.energy(); });
 }
 
 double NetState::imbalance(const LocalNet& net, double relative_tolerance) const {

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] std::vector<int> slack_edges() const;
     /// Over the taut edges; 0 where all are slack [N].
     [[nodiscard]] double mean_tension() const;
+    /// Sum over the edges of 1/2 EA/l_0 (l - l_0)^2, without the loads [J].
+    [[nodiscard]] double stretch_energy() const;
     /// Largest force h_s, in units of what counts as balanced at its node: the tolerance times the
     /// mean tension (where all edges are slack, times the mean load), and what rounding errors of
     /// the coordinates make of the node's axial stiffness.

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <span>
 #include <vector>
 
 #include "statics/edge_state.hpp"
@@ -11,12 +12,16 @@
 
 namespace taut {
 
-/// The upper triangle of the stiffness of a net, with a fixed pattern and a fast way into its
-/// values. Column 3j+b holds, for each free neighbour i < j in ascending order, the three rows of
-/// node i, and then the rows 3j .. 3j+b: so the place of every entry follows from its neighbour's
-/// rank.
+/// The stiffness of a net in blocks of 3 x 3, one a free node and one an edge between free nodes:
+/// the upper triangle, column by column.
 class StiffnessMatrix {
 public:
+    /// K_ij of an edge between the free nodes i < j.
+    struct Block {
+        int row;  ///< i
+        Eigen::Matrix3d values;
+    };
+
     explicit StiffnessMatrix(const LocalNet& net);
 
     /// Sets all entries from the states of all edges (eq. in statics/energy.hpp).
@@ -26,36 +31,26 @@ public:
     /// diagonal.
     void add_shift(double shift);
 
-    [[nodiscard]] const Eigen::SparseMatrix<double>& upper() const { return m_upper; }
+    [[nodiscard]] int node_count() const { return static_cast<int>(m_diagonal.size()); }
+    [[nodiscard]] const Eigen::Matrix3d& diagonal(int node) const {
+        return m_diagonal[static_cast<size_t>(node)];
+    }
+    /// K_ij of a column j for its neighbours i < j, in no order.
+    [[nodiscard]] std::span<const Block> column(int node) const {
+        const auto j = static_cast<size_t>(node);
+        return {m_blocks.data() + m_starts[j], m_blocks.data() + m_starts[j + 1]};
+    }
+    /// Both triangles (3 n_I x 3 n_I) [N/m].
+    [[nodiscard]] Eigen::SparseMatrix<double> to_sparse() const;
     /// Sum of EA/l_0 of the edges at each free node, as last assembled [N/m].
     [[nodiscard]] const Eigen::VectorXd& axial_at_nodes() const { return m_axial_at_nodes; }
 
 private:
-    [[nodiscard]] double* diagonal_block_column(int node, int column);
-
-    Eigen::SparseMatrix<double> m_upper;
-    std::vector<int> m_lower_neighbours;  ///< number of free neighbours i < j of each free node j
-    std::vector<int> m_rank;              ///< of each edge's smaller end among its larger end's
+    std::vector<Eigen::Matrix3d> m_diagonal;
+    std::vector<Block> m_blocks;
+    std::vector<size_t> m_starts;      ///< of each column in m_blocks; one more at the end
+    std::vector<int> m_block_of_edge;  ///< -1 for an edge at a support
     Eigen::VectorXd m_axial_at_nodes;
 };
-
-/// Below this part of a node's axial stiffness, stiffness is rounding error.
-constexpr double smallest_relative_stiffness = 1e-12;
-
-/// LDL' for matrices that are ordered already: works in place on the pattern, without copies.
-class StiffnessFactor : public Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper,
-                                                     Eigen::NaturalOrdering<int>> {
-public:
-    /// D, one a row: all positive for a positive definite matrix.
-    [[nodiscard]] const Eigen::VectorXd& pivots() const { return m_diag; }
-
-    [[nodiscard]] bool positive_definite() const {
-        return info() == Eigen::Success && m_diag.minCoeff() > 0.0;
-    }
-};
-
-/// Whether the factor of this matrix tells that some node is loose: it is not positive definite, or
-/// only by rounding errors.
-[[nodiscard]] bool has_loose_nodes(const StiffnessMatrix& matrix, const StiffnessFactor& factor);
 
 }  // namespace taut

@@ -38,7 +38,7 @@ void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const
     EXPECT_NEAR(e.out_of_balance, imbalance, 1e-11 * tension);
     EXPECT_NEAR(e.mean_tension, tension, 1e-11 * tension);
     EXPECT_EQ(e.slack_edges, slack_edges(net, lengths, e.form));
-    EXPECT_THAT(e.energy_decreases, SizeIs(e.iterations));
+    EXPECT_THAT(e.energy_decreases, SizeIs(::testing::Le(e.iterations)));
     // In the last steps what is left to lose is lost in rounding errors.
     const double rounding = 1e-12 * std::abs(energy(net, lengths, e.form));
     EXPECT_THAT(e.energy_decreases, Each(Ge(-rounding)));
@@ -110,7 +110,7 @@ TEST(EquilibriumSolver, GivesTheSameBitsWhateverItSolvedBefore) {
     data.loads.row(2).setConstant(-2.0);
     const CableNet net(std::move(data));
     const Eigen::VectorXd tense = net.unstressed_lengths();
-    const Eigen::VectorXd loose = 1.1 * tense;  // needs the approach through heavier loads
+    const Eigen::VectorXd loose = 1.1 * tense;  // needs interior-point steps
     EquilibriumSolver solver(net);
     const Equilibrium first = solver.solve(tense, net.nodes());
     const Equilibrium hanging = solver.solve(loose, net.nodes());
@@ -139,13 +139,14 @@ TEST(EquilibriumSolver, TellsThatItReachedItsIterationLimit) {
     }
 }
 
-TEST(EquilibriumSolver, KeepsItsIterationLimitInTheApproachThroughHeavierLoads) {
+TEST(EquilibriumSolver, KeepsItsIterationLimitAmongInteriorPointSteps) {
     CableNetData data = hypar(8, 8).data();
     data.unstressed_lengths *= 1.2;
     data.loads.row(2).setConstant(-1e-3);
     const CableNet net(std::move(data));
-    ASSERT_GT(solve_equilibrium(net).iterations, 40);
-    for (const int limit : {29, 30, 31, 40}) {
+    const int needed = solve_equilibrium(net).iterations;
+    ASSERT_GT(needed, 10);
+    for (const int limit : {1, 2, 5, needed / 2}) {
         const Equilibrium e = solve_equilibrium(net, {.max_iterations = limit});
         EXPECT_EQ(e.status, EquilibriumStatus::iteration_limit);
         EXPECT_EQ(e.iterations, limit);

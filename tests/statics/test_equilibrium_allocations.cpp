@@ -82,7 +82,7 @@ TEST(EquilibriumSolverAllocations, AreAsManyForManyStepsAsForFew) {
     EXPECT_EQ(far.allocations, near.allocations);
 }
 
-TEST(EquilibriumSolverAllocations, AreAsManyWithAnApproachThroughHeavierLoads) {
+TEST(EquilibriumSolverAllocations, AreAsManyWithInteriorPointSteps) {
     CableNetData data = hypar(8, 8).data();
     data.unstressed_lengths *= 1.05;
     data.loads.row(2).setConstant(-1.0);
@@ -91,8 +91,8 @@ TEST(EquilibriumSolverAllocations, AreAsManyWithAnApproachThroughHeavierLoads) {
     const Points form = solver.solve(net.unstressed_lengths(), net.nodes()).form;
     const Count far = count(solver, net.unstressed_lengths(), net.nodes());
     const Count near = count(solver, net.unstressed_lengths(), form);
-    ASSERT_GT(far.equilibrium.iterations, 40);
-    ASSERT_LT(near.equilibrium.iterations, 10);
+    ASSERT_GT(far.equilibrium.iterations, std::ssize(far.equilibrium.energy_decreases));
+    ASSERT_EQ(near.equilibrium.iterations, std::ssize(near.equilibrium.energy_decreases));
     EXPECT_EQ(far.equilibrium.slack_edges, near.equilibrium.slack_edges);
     EXPECT_EQ(far.allocations, near.allocations);
 }

@@ -36,12 +36,12 @@ struct EquilibriumSettings {
 struct Equilibrium {
     Points form;  ///< 3 x n, supports included [m]
     EquilibriumStatus status = EquilibriumStatus::iteration_limit;
-    int iterations = 0;            ///< Newton steps taken, those under heavier loads included
+    int iterations = 0;            ///< Newton and interior-point steps taken
     double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
     double mean_tension = 0.0;     ///< over the taut edges [N]
     std::vector<int> slack_edges;  ///< ascending
-    /// Of each step, summed edge by edge; never negative but for rounding errors. All steps under
-    /// heavier loads together make one entry [J].
+    /// Of each step, summed edge by edge; never negative but for rounding errors. All
+    /// interior-point steps together make one entry, if they lower the energy [J].
     std::vector<double> energy_decreases;
 
     /// Forces balance: status is not iteration_limit.
@@ -49,8 +49,7 @@ struct Equilibrium {
 };
 
 /// Solves for the equilibrium of one net with many sets of unstressed lengths. Does the symbolic
-/// work once; the iteration allocates nothing (beyond some 5000 free nodes: but the work vectors of
-/// Eigen's factorisation). One object a thread.
+/// work once; the iteration allocates nothing. One object a thread.
 class EquilibriumSolver {
 public:
     /// @throws std::invalid_argument for a negative max_iterations, or a relative_tolerance that is
@@ -64,8 +63,8 @@ public:
 
     /// The form r_I = f^-1(l_0) of the paper (eqs. finv, SOCP): Newton's method on the convex
     /// energy, with a line search and a diagonal shift where slack edges make the stiffness
-    /// singular. A net that does not come to rest so, slack under light loads, is first brought
-    /// near its form under heavier loads.
+    /// singular. Where the line search cuts its steps short, since many edges go slack or taut on
+    /// the way, a primal-dual interior-point method first brings the net near its form.
     /// @param unstressed_lengths l_0 of all edges (m), positive [m]
     /// @param start where to begin (3 x n); supports are taken from the net [m]
     /// @throws std::invalid_argument for wrong sizes, a length that is not positive and finite, or

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "statics/interior_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace taut {
+namespace {
+
+/// Part of its tension and of its play that a step leaves every edge.
+constexpr double part_kept = 0.01;
+
+/// Bounds of the part of mu that a step aims to leave.
+constexpr double smallest_part = 0.02;
+constexpr double largest_part = 0.8;
+
+/// A step shorter than this has run into the boundary, and who goes so many without a mu below the
+/// lowest goes in circles. Then the path is taken up anew, at a mu so much greater.
+constexpr double shortest_step = 0.1;
+constexpr int most_fruitless_steps = 4;
+constexpr double wider = 10.0;
+
+/// The path ends where sum T s is this part of sum T^2 l_0/EA, twice the energy of the edges (or
+/// where the play, weighted by the tensions, is a rounding error of the coordinates), and the
+/// largest imbalance of the tensions this part of their mean.
+constexpr double smallest_gap = 1e-9;
+constexpr double smallest_imbalance = 1e-6;
+
+/// The smallest x > 0 with a x^2 + 2 b x + c = 0, for c < 0; infinity where there is none.
+double first_root(double a, double b, double c) {
+    const double discriminant = b * b - a * c;
+    const double sum = b + std::sqrt(std::max(0.0, discriminant));
+    return discriminant >= 0.0 && sum > 0.0 ? -c / sum : std::numeric_limits<double>::infinity();
+}
+
+/// l - l_0: negative for a slack edge.
+double stretch(const NetState& state, size_t edge) {
+    return state.edges()[edge].length - state.unstressed_lengths()(static_cast<Eigen::Index>(edge));
+}
+
+/// Mean over the edges of EA/l_0 (l - l_0)^2, slack ones included [N m].
+double mean_stretch_energy(const NetState& state) {
+    double sum = 0.0;
+    for (size_t e = 0; e < state.edges().size(); ++e) {
+        sum += state.edges()[e].axial * stretch(state, e) * stretch(state, e);
+    }
+    return sum / static_cast<double>(state.edges().size());
+}
+
+/// Adds a force along every edge to its ends: that of the source.
+template <typename ForceOfEdge>
+void add_forces(const LocalNet& net, const NetState& state, ForceOfEdge&& force_of_edge,
+                Eigen::VectorXd& forces) {
+    for (size_t e = 0; e < net.edges.size(); ++e) {
+        const auto [s, t] = net.edges[e];
+        const Eigen::Vector3d force = force_of_edge(e) * state.edges()[e].direction;
+        if (s < net.free_count) {
+            forces.segment<3>(Eigen::Index{3} * s) += force;
+        }
+        if (t < net.free_count) {
+            forces.segment<3>(Eigen::Index{3} * t) -= force;
+        }
+    }
+}
+
+}  // namespace
+
+InteriorPoint::InteriorPoint(const LocalNet& net)
+    : m_edges(net.edges.size()),
+      m_springs(net.edges.size()),
+      m_imbalance(net.loads.size()),
+      m_direction(net.loads.size()) {}
+
+int InteriorPoint::run(const LocalNet& net, Stiffness& stiffness, NetState& state, int max_steps) {
+    start_on_path(net, state, mean_stretch_energy(state));
+    int steps = 0;
+    int fruitless_steps = 0;
+    double lowest = std::numeric_limits<double>::infinity();
+    while (steps < max_steps && !arrived(net, state) && factorize(net, stiffness, state)) {
+        ++steps;
+        const double mu = mean_product(0.0, state);
+        fruitless_steps = mu < lowest ? 0 : fruitless_steps + 1;
+        lowest = std::min(lowest, mu);
+        aim_at(0.0);
+        find_direction(net, stiffness, state);
+        const double part = std::pow(mean_product(longest_step(state), state) / mu, 3);
+        aim_at(mu * std::clamp(part, smallest_part, largest_part));
+        correct(state);
+        find_direction(net, stiffness, state);
+        if (const double step = longest_step(state);
+            step >= shortest_step && fruitless_steps < most_fruitless_steps) {
+            move(step, net, state);
+        } else {
+            start_on_path(net, state, wider * mu);
+            lowest = std::numeric_limits<double>::infinity();
+        }
+    }
+    return steps;
+}
+
+/// On the path at this form: the tension of an edge is that of its law with a corner rounded by mu.
+void InteriorPoint::start_on_path(const LocalNet& net, const NetState& state, double mu) {
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const double mu_by_axial = mu / state.edges()[e].axial;
+        const double half = 0.5 * stretch(state, e);
+        const double root = std::sqrt(half * half + mu_by_axial);
+        m_edges[e].play = half > 0.0 ? mu_by_axial / (root + half) : root - half;
+        m_edges[e].tension = mu / m_edges[e].play;
+    }
+    update_imbalance(net, state);
+}
+
+/// h(r, T) of the tensions on the path.
+void InteriorPoint::update_imbalance(const LocalNet& net, const NetState& state) {
+    m_imbalance = -net.loads;
+    add_forces(net, state, [&](size_t e) { return m_edges[e].tension; }, m_imbalance);
+}
+
+bool InteriorPoint::arrived(const LocalNet& net, const NetState& state) const {
+    if (state.imbalance(net, smallest_gap) <= 1.0) {
+        return true;
+    }
+    const double last_place =
+        4.0 * std::numeric_limits<double>::epsilon() * state.form().cwiseAbs().maxCoeff();
+    double gap = 0.0;
+    double energy = 0.0;
+    double tension = 0.0;
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        gap += m_edges[e].tension * m_edges[e].play;
+        energy += m_edges[e].tension * m_edges[e].tension / state.edges()[e].axial;
+        tension += m_edges[e].tension;
+    }
+    const double largest = m_imbalance.reshaped(3, net.free_count).colwise().norm().maxCoeff();
+    return !(gap > std::max(smallest_gap * energy, last_place * tension)) &&
+           !(largest > smallest_imbalance * tension / static_cast<double>(m_edges.size()));
+}
+
+bool InteriorPoint::factorize(const LocalNet& net, Stiffness& stiffness, const NetState& state) {
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const auto& [tension, play, wanted, tension_rate, difference] = m_edges[e];
+        const double along = tension / (play + tension / state.edges()[e].axial);
+        m_springs[e] = {.direction = state.edges()[e].direction,
+                        .length = state.edges()[e].length,
+                        .extension = tension / along,
+                        .axial = along};
+    }
+    stiffness.matrix.assemble(net, m_springs);
+    return stiffness.factorize();
+}
+
+void InteriorPoint::aim_at(double mu) {
+    for (PathEdge& edge : m_edges) {
+        edge.wanted = mu - edge.tension * edge.play;
+    }
+}
+
+/// Takes off what the last direction would change T s by to second order: dT ds, and T times what
+/// the length grows by turning.
+void InteriorPoint::correct(const NetState& state) {
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const EdgeState& at = state.edges()[e];
+        PathEdge& edge = m_edges[e];
+        const double lengthening = at.direction.dot(edge.difference);
+        const double turned = (at.length * at.direction + edge.difference).norm() - at.length;
+        edge.wanted -= edge.tension_rate * (edge.tension_rate / at.axial - lengthening) -
+                       edge.tension * (turned - lengthening);
+    }
+}
+
+/// Solves dT s + T ds = wanted and h(r + dr, T + dT) = 0, both to first order.
+void InteriorPoint::find_direction(const LocalNet& net, const Stiffness& stiffness,
+                                   const NetState& state) {
+    const auto fixed_part = [&](size_t e) {
+        const PathEdge& edge = m_edges[e];
+        return edge.wanted / (edge.play + edge.tension / state.edges()[e].axial);
+    };
+    m_direction = -m_imbalance;
+    add_forces(net, state, [&](size_t e) { return -fixed_part(e); }, m_direction);
+    stiffness.factor.solve(m_direction);
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const auto [s, t] = net.edges[e];
+        PathEdge& edge = m_edges[e];
+        edge.difference.setZero();
+        if (s < net.free_count) {
+            edge.difference += m_direction.segment<3>(Eigen::Index{3} * s);
+        }
+        if (t < net.free_count) {
+            edge.difference -= m_direction.segment<3>(Eigen::Index{3} * t);
+        }
+        edge.tension_rate =
+            fixed_part(e) + m_springs[e].axial * m_springs[e].direction.dot(edge.difference);
+    }
+}
+
+/// At most 1, and no edge loses more of its tension or play than part_kept leaves. The play along
+/// the direction is l_0 + (T + a dT) l_0/EA - |l u + a d|.
+double InteriorPoint::longest_step(const NetState& state) const {
+    double step = 1.0;
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const EdgeState& at = state.edges()[e];
+        const PathEdge& edge = m_edges[e];
+        if (edge.tension_rate < 0.0) {
+            step = std::min(step, (part_kept - 1.0) * edge.tension / edge.tension_rate);
+        }
+        // |l u + a d| = l + reach + a rate
+        const double reach = (1.0 - part_kept) * edge.play;
+        const double rate = edge.tension_rate / at.axial;
+        step = std::min(step, first_root(edge.difference.squaredNorm() - rate * rate,
+                                         at.length * at.direction.dot(edge.difference) -
+                                             (at.length + reach) * rate,
+                                         -reach * (2.0 * at.length + reach)));
+    }
+    return step;
+}
+
+/// mu, a step along the direction.
+double InteriorPoint::mean_product(double step, const NetState& state) const {
+    double sum = 0.0;
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const EdgeState& at = state.edges()[e];
+        const PathEdge& edge = m_edges[e];
+        const double length = (at.length * at.direction + step * edge.difference).norm();
+        sum += (edge.tension + step * edge.tension_rate) *
+               (edge.play + step * edge.tension_rate / at.axial - (length - at.length));
+    }
+    return sum / static_cast<double>(m_edges.size());
+}
+
+void InteriorPoint::move(double step, const LocalNet& net, NetState& state) {
+    state.form().reshaped().head(m_direction.size()) += step * m_direction;
+    state.update(net);
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        PathEdge& edge = m_edges[e];
+        edge.tension += step * edge.tension_rate;
+        // where nothing but rounding errors is left of the play, those stand for it
+        edge.play = std::max(edge.tension / state.edges()[e].axial - stretch(state, e),
+                             std::numeric_limits<double>::epsilon() * state.edges()[e].length);
+    }
+    update_imbalance(net, state);
+}
+
+}  // namespace taut

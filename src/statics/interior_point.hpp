@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "statics/net_state.hpp"
+#include "statics/stiffness_factor.hpp"
+
+namespace taut {
+
+/// A primal-dual interior-point method for eq. SOCP. There an edge either is slack or stretches:
+///
+///   T >= 0,   s = l_0 + T l_0/EA - l(r) >= 0,   T s = 0,   and the forces T balance the loads.
+///
+/// This follows the path T s = mu of all edges towards mu = 0 by predictor and corrector (S.
+/// Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2 (1992)
+/// 575-601); the corrector holds the curvature of l(r), too. Each step solves with the stiffness
+/// of the net, in which an edge counts T / (s + T l_0/EA) along and T / l across. How many edges go
+/// slack hardly matters here, while Newton's method on the energy spends steps on each few of them.
+/// It comes only as near to the equilibrium as mu to zero.
+class InteriorPoint {
+public:
+    explicit InteriorPoint(const LocalNet& net);
+
+    /// Moves the state near its equilibrium in at most `max_steps` steps, of one factorisation
+    /// each. Allocates nothing.
+    /// @return steps taken
+    int run(const LocalNet& net, Stiffness& stiffness, NetState& state, int max_steps);
+
+private:
+    struct PathEdge {
+        double tension;              ///< T > 0 [N]
+        double play;                 ///< s > 0 [m]
+        double wanted;               ///< change of T s that the direction aims at [N m]
+        double tension_rate;         ///< dT along the direction [N]
+        Eigen::Vector3d difference;  ///< of the direction at source and target [m]
+    };
+
+    void start_on_path(const LocalNet& net, const NetState& state, double mu);
+    void update_imbalance(const LocalNet& net, const NetState& state);
+    [[nodiscard]] bool arrived(const LocalNet& net, const NetState& state) const;
+    [[nodiscard]] bool factorize(const LocalNet& net, Stiffness& stiffness, const NetState& state);
+    void aim_at(double mu);
+    void correct(const NetState& state);
+    void find_direction(const LocalNet& net, const Stiffness& stiffness, const NetState& state);
+    [[nodiscard]] double longest_step(const NetState& state) const;
+    [[nodiscard]] double mean_product(double step, const NetState& state) const;
+    void move(double step, const LocalNet& net, NetState& state);
+
+    std::vector<PathEdge> m_edges;
+    std::vector<EdgeState> m_springs;  ///< edges as the stiffness takes them
+    Eigen::VectorXd m_imbalance;       ///< 3 n_I [N]
+    Eigen::VectorXd m_direction;       ///< 3 n_I [m]
+};
+
+}  // namespace taut

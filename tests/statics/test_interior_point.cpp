@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "statics/interior_point.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "support/random_nets.hpp"
+#include "support/real_data.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/compas_json.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/net_import.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/statics/duality.hpp"
+#include "taut/statics/energy.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+namespace {
+
+struct Approach {
+    Points form;
+    int steps;
+};
+
+/// Interior-point steps from the nominal form, and nothing else.
+Approach approach(const CableNet& net, const Eigen::VectorXd& lengths, int max_steps = 500) {
+    const LocalNet local = number_for_elimination(net);
+    Stiffness stiffness(local);
+    NetState state(local);
+    state.set_unstressed_lengths(local, lengths);
+    state.update(local);
+    const int steps = InteriorPoint(local).run(local, stiffness, state, max_steps);
+    return {local.scatter(state.form()), steps};
+}
+
+TEST(InteriorPoint, FindsTheFormThatNewtonsMethodFinds) {
+    const CableNet net = hilo_quarter();
+    test::Random random(3);
+    for (const double reach : {1e-3, 5e-3, 10e-3}) {
+        const Eigen::VectorXd lengths = with_length_deviations(
+            net, test::uniform_vector(random, net.interior_edge_count(), reach));
+        const Equilibrium newton = EquilibriumSolver(net).solve(lengths, net.nodes());
+        ASSERT_EQ(newton.status, EquilibriumStatus::converged);
+        const Approach found = approach(net, lengths);
+        EXPECT_LT((found.form - newton.form).cwiseAbs().maxCoeff(), 1e-6) << reach;
+        EXPECT_LT(certify(net, lengths, found.form).relative_gap, 1e-6) << reach;
+    }
+}
+
+RC_GTEST_PROP(InteriorPointOnARandomNet, LeavesAGapThatHardlyMatters, ()) {
+    test::Random random = test::any_random();
+    const CableNet net = test::random_net(random);
+    const Approach found = approach(net, net.unstressed_lengths());
+    RC_ASSERT(found.steps < 300);
+    const Equilibrium rest = solve_equilibrium(net);
+    const double scale = certify(net, net.unstressed_lengths(), rest.form).complementary_energy;
+    RC_ASSERT(energy(net, net.unstressed_lengths(), found.form) - scale <
+              1e-6 * (1.0 + std::abs(scale)));
+}
+
+TEST(InteriorPoint, StopsAtItsLimit) {
+    CableNetData data = hypar(8, 8).data();
+    data.unstressed_lengths *= 1.05;
+    data.loads.row(2).setConstant(-1.0);
+    const CableNet net(std::move(data));
+    EXPECT_EQ(approach(net, net.unstressed_lengths(), 0).steps, 0);
+    EXPECT_EQ(approach(net, net.unstressed_lengths(), 0).form, net.nodes());
+    EXPECT_EQ(approach(net, net.unstressed_lengths(), 3).steps, 3);
+}
+
+TEST(InteriorPoint, TakesFewStepsWhereHundredsOfEdgesGoSlackOnTheWay) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    const std::string file = test::real_file("hilo/cablenet.json").string();
+    const CableNet net =
+        import_net(parse_compas(read_file(file), file), {.young = 205e9,
+                                                         .diameter_attribute = "size",
+                                                         .force_unit = 1e3,
+                                                         .loads = ImportSettings::Loads::balance})
+            .net;
+    EquilibriumSolver solver(net);
+    test::Random random(5);
+    for (int i = 0; i < 5; ++i) {
+        const Eigen::VectorXd lengths = with_length_deviations(
+            net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
+        const Equilibrium e = solver.solve(lengths, net.nodes());
+        EXPECT_EQ(e.status, EquilibriumStatus::converged);
+        EXPECT_LT(e.iterations, 25);  // Newton's method alone takes 120
+        EXPECT_LT(certify(net, lengths, e.form).relative_gap, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace taut

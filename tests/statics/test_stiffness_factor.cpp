@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "statics/stiffness_factor.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "statics/net_state.hpp"
+#include "support/random_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+/// The stiffness of a net at its nominal form, with the nodes in the order of elimination.
+Stiffness stiffness_of(const CableNet& net, double shift) {
+    const LocalNet local = number_for_elimination(net);
+    NetState state(local);
+    state.set_unstressed_lengths(local, net.unstressed_lengths());
+    state.update(local);
+    Stiffness result(local);
+    result.matrix.assemble(local, state.edges());
+    result.matrix.add_shift(shift);
+    return result;
+}
+
+void expect_that_it_solves(const Stiffness& s) {
+    const Eigen::MatrixXd dense = s.matrix.to_sparse();
+    test::Random random(1);
+    const Eigen::VectorXd x = test::uniform_vector(random, dense.rows(), 1.0);
+    Eigen::VectorXd found = dense * x;
+    s.factor.solve(found);
+    EXPECT_LT((found - x).norm(), 1e-9 * x.norm());
+}
+
+TEST(StiffnessFactor, SolvesTheBuiltInNets) {
+    for (const CableNet& net : {hilo_quarter(), hypar(1, 1), hypar(9, 7)}) {
+        Stiffness s = stiffness_of(net, 0.0);
+        ASSERT_TRUE(s.factorize());
+        EXPECT_FALSE(s.has_loose_nodes());
+        expect_that_it_solves(s);
+    }
+}
+
+RC_GTEST_PROP(StiffnessFactorOfARandomNet, HasTheDeterminantAndTheSolutionsOfADenseOne, ()) {
+    test::Random random = test::any_random();
+    Stiffness s = stiffness_of(test::random_net(random), 1e-3);
+    RC_ASSERT(s.factorize());
+    const Eigen::MatrixXd dense = s.matrix.to_sparse();
+    const Eigen::VectorXd diagonal = dense.llt().matrixLLT().diagonal();
+    RC_ASSERT(std::abs(s.factor.pivots().array().log().sum() - 2.0 * diagonal.array().log().sum()) <
+              1e-9);
+    const Eigen::VectorXd x = test::uniform_vector(random, dense.rows(), 1.0);
+    Eigen::VectorXd found = dense * x;
+    s.factor.solve(found);
+    RC_ASSERT((found - x).norm() < 1e-8 * x.norm());
+}
+
+TEST(StiffnessFactor, TellsThatAMatrixIsNotPositiveDefiniteAndServesTheNextOne) {
+    Stiffness s = stiffness_of(hypar(6, 5), 0.0);
+    s.matrix.add_shift(-0.5);
+    EXPECT_FALSE(s.factorize());
+    EXPECT_FALSE(s.factor.positive_definite());
+    EXPECT_TRUE(s.has_loose_nodes());
+    s.matrix.add_shift(0.5);
+    ASSERT_TRUE(s.factorize());
+    expect_that_it_solves(s);
+}
+
+TEST(StiffnessFactor, FindsTheNodeThatHangsOnSlackEdges) {
+    CableNetData data = hypar(6, 5).data();
+    data.unstressed_lengths *= 1.2;
+    Stiffness s = stiffness_of(CableNet(std::move(data)), 0.0);
+    EXPECT_FALSE(s.factorize());
+    EXPECT_TRUE(s.has_loose_nodes());
+    s.matrix.add_shift(1e-14);
+    EXPECT_TRUE(s.factorize());
+    EXPECT_TRUE(s.has_loose_nodes());
+}
+
+}  // namespace
+}  // namespace taut
