@@ -4,15 +4,13 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/SparseCholesky>
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 
+#include "identification/exact_balance.hpp"
 #include "identification/outcome.hpp"
 #include "identification/survey_fit.hpp"
 #include "identification/survey_knowledge.hpp"
-#include "taut/statics/energy.hpp"
 
 namespace taut {
 namespace {
@@ -22,89 +20,6 @@ namespace {
 /// makes some of them carry pressure, and the form fall apart. They are taken out of each edge's
 /// posterior again.
 constexpr std::array bounds{5.0, 2.0, 1.0};
-
-/// The balance of a known form: linear in y, with 1/l_0 = (1 + y) / nominal.
-class Balance {
-public:
-    Balance(const CableNet& net, const Points& form, const std::vector<bool>& slack)
-        : m_forces(Eigen::VectorXd::Zero(Eigen::Index{3} * net.free_node_count())),
-          m_matrix(m_forces.size(), net.interior_edge_count()) {
-        Eigen::VectorXd node_stiffness = m_forces;
-        Points forces = -net.loads();
-        std::vector<Eigen::Triplet<double>> entries;
-        int interior = 0;
-        for (int e = 0; e < net.edge_count(); ++e) {
-            const auto [s, t] = net.edges()[static_cast<size_t>(e)];
-            const bool is_interior = interior < net.interior_edge_count() &&
-                                     net.interior_edges()[static_cast<size_t>(interior)] == e;
-            const int column = is_interior ? interior++ : -1;
-            if (slack[static_cast<size_t>(e)]) {
-                continue;
-            }
-            const Eigen::Vector3d vector = form.col(s) - form.col(t);
-            const double axial = net.axial_stiffness()(e) / net.unstressed_lengths()(e);
-            const Eigen::Vector3d force =
-                axial * (1.0 - net.unstressed_lengths()(e) / vector.norm()) * vector;
-            forces.col(s) += force;
-            forces.col(t) -= force;
-            for (const auto& [node, sign] : {std::pair{s, 1.0}, std::pair{t, -1.0}}) {
-                const int row = 3 * net.free_index(node);
-                if (row >= 0) {
-                    node_stiffness.segment<3>(row).array() += axial;
-                    for (int k = 0; is_interior && k < 3; ++k) {
-                        entries.emplace_back(row + k, column, sign * axial * vector(k));
-                    }
-                }
-            }
-        }
-        m_matrix.setFromTriplets(entries.begin(), entries.end());
-        // Forces in terms of the move of their node, so that soft parts count as much as stiff
-        // ones.
-        const Eigen::VectorXd scale = node_stiffness.cwiseMax(1e-300).cwiseInverse();
-        m_forces = scale.cwiseProduct(free_coordinates(net, forces));
-        m_matrix = scale.asDiagonal() * m_matrix;
-    }
-
-    /// y of least squares, by the normal equations and one refinement, which brings back the digits
-    /// that they lose.
-    [[nodiscard]] Eigen::VectorXd solve() const {
-        Eigen::SparseMatrix<double> normal = m_matrix.transpose() * m_matrix;
-        // Lengths that the forces do not show stay nominal.
-        constexpr double smallest_part = 1e-13;
-        const double shift = smallest_part * normal.diagonal().maxCoeff();
-        for (Eigen::Index i = 0; i < normal.cols(); ++i) {
-            normal.coeffRef(i, i) += shift;
-        }
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(normal);
-        Eigen::VectorXd y = Eigen::VectorXd::Zero(m_matrix.cols());
-        constexpr int passes = 3;
-        for (int pass = 0; pass < passes; ++pass) {
-            y -= factor.solve(m_matrix.transpose() * (m_forces + m_matrix * y));
-        }
-        return y;
-    }
-
-private:
-    Eigen::VectorXd m_forces;  ///< at y = 0
-    Eigen::SparseMatrix<double> m_matrix;
-};
-
-Eigen::VectorXd balanced_deviations(const CableNet& net, const Points& form,
-                                    const std::vector<bool>& slack) {
-    const Eigen::VectorXd y = Balance(net, form, slack).solve();
-    Eigen::VectorXd deviations(y.size());
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
-        if (!(1.0 + y(i) > 0.0)) {
-            throw std::runtime_error(
-                fmt::format("the forces at the surveyed form balance with no positive length of "
-                            "edge '{}': is the noise too large for this method?",
-                            net.edge_id(edge)));
-        }
-        deviations(i) = -net.unstressed_lengths()(edge) * y(i) / (1.0 + y(i));
-    }
-    return deviations;
-}
 
 }  // namespace
 
@@ -117,41 +32,33 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
             fmt::format("the survey holds {} of {} free nodes, expected all for the force balance",
                         survey.surveyed.size(), net.free_node_count()));
     }
+    if (is_exact_and_complete(net, survey)) {
+        Identification result = identify_by_exact_balance(net, survey, law);
+        result.method = "balance";
+        return result;
+    }
     const std::vector<bool> none_left_out(static_cast<size_t>(net.node_count()), false);
     const Points noise = reckoned_noise(net, survey);
-    Guess guess = surveyed_guess(net, survey, none_left_out);
     ConditionedStatics statics(net);
     Identification result{.method = "balance"};
-    const bool is_exact =
-        survey.noise_std.cols() == 0 || survey.noise_std(Eigen::all, survey.surveyed).isZero(0.0);
+    constexpr int max_iterations = 15;
+    constexpr double tolerance_in_noise = 1e-3;
+    const double tolerance = tolerance_in_noise * noise(Eigen::all, survey.surveyed).minCoeff();
     Knowledge knowledge;
-    if (is_exact) {
-        statics.set_slack(slack_by_form(net, guess, law));
-        guess.deviations = balanced_deviations(net, guess.form, statics.slack());
-        knowledge = knowledge_of(net, survey, noise, none_left_out, bounds.front() * law.std());
-        knowledge.mean = guess.deviations;
-        if (!statics.linearise(guess, knowledge)) {
-            throw std::runtime_error("the statics of the net are singular at the surveyed form");
-        }
-    } else {
-        constexpr int max_iterations = 15;
-        constexpr double tolerance_in_noise = 1e-3;
-        const double tolerance = tolerance_in_noise * noise(Eigen::all, survey.surveyed).minCoeff();
-        GaussNewtonResult fit;
-        for (const double bound : bounds) {
-            knowledge = knowledge_of(net, survey, noise, none_left_out, bound * law.std());
-            fit = fit_to_survey(net, statics, knowledge, law, tolerance, max_iterations);
-            if (fit.converged) {
-                break;
-            }
-        }
-        guess = std::move(fit.guess);
-        if (!fit.converged) {
-            result.status = IdentificationStatus::iteration_limit;
+    GaussNewtonResult fit;
+    for (const double bound : bounds) {
+        knowledge = knowledge_of(net, survey, noise, none_left_out, bound * law.std());
+        fit = fit_to_survey(net, statics, knowledge, law, tolerance, max_iterations);
+        if (fit.converged) {
+            break;
         }
     }
+    if (!fit.converged) {
+        result.status = IdentificationStatus::iteration_limit;
+    }
     statics.invert();
-    complete(result, net, survey, law, likelihoods(net, statics, knowledge, guess), guess.form);
+    complete(result, net, survey, law, likelihoods(net, statics, knowledge, fit.guess),
+             fit.guess.form);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "identification/exact_balance.hpp"
 #include "identification/gross_errors.hpp"
 #include "identification/outcome.hpp"
 #include "identification/survey_fit.hpp"
@@ -126,6 +127,11 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
                                                 const MaximumAPosterioriSettings& settings) {
     check(settings);
     check_survey(net, survey);
+    if (is_exact_and_complete(net, survey)) {
+        Identification result = identify_by_exact_balance(net, survey, law);
+        result.method = "map";
+        return result;
+    }
     return Search(net, survey, law, settings).run();
 }
 

@@ -23,8 +23,7 @@ namespace taut {
 /// An exact coordinate (noise 0) is taken to be so to 1e-7 of the net's mean edge length.
 ///
 /// @throws std::invalid_argument as identify_by_maximum_a_posteriori(), and where a free node was
-/// not
-///   surveyed
+///   not surveyed
 /// @throws std::runtime_error where the balance asks for a length that is not positive, or the
 ///   identified lengths find no equilibrium
 [[nodiscard]] Identification identify_by_force_balance(const CableNet& net, const Survey& survey,

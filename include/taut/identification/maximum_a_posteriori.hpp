@@ -27,7 +27,8 @@ struct MaximumAPosterioriSettings {
 /// out agrees with them. Not where all coordinates are exact.
 ///
 /// An exact coordinate (noise 0) is taken to be so to 1e-7 of the net's mean edge length: standard
-/// deviations are of that order, and larger than the errors, which are those of rounding.
+/// deviations are of that order, and larger than the errors, which are those of rounding. Where all
+/// nodes were surveyed so, the lengths are those of the balance: see identify_by_force_balance().
 ///
 /// @throws std::invalid_argument for a survey of another size, an index that is not a free node's
 /// or

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/exact_balance.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/real_data.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/force_balance.hpp"
+#include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/io/compas_json.hpp"
+#include "taut/io/file.hpp"
+#include "taut/io/net_import.hpp"
+#include "taut/sampling/data_set.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::uint64_t seed = 77;
+
+/// A net as built, and its exact survey.
+struct BuiltNet {
+    Eigen::VectorXd deviations;  ///< m_I [m]
+    Equilibrium equilibrium;
+    Survey survey;
+};
+
+BuiltNet build(const CableNet& net, const LengthLaw& law, std::uint64_t sample) {
+    BuiltNet built;
+    built.deviations = draw_length_deviations(law, seed, sample, net.interior_edge_count());
+    built.equilibrium =
+        EquilibriumSolver(net).solve(with_length_deviations(net, built.deviations), net.nodes());
+    built.survey.form = built.equilibrium.form;
+    built.survey.surveyed = net.free_nodes();
+    return built;
+}
+
+/// Taut edges to a nanometre where the law leaves them free, all others named slack, and the form
+/// found again.
+void expect_all_lengths(const CableNet& net, const LengthLaw& law, const BuiltNet& built,
+                        const Identification& found) {
+    ASSERT_EQ(built.equilibrium.status, EquilibriumStatus::converged);
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const IdentifiedEdge& edge = found.edges[static_cast<size_t>(i)];
+        const bool is_slack = std::ranges::binary_search(built.equilibrium.slack_edges, edge.edge);
+        EXPECT_EQ(edge.status, is_slack ? EdgeStatus::slack : EdgeStatus::identified) << edge.edge;
+        const double error = std::abs(edge.length_deviation - built.deviations(i));
+        // By a bound of the law the mean of what is left lies off it, by what stands for the noise.
+        const bool is_by_a_bound = std::abs(built.deviations(i)) > law.scale - 6.0 * edge.std;
+        EXPECT_LT(error, is_slack        ? 2.0 * law.scale
+                         : is_by_a_bound ? 2.0 * edge.std
+                                         : 1e-9)
+            << edge.edge;
+        EXPECT_LE(edge.lower, built.deviations(i) + 1e-12);
+        EXPECT_GE(edge.upper, built.deviations(i) - 1e-12);
+    }
+    EXPECT_LT(found.residuals.maxCoeff(), 1e-6);
+}
+
+TEST(ExactBalance, FindsLengthsAndSlackEdgesOfTheBuiltInNet) {
+    const CableNet net = hilo_quarter();
+    for (const double reach : {5e-3, 10e-3}) {
+        const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = reach};
+        const BuiltNet built = build(net, law, 0);
+        expect_all_lengths(net, law, built, identify_by_exact_balance(net, built.survey, law));
+    }
+}
+
+TEST(ExactBalance, FindsThoseOfANetOfSteelWithoutLoads) {
+    CableNetData data = hypar(9, 8).data();
+    data.axial_stiffness *= 100.0;
+    data.unstressed_lengths = data.unstressed_lengths.array() * 1.008;
+    const CableNet net(std::move(data));
+    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 0.2e-3};
+    const BuiltNet built = build(net, law, 0);
+    expect_all_lengths(net, law, built, identify_by_exact_balance(net, built.survey, law));
+}
+
+TEST(ExactBalance, FindsThoseOfTheHiloRoofThoughDozensOfEdgesAreSlack) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    const std::string file = test::real_file("hilo/cablenet.json").string();
+    const CableNet net =
+        import_net(parse_compas(read_file(file), file), {.young = 205e9,
+                                                         .diameter_attribute = "size",
+                                                         .force_unit = 1e3,
+                                                         .loads = ImportSettings::Loads::balance})
+            .net;
+    for (const double reach : {1e-3, 5e-3}) {
+        const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = reach};
+        for (const std::uint64_t sample : {1, 2, 3}) {
+            const BuiltNet built = build(net, law, sample);
+            EXPECT_THAT(built.equilibrium.slack_edges, ::testing::Not(::testing::IsEmpty()));
+            expect_all_lengths(net, law, built, identify_by_exact_balance(net, built.survey, law));
+        }
+    }
+}
+
+TEST(ExactBalance, IsWhatBothWaysMakeOfAnExactSurvey) {
+    const CableNet net = hypar(5, 5);
+    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 1e-3};
+    const BuiltNet built = build(net, law, 0);
+    const Identification balance = identify_by_force_balance(net, built.survey, law);
+    const Identification map = identify_by_maximum_a_posteriori(net, built.survey, law);
+    EXPECT_EQ(balance.method, "balance");
+    EXPECT_EQ(map.method, "map");
+    for (size_t i = 0; i < balance.edges.size(); ++i) {
+        EXPECT_EQ(map.edges[i].length_deviation, balance.edges[i].length_deviation);
+        EXPECT_EQ(map.edges[i].std, balance.edges[i].std);
+    }
+}
+
+TEST(ExactBalance, IsForWholeSurveysWithoutNoiseOnly) {
+    const CableNet net = hypar(3, 3);
+    Survey survey{.form = net.nodes(), .surveyed = net.free_nodes()};
+    EXPECT_TRUE(is_exact_and_complete(net, survey));
+    survey.noise_std = Points::Zero(3, net.node_count());
+    EXPECT_TRUE(is_exact_and_complete(net, survey));
+    survey.noise_std(1, net.free_nodes().front()) = 1e-4;
+    EXPECT_FALSE(is_exact_and_complete(net, survey));
+    survey.noise_std.setZero();
+    survey.missing = {survey.surveyed.back()};
+    survey.surveyed.pop_back();
+    EXPECT_FALSE(is_exact_and_complete(net, survey));
+}
+
+}  // namespace
+}  // namespace taut
