@@ -43,6 +43,8 @@ def main():
     study = load("reproduce.json")
     whole = load("reproduce_process.json")
     large = load("hypar300_process.json")
+    large_identified = load("hypar300_identify_process.json")
+    opened = load("opening.json")
     peer = load("sklearn.json")
     cores = len(__import__("os").sched_getaffinity(0))
     compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True, check=True)
@@ -73,6 +75,14 @@ def main():
         return (
             "| real HiLo net (800 free nodes, docs/real-nets.md), +-5 mm, from the nominal form | "
             f"{ms('solve_hilo')} | {steps('solve_hilo')} |\n"
+        )
+
+    def report_rows():
+        nets = ("built-in net, `reproduce`", "`hypar:300x300`, `identify`")
+        return "".join(
+            f"| {net} | {page['mebibytes']:.1f} MiB | {page['seconds']:.2f} s | "
+            f"{page['frame_milliseconds']:.0f} ms |\n"
+            for net, page in zip(nets, opened, strict=True)
         )
 
     print(f"""# Performance
@@ -115,6 +125,17 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 | maximum a posteriori | 2 mm | {ms('map/20')} |
 | maximum a posteriori, `hypar:30x30` | as in `bench_identification.cpp` | {ms('map_of_hypar/30')} |
 
+`taut identify` on an exact survey of `hypar:300x300` (179,400 interior edges), from file to file:
+{large_identified['seconds']:.0f} s and {large_identified['peak_kib'] / 2**20:.1f} GiB.
+
+## Reports
+
+From opening the file in a browser of its own until the page answers, and a frame while the net is orbited:
+Chromium without a graphics card, medians (`viewer/tests/opening.mjs`).
+
+| report | size | interactive after | a frame |
+|---|---|---|---|
+{report_rows()}
 ## The paper's experiment as one process
 
 `taut reproduce --keep`: {whole['seconds']:.2f} s and {whole['peak_kib'] / 2**20:.2f} GiB in all;

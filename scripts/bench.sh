@@ -31,6 +31,17 @@ build/taut example hypar:300x300 -o "$out/hypar300.json" > /dev/null
 /usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/hypar300_process.json" \
     build/release/benchmarks/bench_statics --benchmark_filter=solve_hypar/300 > /dev/null
 
+# Reports: the built-in net's, and that of a large net. Chromium opens them.
+build/taut form "$out/hypar300.json" --law uniform:1mm -o "$out/built.csv" > /dev/null
+build/taut survey "$out/hypar300.json" "$out/built.csv" -o "$out/survey.csv" > /dev/null
+/usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/hypar300_identify_process.json" \
+    build/taut identify "$out/hypar300.json" "$out/survey.csv" --law uniform:1mm \
+    -o "$out/hypar300_result.json" > /dev/null
+build/taut report "$out/hypar300_result.json" -o "$out/hypar300.html" > /dev/null
+[[ -d viewer/node_modules/playwright-core ]] ||
+    (cd viewer && npm ci --ignore-scripts --no-audit --no-fund > /dev/null)
+node viewer/tests/opening.mjs "$out/reproduce/report.html" "$out/hypar300.html" > "$out/opening.json"
+
 # One output with scikit-learn, on the data set whose 536 outputs reproduce has just trained.
 /usr/bin/python3 benchmarks/peers/sklearn_one_output.py "$out/reproduce/data.h5" \
     --training 950 --edge 0 > "$out/sklearn.json"

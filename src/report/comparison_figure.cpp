@@ -94,6 +94,34 @@ double most_varied(const std::map<double, std::set<double>>& partners, Preferenc
         ->first;
 }
 
+/// The rows of one noise and one number of training samples for which most shares of hidden nodes
+/// were tried; none where that is but one.
+Rows hidden_varied(const Rows& rows) {
+    std::map<double, std::set<double>> hidden_of_noise;
+    for (const Row& row : rows) {
+        hidden_of_noise[row.noise].insert(row.hidden_fraction);
+    }
+    const double noise = most_varied(hidden_of_noise, [](double value) { return -value; });
+    if (hidden_of_noise[noise].size() < 2) {
+        return {};
+    }
+    std::map<double, std::set<double>> hidden_of_training;
+    for (const Row& row : rows) {
+        if (row.noise == noise && row.training_samples) {
+            hidden_of_training[*row.training_samples].insert(row.hidden_fraction);
+        }
+    }
+    std::optional<double> training;
+    if (!hidden_of_training.empty()) {
+        training = most_varied(hidden_of_training, [](double samples) { return samples; });
+    }
+    Rows result;
+    std::ranges::copy_if(rows, std::back_inserter(result), [&](const Row& row) {
+        return row.noise == noise && (!row.training_samples || row.training_samples == training);
+    });
+    return result;
+}
+
 /// A method that learns from no samples is as good with any number: a level line.
 Rows levelled(const Rows& rows, const std::set<double>& places) {
     Rows result;
@@ -160,11 +188,21 @@ Figure comparison_figure(const ComparisonResult& comparison) {
         add(log_chart(chart, series_over(methods, levelled(at_noise, trainings_of_noise[noise]),
                                          [](const Row& row) { return row.training_samples; })));
     }
+    if (const Rows over_hidden = hidden_varied(comparison.rows); !over_hidden.empty()) {
+        chart.name = "error_over_hidden";
+        chart.title = "Error of each method over the share of hidden nodes";
+        chart.x_label = fmt::format("nodes not surveyed [%], at a noise of {} mm",
+                                    short_number(1e3 * over_hidden.front().noise));
+        chart.x_is_linear = true;
+        add(log_chart(chart, series_over(methods, over_hidden, [](const Row& row) {
+                          return std::optional(100.0 * row.hidden_fraction);
+                      })));
+    }
     figure.caption =
         "Root of the mean squared error of the identified lengths. The best possible is the "
         "posterior standard deviation of the problem linearised at the truth: to first order, no "
-        "method can do better in the mean. Level lines in the second drawing: methods that learn "
-        "from no samples.";
+        "method can do better in the mean. Level lines over the number of training samples: "
+        "methods that learn from none.";
     return figure;
 }
 

@@ -19,10 +19,10 @@ namespace {
 /// Of the decades between the least and the largest positive x, the part that 0 stands apart.
 constexpr double zero_gap = 0.25;
 
-/// Where an x stands: its logarithm, or apart on the left.
-class LogPlaces {
+/// Where an x stands on a linear axis, or on a logarithmic one: there 0 is apart on the left.
+class ChartPlaces {
 public:
-    explicit LogPlaces(const std::vector<LogSeries>& series) {
+    ChartPlaces(const std::vector<LogSeries>& series, bool linear) : m_linear(linear) {
         for (const LogSeries& s : series) {
             for (const auto& [x, y] : s.points) {
                 m_values.insert(x);
@@ -36,11 +36,16 @@ public:
     }
 
     [[nodiscard]] const std::set<double>& values() const { return m_values; }
+    [[nodiscard]] bool is_apart(double x) const { return !m_linear && !(x > 0.0); }
     [[nodiscard]] double operator()(double x) const {
+        if (m_linear) {
+            return x;
+        }
         return x > 0.0 ? std::log10(x) : m_low - zero_gap * std::max(m_high - m_low, 1.0);
     }
 
 private:
+    bool m_linear;
     std::set<double> m_values;
     double m_low = 0.0;
     double m_high = 0.0;
@@ -66,20 +71,31 @@ Ticks decade_ticks(double low, double high) {
 }
 
 /// Below this a point is told in words.
-double lowest_drawn(const std::vector<LogSeries>& series) {
+double lowest_drawn(const std::vector<LogSeries>& series, const ChartPlaces& places) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const LogSeries& s : series) {
         for (const auto& [x, y] : s.points) {
-            lowest = x > 0.0 ? std::min(lowest, y) : lowest;
+            lowest = places.is_apart(x) ? lowest : std::min(lowest, y);
         }
     }
     constexpr double factor = 3.0;
     return std::isfinite(lowest) ? lowest / factor : 0.0;
 }
 
-Axes log_axes(const LogChart& chart, const std::vector<LogSeries>& series, const LogPlaces& places,
-              double lowest, double top, double height) {
-    double low_y = lowest > 0.0 ? std::log10(lowest) : std::numeric_limits<double>::infinity();
+/// Heights of a line of words, and of the strip at the lower edge that holds so many.
+constexpr double word_height = 18.0;
+
+double strip_height(const std::vector<LogSeries>& series, double lowest) {
+    std::ptrdiff_t lines = 0;
+    for (const LogSeries& s : series) {
+        lines += std::ranges::count_if(s.points, [=](const auto& p) { return p.second < lowest; });
+    }
+    return lines > 0 ? word_height * (static_cast<double>(lines) + 0.5) : 0.0;
+}
+
+Axes log_axes(const LogChart& chart, const std::vector<LogSeries>& series,
+              const ChartPlaces& places, double lowest, double top, double height) {
+    double low_y = std::numeric_limits<double>::infinity();
     double high_y = -std::numeric_limits<double>::infinity();
     for (const LogSeries& s : series) {
         for (const auto& [x, y] : s.points) {
@@ -92,6 +108,9 @@ Axes log_axes(const LogChart& chart, const std::vector<LogSeries>& series, const
     axes.y = {
         .low = low_y - margin, .high = high_y + margin, .from = height - bottom_margin, .to = top};
     axes.y_ticks = decade_ticks(axes.y.low, axes.y.high);
+    // The strip of words has no scale: no point of a curve lies there.
+    const double strip = strip_height(series, lowest) / (axes.y.from - axes.y.to);
+    axes.y.low -= (axes.y.high - axes.y.low) * strip / (1.0 - strip);
     const double first = places(*places.values().begin());
     const double last = places(*places.values().rbegin());
     const double room = 0.08 * std::max(last - first, 1.0);
@@ -117,15 +136,14 @@ Axes log_axes(const LogChart& chart, const std::vector<LogSeries>& series, const
 }  // namespace
 
 std::optional<Drawing> log_chart(const LogChart& chart, const std::vector<LogSeries>& series) {
-    const LogPlaces places(series);
+    const ChartPlaces places(series, chart.x_is_linear);
     if (places.values().empty()) {
         return std::nullopt;
     }
-    constexpr double legend_line_height = 18.0;
     constexpr double plot_height = 280.0;
-    const double top = 10.0 + legend_line_height * static_cast<double>(series.size());
+    const double top = 10.0 + word_height * static_cast<double>(series.size());
     const double height = top + plot_height;
-    const double lowest = lowest_drawn(series);
+    const double lowest = lowest_drawn(series, places);
     const Axes axes = log_axes(chart, series, places, lowest, top, height);
     SvgBody svg;
     draw_axes(svg, axes, true);
@@ -140,7 +158,7 @@ std::optional<Drawing> log_chart(const LogChart& chart, const std::vector<LogSer
         draw_legend(
             svg, {axes.x.from, legend_y},
             {{.style = s.style, .words = s.name, .mark = Mark::dash, .attributes = is_wide}});
-        legend_y += legend_line_height;
+        legend_y += word_height;
         PathData line;
         PathData dots;
         bool is_joined = false;
@@ -151,12 +169,12 @@ std::optional<Drawing> log_chart(const LogChart& chart, const std::vector<LogSer
                 svg.path(s.style, mark, is_dot);
                 svg.text({axes.x(places(x)) + 8.0, word_y},
                          fmt::format("{} {}", short_number(y), chart.y_unit));
-                word_y -= legend_line_height;
+                word_y -= word_height;
                 continue;
             }
             const Eigen::Vector2d place = axes(places(x), std::log10(y));
             is_joined ? line.line_to(place) : line.move_to(place);
-            is_joined = x > 0.0;
+            is_joined = !places.is_apart(x);
             dots.dot(place);
         }
         svg.path(s.style, line, is_wide);

@@ -24,11 +24,13 @@ struct LogChart {
     std::string x_label;
     std::string y_label;
     std::string y_unit;
+    bool x_is_linear = false;
 };
 
-/// Curves over two logarithmic axes. x = 0 stands on the left, apart from the others and joined to
-/// none. There, y may be smaller by many orders than elsewhere: what lies below the others by more
-/// than a factor 3 is told in words at the lower edge, so that the rest can be told apart.
+/// Curves over two logarithmic axes, or over a linear x. On a logarithmic one x = 0 stands on the
+/// left, apart from the others and joined to none. There, y may be smaller by many orders than
+/// elsewhere: what lies below the others by more than a factor 3 is told in words in a strip at the
+/// lower edge, so that the rest can be told apart.
 /// @return nothing where there is no point
 [[nodiscard]] std::optional<Drawing> log_chart(const LogChart& chart,
                                                const std::vector<LogSeries>& series);
