@@ -81,6 +81,7 @@ def main():
         nets = ("built-in net, `reproduce`", "`hypar:300x300`, `identify`")
         return "".join(
             f"| {net} | {page['mebibytes']:.1f} MiB | {page['seconds']:.2f} s | "
+            f"{page['context_seconds']:.2f} s | "
             f"{page['frame_milliseconds']:.0f} ms |\n"
             for net, page in zip(nets, opened, strict=True)
         )
@@ -133,8 +134,8 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 From opening the file in a browser of its own until the page answers, and a frame while the net is orbited:
 Chromium without a graphics card, medians (`viewer/tests/opening.mjs`).
 
-| report | size | interactive after | a frame |
-|---|---|---|---|
+| report | size | interactive after | of that, the browser's start of WebGL | a frame |
+|---|---|---|---|---|
 {report_rows()}
 ## The paper's experiment as one process
 
