@@ -56,7 +56,7 @@ void run(const ReportOptions& options) {
         return;
     }
     for (const std::string& file : written) {
-        fmt::print("written: {}\n", file);
+        fmt::print("written to {}\n", file);
     }
 }
 

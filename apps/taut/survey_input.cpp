@@ -149,6 +149,17 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
     std::string text = fmt::format("survey {}: {} free nodes, {} not surveyed, noise {:.4g} mm\n",
                                    options.survey, survey.surveyed.size(), survey.missing.size(),
                                    1e3 * survey.noise_std(Eigen::all, survey.surveyed).maxCoeff());
+    if (!options.noise.empty()) {
+        const double told = parse_noise(options.noise);
+        const auto taken = std::ranges::count_if(survey.surveyed, [&](int node) {
+            return (survey.noise_std.col(node).array() == told).all();
+        });
+        if (taken < std::ssize(survey.surveyed)) {
+            text += fmt::format(
+                "  --noise {} is taken for {} of these: the file tells the noise of the others\n",
+                options.noise, taken);
+        }
+    }
     if (!survey.control.empty()) {
         text += fmt::format("  moved into the net's frame by {} control points, {:.3g} mm RMS\n",
                             survey.control.size(), 1e3 * root_mean_square(survey.control));

@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "identification/exact_balance.hpp"
 #include "identification/gross_errors.hpp"
@@ -21,6 +23,11 @@ namespace {
 constexpr double tolerance_in_noise = 1e-3;
 
 constexpr int most_revisions = 100;
+
+/// Where the search does not settle, it goes there in steps: as if the survey's noise were so many
+/// times larger, each from where the one before ended. The less a survey binds the form, the
+/// farther a linearisation holds.
+constexpr std::array inflations{10.0, 3.0, 1.0};
 
 void check(const MaximumAPosterioriSettings& settings) {
     if (settings.max_iterations < 1) {
@@ -104,8 +111,20 @@ private:
 
     /// Fits lengths and form to the targets in use, and inverts there.
     GaussNewtonResult fit() {
-        GaussNewtonResult result = fit_to_survey(m_net, m_statics, knowledge(), m_law, m_tolerance,
-                                                 m_settings.max_iterations);
+        const auto fit_from = [this](Guess start, double inflation) {
+            Knowledge known = knowledge();
+            known.weights /= inflation * inflation;
+            return fit_to_survey(m_net, m_statics, known, m_law, std::move(start), m_tolerance,
+                                 m_settings.max_iterations);
+        };
+        const Guess nominal{.form = m_net.nodes(), .deviations = knowledge().mean};
+        GaussNewtonResult result = fit_from(nominal, 1.0);
+        if (!result.converged) {
+            result.guess = nominal;
+            for (const double inflation : inflations) {
+                result = fit_from(std::move(result.guess), inflation);
+            }
+        }
         m_statics.invert();
         return result;
     }

@@ -3,6 +3,7 @@
 #include "identification/survey_fit.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "taut/statics/tensions.hpp"
 
@@ -22,9 +23,9 @@ std::vector<bool> slack_by_form(const CableNet& net, const Guess& guess, const L
 }
 
 GaussNewtonResult fit_to_survey(const CableNet& net, ConditionedStatics& statics,
-                                const Knowledge& knowledge, const LengthLaw& law, double tolerance,
-                                int max_iterations) {
-    GaussNewtonResult fit{.guess = {net.nodes(), knowledge.mean}};
+                                const Knowledge& knowledge, const LengthLaw& law, Guess start,
+                                double tolerance, int max_iterations) {
+    GaussNewtonResult fit{.guess = std::move(start)};
     // Few rounds do: which edges the form shows as slack changes little with the fit.
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {

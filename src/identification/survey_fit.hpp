@@ -15,11 +15,11 @@ namespace taut {
 [[nodiscard]] std::vector<bool> slack_by_form(const CableNet& net, const Guess& guess,
                                               const LengthLaw& law);
 
-/// Fits form and lengths to what is known, from the nominal ones, with the edges named slack that
-/// the fitted form shows to be so. The statics are left linearised at the result.
+/// Fits form and lengths to what is known, from a start, with the edges named slack that the fitted
+/// form shows to be so. The statics are left linearised at the result.
 /// @throws std::runtime_error as fit_under_statics()
 [[nodiscard]] GaussNewtonResult fit_to_survey(const CableNet& net, ConditionedStatics& statics,
                                               const Knowledge& knowledge, const LengthLaw& law,
-                                              double tolerance, int max_iterations);
+                                              Guess start, double tolerance, int max_iterations);
 
 }  // namespace taut

@@ -48,6 +48,21 @@ TEST_F(Chain, InspectTellsTheCounts) {
     EXPECT_THAT(text, testing::HasSubstr("slack edges: 0"));
 }
 
+TEST_F(Chain, InspectAsksWhetherANetInMillimetresIsOne) {
+    json net = json::parse(read("net.json"));
+    EXPECT_EQ(must_run({"inspect", "net.json"}).find("is the file in metres?"), std::string::npos);
+    for (json& node : net["nodes"]) {
+        for (json& coordinate : node) {
+            coordinate = 1e3 * coordinate.get<double>();
+        }
+    }
+    for (json& length : net["unstressed_lengths"]) {
+        length = 1e3 * length.get<double>();
+    }
+    write("mm.json", net.dump());
+    EXPECT_NE(must_run({"inspect", "mm.json"}).find("is the file in metres?"), std::string::npos);
+}
+
 TEST_F(Chain, InspectTellsWhatTheFormTells) {
     const json it = json::parse(must_run({"inspect", "net.json", "--json"}));
     EXPECT_GE(it["self_stress_states"].get<int>(), 1);

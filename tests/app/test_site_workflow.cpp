@@ -69,6 +69,16 @@ TEST_F(SiteWorkflow, FindsTheLengthsBehindANoisyPartialSurveyWithoutNamesInAnoth
     expect_truth_within(result, 1.0e-3, 0.92);
 }
 
+TEST_F(SiteWorkflow, SaysWhereTheFileTellsAnotherNoiseThanTheOption) {
+    survey({"--noise", "0.5mm"});
+    const auto told_with = [&](const std::string& noise) {
+        return must_run({"identify", "net.json", "survey.csv", "--noise", noise, "-o", "r.json"});
+    };
+    const std::string differs = "--noise 2mm is taken for 0 of these: the file tells the noise of";
+    EXPECT_NE(told_with("2mm").find(differs), std::string::npos);
+    EXPECT_EQ(told_with("0.5mm").find("is taken for"), std::string::npos);
+}
+
 TEST_F(SiteWorkflow, FindsATargetThatSomebodyMoved) {
     survey({"--noise", "0.5mm"});
     std::istringstream lines(read("survey.csv"));

@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "support/hilo_roof.hpp"
 #include "support/random_nets.hpp"
-#include "support/real_data.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/io/compas_json.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/net_import.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/statics/duality.hpp"
 #include "taut/statics/energy.hpp"
@@ -71,14 +68,8 @@ TEST(InteriorPoint, StopsAtItsLimit) {
 }
 
 TEST(InteriorPoint, TakesFewStepsWhereHundredsOfEdgesGoSlackOnTheWay) {
-    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
-    const std::string file = test::real_file("hilo/cablenet.json").string();
-    const CableNet net =
-        import_net(parse_compas(read_file(file), file), {.young = 205e9,
-                                                         .diameter_attribute = "size",
-                                                         .force_unit = 1e3,
-                                                         .loads = ImportSettings::Loads::balance})
-            .net;
+    TAUT_NEEDS_HILO_ROOF();
+    const CableNet net = test::hilo_roof();
     EquilibriumSolver solver(net);
     test::Random random(5);
     for (int i = 0; i < 5; ++i) {
