@@ -213,16 +213,17 @@ void print(const CableNet& net, const Inspection& it) {
     fmt::print("sum of loads {:.4g}, {:.4g}, {:.4g} N\n\n", it.load.x(), it.load.y(), it.load.z());
     fmt::print("  {:<28}{:>12}{:>12}{:>12}\n", "as given", "least", "mean", "most");
     line("length", "m", it.lengths, 1.0);
+    line("unstressed length", "m", it.unstressed_lengths, 1.0);
+    line("tension", "kN", it.tensions, 1e-3);
+    line("strain", "%", it.strains, 100.0);
+    fmt::print("  largest out-of-balance force: {:.4g} N\n", it.out_of_balance);
+    fmt::print("  slack edges: {}\n", edges_text(net, it.slack_edges));
     constexpr double longest_mean = 30.0;  // m, of edges: longer ones are most likely told in mm
     if (it.lengths.mean > longest_mean) {
         fmt::print("  warning: edges of {:.4g} m in the mean: is the file in metres?\n",
                    it.lengths.mean);
     }
-    line("unstressed length", "m", it.unstressed_lengths, 1.0);
-    line("tension", "kN", it.tensions, 1e-3);
-    line("strain", "%", it.strains, 100.0);
-    fmt::print("  largest out-of-balance force: {:.4g} N\n", it.out_of_balance);
-    fmt::print("  slack edges: {}\n\n", edges_text(net, it.slack_edges));
+    fmt::print("\n");
     fmt::print("in equilibrium: {}\n", equilibrium_text(it.equilibrium));
     fmt::print("  {}\n", certificate_text(it.certificate));
     fmt::print("  largest move of a node from where it is given: {:.4g} mm\n", 1e3 * it.move);

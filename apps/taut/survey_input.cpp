@@ -151,13 +151,12 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
                                    1e3 * survey.noise_std(Eigen::all, survey.surveyed).maxCoeff());
     if (!options.noise.empty()) {
         const double told = parse_noise(options.noise);
-        const auto taken = std::ranges::count_if(survey.surveyed, [&](int node) {
-            return (survey.noise_std.col(node).array() == told).all();
+        const auto other = std::ranges::count_if(survey.surveyed, [&](int node) {
+            return (survey.noise_std.col(node).array() != told).any();
         });
-        if (taken < std::ssize(survey.surveyed)) {
-            text += fmt::format(
-                "  --noise {} is taken for {} of these: the file tells the noise of the others\n",
-                options.noise, taken);
+        if (other > 0) {
+            text += fmt::format("  not --noise {}: the file tells the noise of {} of these\n",
+                                options.noise, other);
         }
     }
     if (!survey.control.empty()) {

@@ -6,8 +6,8 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "identification/conditioned_statics.hpp"
@@ -19,11 +19,13 @@
 namespace taut {
 namespace {
 
-/// Bounds to the lengths in standard deviations of what stands for the noise: wide enough to leave
-/// them free, and no wider than that, since variances are lost in rounding errors where they are
-/// far below what was known before. A length that the first does not narrow down is given the
-/// second.
-constexpr std::array exact_bounds{1e2, 1e4};
+/// Bounds to the lengths that the form determines, in standard deviations of what stands for the
+/// noise: wide enough to leave them free, and no wider than that, since variances are lost in
+/// rounding errors where they are far below what was known before. The second is for lengths that
+/// the form determines so badly that the first is not wide enough.
+constexpr double narrow_bound = 1e2;
+constexpr double wide_bound = 1e4;
+constexpr double widest_part_of_bound = 3.0;
 
 /// The balance of a known form: linear in y, with 1/l_0 = (1 + y) / nominal.
 class Balance {
@@ -65,42 +67,63 @@ public:
         const Eigen::VectorXd scale = node_stiffness.cwiseMax(1e-300).cwiseInverse();
         m_forces = scale.cwiseProduct(free_coordinates(net, forces));
         m_matrix = scale.asDiagonal() * m_matrix;
-    }
-
-    /// y of least squares, by the normal equations and one refinement, which brings back the digits
-    /// that they lose.
-    [[nodiscard]] Eigen::VectorXd solve() const {
         Eigen::SparseMatrix<double> normal = m_matrix.transpose() * m_matrix;
         // Lengths that the forces do not show stay nominal.
         constexpr double smallest_part = 1e-13;
-        const double shift = smallest_part * normal.diagonal().maxCoeff();
+        m_shift = smallest_part * normal.diagonal().maxCoeff();
         for (Eigen::Index i = 0; i < normal.cols(); ++i) {
-            normal.coeffRef(i, i) += shift;
+            normal.coeffRef(i, i) += m_shift;
         }
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(normal);
+        m_factor.compute(normal);
+    }
+
+    /// y of least squares, by the normal equations and refinements, which bring back the digits
+    /// that they lose.
+    [[nodiscard]] Eigen::VectorXd solve() const {
         Eigen::VectorXd y = Eigen::VectorXd::Zero(m_matrix.cols());
         constexpr int passes = 3;
         for (int pass = 0; pass < passes; ++pass) {
-            y -= factor.solve(m_matrix.transpose() * (m_forces + m_matrix * y));
+            y -= m_factor.solve(m_matrix.transpose() * (m_forces + m_matrix * y));
         }
         return y;
+    }
+
+    /// Edges that have a part in a free state of self-stress, or are slack: the balance holds
+    /// whatever their share of it. Each pass of inverse iteration takes most of what is not in the
+    /// null space out of a vector that has a part in all of it.
+    [[nodiscard]] std::vector<bool> undetermined() const {
+        constexpr int passes = 4;
+        constexpr double smallest_share = 1e-6;
+        std::mt19937 random(1);
+        Eigen::VectorXd share = Eigen::VectorXd::NullaryExpr(m_matrix.cols(), [&] {
+            return std::uniform_real_distribution<double>(0.5, 1.0)(random) *
+                   (random() % 2 == 0 ? 1.0 : -1.0);
+        });
+        for (int pass = 0; pass < passes; ++pass) {
+            share = m_shift * m_factor.solve(share).eval();
+        }
+        std::vector<bool> result(static_cast<size_t>(share.size()));
+        std::transform(share.begin(), share.end(), result.begin(),
+                       [](double s) { return std::abs(s) > smallest_share; });
+        return result;
     }
 
 private:
     Eigen::VectorXd m_forces;  ///< at y = 0
     Eigen::SparseMatrix<double> m_matrix;
+    double m_shift = 0.0;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  ///< of the normal equations
 };
 
-Eigen::VectorXd balanced_deviations(const CableNet& net, const Points& form,
-                                    const std::vector<bool>& slack) {
-    const Eigen::VectorXd y = Balance(net, form, slack).solve();
+Eigen::VectorXd balanced_deviations(const CableNet& net, const Balance& balance) {
+    const Eigen::VectorXd y = balance.solve();
     Eigen::VectorXd deviations(y.size());
     for (Eigen::Index i = 0; i < y.size(); ++i) {
         const int edge = net.interior_edges()[static_cast<size_t>(i)];
         if (!(1.0 + y(i) > 0.0)) {
             throw std::runtime_error(
                 fmt::format("the forces at the surveyed form balance with no positive length of "
-                            "edge '{}': is the noise too large for this method?",
+                            "edge '{}': is the survey exact?",
                             net.edge_id(edge)));
         }
         deviations(i) = -net.unstressed_lengths()(edge) * y(i) / (1.0 + y(i));
@@ -108,33 +131,69 @@ Eigen::VectorXd balanced_deviations(const CableNet& net, const Points& form,
     return deviations;
 }
 
-/// What the balance at an exact form tells of each length.
-std::vector<LengthLikelihood> exact_likelihoods(const CableNet& net, ConditionedStatics& statics,
-                                                const Survey& survey, const Guess& balanced) {
-    const Points noise = reckoned_noise(net, survey);
-    const std::vector<bool> none_left_out(static_cast<size_t>(net.node_count()), false);
-    std::vector<LengthLikelihood> result;
-    for (const double bound : exact_bounds) {
-        Knowledge knowledge =
-            knowledge_of(net, survey, noise, none_left_out, bound * noise.maxCoeff());
-        knowledge.mean = balanced.deviations;
-        if (!statics.linearise(balanced, knowledge)) {
+/// What an exact form tells of each length, on top of its balance.
+class ExactForm {
+public:
+    ExactForm(const CableNet& net, const Survey& survey, const LengthLaw& law)
+        : m_net(net),
+          m_survey(survey),
+          m_noise(reckoned_noise(net, survey)),
+          m_none_left_out(static_cast<size_t>(net.node_count()), false),
+          m_balanced(surveyed_guess(net, survey, m_none_left_out)),
+          m_statics(net) {
+        m_statics.set_slack(slack_by_form(net, m_balanced, law));
+        const Balance balance(net, m_balanced.form, m_statics.slack());
+        m_balanced.deviations = balanced_deviations(net, balance);
+        m_undetermined = balance.undetermined();
+    }
+
+    [[nodiscard]] const Points& form() const { return m_balanced.form; }
+
+    [[nodiscard]] std::vector<LengthLikelihood> likelihoods(const LengthLaw& law) {
+        const double unit = m_noise.maxCoeff();
+        auto result = likelihoods_within(narrow_bound * unit);
+        const auto replace = [&](double bound, const auto& applies) {
+            std::vector<size_t> edges;
+            for (size_t i = 0; i < result.size(); ++i) {
+                const auto edge = static_cast<size_t>(m_net.interior_edges()[i]);
+                if (!m_statics.slack()[edge] && applies(i)) {
+                    edges.push_back(i);
+                }
+            }
+            if (!edges.empty()) {
+                const auto found = likelihoods_within(bound);
+                for (const size_t i : edges) {
+                    result[i] = found[i];
+                }
+            }
+        };
+        replace(wide_bound * unit, [&](size_t i) {
+            return !m_undetermined[i] && result[i].std > widest_part_of_bound * narrow_bound * unit;
+        });
+        replace(law.std(), [&](size_t i) { return m_undetermined[i]; });
+        return result;
+    }
+
+private:
+    /// With a normal prior of this standard deviation around the balance, taken out again.
+    [[nodiscard]] std::vector<LengthLikelihood> likelihoods_within(double length_std) {
+        Knowledge knowledge = knowledge_of(m_net, m_survey, m_noise, m_none_left_out, length_std);
+        knowledge.mean = m_balanced.deviations;
+        if (!m_statics.linearise(m_balanced, knowledge)) {
             throw std::runtime_error("the statics of the net are singular at the surveyed form");
         }
-        statics.invert();
-        const auto found = likelihoods(net, statics, knowledge, balanced);
-        result.resize(found.size());
-        for (size_t i = 0; i < found.size(); ++i) {
-            if (std::isinf(result[i].std)) {
-                result[i] = found[i];
-            }
-        }
-        if (std::ranges::none_of(result, [](const auto& r) { return std::isinf(r.std); })) {
-            break;
-        }
+        m_statics.invert();
+        return taut::likelihoods(m_net, m_statics, knowledge, m_balanced);
     }
-    return result;
-}
+
+    const CableNet& m_net;
+    const Survey& m_survey;
+    Points m_noise;
+    std::vector<bool> m_none_left_out;
+    Guess m_balanced;
+    ConditionedStatics m_statics;
+    std::vector<bool> m_undetermined;  ///< m_I
+};
 
 }  // namespace
 
@@ -147,14 +206,9 @@ bool is_exact_and_complete(const CableNet& net, const Survey& survey) {
 
 Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
                                          const LengthLaw& law) {
-    Guess balanced = surveyed_guess(
-        net, survey, std::vector<bool>(static_cast<size_t>(net.node_count()), false));
-    ConditionedStatics statics(net);
-    statics.set_slack(slack_by_form(net, balanced, law));
-    balanced.deviations = balanced_deviations(net, balanced.form, statics.slack());
+    ExactForm exact(net, survey, law);
     Identification result;
-    complete(result, net, survey, law, exact_likelihoods(net, statics, survey, balanced),
-             balanced.form);
+    complete(result, net, survey, law, exact.likelihoods(law), exact.form());
     return result;
 }
 

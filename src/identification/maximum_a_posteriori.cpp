@@ -114,8 +114,8 @@ private:
         const auto fit_from = [this](Guess start, double inflation) {
             Knowledge known = knowledge();
             known.weights /= inflation * inflation;
-            return fit_to_survey(m_net, m_statics, known, m_law, std::move(start), m_tolerance,
-                                 m_settings.max_iterations);
+            return fit_to_survey(m_net, m_statics, known, m_law, std::move(start),
+                                 inflation * m_tolerance, m_settings.max_iterations);
         };
         const Guess nominal{.form = m_net.nodes(), .deviations = knowledge().mean};
         GaussNewtonResult result = fit_from(nominal, 1.0);

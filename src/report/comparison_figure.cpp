@@ -119,7 +119,10 @@ Rows hidden_varied(const Rows& rows) {
     std::ranges::copy_if(rows, std::back_inserter(result), [&](const Row& row) {
         return row.noise == noise && (!row.training_samples || row.training_samples == training);
     });
-    return result;
+    const auto differs = [&](const Row& row) {
+        return row.hidden_fraction != result.front().hidden_fraction;
+    };
+    return std::ranges::any_of(result, differs) ? result : Rows();
 }
 
 /// A method that learns from no samples is as good with any number: a level line.

@@ -109,7 +109,7 @@ Axes log_axes(const LogChart& chart, const std::vector<LogSeries>& series,
         .low = low_y - margin, .high = high_y + margin, .from = height - bottom_margin, .to = top};
     axes.y_ticks = decade_ticks(axes.y.low, axes.y.high);
     // The strip of words has no scale: no point of a curve lies there.
-    const double strip = strip_height(series, lowest) / (axes.y.from - axes.y.to);
+    const double strip = std::min(0.5, strip_height(series, lowest) / (axes.y.from - axes.y.to));
     axes.y.low -= (axes.y.high - axes.y.low) * strip / (1.0 - strip);
     const double first = places(*places.values().begin());
     const double last = places(*places.values().rbegin());

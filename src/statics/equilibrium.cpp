@@ -15,7 +15,7 @@
 namespace taut {
 namespace {
 
-/// Newton's method alone is given up after this many steps, and so many short ones in a row. Nets
+/// Newton's method alone is given up after this many steps, or so many short ones in a row. Nets
 /// under tension need fewer from a fair start.
 constexpr DescentLimits plain_descent{.max_steps = 30, .max_short_steps = 1};
 
@@ -106,7 +106,9 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
     at_first.max_steps = std::min(at_first.max_steps, limit);
     bool balanced = descend(at_first);
     if (!balanced && result.iterations < limit) {
-        result.iterations += w.approach(limit - result.iterations, result.energy_decreases);
+        // Half of what is left: Newton's method has the last word.
+        result.iterations +=
+            w.approach((limit - result.iterations + 1) / 2, result.energy_decreases);
         balanced = descend({.max_steps = limit - result.iterations});
     }
 

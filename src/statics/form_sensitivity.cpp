@@ -66,8 +66,11 @@ FormSensitivity::FormSensitivity(const CableNet& net,
     f.stiffness.matrix.assemble(f.net, states);
     f.stiffness.factorize();
     if (f.stiffness.has_loose_nodes()) {
-        f.stiffness.matrix.add_shift(smallest_relative_stiffness);
-        f.stiffness.factorize();
+        double shift = smallest_relative_stiffness;
+        do {
+            f.stiffness.matrix.add_shift(shift);
+            shift *= 10.0;
+        } while (!f.stiffness.factorize() && shift < 1.0);
     }
 }
 FormSensitivity::~FormSensitivity() = default;

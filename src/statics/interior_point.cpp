@@ -28,6 +28,10 @@ constexpr double wider = 10.0;
 constexpr double smallest_gap = 1e-9;
 constexpr double smallest_imbalance = 1e-6;
 
+/// Where the forces by the law of the edges balance so far, in mean tensions, there is nothing left
+/// to do: a net that is slack all over, say.
+constexpr double balanced = 1e-9;
+
 /// The smallest x > 0 with a x^2 + 2 b x + c = 0, for c < 0; infinity where there is none.
 double first_root(double a, double b, double c) {
     const double discriminant = b * b - a * c;
@@ -80,12 +84,12 @@ int InteriorPoint::run(const LocalNet& net, Stiffness& stiffness, NetState& stat
     double lowest = std::numeric_limits<double>::infinity();
     while (steps < max_steps && !arrived(net, state) && factorize(net, stiffness, state)) {
         ++steps;
-        const double mu = mean_product(0.0, state);
+        const double mu = mean_product();
         fruitless_steps = mu < lowest ? 0 : fruitless_steps + 1;
         lowest = std::min(lowest, mu);
         aim_at(0.0);
         find_direction(net, stiffness, state);
-        const double part = std::pow(mean_product(longest_step(state), state) / mu, 3);
+        const double part = std::pow(mean_product_after(longest_step(state), state) / mu, 3);
         aim_at(mu * std::clamp(part, smallest_part, largest_part));
         correct(state);
         find_direction(net, stiffness, state);
@@ -119,7 +123,7 @@ void InteriorPoint::update_imbalance(const LocalNet& net, const NetState& state)
 }
 
 bool InteriorPoint::arrived(const LocalNet& net, const NetState& state) const {
-    if (state.imbalance(net, smallest_gap) <= 1.0) {
+    if (state.imbalance(net, balanced) <= 1.0) {
         return true;
     }
     const double last_place =
@@ -215,8 +219,17 @@ double InteriorPoint::longest_step(const NetState& state) const {
     return step;
 }
 
+/// mu.
+double InteriorPoint::mean_product() const {
+    double sum = 0.0;
+    for (const PathEdge& edge : m_edges) {
+        sum += edge.tension * edge.play;
+    }
+    return sum / static_cast<double>(m_edges.size());
+}
+
 /// mu, a step along the direction.
-double InteriorPoint::mean_product(double step, const NetState& state) const {
+double InteriorPoint::mean_product_after(double step, const NetState& state) const {
     double sum = 0.0;
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const EdgeState& at = state.edges()[e];

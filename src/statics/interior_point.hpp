@@ -16,16 +16,16 @@ namespace taut {
 ///
 /// This follows the path T s = mu of all edges towards mu = 0 by predictor and corrector (S.
 /// Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2 (1992)
-/// 575-601); the corrector holds the curvature of l(r), too. Each step solves with the stiffness
-/// of the net, in which an edge counts T / (s + T l_0/EA) along and T / l across. How many edges go
-/// slack hardly matters here, while Newton's method on the energy spends steps on each few of them.
-/// It comes only as near to the equilibrium as mu to zero.
+/// 575-601); the corrector holds the curvature of l(r) in s, too. Each step solves with the
+/// stiffness of the net, in which an edge counts T / (s + T l_0/EA) along and T / l across. How
+/// many edges go slack hardly matters here, while Newton's method on the energy spends steps on
+/// each few of them. It comes only as near to the equilibrium as mu to zero.
 class InteriorPoint {
 public:
     explicit InteriorPoint(const LocalNet& net);
 
     /// Moves the state near its equilibrium in at most `max_steps` steps, of one factorisation
-    /// each. Allocates nothing.
+    /// each. Allocates nothing. Does nothing where an edge's ends meet: its direction is none.
     /// @return steps taken
     int run(const LocalNet& net, Stiffness& stiffness, NetState& state, int max_steps);
 
@@ -46,7 +46,8 @@ private:
     void correct(const NetState& state);
     void find_direction(const LocalNet& net, const Stiffness& stiffness, const NetState& state);
     [[nodiscard]] double longest_step(const NetState& state) const;
-    [[nodiscard]] double mean_product(double step, const NetState& state) const;
+    [[nodiscard]] double mean_product() const;
+    [[nodiscard]] double mean_product_after(double step, const NetState& state) const;
     void move(double step, const LocalNet& net, NetState& state);
 
     std::vector<PathEdge> m_edges;

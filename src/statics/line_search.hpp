@@ -9,7 +9,7 @@ namespace taut {
 struct LineSearchStep {
     bool accepted = false;
     double length = 0.0;           ///< alpha, of the direction
-    double energy_decrease = 0.0;  ///< V(r) - V(r + alpha d) >= 0 [J]
+    double energy_decrease = 0.0;  ///< V(r) - V(r + alpha d) >= 0, but for rounding errors [J]
 };
 
 /// Looks for a step alpha in (0, 1] along a descent direction d (3 n_I) that lowers the energy, and

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "support/hilo_roof.hpp"
+#include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/force_balance.hpp"
 #include "taut/identification/maximum_a_posteriori.hpp"
@@ -114,6 +115,29 @@ TEST(MaximumAPosteriori, SettlesOnTheHiloRoofWithLittleNoiseThoughDozensOfEdgesA
         inside += edge.lower <= built.deviations(i) && built.deviations(i) <= edge.upper ? 1 : 0;
     }
     EXPECT_GT(inside, 0.93 * net.interior_edge_count());
+}
+
+TEST(ExactBalance, ClaimsNoLengthThatTheFormDoesNotDetermine) {
+    // Of two crossed lines one holds the length that is known, and the other can be tighter at
+    // will. Where the node is off the middle the lines have kinks: then edge 1 has a small share in
+    // that.
+    CableNetData data = test::cross_data(0.02);
+    data.adjustable = {0};
+    const CableNet net(std::move(data));
+    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 5e-3};
+    for (const std::uint64_t sample : {0, 1, 2, 3}) {
+        const BuiltNet built = build(net, law, sample);
+        const Identification found = identify_by_exact_balance(net, built.survey, law);
+        for (int i = 0; i < net.interior_edge_count(); ++i) {
+            const IdentifiedEdge& edge = found.edges[static_cast<size_t>(i)];
+            EXPECT_LE(edge.lower, built.deviations(i));
+            EXPECT_GE(edge.upper, built.deviations(i));
+        }
+        EXPECT_GT(found.edges[0].std, 1e-7);
+        EXPECT_LT(found.edges[0].std, 1e-5);
+        EXPECT_GT(found.edges[1].std, 0.5 * law.std());
+        EXPECT_GT(found.edges[2].std, 0.5 * law.std());
+    }
 }
 
 TEST(ExactBalance, IsWhatBothWaysMakeOfAnExactSurvey) {

@@ -199,6 +199,40 @@ TEST(ComparisonFigures, DrawEachMethodAndTheBestPossible) {
     EXPECT_THAT(figures.at("error_over_training.svg"), HasSubstr(">900<"));
 }
 
+TEST(ComparisonFigures, DrawErrorsOverHiddenNodesWhereTheyWereVaried) {
+    ResultFile result = test::made_up_comparison();
+    auto& rows = std::get<ComparisonResult>(result.content).rows;
+    const auto hide = [&](const char* method, double noise, double hidden, double mse) {
+        rows.push_back({.method = method, .noise = noise, .mse = mse, .hidden_fraction = hidden});
+    };
+    hide("balance", 1e-4, 0.0, 3e-8);
+    hide("map", 1e-4, 0.0, 2e-8);
+    hide("map", 1e-4, 0.1, 4e-8);
+    hide("map", 1e-4, 0.3, 9e-8);
+    const auto figures = figures_of(result);
+    ASSERT_EQ(figures.size(), 3U);
+    const std::string& svg = figures.at("error_over_hidden.svg");
+    EXPECT_THAT(svg, HasSubstr("nodes not surveyed [%], at a noise of 0.1 mm"));
+    for (const char* share : {">0<", ">10<", ">30<"}) {
+        EXPECT_THAT(svg, HasSubstr(share));
+    }
+    EXPECT_THAT(svg, HasSubstr(">map<"));
+}
+
+TEST(ComparisonFigures, KeepWhatIsFarBelowTheScaleApartFromTheCurves) {
+    // balance is at 1e-9 mm without noise.
+    ResultFile result = test::made_up_comparison();
+    const report::Figure figure =
+        report::comparison_figure(std::get<ComparisonResult>(result.content));
+    const std::string& body = figure.drawings.front().body;
+    EXPECT_THAT(body, HasSubstr("10⁻⁹ mm"));
+    const auto y_of = [](const std::string& text, size_t at) {
+        return std::stod(text.substr(text.find(" y=\"", text.rfind("<text", at)) + 4));
+    };
+    // y grows downwards; of the ticks 0.2 is the lowest.
+    EXPECT_GT(y_of(body, body.find("10⁻⁹ mm")), y_of(body, body.find(">0.2<")) + 10.0);
+}
+
 TEST(StudyFiguresOf, TheBuiltInNetAreSmallEnoughForAPage) {
     std::size_t bytes = 0;
     for (const auto& [name, svg] :

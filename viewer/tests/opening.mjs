@@ -21,7 +21,7 @@ function watchContexts() {
   HTMLCanvasElement.prototype.getContext = function (...parameters) {
     const start = performance.now();
     const context = getContext.apply(this, parameters);
-    window.contextSeconds ??= (performance.now() - start) / 1e3;
+    if (parameters[0].startsWith("webgl")) window.contextSeconds ??= (performance.now() - start) / 1e3;
     return context;
   };
 }

@@ -9,7 +9,7 @@
 namespace taut {
 
 struct MaximumAPosterioriSettings {
-    int max_iterations = 50;  ///< Gauss-Newton steps each time the targets in use change
+    int max_iterations = 50;                             ///< Gauss-Newton steps of each search
     double false_alarm_rate = default_false_alarm_rate;  ///< 0: no test
 };
 
@@ -33,7 +33,8 @@ struct MaximumAPosterioriSettings {
 /// @throws std::invalid_argument for a survey of another size, an index that is not a free node's
 /// or
 ///   comes twice, noise that is negative or not finite, a position that is not, no surveyed node
-/// @throws std::runtime_error where the identified lengths find no equilibrium
+/// @throws std::runtime_error where the identified lengths find no equilibrium, or an exact form
+///   balances with no positive length of an edge
 [[nodiscard]] Identification identify_by_maximum_a_posteriori(
     const CableNet& net, const Survey& survey, const LengthLaw& law,
     const MaximumAPosterioriSettings& settings = {});

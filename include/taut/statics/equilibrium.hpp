@@ -63,13 +63,13 @@ public:
 
     /// The form r_I = f^-1(l_0) of the paper (eqs. finv, SOCP): Newton's method on the convex
     /// energy, with a line search and a diagonal shift where slack edges make the stiffness
-    /// singular. Where the line search cuts its steps short, since many edges go slack or taut on
-    /// the way, a primal-dual interior-point method first brings the net near its form.
+    /// singular. Where the line search cuts its steps short or 30 do not do, since many edges go
+    /// slack or taut on the way, a primal-dual interior-point method first brings the net near its
+    /// form.
     /// @param unstressed_lengths l_0 of all edges (m), positive [m]
     /// @param start where to begin (3 x n); supports are taken from the net [m]
-    /// @throws std::invalid_argument for wrong sizes, a length that is not positive and finite, or
-    /// a
-    ///   start that is not finite.
+    /// @throws std::invalid_argument for wrong sizes, a length that is not positive and
+    ///   finite, or a start that is not finite.
     [[nodiscard]] Equilibrium solve(const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                     const Eigen::Ref<const Points>& start);
 
