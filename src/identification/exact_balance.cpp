@@ -102,9 +102,10 @@ public:
         for (int pass = 0; pass < passes; ++pass) {
             share = m_shift * m_factor.solve(share).eval();
         }
-        std::vector<bool> result(static_cast<size_t>(share.size()));
-        std::transform(share.begin(), share.end(), result.begin(),
-                       [](double s) { return std::abs(s) > smallest_share; });
+        std::vector<bool> result;
+        for (const double s : share) {
+            result.push_back(std::abs(s) > smallest_share);
+        }
         return result;
     }
 
