@@ -148,7 +148,8 @@ void print(const IdentifyOptions& options, const CableNet& net, const Survey& su
     fmt::print("method {}: {}\n  chosen because: {}\n\n", result.method, outcome.how,
                result.method_reason);
     if (!result.outliers.empty()) {
-        fmt::print("gross errors, left out: {} targets\n", result.outliers.size());
+        fmt::print("gross errors, left out: {} {}\n", result.outliers.size(),
+                   result.outliers.size() == 1 ? "target" : "targets");
         for (const Outlier& outlier : result.outliers) {
             fmt::print("  {:<12}{:>12.3f} mm from where all others tell\n",
                        net.node_id(outlier.node), 1e3 * outlier.distance);
@@ -157,10 +158,25 @@ void print(const IdentifyOptions& options, const CableNet& net, const Survey& su
     if (result.noise_ratio > 0.0) {
         fmt::print("the survey's residuals are {:.2f} times what its noise lets expect\n",
                    result.noise_ratio);
+        constexpr double least = 0.7;
+        constexpr double most = 1.3;
+        if (result.noise_ratio < least || result.noise_ratio > most) {
+            const double told = survey.noise_std(Eigen::all, survey.surveyed).maxCoeff();
+            fmt::print(
+                "  the noise told seems too {}, and so all standard deviations: {:.2g} mm "
+                "would fit\n",
+                result.noise_ratio > 1.0 ? "small" : "large", 1e3 * told * result.noise_ratio);
+        }
     }
     fmt::print("edges: {} identified, {} slack, {} unobserved\n",
                count(result, EdgeStatus::identified), count(result, EdgeStatus::slack),
                count(result, EdgeStatus::unobserved));
+    const auto slack_adjustable = std::ranges::count_if(
+        result.predicted.slack_edges,
+        [&](int edge) { return std::ranges::binary_search(net.adjustable_edges(), edge); });
+    if (slack_adjustable > 0) {
+        fmt::print("  besides, {} adjustable edges are slack\n", slack_adjustable);
+    }
     fmt::print("predicted form: {}\n", equilibrium_text(result.predicted));
     fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n\n",
                1e3 * std::sqrt(result.residuals.squaredNorm() /
@@ -217,7 +233,7 @@ void refuse_inexact_form(const IdentifyOptions& options, const CableNet& net, co
         miss > rounding * edge_lengths(net, net.nodes()).mean()) {
         throw InputError(options.survey, "",
                          fmt::format("is taken for exact, but no lengths of the law {} give its "
-                                     "form: the nearest miss it by {:.3g} mm RMS. Tell its noise "
+                                     "form: those found miss it by {:.3g} mm RMS. Tell its noise "
                                      "(--noise, or sx, sy, sz in the file), or another law",
                                      options.law, 1e3 * miss));
     }

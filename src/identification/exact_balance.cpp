@@ -181,7 +181,8 @@ private:
         Knowledge knowledge = knowledge_of(m_net, m_survey, m_noise, m_none_left_out, length_std);
         knowledge.mean = m_balanced.deviations;
         if (!m_statics.linearise(m_balanced, knowledge)) {
-            throw std::runtime_error("the statics of the net are singular at the surveyed form");
+            throw std::runtime_error(
+                "the statics of the net are singular at the surveyed form: are net and law right?");
         }
         m_statics.invert();
         return taut::likelihoods(m_net, m_statics, knowledge, m_balanced);

@@ -34,7 +34,8 @@ GaussNewtonResult fit_under_statics(ConditionedStatics& statics, const Knowledge
     GaussNewtonResult result{.guess = std::move(start)};
     const auto linearised_step = [&] {
         if (!statics.linearise(result.guess, knowledge)) {
-            throw std::runtime_error("the statics of the net are singular at the surveyed form");
+            throw std::runtime_error(
+                "the statics of the net are singular at the surveyed form: are net and law right?");
         }
         return statics.step(result.guess, knowledge);
     };

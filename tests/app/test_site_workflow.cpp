@@ -79,6 +79,25 @@ TEST_F(SiteWorkflow, SaysWhereTheFileTellsAnotherNoiseThanTheOption) {
     EXPECT_EQ(told_with("0.5mm").find("not --noise"), std::string::npos);
 }
 
+TEST_F(SiteWorkflow, SaysWhichNoiseWouldFitWhereTheOneToldDoesNot) {
+    survey({"--noise", "0.5mm"});
+    std::istringstream lines(read("survey.csv"));
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {  // without sx, sy, sz
+        for (int k = 0; k < 3; ++k) {
+            line.resize(line.rfind(','));
+        }
+        text += line + "\n";
+    }
+    write("survey.csv", text);
+    const auto told = [&](const std::string& noise) {
+        return must_run({"identify", "net.json", "survey.csv", "--noise", noise, "-o", "r.json"});
+    };
+    EXPECT_NE(told("0.3mm").find("the noise told seems too small"), std::string::npos);
+    EXPECT_NE(told("1mm").find("the noise told seems too large"), std::string::npos);
+    EXPECT_EQ(told("0.5mm").find("the noise told seems"), std::string::npos);
+}
+
 TEST_F(SiteWorkflow, FindsATargetThatSomebodyMoved) {
     survey({"--noise", "0.5mm"});
     std::istringstream lines(read("survey.csv"));

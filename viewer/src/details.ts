@@ -67,7 +67,7 @@ export function listsSection(result: Identification, model: Model, selection: Se
   const ofStatus = (status: string) => edges.filter((e) => e.status === status).map((e) => ({ index: e.edge }));
   const unmatched = (survey.unmatched ?? []).map((u) => (typeof u === "object" && u !== null && "id" in u ? String(u.id) : typeof u === "object" ? JSON.stringify(u) : String(u)));
   return section("lists", "To look at", h("div", { class: "lists" },
-    list("Slack edges", "edge", ofStatus("slack"), "None: every cable carries tension."),
+    list("Slack edges", "edge", ofStatus("slack"), "None: every cable whose length was asked for carries tension."),
     list("Unobserved edges", "edge", ofStatus("unobserved"), "None: the survey tells about every cable."),
     list("Suspected blunders", "node", survey.outliers.map((o) => ({ index: o.node, ...(o.statistic == null ? {} : { text: fixed(o.statistic, 1) }) })), "None: no surveyed point contradicts the net."),
     list("Hidden nodes", "node", (survey.missing_nodes ?? []).map((index) => ({ index })), survey.missing > 0 ? `${survey.missing}, which the result does not name.` : "None: every free node was surveyed."),

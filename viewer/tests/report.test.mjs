@@ -270,7 +270,7 @@ test("troubles of a survey are listed and lead to their place", async () => {
 
 test("what a result does not tell is said, not left empty", async () => {
   const plain = await open(reports.plain.page);
-  assert.match(await plain.textContent("#lists"), /None: every cable carries tension/);
+  assert.match(await plain.textContent("#lists"), /None: every cable whose length was asked for carries tension/);
   assert.match(await plain.textContent(".sentences"), /No cable is slack/);
   assert.equal(await plain.locator("[data-figure=residual_histogram]").count(), 0);
   await close(plain);
