@@ -66,7 +66,7 @@ GrossErrorTest::GrossErrorTest(const CableNet& net, const Survey& survey, const 
       m_threshold(outlier_threshold(false_alarm_rate, survey.surveyed.size())),
       m_neighbours(neighbours_of(net)),
       m_left_out(static_cast<size_t>(net.node_count()), false),
-      m_taken_back(static_cast<size_t>(net.node_count()), false) {}
+      m_acquitted(static_cast<size_t>(net.node_count()), false) {}
 
 int GrossErrorTest::left_out_count() const {
     return static_cast<int>(std::ranges::count(m_left_out, true));
@@ -101,14 +101,19 @@ void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& f
 }
 
 bool GrossErrorTest::revise() {
+    Eigen::VectorXd suspicious = m_statistics;
+    for (const int node : m_survey.surveyed) {
+        if (m_acquitted[static_cast<size_t>(node)]) {
+            suspicious(node) = 0.0;
+        }
+    }
     std::vector<int> changing =
-        worst_targets(m_survey.surveyed, m_neighbours, m_statistics, m_left_out, m_threshold);
+        worst_targets(m_survey.surveyed, m_neighbours, suspicious, m_left_out, m_threshold);
     if (changing.empty()) {
         for (const int node : m_survey.surveyed) {
-            if (is_left_out(node) && !m_taken_back[static_cast<size_t>(node)] &&
-                m_statistics(node) <= m_threshold) {
+            if (is_left_out(node) && m_statistics(node) <= m_threshold) {
                 changing.push_back(node);
-                m_taken_back[static_cast<size_t>(node)] = true;
+                m_acquitted[static_cast<size_t>(node)] = true;
             }
         }
     }

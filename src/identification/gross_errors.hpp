@@ -48,8 +48,10 @@ public:
     void evaluate(const ConditionedStatics& statics, const Points& fitted_form);
 
     /// Leaves out the targets above the threshold, of neighbouring ones only the worst, since a
-    /// gross error shows in the residuals around it, too. Where there are none, takes back those
-    /// that fit after all, each once at most.
+    /// gross error shows in the residuals around it, too. Where there are none, takes back for good
+    /// those that fit what all others tell. To first order the statistic of a target is the same in
+    /// use and left out; where it is not, that of the target left out is the one to trust: it does
+    /// not hang on a small difference of Sigma and C.
     /// @return whether anything changed
     [[nodiscard]] bool revise();
 
@@ -69,7 +71,7 @@ private:
     double m_threshold;
     Neighbours m_neighbours;
     std::vector<bool> m_left_out;
-    std::vector<bool> m_taken_back;
+    std::vector<bool> m_acquitted;  ///< taken back for good
     Eigen::VectorXd m_statistics;
     Eigen::VectorXd m_distances;
     double m_squares = 0.0;

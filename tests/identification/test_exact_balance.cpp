@@ -109,6 +109,9 @@ TEST(MaximumAPosteriori, SettlesOnTheHiloRoofWithLittleNoiseThoughDozensOfEdgesA
     const Identification found = identify_by_maximum_a_posteriori(net, built.survey, law);
     EXPECT_EQ(found.status, IdentificationStatus::converged);
     EXPECT_NEAR(found.noise_ratio, 1.0, 0.1);
+    for (const Outlier& outlier : found.outliers) {  // who fits is not left out
+        EXPECT_GT(outlier.statistic, found.outlier_threshold);
+    }
     int inside = 0;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const IdentifiedEdge& edge = found.edges[static_cast<size_t>(i)];
