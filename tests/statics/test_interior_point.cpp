@@ -77,7 +77,7 @@ TEST(InteriorPoint, TakesFewStepsWhereHundredsOfEdgesGoSlackOnTheWay) {
             net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
         const Equilibrium e = solver.solve(lengths, net.nodes());
         EXPECT_EQ(e.status, EquilibriumStatus::converged);
-        EXPECT_LT(e.iterations, 25);  // Newton's method alone takes 120
+        EXPECT_LT(e.iterations, 25);
         EXPECT_LT(certify(net, lengths, e.form).relative_gap, 1e-9);
     }
 }
