@@ -11,6 +11,11 @@ namespace {
 /// Part of a node's axial stiffness that keeps a loose node in its place.
 constexpr double smallest_relative_stiffness = 1e-10;
 
+/// What an edge adds for that to the stiffness of either node [N/m].
+double added_stiffness(const Eigen::Matrix3d& edge_stiffness) {
+    return smallest_relative_stiffness * edge_stiffness.trace();
+}
+
 std::vector<bool> interior_flags(const CableNet& net) {
     std::vector<bool> flags(static_cast<size_t>(net.edge_count()), false);
     for (const int edge : net.interior_edges()) {
@@ -73,8 +78,7 @@ void ConditionedStatics::add_edge(int edge, const Guess& guess) {
     for (const int node : {s, t}) {
         if (node < m_local.free_count) {
             m_matrix.node_stiffness[static_cast<size_t>(node)] +=
-                unit * (e.stiffness + smallest_relative_stiffness * e.stiffness.trace() *
-                                          Eigen::Matrix3d::Identity());
+                unit * (e.stiffness + added_stiffness(e.stiffness) * Eigen::Matrix3d::Identity());
         }
     }
 }
@@ -89,7 +93,42 @@ bool ConditionedStatics::linearise(const Guess& guess, const Knowledge& knowledg
             add_edge(e, guess);
         }
     }
-    return m_matrix.factorize();
+    m_place_reactions.setZero(3, m_local.free_count);
+    m_length_reactions.setZero(m_net.edge_count());
+    if (!m_matrix.factorize()) {
+        return false;
+    }
+    set_reactions(guess, m_matrix.solve(right_side(guess, knowledge)).multipliers);
+    return true;
+}
+
+void ConditionedStatics::set_reactions(const Guess& guess, const Eigen::Matrix3Xd& multipliers) {
+    const double unit = m_length_unit * m_multiplier_unit;
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (m_slack[static_cast<size_t>(e)]) {
+            continue;
+        }
+        const EdgeRates edge = rates(e, guess);
+        std::array<int, 2> ends = m_local.edges[static_cast<size_t>(e)];
+        Eigen::Vector3d difference = Eigen::Vector3d::Zero();
+        for (const double sign : {1.0, -1.0}) {
+            const int node = ends[sign > 0.0 ? 0 : 1];
+            if (node < m_local.free_count) {
+                difference += sign * multipliers.col(node);
+            }
+        }
+        for (const double sign : {1.0, -1.0}) {
+            const int node = ends[sign > 0.0 ? 0 : 1];
+            if (node < m_local.free_count) {
+                m_place_reactions.col(node) +=
+                    unit * (sign * edge.stiffness * difference +
+                            added_stiffness(edge.stiffness) * multipliers.col(node));
+            }
+        }
+        if (m_interior_of[static_cast<size_t>(e)] >= 0) {
+            m_length_reactions(e) = unit * edge.length_rate.dot(difference);
+        }
+    }
 }
 
 SaddlePointFactor::Vector ConditionedStatics::right_side(const Guess& guess,
@@ -105,10 +144,10 @@ SaddlePointFactor::Vector ConditionedStatics::right_side(const Guess& guess,
     }
     const Points misfit = knowledge.weights.cwiseProduct(knowledge.form - guess.form);
     SaddlePointFactor::Vector result{
-        .places = m_length_unit * misfit(Eigen::all, m_free_nodes),
-        .lengths = Eigen::VectorXd::Zero(m_net.edge_count()),
+        .places = m_length_unit * misfit(Eigen::all, m_free_nodes) - m_place_reactions,
+        .lengths = -m_length_reactions,
         .multipliers = -m_multiplier_unit * forces(Eigen::all, m_free_nodes)};
-    result.lengths(m_net.interior_edges()) =
+    result.lengths(m_net.interior_edges()) +=
         m_length_unit * (knowledge.mean - guess.deviations).cwiseQuotient(knowledge.variance);
     return result;
 }

@@ -33,7 +33,9 @@ struct Guess {
 ///   P dd + B' lambda = P (d_mean - d)
 ///   H dr + B dd      = -h
 ///
-/// and the inverse of their matrix holds the covariances of r and d.
+/// and the inverse of their matrix holds the covariances of r and d. H lambda and B' lambda at the
+/// lambda of the linearisation stand on the right side: what is left there is then as small as the
+/// change that is solved for, and so are the rounding errors.
 ///
 /// Here edges carry pressure as well as tension, so that all of it is smooth; edges that are named
 /// slack carry neither. What a shown pressure means is settled afterwards, for each edge by itself.
@@ -71,6 +73,7 @@ private:
     void add_edge(int edge, const Guess& guess);
     [[nodiscard]] SaddlePointFactor::Vector right_side(const Guess& guess,
                                                        const Knowledge& knowledge) const;
+    void set_reactions(const Guess& guess, const Eigen::Matrix3Xd& multipliers);
 
     const CableNet& m_net;
     LocalNet m_local;
@@ -80,6 +83,8 @@ private:
     std::vector<bool> m_slack;
     SaddlePointFactor m_matrix;
     SaddlePointFactor::Covariance m_covariance;
+    Eigen::Matrix3Xd m_place_reactions;  ///< H lambda as linearised, 3 x free nodes
+    Eigen::VectorXd m_length_reactions;  ///< B' lambda as linearised, one an edge
 
     // Units that make all blocks of order 1: of places and lengths, and of multipliers.
     double m_length_unit = 1.0;

@@ -48,8 +48,8 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
     GaussNewtonResult fit;
     for (const double bound : bounds) {
         knowledge = knowledge_of(net, survey, noise, none_left_out, bound * law.std());
-        fit = fit_to_survey(net, statics, knowledge, law, {net.nodes(), knowledge.mean}, tolerance,
-                            max_iterations);
+        fit = fit_to_survey(net, statics, knowledge, law, {net.nodes(), knowledge.mean},
+                            slack_by_survey(net, knowledge, law), tolerance, max_iterations);
         if (fit.converged) {
             break;
         }

@@ -14,9 +14,8 @@ namespace {
 /// A direction in which the fit follows a target to this part of its variance cannot be tested.
 constexpr double smallest_redundancy = 1e-3;
 
-/// Before anything is identified only what lies this much beyond the threshold is left out (twice
-/// as far): large deviations and slack edges move nodes further than their linearised statics tell.
-constexpr double screening_factor = 4.0;
+/// Of three degrees of freedom.
+constexpr double median_of_chi_squared = 2.366;
 
 }  // namespace
 
@@ -66,22 +65,32 @@ GrossErrorTest::GrossErrorTest(const CableNet& net, const Survey& survey, const 
       m_threshold(outlier_threshold(false_alarm_rate, survey.surveyed.size())),
       m_neighbours(neighbours_of(net)),
       m_left_out(static_cast<size_t>(net.node_count()), false),
-      m_acquitted(static_cast<size_t>(net.node_count()), false) {}
+      m_acquitted(static_cast<size_t>(net.node_count()), false),
+      m_statistics(Eigen::VectorXd::Zero(net.node_count())),
+      m_distances(Eigen::VectorXd::Zero(net.node_count())) {}
 
 int GrossErrorTest::left_out_count() const {
     return static_cast<int>(std::ranges::count(m_left_out, true));
 }
 
-void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& fitted_form) {
-    m_statistics = Eigen::VectorXd::Zero(m_noise.cols());
-    m_distances = Eigen::VectorXd::Zero(m_noise.cols());
+int GrossErrorTest::suspicious_count() const {
+    return static_cast<int>(std::ranges::count_if(m_survey.surveyed, [this](int node) {
+        return !is_left_out(node) && m_statistics(node) > m_threshold;
+    }));
+}
+
+void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& fitted_form,
+                              double inflation) {
+    m_statistics.setZero();
+    m_distances.setZero();
     m_squares = 0.0;
     m_redundancy = 0.0;
     for (const int node : m_survey.surveyed) {
         const Eigen::Vector3d residual = m_survey.form.col(node) - fitted_form.col(node);
         m_distances(node) = residual.norm();
         // In units of the noise: I -+ Sigma^-1/2 C Sigma^-1/2.
-        const Eigen::DiagonalMatrix<double, 3> whiten(m_noise.col(node).cwiseInverse());
+        const Eigen::DiagonalMatrix<double, 3> whiten(
+            (inflation * m_noise.col(node)).cwiseInverse());
         const Eigen::Vector3d e = whiten * residual;
         const double sign = is_left_out(node) ? 1.0 : -1.0;
         const Eigen::Matrix3d Q =
@@ -98,6 +107,26 @@ void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& f
             m_redundancy += Q.trace();
         }
     }
+    if (inflation > 1.0) {
+        m_statistics /=
+            std::max(median_statistic() / median_of_chi_squared, 1.0 / (inflation * inflation));
+    }
+}
+
+/// Of the targets in use.
+double GrossErrorTest::median_statistic() const {
+    std::vector<double> in_use;
+    for (const int node : m_survey.surveyed) {
+        if (!is_left_out(node)) {
+            in_use.push_back(m_statistics(node));
+        }
+    }
+    if (in_use.empty()) {
+        return 0.0;
+    }
+    const auto middle = in_use.begin() + static_cast<std::ptrdiff_t>(in_use.size() / 2);
+    std::nth_element(in_use.begin(), middle, in_use.end());
+    return *middle;
 }
 
 bool GrossErrorTest::revise() {
@@ -123,12 +152,11 @@ bool GrossErrorTest::revise() {
     return !changing.empty();
 }
 
-void GrossErrorTest::screen(const ConditionedStatics& statics, const Points& expected_form) {
-    m_left_out.assign(m_left_out.size(), true);
-    evaluate(statics, expected_form);
-    for (Eigen::Index node = 0; node < m_statistics.size(); ++node) {
-        m_left_out[static_cast<size_t>(node)] = m_statistics(node) > screening_factor * m_threshold;
-    }
+void GrossErrorTest::take_all_back() {
+    m_left_out.assign(m_left_out.size(), false);
+}
+void GrossErrorTest::reopen() {
+    m_acquitted.assign(m_acquitted.size(), false);
 }
 
 std::vector<Outlier> GrossErrorTest::outliers() const {

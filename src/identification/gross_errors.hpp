@@ -43,9 +43,14 @@ public:
     [[nodiscard]] double threshold() const { return m_threshold; }
     [[nodiscard]] const std::vector<bool>& left_out() const { return m_left_out; }
     [[nodiscard]] int left_out_count() const;
+    /// Targets in use above the threshold, at the last evaluation.
+    [[nodiscard]] int suspicious_count() const;
 
-    /// Statistics (n) at an inverted fit; 0 at nodes that were not surveyed.
-    void evaluate(const ConditionedStatics& statics, const Points& fitted_form);
+    /// Statistics (n) at an inverted fit; 0 at nodes that were not surveyed. Where the fit was made
+    /// as if the noise were larger, by a factor, the scale of the residuals is not that noise, but
+    /// what the median of the statistics tells; no smaller than the true noise.
+    void evaluate(const ConditionedStatics& statics, const Points& fitted_form,
+                  double inflation = 1.0);
 
     /// Leaves out the targets above the threshold, of neighbouring ones only the worst, since a
     /// gross error shows in the residuals around it, too. Where there are none, takes back for good
@@ -55,9 +60,10 @@ public:
     /// @return whether anything changed
     [[nodiscard]] bool revise();
 
-    /// Leaves out, at the start, all targets far beyond the threshold from the places that are
-    /// expected before the survey; statics inverted without any target.
-    void screen(const ConditionedStatics& statics, const Points& expected_form);
+    /// Begins anew, with all targets in use.
+    void take_all_back();
+    /// Lets targets that were taken back be left out again.
+    void reopen();
 
     [[nodiscard]] std::vector<Outlier> outliers() const;
     /// Root mean square of the standardised residuals in use, over their expectation.
@@ -65,6 +71,7 @@ public:
 
 private:
     [[nodiscard]] bool is_left_out(int node) const { return m_left_out[static_cast<size_t>(node)]; }
+    [[nodiscard]] double median_statistic() const;
 
     const Survey& m_survey;
     const Points& m_noise;

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -24,10 +23,12 @@ constexpr double tolerance_in_noise = 1e-3;
 
 constexpr int most_revisions = 100;
 
-/// Where the search does not settle, it goes there in steps: as if the survey's noise were so many
-/// times larger, each from where the one before ended. The less a survey binds the form, the
-/// farther a linearisation holds.
-constexpr std::array inflations{10.0, 3.0, 1.0};
+/// Where the search does not settle, it goes there in steps: as if the survey's noise were so much
+/// larger that no target were more than so many standard deviations off, then ever less, each from
+/// where the one before ended. The less a survey binds the form, the farther a linearisation holds;
+/// and the gross errors that led it astray show one after the other, the largest first.
+constexpr double largest_misfit_at_first = 0.3;
+constexpr double smaller = 0.3;
 
 void check(const MaximumAPosterioriSettings& settings) {
     if (settings.max_iterations < 1) {
@@ -55,78 +56,100 @@ public:
           m_test(net, survey, m_noise, settings.false_alarm_rate) {}
 
     Identification run() {
-        // An exact survey has no noise to measure errors by.
-        const bool is_testing = m_settings.false_alarm_rate > 0.0 &&
-                                m_survey.noise_std.cols() > 0 &&
-                                m_survey.noise_std(Eigen::all, m_survey.surveyed).maxCoeff() > 0.0;
-        if (is_testing) {
-            screen();
-        }
-        Identification result{.method = "map"};
-        GaussNewtonResult fitted = fit();
-        for (int revision = 0; is_testing && revision < most_revisions; ++revision) {
-            m_test.evaluate(m_statics, fitted.guess.form);
-            if (!m_test.revise()) {
-                break;
-            }
-            if (m_test.left_out_count() >
-                most_outliers * static_cast<double>(m_survey.surveyed.size())) {
-                result.status = IdentificationStatus::survey_does_not_fit;
-                break;
-            }
-            fitted = fit();
-        }
-        if (result.status == IdentificationStatus::converged && !fitted.converged) {
-            result.status = IdentificationStatus::iteration_limit;
+        const Guess nominal{.form = m_net.nodes(),
+                            .deviations = Eigen::VectorXd::Zero(m_net.interior_edge_count())};
+        GaussNewtonResult fitted = fit_and_test(nominal, 1.0);
+        if (!fitted.converged || is_too_many(m_test.left_out_count())) {
+            fitted = from_coarse_to_fine(nominal);
         }
         m_test.evaluate(m_statics, fitted.guess.form);
+        Identification result{.method = "map"};
+        if (is_too_many(m_test.left_out_count() + m_test.suspicious_count())) {
+            result.status = IdentificationStatus::survey_does_not_fit;
+        } else if (!fitted.converged) {
+            result.status = IdentificationStatus::iteration_limit;
+        }
         result.outliers = m_test.outliers();
         result.outlier_threshold = m_test.threshold();
         result.noise_ratio = m_test.noise_ratio();
         complete(result, m_net, m_survey, m_law,
-                 likelihoods(m_net, m_statics, knowledge(), fitted.guess), fitted.guess.form);
+                 likelihoods(m_net, m_statics, knowledge(1.0), fitted.guess), fitted.guess.form);
         return result;
     }
 
 private:
-    [[nodiscard]] Knowledge knowledge() const {
-        return knowledge_of(m_net, m_survey, m_noise, m_test.left_out(), m_law.std());
+    /// An exact survey has no noise to measure errors by.
+    [[nodiscard]] bool is_testing() const {
+        return m_settings.false_alarm_rate > 0.0 && m_survey.noise_std.cols() > 0 &&
+               m_survey.noise_std(Eigen::all, m_survey.surveyed).maxCoeff() > 0.0;
     }
 
-    /// Gross errors that stand out before anything is identified: places that the law of the
-    /// lengths does not let expect. Those would take the search astray.
-    void screen() {
-        Knowledge nothing = knowledge();
-        nothing.weights.setZero();
-        Guess nominal{.form = m_net.nodes(), .deviations = nothing.mean};
-        m_statics.set_slack(slack_by_form(m_net, nominal, m_law));
-        // One step takes the nodes to the equilibrium of the nominal lengths.
-        if (!m_statics.linearise(nominal, nothing)) {
-            return;
-        }
-        nominal.form += m_statics.step(nominal, nothing).form;
-        m_statics.invert();
-        m_test.screen(m_statics, nominal.form);
+    [[nodiscard]] bool is_too_many(int targets) const {
+        return targets > most_outliers * static_cast<double>(m_survey.surveyed.size());
     }
 
-    /// Fits lengths and form to the targets in use, and inverts there.
-    GaussNewtonResult fit() {
-        const auto fit_from = [this](Guess start, double inflation) {
-            Knowledge known = knowledge();
-            known.weights /= inflation * inflation;
-            return fit_to_survey(m_net, m_statics, known, m_law, std::move(start),
-                                 inflation * m_tolerance, m_settings.max_iterations);
-        };
-        const Guess nominal{.form = m_net.nodes(), .deviations = knowledge().mean};
-        GaussNewtonResult result = fit_from(nominal, 1.0);
-        if (!result.converged) {
-            result.guess = nominal;
-            for (const double inflation : inflations) {
-                result = fit_from(std::move(result.guess), inflation);
-            }
-        }
+    [[nodiscard]] double first_inflation() const {
+        const Points misfit = (m_survey.form - m_net.nodes()).cwiseQuotient(m_noise);
+        return misfit(Eigen::all, m_survey.surveyed).cwiseAbs().maxCoeff() /
+               largest_misfit_at_first;
+    }
+
+    /// What is known of the targets in use, with the noise so many times larger.
+    [[nodiscard]] Knowledge knowledge(double inflation) const {
+        Knowledge known = knowledge_of(m_net, m_survey, m_noise, m_test.left_out(), m_law.std());
+        known.weights /= inflation * inflation;
+        return known;
+    }
+
+    /// Fits lengths and form, and inverts there.
+    GaussNewtonResult fit(const Knowledge& known, const Guess& start, std::vector<bool> slack,
+                          double inflation) {
+        GaussNewtonResult result =
+            fit_to_survey(m_net, m_statics, known, m_law, start, std::move(slack),
+                          inflation * m_tolerance, m_settings.max_iterations);
         m_statics.invert();
         return result;
+    }
+
+    /// Fits, and again with other targets left out until the test has no more to say.
+    GaussNewtonResult fit_and_test(const Guess& start, double inflation) {
+        m_test.reopen();
+        Knowledge known = knowledge(inflation);
+        GaussNewtonResult fitted =
+            fit(known, start, slack_by_survey(m_net, known, m_law), inflation);
+        for (int revision = 0; is_testing() && fitted.converged && revision < most_revisions;
+             ++revision) {
+            m_test.evaluate(m_statics, fitted.guess.form, inflation);
+            if (!m_test.revise() || is_too_many(m_test.left_out_count())) {
+                break;
+            }
+            // What a target left out tells is no reason to take an edge for slack.
+            known = knowledge(inflation);
+            fitted = fit(known, fitted.guess, where_measured(m_net, known, m_statics.slack()),
+                         inflation);
+        }
+        return fitted;
+    }
+
+    /// As if the noise were large, then less and less; and from the nominal net as soon as this has
+    /// shown which targets led astray there.
+    GaussNewtonResult from_coarse_to_fine(const Guess& nominal) {
+        m_test.take_all_back();
+        Guess settled = nominal;
+        for (double inflation = first_inflation(); inflation > 1.0; inflation *= smaller) {
+            const int left_out = m_test.left_out_count();
+            GaussNewtonResult fitted = fit_and_test(settled, inflation);
+            if (fitted.converged) {
+                settled = std::move(fitted.guess);
+            }
+            if (m_test.left_out_count() > left_out) {
+                GaussNewtonResult direct = fit_and_test(nominal, 1.0);
+                if (direct.converged) {
+                    return direct;
+                }
+            }
+        }
+        return fit_and_test(settled, 1.0);
     }
 
     const CableNet& m_net;

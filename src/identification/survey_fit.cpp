@@ -3,37 +3,100 @@
 #include "identification/survey_fit.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <limits>
 
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
+namespace {
+
+/// What is more standard deviations away than this is not expected.
+constexpr double reach = 3.0;
+
+/// The length [m] that an edge has at least while it is taut.
+double shortest_taut(const CableNet& net, int edge, const LengthLaw& law) {
+    const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
+    return net.unstressed_lengths()(edge) - (is_adjustable ? 0.0 : reach * law.std());
+}
+
+/// Standard deviation [m] of the measured length of an edge; infinite where an end was not
+/// measured.
+double measured_std(const CableNet& net, const Knowledge& knowledge, int edge) {
+    const auto [s, t] = net.edges()[static_cast<size_t>(edge)];
+    const Eigen::Vector3d u = (knowledge.form.col(s) - knowledge.form.col(t)).normalized();
+    double variance = 0.0;
+    for (const int node : {s, t}) {
+        if (net.free_index(node) < 0) {
+            continue;
+        }
+        if (!(knowledge.weights.col(node).minCoeff() > 0.0)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        variance += u.cwiseAbs2().cwiseQuotient(knowledge.weights.col(node)).sum();
+    }
+    return std::sqrt(variance);
+}
+
+}  // namespace
 
 std::vector<bool> slack_by_form(const CableNet& net, const Guess& guess, const LengthLaw& law) {
-    constexpr double reach = 3.0;
     const Eigen::VectorXd lengths = edge_lengths(net, guess.form);
     std::vector<bool> slack(static_cast<size_t>(net.edge_count()));
     for (int e = 0; e < net.edge_count(); ++e) {
-        const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), e);
-        const double shortest =
-            net.unstressed_lengths()(e) - (is_adjustable ? 0.0 : reach * law.std());
-        slack[static_cast<size_t>(e)] = lengths(e) < shortest;
+        slack[static_cast<size_t>(e)] = lengths(e) < shortest_taut(net, e, law);
+    }
+    return slack;
+}
+
+std::vector<bool> slack_by_survey(const CableNet& net, const Knowledge& knowledge,
+                                  const LengthLaw& law) {
+    const Eigen::VectorXd measured = edge_lengths(net, knowledge.form);
+    std::vector<bool> slack(static_cast<size_t>(net.edge_count()));
+    for (int e = 0; e < net.edge_count(); ++e) {
+        slack[static_cast<size_t>(e)] =
+            measured(e) + reach * measured_std(net, knowledge, e) < shortest_taut(net, e, law);
+    }
+    return slack;
+}
+
+std::vector<bool> where_measured(const CableNet& net, const Knowledge& knowledge,
+                                 std::vector<bool> slack) {
+    for (int e = 0; e < net.edge_count(); ++e) {
+        slack[static_cast<size_t>(e)] =
+            slack[static_cast<size_t>(e)] && std::isfinite(measured_std(net, knowledge, e));
     }
     return slack;
 }
 
 GaussNewtonResult fit_to_survey(const CableNet& net, ConditionedStatics& statics,
-                                const Knowledge& knowledge, const LengthLaw& law, Guess start,
-                                double tolerance, int max_iterations) {
-    GaussNewtonResult fit{.guess = std::move(start)};
+                                const Knowledge& knowledge, const LengthLaw& law,
+                                const Guess& start, std::vector<bool> slack, double tolerance,
+                                int max_iterations) {
+    GaussNewtonResult fit{.guess = start};
+    std::vector<bool> taut_for_good(slack.size(), false);
     // Few rounds do: which edges the form shows as slack changes little with the fit.
-    constexpr int most_rounds = 5;
+    constexpr int most_rounds = 12;
+    bool has_failed = false;
     for (int round = 0; round < most_rounds; ++round) {
-        statics.set_slack(slack_by_form(net, fit.guess, law));
+        statics.set_slack(slack);
         fit =
             fit_under_statics(statics, knowledge, std::move(fit.guess), tolerance, max_iterations);
-        if (!fit.converged || slack_by_form(net, fit.guess, law) == statics.slack()) {
+        const std::vector<bool> shown = slack_by_form(net, fit.guess, law);
+        for (size_t e = 0; e < slack.size(); ++e) {
+            taut_for_good[e] = taut_for_good[e] || (slack[e] && !shown[e]);
+            // A search that has not settled tells which edges led it astray, but no more.
+            slack[e] = shown[e] && !taut_for_good[e] && (fit.converged || slack[e]);
+        }
+        if (slack == statics.slack()) {
             break;
+        }
+        if (!fit.converged) {
+            if (has_failed) {
+                break;
+            }
+            has_failed = true;
+            fit.guess = start;
         }
     }
     return fit;

@@ -15,11 +15,26 @@ namespace taut {
 [[nodiscard]] std::vector<bool> slack_by_form(const CableNet& net, const Guess& guess,
                                               const LengthLaw& law);
 
-/// Fits form and lengths to what is known, from a start, with the edges named slack that the fitted
-/// form shows to be so. The statics are left linearised at the result.
+/// Edges (m) that were measured shorter than they can be while taut (see above), by more than three
+/// standard deviations of that measurement.
+[[nodiscard]] std::vector<bool> slack_by_survey(const CableNet& net, const Knowledge& knowledge,
+                                                const LengthLaw& law);
+
+/// Of edges named slack (m), those of which both ends were measured.
+[[nodiscard]] std::vector<bool> where_measured(const CableNet& net, const Knowledge& knowledge,
+                                               std::vector<bool> slack);
+
+/// Fits form and lengths to what is known, from a start, with the edges slack that the fitted form
+/// shows to be so. Whether an edge is taut is a question of its own: a cable that is stretched by a
+/// hundredth of a millimetre where it is taut can hang by several where it is slack, and no small
+/// steps lead from one fit to the other. So the survey is asked first, by slack_by_survey(). An
+/// edge that comes out longer than it can be while slack is taut for good.
+/// The statics are left linearised at the result.
+/// @param slack edges (m) to begin with
 /// @throws std::runtime_error as fit_under_statics()
 [[nodiscard]] GaussNewtonResult fit_to_survey(const CableNet& net, ConditionedStatics& statics,
                                               const Knowledge& knowledge, const LengthLaw& law,
-                                              Guess start, double tolerance, int max_iterations);
+                                              const Guess& start, std::vector<bool> slack,
+                                              double tolerance, int max_iterations);
 
 }  // namespace taut
