@@ -112,23 +112,26 @@ private:
     }
 
     /// Fits, and again with other targets left out until the test has no more to say.
-    GaussNewtonResult fit_and_test(const Guess& start, double inflation) {
+    /// @param slack edges (m) to begin with
+    GaussNewtonResult fit_and_test(const Guess& start, std::vector<bool> slack, double inflation) {
         m_test.reopen();
-        Knowledge known = knowledge(inflation);
-        GaussNewtonResult fitted =
-            fit(known, start, slack_by_survey(m_net, known, m_law), inflation);
+        GaussNewtonResult fitted = fit(knowledge(inflation), start, std::move(slack), inflation);
         for (int revision = 0; is_testing() && fitted.converged && revision < most_revisions;
              ++revision) {
             m_test.evaluate(m_statics, fitted.guess.form, inflation);
             if (!m_test.revise() || is_too_many(m_test.left_out_count())) {
                 break;
             }
-            // What a target left out tells is no reason to take an edge for slack.
-            known = knowledge(inflation);
+            const Knowledge known = knowledge(inflation);
             fitted = fit(known, fitted.guess, where_measured(m_net, known, m_statics.slack()),
                          inflation);
         }
         return fitted;
+    }
+
+    /// The same, with the edges to begin with that the survey tells to be slack.
+    GaussNewtonResult fit_and_test(const Guess& start, double inflation) {
+        return fit_and_test(start, slack_by_survey(m_net, knowledge(inflation), m_law), inflation);
     }
 
     /// As if the noise were large, then less and less; and from the nominal net as soon as this has
@@ -136,12 +139,22 @@ private:
     GaussNewtonResult from_coarse_to_fine(const Guess& nominal) {
         m_test.take_all_back();
         Guess settled = nominal;
+        std::vector<bool> slack(static_cast<size_t>(m_net.edge_count()), false);
+        const auto refine = [&](double inflation) {
+            GaussNewtonResult fitted = fit_and_test(settled, inflation);
+            if (!fitted.converged) {
+                const Knowledge known = knowledge(inflation);
+                fitted = fit_and_test(settled, where_measured(m_net, known, slack), inflation);
+            }
+            if (fitted.converged) {
+                settled = fitted.guess;
+                slack = m_statics.slack();
+            }
+            return fitted;
+        };
         for (double inflation = first_inflation(); inflation > 1.0; inflation *= smaller) {
             const int left_out = m_test.left_out_count();
-            GaussNewtonResult fitted = fit_and_test(settled, inflation);
-            if (fitted.converged) {
-                settled = std::move(fitted.guess);
-            }
+            refine(inflation);
             if (m_test.left_out_count() > left_out) {
                 GaussNewtonResult direct = fit_and_test(nominal, 1.0);
                 if (direct.converged) {
@@ -149,7 +162,7 @@ private:
                 }
             }
         }
-        return fit_and_test(settled, 1.0);
+        return refine(1.0);
     }
 
     const CableNet& m_net;
