@@ -53,34 +53,56 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& be
     const Eigen::VectorXd surveyed = free_coordinates(net, survey.form) - nominal_form;
     const Neighbours neighbours = neighbours_of(net);
     std::vector<bool> left_out(static_cast<size_t>(net.node_count()), false);
+    std::vector<int> taken_back;  // for good
     while (true) {
-        m_nodes.clear();
-        m_observed.clear();
-        for (const int node : survey.surveyed) {
-            if (!left_out[static_cast<size_t>(node)]) {
-                m_nodes.push_back(node);
-                for (int k = 0; k < 3; ++k) {
-                    m_observed.push_back(3 * net.free_index(node) + k);
-                }
-            }
-        }
+        use_targets(net, survey.surveyed, left_out);
         condition(surveyed);
         if (!std::isfinite(threshold)) {
             return;
         }
+        Eigen::VectorXd suspicious = statistics(net.node_count());
+        suspicious(taken_back).setZero();
         const std::vector<int> worst =
-            worst_targets(m_nodes, neighbours, statistics(net.node_count()), left_out, threshold);
+            worst_targets(m_nodes, neighbours, suspicious, left_out, threshold);
         const auto still_used = static_cast<double>(m_nodes.size() - worst.size());
-        if (worst.empty() ||
-            still_used < (1.0 - most_outliers) * static_cast<double>(survey.surveyed.size())) {
-            m_fits = worst.empty();
-            break;
+        if (still_used < (1.0 - most_outliers) * static_cast<double>(survey.surveyed.size())) {
+            m_fits = false;
+            tell_outliers(net, survey.surveyed, left_out, surveyed);
+            return;
         }
         for (const int node : worst) {
             left_out[static_cast<size_t>(node)] = true;
         }
+        if (!worst.empty()) {
+            continue;
+        }
+        tell_outliers(net, survey.surveyed, left_out, surveyed);
+        const size_t taken_before = taken_back.size();
+        for (const Outlier& outlier : m_outliers) {
+            if (outlier.statistic <= threshold) {
+                left_out[static_cast<size_t>(outlier.node)] = false;
+                taken_back.push_back(outlier.node);
+            }
+        }
+        if (taken_back.size() == taken_before) {
+            return;
+        }
     }
-    tell_outliers(net, survey.surveyed, left_out, surveyed);
+}
+
+/// Takes the targets that are not left out as observed.
+void ConditionedForm::use_targets(const CableNet& net, const std::vector<int>& surveyed,
+                                  const std::vector<bool>& left_out) {
+    m_nodes.clear();
+    m_observed.clear();
+    for (const int node : surveyed) {
+        if (!left_out[static_cast<size_t>(node)]) {
+            m_nodes.push_back(node);
+            for (int k = 0; k < 3; ++k) {
+                m_observed.push_back(3 * net.free_index(node) + k);
+            }
+        }
+    }
 }
 
 void ConditionedForm::condition(const Eigen::VectorXd& surveyed_deviations) {
@@ -113,6 +135,7 @@ Eigen::VectorXd ConditionedForm::statistics(int node_count) {
 void ConditionedForm::tell_outliers(const CableNet& net, const std::vector<int>& surveyed,
                                     const std::vector<bool>& left_out,
                                     const Eigen::VectorXd& surveyed_deviations) {
+    m_outliers.clear();
     for (const int node : surveyed) {
         if (!left_out[static_cast<size_t>(node)]) {
             continue;

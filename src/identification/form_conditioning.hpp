@@ -19,7 +19,8 @@ namespace taut {
 ///
 /// A target is tested against what all others let expect of it: with K = C_oo + Sigma of the
 /// surveyed coordinates, a = K^-1 (y - mean) and P = K^-1, the statistic a_i' P_ii^-1 a_i has a
-/// chi-squared distribution of three degrees of freedom.
+/// chi-squared distribution of three degrees of freedom. Targets that fit once others were left out
+/// are taken back for good.
 class ConditionedForm {
 public:
     /// @param nominal_form that deviations refer to (3 n_I) [m]
@@ -42,6 +43,8 @@ public:
     [[nodiscard]] double noise_ratio() const { return m_noise_ratio; }
 
 private:
+    void use_targets(const CableNet& net, const std::vector<int>& surveyed,
+                     const std::vector<bool>& left_out);
     void condition(const Eigen::VectorXd& surveyed_deviations);
     /// The test statistic of each node in use (n), 0 elsewhere; finds the noise ratio.
     [[nodiscard]] Eigen::VectorXd statistics(int node_count);

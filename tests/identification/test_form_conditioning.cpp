@@ -94,6 +94,23 @@ TEST_F(FormConditioning, TestsATargetAgainstWhatAllOthersLetExpect) {
     EXPECT_LT((after.mean() - expected.mean()).norm(), 1e-10);
 }
 
+// Beside a gross error sound targets stand out, too.
+TEST_F(FormConditioning, TakesBackWhatFitsOnceOthersAreLeftOut) {
+    const double threshold = outlier_threshold(0.001, 12);
+    for (int k = 0; k < 50; ++k) {
+        Survey wrong = test::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
+        const int first = m_net.free_nodes()[static_cast<size_t>(k % 12)];
+        const int second = m_net.free_nodes()[static_cast<size_t>((5 * k + 3) % 12)];
+        wrong.form(k % 3, first) += 0.02;
+        wrong.form(k % 3, second) += 0.02;
+        const ConditionedForm after = condition(wrong, threshold);
+        for (const Outlier& outlier : after.outliers()) {
+            EXPECT_TRUE(outlier.node == first || outlier.node == second) << "survey " << k;
+            EXPECT_GT(outlier.statistic, threshold);
+        }
+    }
+}
+
 TEST_F(FormConditioning, RaisesFalseAlarmsAsOftenAsStated) {
     constexpr int surveys = 400;
     int alarms = 0;
