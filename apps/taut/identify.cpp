@@ -178,10 +178,10 @@ void print(const IdentifyOptions& options, const CableNet& net, const Survey& su
         fmt::print("  besides, {} adjustable edges are slack\n", slack_adjustable);
     }
     fmt::print("predicted form: {}\n", equilibrium_text(result.predicted));
+    const Eigen::VectorXd residuals = residuals_in_use(result, survey);
     fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n\n",
-               1e3 * std::sqrt(result.residuals.squaredNorm() /
-                               static_cast<double>(result.residuals.size())),
-               1e3 * result.residuals.maxCoeff());
+               1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
+               1e3 * residuals.maxCoeff());
     fmt::print("largest length deviations [mm]\n  {:<12}{:>12}{:>10}{:>22}  status\n", "edge",
                "deviation", "std", "95 % interval");
     std::vector<IdentifiedEdge> edges = result.edges;

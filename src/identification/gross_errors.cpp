@@ -152,6 +152,14 @@ bool GrossErrorTest::revise() {
     return !changing.empty();
 }
 
+void GrossErrorTest::leave_out_suspicious() {
+    for (const int node : m_survey.surveyed) {
+        if (m_statistics(node) > m_threshold) {
+            m_left_out[static_cast<size_t>(node)] = true;
+        }
+    }
+}
+
 void GrossErrorTest::take_all_back() {
     m_left_out.assign(m_left_out.size(), false);
 }

@@ -60,6 +60,7 @@ public:
     /// @return whether anything changed
     [[nodiscard]] bool revise();
 
+    void leave_out_suspicious();
     /// Begins anew, with all targets in use.
     void take_all_back();
     /// Lets targets that were taken back be left out again.

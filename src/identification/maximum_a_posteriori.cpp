@@ -66,6 +66,7 @@ public:
         Identification result{.method = "map"};
         if (is_too_many(m_test.left_out_count() + m_test.suspicious_count())) {
             result.status = IdentificationStatus::survey_does_not_fit;
+            m_test.leave_out_suspicious();
         } else if (!fitted.converged) {
             result.status = IdentificationStatus::iteration_limit;
         }

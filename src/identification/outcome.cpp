@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -58,6 +59,17 @@ void complete(Identification& result, const CableNet& net, const Survey& survey,
                                 .status = status_of(law, posterior)});
     }
     predict_form(result, net, survey, deviations, start);
+}
+
+Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey) {
+    std::vector<int> in_use;
+    for (int i = 0; i < static_cast<int>(survey.surveyed.size()); ++i) {
+        const int node = survey.surveyed[static_cast<size_t>(i)];
+        if (std::ranges::find(result.outliers, node, &Outlier::node) == result.outliers.end()) {
+            in_use.push_back(i);
+        }
+    }
+    return result.residuals(in_use);
 }
 
 void predict_form(Identification& result, const CableNet& net, const Survey& survey,

@@ -209,7 +209,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
         const Points stds = survey.noise_std(Eigen::all, survey.surveyed);
         noise = std::sqrt(stds.squaredNorm() / static_cast<double>(stds.size()));
     }
-    const Eigen::VectorXd& residuals = identification.residuals;
+    const Eigen::VectorXd residuals = residuals_in_use(identification, survey);
     Json document{{"format", "taut-identification"},
                   {"version", 1},
                   {"program", "taut " + std::string(version())},

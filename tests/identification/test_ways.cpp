@@ -178,8 +178,9 @@ TEST(MaximumAPosteriori, FindsGrossErrorsAndLeavesThemOut) {
 TEST(MaximumAPosteriori, SaysWhereTheWholeSurveyDoesNotFit) {
     SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, 1);
     s.survey.noise_std *= 0.01;
-    EXPECT_EQ(map(net_7x7, s.survey, uniform_3mm).status,
-              IdentificationStatus::survey_does_not_fit);
+    const Identification result = map(net_7x7, s.survey, uniform_3mm);
+    EXPECT_EQ(result.status, IdentificationStatus::survey_does_not_fit);
+    EXPECT_GT(result.outliers.size(), s.survey.surveyed.size() / 4);
 }
 
 TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {

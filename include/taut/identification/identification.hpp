@@ -83,6 +83,9 @@ struct Identification {
     double noise_ratio = 0.0;
 };
 
+/// The residuals of the targets that were not left out.
+[[nodiscard]] Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey);
+
 /// Estimates of many length deviations at once, before any form is predicted from them.
 struct LengthEstimates {
     Eigen::MatrixXd mean;  ///< m_I x k [m]
