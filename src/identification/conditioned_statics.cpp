@@ -11,11 +11,6 @@ namespace {
 /// Part of a node's axial stiffness that keeps a loose node in its place.
 constexpr double smallest_relative_stiffness = 1e-10;
 
-/// What an edge adds for that to the stiffness of either node [N/m].
-double added_stiffness(const Eigen::Matrix3d& edge_stiffness) {
-    return smallest_relative_stiffness * edge_stiffness.trace();
-}
-
 std::vector<bool> interior_flags(const CableNet& net) {
     std::vector<bool> flags(static_cast<size_t>(net.edge_count()), false);
     for (const int edge : net.interior_edges()) {
@@ -78,7 +73,8 @@ void ConditionedStatics::add_edge(int edge, const Guess& guess) {
     for (const int node : {s, t}) {
         if (node < m_local.free_count) {
             m_matrix.node_stiffness[static_cast<size_t>(node)] +=
-                unit * (e.stiffness + added_stiffness(e.stiffness) * Eigen::Matrix3d::Identity());
+                unit * (e.stiffness + smallest_relative_stiffness * e.stiffness.trace() *
+                                          Eigen::Matrix3d::Identity());
         }
     }
 }
@@ -98,35 +94,29 @@ bool ConditionedStatics::linearise(const Guess& guess, const Knowledge& knowledg
     if (!m_matrix.factorize()) {
         return false;
     }
-    set_reactions(guess, m_matrix.solve(right_side(guess, knowledge)).multipliers);
+    set_reactions(m_matrix.solve(right_side(guess, knowledge)).multipliers);
     return true;
 }
 
-void ConditionedStatics::set_reactions(const Guess& guess, const Eigen::Matrix3Xd& multipliers) {
-    const double unit = m_length_unit * m_multiplier_unit;
+void ConditionedStatics::set_reactions(const Eigen::Matrix3Xd& multipliers) {
+    for (int node = 0; node < m_local.free_count; ++node) {
+        m_place_reactions.col(node) =
+            m_matrix.node_stiffness[static_cast<size_t>(node)] * multipliers.col(node);
+    }
     for (int e = 0; e < m_net.edge_count(); ++e) {
-        if (m_slack[static_cast<size_t>(e)]) {
-            continue;
+        const auto [s, t] = m_local.edges[static_cast<size_t>(e)];
+        const Eigen::Matrix3d& stiffness = m_matrix.edge_stiffness[static_cast<size_t>(e)];
+        const bool both_are_free = std::max(s, t) < m_local.free_count;
+        if (both_are_free) {
+            m_place_reactions.col(s) -= stiffness * multipliers.col(t);
+            m_place_reactions.col(t) -= stiffness * multipliers.col(s);
         }
-        const EdgeRates edge = rates(e, guess);
-        std::array<int, 2> ends = m_local.edges[static_cast<size_t>(e)];
-        Eigen::Vector3d difference = Eigen::Vector3d::Zero();
-        for (const double sign : {1.0, -1.0}) {
-            const int node = ends[sign > 0.0 ? 0 : 1];
-            if (node < m_local.free_count) {
-                difference += sign * multipliers.col(node);
-            }
+        m_length_reactions(e) = 0.0;
+        if (s < m_local.free_count) {
+            m_length_reactions(e) += m_matrix.length_rates.col(e).dot(multipliers.col(s));
         }
-        for (const double sign : {1.0, -1.0}) {
-            const int node = ends[sign > 0.0 ? 0 : 1];
-            if (node < m_local.free_count) {
-                m_place_reactions.col(node) +=
-                    unit * (sign * edge.stiffness * difference +
-                            added_stiffness(edge.stiffness) * multipliers.col(node));
-            }
-        }
-        if (m_interior_of[static_cast<size_t>(e)] >= 0) {
-            m_length_reactions(e) = unit * edge.length_rate.dot(difference);
+        if (t < m_local.free_count) {
+            m_length_reactions(e) -= m_matrix.length_rates.col(e).dot(multipliers.col(t));
         }
     }
 }

@@ -73,7 +73,7 @@ private:
     void add_edge(int edge, const Guess& guess);
     [[nodiscard]] SaddlePointFactor::Vector right_side(const Guess& guess,
                                                        const Knowledge& knowledge) const;
-    void set_reactions(const Guess& guess, const Eigen::Matrix3Xd& multipliers);
+    void set_reactions(const Eigen::Matrix3Xd& multipliers);
 
     const CableNet& m_net;
     LocalNet m_local;

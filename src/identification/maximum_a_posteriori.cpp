@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "identification/exact_balance.hpp"
 #include "identification/gross_errors.hpp"
@@ -64,7 +65,7 @@ public:
         }
         m_test.evaluate(m_statics, fitted.guess.form);
         Identification result{.method = "map"};
-        if (is_too_many(m_test.left_out_count() + m_test.suspicious_count())) {
+        if (is_testing() && is_too_many(m_test.left_out_count() + m_test.suspicious_count())) {
             result.status = IdentificationStatus::survey_does_not_fit;
             m_test.leave_out_suspicious();
         } else if (!fitted.converged) {
@@ -158,7 +159,7 @@ private:
             refine(inflation);
             if (m_test.left_out_count() > left_out) {
                 GaussNewtonResult direct = fit_and_test(nominal, 1.0);
-                if (direct.converged) {
+                if (direct.converged && !is_too_many(m_test.left_out_count())) {
                     return direct;
                 }
             }

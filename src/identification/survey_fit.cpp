@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "taut/statics/tensions.hpp"
 
@@ -73,32 +74,28 @@ GaussNewtonResult fit_to_survey(const CableNet& net, ConditionedStatics& statics
                                 const Knowledge& knowledge, const LengthLaw& law,
                                 const Guess& start, std::vector<bool> slack, double tolerance,
                                 int max_iterations) {
-    GaussNewtonResult fit{.guess = start};
+    GaussNewtonResult fit;
+    Guess from = start;
     std::vector<bool> taut_for_good(slack.size(), false);
+    bool has_failed = false;
     // Few rounds do: which edges the form shows as slack changes little with the fit.
     constexpr int most_rounds = 12;
-    bool has_failed = false;
     for (int round = 0; round < most_rounds; ++round) {
         statics.set_slack(slack);
-        fit =
-            fit_under_statics(statics, knowledge, std::move(fit.guess), tolerance, max_iterations);
+        fit = fit_under_statics(statics, knowledge, std::move(from), tolerance, max_iterations);
         const std::vector<bool> shown = slack_by_form(net, fit.guess, law);
         for (size_t e = 0; e < slack.size(); ++e) {
             taut_for_good[e] = taut_for_good[e] || (slack[e] && !shown[e]);
             // A search that has not settled tells which edges led it astray, but no more.
             slack[e] = shown[e] && !taut_for_good[e] && (fit.converged || slack[e]);
         }
-        if (slack == statics.slack()) {
-            break;
+        if (slack == statics.slack() || (has_failed && !fit.converged)) {
+            return fit;
         }
-        if (!fit.converged) {
-            if (has_failed) {
-                break;
-            }
-            has_failed = true;
-            fit.guess = start;
-        }
+        has_failed = has_failed || !fit.converged;
+        from = fit.converged ? fit.guess : start;
     }
+    fit.converged = false;
     return fit;
 }
 

@@ -28,8 +28,8 @@ namespace taut {
 /// shows to be so. Whether an edge is taut is a question of its own: a cable that is stretched by a
 /// hundredth of a millimetre where it is taut can hang by several where it is slack, and no small
 /// steps lead from one fit to the other. So the survey is asked first, by slack_by_survey(). An
-/// edge that comes out longer than it can be while slack is taut for good.
-/// The statics are left linearised at the result.
+/// edge that comes out longer than it can be while slack is taut for good, even with some pressure:
+/// it stands between the two. Where it settles, the statics are left linearised at the result.
 /// @param slack edges (m) to begin with
 /// @throws std::runtime_error as fit_under_statics()
 [[nodiscard]] GaussNewtonResult fit_to_survey(const CableNet& net, ConditionedStatics& statics,

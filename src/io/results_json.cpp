@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "taut/io/results_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/result_parts.hpp"
@@ -210,6 +211,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
         noise = std::sqrt(stds.squaredNorm() / static_cast<double>(stds.size()));
     }
     const Eigen::VectorXd residuals = residuals_in_use(identification, survey);
+    const double in_use = std::max(1.0, static_cast<double>(residuals.size()));
     Json document{{"format", "taut-identification"},
                   {"version", 1},
                   {"program", "taut " + std::string(version())},
@@ -227,9 +229,8 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                     {"noise_ratio", identification.noise_ratio},
                     {"outliers", outliers},
                     {"outlier_threshold", identification.outlier_threshold},
-                    {"rms_residual",
-                     std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()))},
-                    {"max_residual", residuals.maxCoeff()}}}};
+                    {"rms_residual", std::sqrt(residuals.squaredNorm() / in_use)},
+                    {"max_residual", residuals.lpNorm<Eigen::Infinity>()}}}};
     add_run(document, run);
     document["net"] = counts_json(net);
     document["survey"]["residuals"] = residuals_json(survey, identification.predicted.form);

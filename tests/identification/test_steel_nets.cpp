@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
 
 #include "identification/simulated_survey.hpp"
 #include "support/hilo_roof.hpp"
