@@ -108,7 +108,7 @@ TEST(SteelNet, TellsSlackEdgesFromTautOnes) {
 }
 
 TEST(SteelNet, FindsManyGrossErrors) {
-    const Tally found = tally(stiffened(hilo_quarter(), 100.0), uniform_law(0.003), 0.0005, 10, 20);
+    const Tally found = tally(stiffened(hilo_quarter(), 100.0), uniform_law(0.003), 0.0005, 4, 20);
     EXPECT_EQ(found.unsettled, 0);
     EXPECT_EQ(found.sound_lost, 0);
     EXPECT_EQ(found.gross_missed, 0);
@@ -117,7 +117,7 @@ TEST(SteelNet, FindsManyGrossErrors) {
 
 TEST(SteelNet, OfTheHiloRoofKeepsAllSoundTargets) {
     TAUT_NEEDS_HILO_ROOF();
-    const Tally found = tally(hilo_roof(), uniform_law(0.005), 0.0005, 8, 0);
+    const Tally found = tally(hilo_roof(), uniform_law(0.005), 0.0005, 5, 0);
     EXPECT_EQ(found.unsettled, 0);
     EXPECT_EQ(found.sound_lost, 0);
     EXPECT_LE(found.far_off, 1);
@@ -126,7 +126,7 @@ TEST(SteelNet, OfTheHiloRoofKeepsAllSoundTargets) {
 
 TEST(SteelNet, OfTheHiloRoofShowsManyGrossErrors) {
     TAUT_NEEDS_HILO_ROOF();
-    const Tally found = tally(hilo_roof(), uniform_law(0.001), 0.0005, 3, 20);
+    const Tally found = tally(hilo_roof(), uniform_law(0.001), 0.0005, 1, 20);
     EXPECT_EQ(found.unsettled, 0);
     EXPECT_EQ(found.sound_lost, 0);
     EXPECT_EQ(found.gross_missed, 0);
@@ -136,7 +136,7 @@ TEST(SteelNet, OfTheHiloRoofShowsManyGrossErrors) {
 // Multipliers large against what they hold: the noise is a hundredth of the deviations.
 TEST(SteelNet, OfTheHiloRoofSettlesWithLittleNoise) {
     TAUT_NEEDS_HILO_ROOF();
-    const Tally found = tally(hilo_roof(), uniform_law(0.005), 0.00005, 4, 0);
+    const Tally found = tally(hilo_roof(), uniform_law(0.005), 0.00005, 2, 0);
     EXPECT_EQ(found.unsettled, 0);
     EXPECT_EQ(found.sound_lost, 0);
     EXPECT_NEAR(found.inside, 0.95, 0.01);
