@@ -112,7 +112,7 @@ TEST_F(FormConditioning, TakesBackWhatFitsOnceOthersAreLeftOut) {
         EXPECT_TRUE(after.fits()) << "survey " << k;
         found += after.outliers().size();
     }
-    EXPECT_GT(found, 90U);  // of 96: with k = 3, 6 and so on both are the same
+    EXPECT_GT(found, 90U);  // of 100
 }
 
 TEST_F(FormConditioning, RaisesFalseAlarmsAsOftenAsStated) {

@@ -90,56 +90,49 @@ Tally tally(const CableNet& net, const LengthLaw& law, double noise_std, int sur
     return tally;
 }
 
+void expect_sound(const Tally& found, double coverage_tolerance) {
+    EXPECT_EQ(found.unsettled, 0);
+    EXPECT_EQ(found.sound_lost, 0);
+    EXPECT_EQ(found.gross_missed, 0);
+    EXPECT_NEAR(found.inside, 0.95, coverage_tolerance);
+}
+
 // Deviations and noise beyond what the cables stretch: steps with the matrix of an earlier
 // linearisation soon lead nowhere.
 TEST(SteelNet, SettlesWithIntervalsThatHold) {
     const Tally found = tally(stiffened(hilo_quarter(), 20.0), uniform_law(0.003), 0.0005, 10, 0);
-    EXPECT_EQ(found.unsettled, 0);
-    EXPECT_EQ(found.sound_lost, 0);
-    EXPECT_NEAR(found.inside, 0.95, 0.015);
+    expect_sound(found, 0.015);
 }
 
 TEST(SteelNet, TellsSlackEdgesFromTautOnes) {
     const Tally found = tally(stiffened(hilo_quarter(), 500.0), uniform_law(0.003), 0.0005, 10, 0);
-    EXPECT_EQ(found.unsettled, 0);
-    EXPECT_EQ(found.sound_lost, 0);
+    expect_sound(found, 0.015);
     EXPECT_EQ(found.far_off, 0);
-    EXPECT_NEAR(found.inside, 0.95, 0.015);
 }
 
 TEST(SteelNet, FindsManyGrossErrors) {
     const Tally found = tally(stiffened(hilo_quarter(), 100.0), uniform_law(0.003), 0.0005, 4, 20);
-    EXPECT_EQ(found.unsettled, 0);
-    EXPECT_EQ(found.sound_lost, 0);
-    EXPECT_EQ(found.gross_missed, 0);
-    EXPECT_NEAR(found.inside, 0.95, 0.015);
+    expect_sound(found, 0.015);
 }
 
 TEST(SteelNet, OfTheHiloRoofKeepsAllSoundTargets) {
     TAUT_NEEDS_HILO_ROOF();
     const Tally found = tally(hilo_roof(), uniform_law(0.005), 0.0005, 5, 0);
-    EXPECT_EQ(found.unsettled, 0);
-    EXPECT_EQ(found.sound_lost, 0);
+    expect_sound(found, 0.01);
     EXPECT_LE(found.far_off, 1);
-    EXPECT_NEAR(found.inside, 0.95, 0.01);
 }
 
 TEST(SteelNet, OfTheHiloRoofShowsManyGrossErrors) {
     TAUT_NEEDS_HILO_ROOF();
     const Tally found = tally(hilo_roof(), uniform_law(0.001), 0.0005, 1, 20);
-    EXPECT_EQ(found.unsettled, 0);
-    EXPECT_EQ(found.sound_lost, 0);
-    EXPECT_EQ(found.gross_missed, 0);
-    EXPECT_NEAR(found.inside, 0.95, 0.01);
+    expect_sound(found, 0.01);
 }
 
 // Multipliers large against what they hold: the noise is a hundredth of the deviations.
 TEST(SteelNet, OfTheHiloRoofSettlesWithLittleNoise) {
     TAUT_NEEDS_HILO_ROOF();
     const Tally found = tally(hilo_roof(), uniform_law(0.005), 0.00005, 2, 0);
-    EXPECT_EQ(found.unsettled, 0);
-    EXPECT_EQ(found.sound_lost, 0);
-    EXPECT_NEAR(found.inside, 0.95, 0.01);
+    expect_sound(found, 0.01);
 }
 
 }  // namespace

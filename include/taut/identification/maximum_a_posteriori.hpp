@@ -26,9 +26,8 @@ struct MaximumAPosterioriSettings {
 /// each against a chi-squared quantile, until no target in use contradicts the others and none left
 /// out agrees with them. Not where all coordinates are exact. Edges begin as slack that were
 /// measured shorter than they can be while taut, by more than three standard deviations; then the
-/// fitted form tells. A search that does not
-/// settle, or leaves out too many targets, begins anew as if the noise were so large that
-/// nothing is a gross error, then ever smaller.
+/// fitted form tells. A search that does not settle, or leaves out too many targets, begins anew as
+/// if the noise were so large that nothing is a gross error, then ever smaller.
 ///
 /// An exact coordinate (noise 0) is taken to be so to 1e-7 of the net's mean edge length: standard
 /// deviations are of that order, and larger than the errors, which are those of rounding. Where all
