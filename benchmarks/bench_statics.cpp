@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "taut/design/builtin_nets.hpp"
-#include "taut/io/compas_json.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/net_import.hpp"
+#include "taut/files/file.hpp"
+#include "taut/interchange/compas_json.hpp"
+#include "taut/interchange/net_import.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/cone_program.hpp"
 #include "taut/statics/duality.hpp"

@@ -18,8 +18,11 @@ function(taut_add_tests room)
         GTest::gmock_main rapidcheck rapidcheck_gtest
         nlohmann_json::nlohmann_json fmt::fmt
         PkgConfig::TAUT_HDF5)
-    # Tests are compiled far longer than they run: little optimisation.
+    # Tests are compiled far longer than they run: little optimisation, and what all of them read once.
     target_compile_options(${target} PRIVATE -O1)
+    if(NOT room STREQUAL "version")
+        target_precompile_headers(${target} REUSE_FROM test_version)
+    endif()
     if(TAUT_TESTS_BY_PROGRAM)
         add_test(NAME ${room} COMMAND ${target} --gtest_brief=1)
         set_tests_properties(${room} PROPERTIES

@@ -12,7 +12,7 @@ namespace taut {
 
 struct ThreadLimit::State {
     explicit State(int threads)
-        : tbb_limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads)) {}
+        : tbb_limit(tbb::global_control::max_allowed_parallelism, threads) {}
 
     tbb::global_control tbb_limit;
     int blas_threads_before = openblas_get_num_threads();

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
 
 namespace taut::app {
 

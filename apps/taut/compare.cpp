@@ -12,12 +12,12 @@
 #include "output_directory.hpp"
 #include "progress.hpp"
 #include "run_record.hpp"
-#include "taut/io/comparison_files.hpp"
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/io/result_file.hpp"
 #include "taut/net/units.hpp"
 #include "taut/report/report_html.hpp"
+#include "taut/results/comparison_files.hpp"
+#include "taut/results/result_file.hpp"
 #include "taut/study/comparison.hpp"
 
 namespace taut::app {
@@ -57,7 +57,7 @@ T parse_whole(std::string_view text, std::string_view unit) {
     T value{};
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || std::string_view(rest, static_cast<size_t>(end - rest)) != unit) {
+    if (error != std::errc() || std::string_view(rest, end - rest) != unit) {
         throw std::invalid_argument("not a number");
     }
     return value;

@@ -5,7 +5,7 @@
 #include "command.hpp"
 #include "net_summary.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 
 namespace taut::app {

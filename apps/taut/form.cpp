@@ -4,9 +4,9 @@
 
 #include "command.hpp"
 #include "net_summary.hpp"
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/io/form_csv.hpp"
-#include "taut/io/input_error.hpp"
 #include "taut/io/lengths_csv.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/built_net.hpp"

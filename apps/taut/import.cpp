@@ -4,13 +4,13 @@
 
 #include "command.hpp"
 #include "net_summary.hpp"
-#include "taut/io/compas_json.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/foreign_format.hpp"
-#include "taut/io/net_csv.hpp"
-#include "taut/io/net_import.hpp"
+#include "taut/files/file.hpp"
+#include "taut/interchange/compas_json.hpp"
+#include "taut/interchange/foreign_format.hpp"
+#include "taut/interchange/net_csv.hpp"
+#include "taut/interchange/net_import.hpp"
+#include "taut/interchange/obj.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/io/obj.hpp"
 #include "taut/net/units.hpp"
 
 namespace taut::app {

@@ -12,8 +12,8 @@
 #include "command.hpp"
 #include "interruption.hpp"
 #include "run_record.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/input_error.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/study/study.hpp"
 #include "taut/version.hpp"
 

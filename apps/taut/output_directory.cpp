@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "command.hpp"
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
 
 namespace taut::app {
 

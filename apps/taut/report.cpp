@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/result_file.hpp"
+#include "taut/files/file.hpp"
 #include "taut/report/figures_svg.hpp"
 #include "taut/report/report_html.hpp"
+#include "taut/results/result_file.hpp"
 
 namespace taut::app {
 namespace {

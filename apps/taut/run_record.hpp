@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "taut/io/results_json.hpp"
+#include "taut/results/results_json.hpp"
 
 namespace taut::app {
 

@@ -12,9 +12,9 @@
 #include "interruption.hpp"
 #include "net_summary.hpp"
 #include "progress.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/io/data_set_h5.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/input_error.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/sampler.hpp"
 

@@ -7,7 +7,7 @@
 #include "command.hpp"
 #include "net_summary.hpp"
 #include "survey_input.hpp"
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/survey/simulation.hpp"
@@ -30,7 +30,7 @@ double parse_part(const std::string& text) {
     double percent = 0.0;
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, percent);
-    if (error != std::errc() || std::string_view(rest, static_cast<size_t>(end - rest)) != "%" ||
+    if (error != std::errc() || std::string_view(rest, end - rest) != "%" ||
         !(percent >= 0.0 && percent < 100.0)) {
         throw std::invalid_argument(
             fmt::format("--drop is '{}', expected a part from 0% to below 100%", text));

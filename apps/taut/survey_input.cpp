@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "taut/io/file.hpp"
-#include "taut/io/input_error.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/io/target_list.hpp"
 #include "taut/net/units.hpp"

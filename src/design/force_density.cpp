@@ -22,14 +22,14 @@ void check_node(Eigen::Index node, Eigen::Index count, const char* where) {
 
 /// Rows that no path through the matrix joins to one of the given rows: -1, or the first of them.
 int first_row_not_joined(const Eigen::SparseMatrix<double>& matrix, std::vector<int> joined) {
-    std::vector<bool> seen(static_cast<size_t>(matrix.rows()), false);
+    std::vector<bool> seen(matrix.rows(), false);
     while (!joined.empty()) {
         const int row = joined.back();
         joined.pop_back();
-        if (seen[static_cast<size_t>(row)]) {
+        if (seen[row]) {
             continue;
         }
-        seen[static_cast<size_t>(row)] = true;
+        seen[row] = true;
         for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, row); it; ++it) {
             joined.push_back(static_cast<int>(it.index()));
         }
@@ -52,10 +52,10 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
         throw std::invalid_argument(
             fmt::format("loads has {} columns, expected {} or none", loads.cols(), nodes.cols()));
     }
-    std::vector<int> row(static_cast<size_t>(nodes.cols()), 0);
+    std::vector<int> row(nodes.cols(), 0);
     for (const int support : supports) {
         check_node(support, nodes.cols(), "supports");
-        row[static_cast<size_t>(support)] = -1;
+        row[support] = -1;
     }
     int free_count = 0;
     for (int& r : row) {
@@ -78,8 +78,8 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
         check_node(edges[e][0], nodes.cols(), "edges");
         check_node(edges[e][1], nodes.cols(), "edges");
         for (const auto [from, to] : {edges[e], Edge{edges[e][1], edges[e][0]}}) {
-            const int i = row[static_cast<size_t>(from)];
-            const int j = row[static_cast<size_t>(to)];
+            const int i = row[from];
+            const int j = row[to];
             if (i < 0) {
                 continue;
             }
@@ -94,7 +94,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
     }
     if (loads.cols() != 0) {
         for (Eigen::Index node = 0; node < nodes.cols(); ++node) {
-            if (const int i = row[static_cast<size_t>(node)]; i >= 0) {
+            if (const int i = row[node]; i >= 0) {
                 rhs.row(i) += loads.col(node).transpose();
             }
         }
@@ -116,7 +116,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
     const Eigen::MatrixX3d solution = factor.solve(rhs);
     Points form = nodes;
     for (Eigen::Index node = 0; node < nodes.cols(); ++node) {
-        if (const int i = row[static_cast<size_t>(node)]; i >= 0) {
+        if (const int i = row[node]; i >= 0) {
             form.col(node) = solution.row(i).transpose();
         }
     }

@@ -26,7 +26,7 @@ CableNet form_found_net(std::string name, const Points& nodes, const std::vector
     data.axial_stiffness.setConstant(m, cable_stiffness);
     Eigen::VectorXd lengths(m);
     for (Eigen::Index e = 0; e < m; ++e) {
-        const auto [s, t] = edges[static_cast<size_t>(e)];
+        const auto [s, t] = edges[e];
         lengths(e) = (data.nodes.col(s) - data.nodes.col(t)).norm();
     }
     data.unstressed_lengths =

@@ -29,10 +29,8 @@ CableNet hypar(int rows, int columns) {
     const double height = rise * lattice_spacing * std::min(rows + 1, columns + 1);
     std::vector<Eigen::Vector3d> nodes;
     std::vector<int> supports;
-    std::vector<int> node_at(static_cast<size_t>((rows + 2) * (columns + 2)), -1);
-    const auto at = [&](int i, int j) -> int& {
-        return node_at[static_cast<size_t>(i * (columns + 2) + j)];
-    };
+    std::vector<int> node_at((rows + 2) * (columns + 2), -1);
+    const auto at = [&](int i, int j) -> int& { return node_at[i * (columns + 2) + j]; };
     for (int i = 0; i <= rows + 1; ++i) {
         for (int j = 0; j <= columns + 1; ++j) {
             const bool inner_row = i >= 1 && i <= rows;

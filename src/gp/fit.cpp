@@ -10,8 +10,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "gp/dense.hpp"
 #include "gp/length_scale_search.hpp"
+#include "numerics/dense.hpp"
 
 namespace taut::gp {
 namespace {
@@ -128,18 +128,18 @@ void condition(const KernelSpectrum& spectrum, const LikelihoodProfile& profile,
     const Eigen::MatrixXd z = transposed_product(basis, outputs(Eigen::all, members));
     Eigen::MatrixXd inverse(z.rows(), z.cols());  // (d + eta)^-1 of each member
     for (Eigen::Index k = 0; k < z.cols(); ++k) {
-        inverse.col(k) = 1.0 / (d + profile.noise_ratio(members[static_cast<size_t>(k)]));
+        inverse.col(k) = 1.0 / (d + profile.noise_ratio(members[k]));
     }
     const Eigen::MatrixXd weights = product(basis, z.cwiseProduct(inverse));
     // The error at input i of the process trained without it is a_i / [C^-1]_ii (Rasmussen and
     // Williams, eq. 5.12), and [C^-1]_ii = sum_k Q_ik^2 / (d_k + eta) up to sigma_f^2.
     const Eigen::MatrixXd inverse_diagonals = product(basis.cwiseAbs2(), inverse);
     for (Eigen::Index k = 0; k < z.cols(); ++k) {
-        const Eigen::Index member = members[static_cast<size_t>(k)];
-        const int output = output_of[static_cast<size_t>(member)];
+        const Eigen::Index member = members[k];
+        const int output = output_of[member];
         const double signal = profile.signal_variance(member);
         result.weights.col(output) = weights.col(k);
-        result.processes[static_cast<size_t>(output)] = {
+        result.processes[output] = {
             .status = FitStatus::fitted,
             .hyperparameters = {.inverse_length_scale = spectrum.inverse_length_scale,
                                 .signal_std = std::sqrt(signal),
@@ -178,10 +178,10 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     FittedProcesses result;
     result.inputs = inputs;
     result.weights.setZero(inputs.cols(), outputs.cols());
-    result.processes.resize(static_cast<size_t>(outputs.cols()));
+    result.processes.resize(outputs.cols());
     std::vector<int> output_of;  // columns that can be fitted
     for (int j = 0; j < outputs.cols(); ++j) {
-        Process& process = result.processes[static_cast<size_t>(j)];
+        Process& process = result.processes[j];
         process.status = status_of(outputs.col(j));
         if (process.status == FitStatus::fitted) {
             output_of.push_back(j);

@@ -11,7 +11,7 @@
 #include <nlopt.hpp>
 #include <stdexcept>
 
-#include "gp/dense.hpp"
+#include "numerics/dense.hpp"
 #include "taut/gp/kernel.hpp"
 #include "taut/gp/likelihood.hpp"
 #include "taut/gp/spectrum.hpp"
@@ -187,7 +187,7 @@ Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& i
         return Eigen::VectorXd::Ones(inputs.rows());
     }
     const double start = best_common_scale(problem, count);
-    const std::vector<double> first(static_cast<size_t>(count), start);
+    const std::vector<double> first(count, start);
     problem.best_log_scales = first;
     nlopt::opt optimizer(nlopt::LD_LBFGS, static_cast<unsigned>(count));
     optimizer.set_min_objective(objective, &problem);

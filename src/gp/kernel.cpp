@@ -4,7 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "gp/dense.hpp"
+#include "numerics/dense.hpp"
 
 namespace taut::gp {
 

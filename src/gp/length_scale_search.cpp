@@ -141,12 +141,11 @@ void LengthScaleSearch::add(double log_lambda, LikelihoodProfile profile) {
 
 std::vector<double> LengthScaleSearch::best() const {
     const Eigen::Index m = m_profiles.begin()->second.value.size();
-    std::vector<double> result(static_cast<size_t>(m));
+    std::vector<double> result(m);
     for (Eigen::Index j = 0; j < m; ++j) {
-        result[static_cast<size_t>(j)] =
-            std::ranges::min_element(m_profiles, {}, [j](const auto& p) {
-                return p.second.value(j);
-            })->first;
+        result[j] = std::ranges::min_element(m_profiles, {}, [j](const auto& p) {
+                        return p.second.value(j);
+                    })->first;
     }
     return result;
 }
@@ -160,7 +159,7 @@ std::optional<double> LengthScaleSearch::next() const {
         return count == 0 ? m_lower : m_lower + range * count / intervals;
     }
 
-    std::vector<Points> outputs(static_cast<size_t>(m_profiles.begin()->second.value.size()));
+    std::vector<Points> outputs(m_profiles.begin()->second.value.size());
     for (const auto& [at, profile] : m_profiles) {
         for (size_t j = 0; j < outputs.size(); ++j) {
             const auto column = static_cast<Eigen::Index>(j);

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-#include "gp/dense.hpp"
+#include "numerics/dense.hpp"
 
 namespace taut::gp {
 namespace {

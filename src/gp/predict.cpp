@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "gp/dense.hpp"
+#include "numerics/dense.hpp"
 #include "taut/gp/fit.hpp"
 
 namespace taut::gp {
@@ -39,7 +39,7 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     Eigen::VectorXd signal_stds(members.size());
     Eigen::MatrixXd inverse(spectrum.eigenvalues.size(), members.size());  // (d + eta)^-1 of each
     for (size_t i = 0; i < members.size(); ++i) {
-        const auto& theta = fitted.processes[static_cast<size_t>(members[i])].hyperparameters;
+        const auto& theta = fitted.processes[members[i]].hyperparameters;
         const double ratio = theta.noise_std / theta.signal_std;
         const auto column = static_cast<Eigen::Index>(i);
         signal_stds(column) = theta.signal_std;

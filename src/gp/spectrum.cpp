@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gp/dense.hpp"
+#include "numerics/dense.hpp"
 #include "taut/gp/kernel.hpp"
 
 namespace taut::gp {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "identification/survey_knowledge.hpp"
+#include "estimation/observations.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -14,11 +14,11 @@ Eigen::VectorXd best_possible_variances(const CableNet& net,
                                         const Eigen::Ref<const Points>& form, const Survey& survey,
                                         const LengthLaw& law) {
     check_survey(net, survey);
-    std::vector<bool> slack(static_cast<size_t>(net.edge_count()), false);
+    std::vector<bool> slack(net.edge_count(), false);
     for (const int edge : slack_edges(net, unstressed_lengths, form)) {
-        slack[static_cast<size_t>(edge)] = true;
+        slack[edge] = true;
     }
-    const std::vector<bool> none_left_out(static_cast<size_t>(net.node_count()), false);
+    const std::vector<bool> none_left_out(net.node_count(), false);
     ConditionedStatics statics(net);
     statics.set_slack(slack);
     const Guess truth{

@@ -10,10 +10,10 @@
 #include <random>
 #include <stdexcept>
 
-#include "identification/conditioned_statics.hpp"
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "estimation/slack_set.hpp"
 #include "identification/outcome.hpp"
-#include "identification/survey_fit.hpp"
-#include "identification/survey_knowledge.hpp"
 #include "taut/statics/energy.hpp"
 
 namespace taut {
@@ -38,11 +38,11 @@ public:
         std::vector<Eigen::Triplet<double>> entries;
         int interior = 0;
         for (int e = 0; e < net.edge_count(); ++e) {
-            const auto [s, t] = net.edges()[static_cast<size_t>(e)];
-            const bool is_interior = interior < net.interior_edge_count() &&
-                                     net.interior_edges()[static_cast<size_t>(interior)] == e;
+            const auto [s, t] = net.edges()[e];
+            const bool is_interior =
+                interior < net.interior_edge_count() && net.interior_edges()[interior] == e;
             const int column = is_interior ? interior++ : -1;
-            if (slack[static_cast<size_t>(e)]) {
+            if (slack[e]) {
                 continue;
             }
             const Eigen::Vector3d vector = form.col(s) - form.col(t);
@@ -120,7 +120,7 @@ Eigen::VectorXd balanced_deviations(const CableNet& net, const Balance& balance)
     const Eigen::VectorXd y = balance.solve();
     Eigen::VectorXd deviations(y.size());
     for (Eigen::Index i = 0; i < y.size(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const int edge = net.interior_edges()[i];
         if (!(1.0 + y(i) > 0.0)) {
             throw std::runtime_error(
                 fmt::format("the forces at the surveyed form balance with no positive length of "
@@ -139,7 +139,7 @@ public:
         : m_net(net),
           m_survey(survey),
           m_noise(reckoned_noise(net, survey)),
-          m_none_left_out(static_cast<size_t>(net.node_count()), false),
+          m_none_left_out(net.node_count(), false),
           m_balanced(surveyed_guess(net, survey, m_none_left_out)),
           m_statics(net) {
         m_statics.set_slack(slack_by_form(net, m_balanced, law));

@@ -7,10 +7,10 @@
 #include <array>
 #include <stdexcept>
 
+#include "estimation/observations.hpp"
+#include "estimation/slack_set.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/outcome.hpp"
-#include "identification/survey_fit.hpp"
-#include "identification/survey_knowledge.hpp"
 
 namespace taut {
 namespace {
@@ -37,7 +37,7 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
         result.method = "balance";
         return result;
     }
-    const std::vector<bool> none_left_out(static_cast<size_t>(net.node_count()), false);
+    const std::vector<bool> none_left_out(net.node_count(), false);
     const Points noise = reckoned_noise(net, survey);
     ConditionedStatics statics(net);
     Identification result{.method = "balance"};

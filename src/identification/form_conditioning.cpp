@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/gross_errors.hpp"
+#include "estimation/data_snooping.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
@@ -16,11 +16,11 @@ namespace {
 /// a = sum Var(s_ij) / sum s_ij^2 over these entries is their part that is chance.
 Eigen::MatrixXd shrunk_covariance(const Eigen::MatrixXd& centred) {
     const auto n = static_cast<double>(centred.cols());
-    const Eigen::MatrixXd mean_product = gp::product(centred, centred.transpose()) / n;
+    const Eigen::MatrixXd mean_product = product(centred, centred.transpose()) / n;
     const Eigen::MatrixXd squares = centred.cwiseAbs2();
     // Of the products w = e_i e_j: sum (w - mean w)^2 = sum w^2 - n (mean w)^2.
     const Eigen::MatrixXd spread =
-        gp::product(squares, squares.transpose()) - n * mean_product.cwiseAbs2();
+        product(squares, squares.transpose()) - n * mean_product.cwiseAbs2();
     const double unbiased = n / std::max(1.0, n - 1.0);
     const double chance =
         std::pow(unbiased, 3) / (n * n) * (spread.sum() - spread.diagonal().sum());
@@ -38,11 +38,11 @@ FormDistribution form_before_survey(const CableNet& net, const LengthModel& mode
     const Eigen::MatrixXd J = FormSensitivity(net, net.unstressed_lengths(),
                                               with_free_coordinates(net, model.nominal_form))
                                   .columns(net.interior_edges());
-    Eigen::MatrixXd remainder = model.form_deviations() - gp::product(J, model.length_deviations);
+    Eigen::MatrixXd remainder = model.form_deviations() - product(J, model.length_deviations);
     FormDistribution result{.mean = remainder.rowwise().mean(), .covariance = {}};
     remainder.colwise() -= result.mean;
     result.covariance = shrunk_covariance(remainder);
-    result.covariance += model.law.std() * model.law.std() * gp::product(J, J.transpose());
+    result.covariance += model.law.std() * model.law.std() * product(J, J.transpose());
     return result;
 }
 
@@ -52,7 +52,7 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& be
     : m_before(before), m_noise(free_coordinates(net, noise)) {
     const Eigen::VectorXd surveyed = free_coordinates(net, survey.form) - nominal_form;
     const Neighbours neighbours = neighbours_of(net);
-    std::vector<bool> left_out(static_cast<size_t>(net.node_count()), false);
+    std::vector<bool> left_out(net.node_count(), false);
     std::vector<int> taken_back;  // for good
     while (true) {
         use_targets(net, survey.surveyed, left_out);
@@ -71,7 +71,7 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& be
             return;
         }
         for (const int node : worst) {
-            left_out[static_cast<size_t>(node)] = true;
+            left_out[node] = true;
         }
         if (!worst.empty()) {
             continue;
@@ -80,7 +80,7 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& be
         const size_t taken_before = taken_back.size();
         for (const Outlier& outlier : m_outliers) {
             if (outlier.statistic <= threshold) {
-                left_out[static_cast<size_t>(outlier.node)] = false;
+                left_out[outlier.node] = false;
                 taken_back.push_back(outlier.node);
             }
         }
@@ -96,7 +96,7 @@ void ConditionedForm::use_targets(const CableNet& net, const std::vector<int>& s
     m_nodes.clear();
     m_observed.clear();
     for (const int node : surveyed) {
-        if (!left_out[static_cast<size_t>(node)]) {
+        if (!left_out[node]) {
             m_nodes.push_back(node);
             for (int k = 0; k < 3; ++k) {
                 m_observed.push_back(3 * net.free_index(node) + k);
@@ -137,7 +137,7 @@ void ConditionedForm::tell_outliers(const CableNet& net, const std::vector<int>&
                                     const Eigen::VectorXd& surveyed_deviations) {
     m_outliers.clear();
     for (const int node : surveyed) {
-        if (!left_out[static_cast<size_t>(node)]) {
+        if (!left_out[node]) {
             continue;
         }
         const int at = 3 * net.free_index(node);
@@ -154,13 +154,12 @@ void ConditionedForm::tell_outliers(const CableNet& net, const std::vector<int>&
 }
 
 Eigen::MatrixXd ConditionedForm::reduced(const Eigen::MatrixXd& gradients) const {
-    return m_factor->solve_lower(
-        gp::product(m_before.covariance(m_observed, Eigen::all), gradients));
+    return m_factor->solve_lower(product(m_before.covariance(m_observed, Eigen::all), gradients));
 }
 
 Eigen::VectorXd ConditionedForm::variances(const Eigen::MatrixXd& gradients) const {
     const Eigen::VectorXd before =
-        gradients.cwiseProduct(gp::product(m_before.covariance, gradients)).colwise().sum();
+        gradients.cwiseProduct(product(m_before.covariance, gradients)).colwise().sum();
     const Eigen::VectorXd told = reduced(gradients).colwise().squaredNorm();
     return (before - told).cwiseMax(0.0);
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "gp/dense.hpp"
+#include "numerics/dense.hpp"
 #include "taut/identification/form_distribution.hpp"
 #include "taut/identification/identification.hpp"
 #include "taut/identification/model.hpp"
@@ -55,11 +55,11 @@ private:
     [[nodiscard]] Eigen::MatrixXd reduced(const Eigen::MatrixXd& gradients) const;
 
     const FormDistribution& m_before;
-    Eigen::VectorXd m_noise;               ///< of the free coordinates (3 n_I)
-    std::vector<int> m_nodes;              ///< targets in use
-    std::vector<int> m_observed;           ///< their coordinates, among the free ones
-    std::optional<gp::Cholesky> m_factor;  ///< of K
-    Eigen::VectorXd m_weights;             ///< a
+    Eigen::VectorXd m_noise;           ///< of the free coordinates (3 n_I)
+    std::vector<int> m_nodes;          ///< targets in use
+    std::vector<int> m_observed;       ///< their coordinates, among the free ones
+    std::optional<Cholesky> m_factor;  ///< of K
+    Eigen::VectorXd m_weights;         ///< a
     Eigen::VectorXd m_mean;
     std::vector<Outlier> m_outliers;
     double m_noise_ratio = 0.0;

@@ -10,12 +10,12 @@
 #include <optional>
 #include <stdexcept>
 
+#include "estimation/data_snooping.hpp"
+#include "estimation/observations.hpp"
 #include "identification/form_conditioning.hpp"
-#include "identification/gross_errors.hpp"
 #include "identification/mean_function.hpp"
 #include "identification/outcome.hpp"
-#include "identification/survey_knowledge.hpp"
-#include "taut/identification/length_posterior.hpp"
+#include "taut/estimation/length_posterior.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -62,7 +62,7 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
                              ? model.law.scale
                              : std::numeric_limits<double>::infinity();
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const int edge = net.interior_edges()[i];
         const double mean = estimates.mean(i, 0);
         const double std = estimates.std(i, 0);
         IdentifiedEdge e{.edge = edge,
@@ -114,7 +114,7 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
     const Eigen::VectorXd lengths = edge_lengths(net, form);
     std::vector<LengthLikelihood> result;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const int edge = net.interior_edges()[i];
         const double variance = estimates.std(i, 0) * estimates.std(i, 0);
         LengthLikelihood likelihood = without_prior(0.0, model.law.std(), estimates.mean(i, 0),
                                                     std::sqrt(variance + of_length(i)));
@@ -189,7 +189,7 @@ LengthEstimates estimate_lengths(const CableNet& net, const LengthModel& model,
         model.processes.predict(model.input_scales.asDiagonal() * form_deviations);
     const Eigen::MatrixXd means = mean_values(net, model.mean, model.nominal_form, form_deviations);
     for (Eigen::Index i = 0; i < prediction.std.rows(); ++i) {
-        const gp::Process& process = model.processes.processes[static_cast<size_t>(i)];
+        const gp::Process& process = model.processes.processes[i];
         if (process.status != gp::FitStatus::fitted) {
             prediction.std.row(i).setConstant(model.law.std());
             continue;

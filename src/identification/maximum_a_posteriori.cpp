@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/data_snooping.hpp"
+#include "estimation/observations.hpp"
+#include "estimation/slack_set.hpp"
 #include "identification/exact_balance.hpp"
-#include "identification/gross_errors.hpp"
 #include "identification/outcome.hpp"
-#include "identification/survey_fit.hpp"
-#include "identification/survey_knowledge.hpp"
 
 namespace taut {
 namespace {
@@ -141,7 +141,7 @@ private:
     GaussNewtonResult from_coarse_to_fine(const Guess& nominal) {
         m_test.take_all_back();
         Guess settled = nominal;
-        std::vector<bool> slack(static_cast<size_t>(m_net.edge_count()), false);
+        std::vector<bool> slack(m_net.edge_count(), false);
         const auto refine = [&](double inflation) {
             GaussNewtonResult fitted = fit_and_test(settled, inflation);
             if (!fitted.converged) {

@@ -43,8 +43,7 @@ Eigen::MatrixXd length_gradient(const CableNet& net, const Eigen::Ref<const Poin
     Eigen::MatrixXd gradient =
         Eigen::MatrixXd::Zero(net.interior_edge_count(), 3 * net.free_node_count());
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const auto [s, t] =
-            net.edges()[static_cast<size_t>(net.interior_edges()[static_cast<size_t>(i)])];
+        const auto [s, t] = net.edges()[net.interior_edges()[i]];
         const Eigen::Vector3d direction = (form.col(s) - form.col(t)).normalized();
         for (const auto& [node, sign] : {std::pair{s, 1.0}, std::pair{t, -1.0}}) {
             if (const int k = net.free_index(node); k >= 0) {

@@ -32,7 +32,7 @@ Eigen::VectorXd input_scales(KernelMetric metric, const Eigen::MatrixXd& inputs,
     if (metric == KernelMetric::isotropic) {
         return Eigen::VectorXd::Ones(inputs.rows());
     }
-    std::vector<int> groups(static_cast<size_t>(inputs.rows()));
+    std::vector<int> groups(inputs.rows());
     for (size_t i = 0; i < groups.size(); ++i) {
         groups[i] = static_cast<int>(metric == KernelMetric::direction ? i % 3 : i / 3);
     }

@@ -20,7 +20,7 @@ std::vector<LengthLikelihood> likelihoods(const CableNet& net, const Conditioned
     const Eigen::VectorXd lengths = edge_lengths(net, fitted.form);
     std::vector<LengthLikelihood> result;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const int edge = net.interior_edges()[i];
         // At loose nodes the variances can be lost in rounding errors: then nothing is told.
         const bool is_told = variances(i) > 0.0;
         LengthLikelihood likelihood =
@@ -28,7 +28,7 @@ std::vector<LengthLikelihood> likelihoods(const CableNet& net, const Conditioned
                                     fitted.deviations(i), std::sqrt(variances(i)))
                     : LengthLikelihood();
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
-        if (statics.slack()[static_cast<size_t>(edge)]) {
+        if (statics.slack()[edge]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();
         } else {
             const double extension = likelihood.slack_from - fitted.deviations(i);
@@ -47,8 +47,8 @@ void complete(Identification& result, const CableNet& net, const Survey& survey,
               const Points& start) {
     Eigen::VectorXd deviations(net.interior_edge_count());
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
-        const LengthPosterior posterior = posterior_of(law, likelihoods[static_cast<size_t>(i)]);
+        const int edge = net.interior_edges()[i];
+        const LengthPosterior posterior = posterior_of(law, likelihoods[i]);
         deviations(i) = posterior.mean;
         result.edges.push_back({.edge = edge,
                                 .nominal = net.unstressed_lengths()(edge),
@@ -64,7 +64,7 @@ void complete(Identification& result, const CableNet& net, const Survey& survey,
 Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey) {
     std::vector<int> in_use;
     for (int i = 0; i < static_cast<int>(survey.surveyed.size()); ++i) {
-        const int node = survey.surveyed[static_cast<size_t>(i)];
+        const int node = survey.surveyed[i];
         if (std::ranges::find(result.outliers, node, &Outlier::node) == result.outliers.end()) {
             in_use.push_back(i);
         }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "identification/conditioned_statics.hpp"
+#include "estimation/linearised_statics.hpp"
+#include "taut/estimation/length_posterior.hpp"
 #include "taut/identification/identification.hpp"
-#include "taut/identification/length_posterior.hpp"
 
 namespace taut {
 

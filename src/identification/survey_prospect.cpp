@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "taut/estimation/length_posterior.hpp"
 #include "taut/identification/best_possible.hpp"
-#include "taut/identification/length_posterior.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -59,7 +59,7 @@ SurveyProspect survey_prospect(const CableNet& net, const Eigen::Ref<const Point
     const std::vector<int> slack = slack_edges(net, lengths, form);
     SurveyProspect result{.prior_std = law.std(), .edges = {}};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const int edge = net.interior_edges()[i];
         const double std = std::sqrt(variances(i));
         const bool is_slack = std::ranges::binary_search(slack, edge);
         result.edges.push_back(

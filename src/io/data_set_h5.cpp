@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "io/h5_head.hpp"
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
 
 namespace taut {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "io/message.hpp"
+#include "files/message.hpp"
 
 namespace taut {
 namespace {

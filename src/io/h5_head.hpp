@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "io/hdf5_reader.hpp"
-#include "io/hdf5_writer.hpp"
+#include "files/hdf5_reader.hpp"
+#include "files/hdf5_writer.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/length_law.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "io/csv_field.hpp"
+#include "files/csv_field.hpp"
 
 namespace taut {
 

@@ -7,9 +7,9 @@
 #include <array>
 #include <stdexcept>
 
+#include "files/message.hpp"
 #include "io/h5_head.hpp"
-#include "io/message.hpp"
-#include "taut/io/file.hpp"
+#include "taut/files/file.hpp"
 
 namespace taut {
 namespace {
@@ -100,7 +100,7 @@ void write_processes(hdf5::Writer& writer, std::vector<Process> processes) {
 
 std::vector<Process> read_processes(const hdf5::Reader& reader, Eigen::Index m,
                                     int spectrum_count) {
-    std::vector<Process> processes(static_cast<size_t>(m));
+    std::vector<Process> processes(m);
     for (const Column& column : process_columns) {
         const Eigen::VectorXd values = reader.vector(column.name, m);
         for (size_t j = 0; j < processes.size(); ++j) {
@@ -118,7 +118,7 @@ std::vector<Process> read_processes(const hdf5::Reader& reader, Eigen::Index m,
 }
 
 std::vector<KernelSpectrum> read_spectra(const hdf5::Reader& reader, Eigen::Index n) {
-    std::vector<KernelSpectrum> spectra(static_cast<size_t>(reader.group_size("spectra")));
+    std::vector<KernelSpectrum> spectra(reader.group_size("spectra"));
     for (size_t k = 0; k < spectra.size(); ++k) {
         const std::string name = spectrum_name(k);
         spectra[k] = {.inverse_length_scale = reader.number(name + "/inverse_length_scale"),

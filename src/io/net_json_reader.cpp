@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include "io/json_parse.hpp"
-#include "io/json_value.hpp"
-#include "io/message.hpp"
+#include "files/json_parse.hpp"
+#include "files/json_value.hpp"
+#include "files/message.hpp"
 #include "io/net_json_value.hpp"
 #include "io/net_keys.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/input_error.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/io/net_json.hpp"
 
 namespace taut {
@@ -31,10 +31,10 @@ void check_format(const JsonValue& root) {
 Points read_points(const JsonValue& list) {
     Points points(3, static_cast<Eigen::Index>(list.array_size("an array of [x, y, z]")));
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        const JsonValue point = list.at(static_cast<size_t>(i));
+        const JsonValue point = list.at(i);
         point.require_array(3, "an array of three numbers [x, y, z]");
         for (Eigen::Index k = 0; k < 3; ++k) {
-            points(k, i) = point.at(static_cast<size_t>(k)).number();
+            points(k, i) = point.at(k).number();
         }
     }
     return points;
@@ -53,7 +53,7 @@ std::vector<Edge> read_edges(const JsonValue& list) {
 Eigen::VectorXd read_numbers(const JsonValue& list) {
     Eigen::VectorXd numbers(static_cast<Eigen::Index>(list.array_size("an array of numbers")));
     for (Eigen::Index i = 0; i < numbers.size(); ++i) {
-        numbers(i) = list.at(static_cast<size_t>(i)).number();
+        numbers(i) = list.at(i).number();
     }
     return numbers;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/json_value.hpp"
+#include "files/json_value.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {

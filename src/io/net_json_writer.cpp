@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "io/json_parse.hpp"
-#include "io/message.hpp"
+#include "files/json_parse.hpp"
+#include "files/message.hpp"
 #include "io/net_keys.hpp"
-#include "taut/io/input_error.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/io/net_json.hpp"
 
 namespace taut {
@@ -69,7 +69,7 @@ std::string points_text(const Points& points) {
 
 std::string edges_text(const std::vector<Edge>& edges) {
     return one_a_line(static_cast<Eigen::Index>(edges.size()), [&edges](Eigen::Index e) {
-        const auto [s, t] = edges[static_cast<size_t>(e)];
+        const auto [s, t] = edges[e];
         return fmt::format("[{}, {}]", s, t);
     });
 }

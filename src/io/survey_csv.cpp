@@ -9,13 +9,13 @@
 #include <cmath>
 #include <optional>
 
-#include "io/csv_field.hpp"
-#include "io/csv_reader.hpp"
-#include "io/message.hpp"
-#include "io/parse_number.hpp"
-#include "io/plain_text.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/input_error.hpp"
+#include "files/csv_field.hpp"
+#include "files/csv_reader.hpp"
+#include "files/message.hpp"
+#include "files/parse_number.hpp"
+#include "files/plain_text.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 
 namespace taut {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
-#include "io/csv_reader.hpp"
-#include "io/plain_text.hpp"
-#include "taut/io/input_error.hpp"
+#include "files/csv_reader.hpp"
+#include "files/plain_text.hpp"
+#include "taut/files/input_error.hpp"
 
 namespace taut {
 

@@ -44,12 +44,12 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
     validate(m_data);
     std::ranges::sort(m_data.adjustable);
 
-    m_free_index.assign(static_cast<size_t>(node_count()), 0);
+    m_free_index.assign(node_count(), 0);
     for (const int support : m_data.supports) {
-        m_free_index[static_cast<size_t>(support)] = -1;
+        m_free_index[support] = -1;
     }
     for (int node = 0; node < node_count(); ++node) {
-        int& index = m_free_index[static_cast<size_t>(node)];
+        int& index = m_free_index[node];
         if (index == 0) {
             index = free_node_count();
             m_free_nodes.push_back(node);
@@ -64,20 +64,18 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
 }
 
 std::string CableNet::node_id(int node) const {
-    return m_data.node_ids.empty() ? std::to_string(node)
-                                   : m_data.node_ids[static_cast<size_t>(node)];
+    return m_data.node_ids.empty() ? std::to_string(node) : m_data.node_ids[node];
 }
 
 std::string CableNet::edge_id(int edge) const {
-    return m_data.edge_ids.empty() ? std::to_string(edge)
-                                   : m_data.edge_ids[static_cast<size_t>(edge)];
+    return m_data.edge_ids.empty() ? std::to_string(edge) : m_data.edge_ids[edge];
 }
 
 Eigen::VectorXd free_coordinates(const CableNet& net, const Eigen::Ref<const Points>& form) {
     check_size("form has", form.cols(), net.node_count(), "points");
     Eigen::VectorXd coordinates(3 * net.free_node_count());
     for (int i = 0; i < net.free_node_count(); ++i) {
-        coordinates.segment<3>(3 * i) = form.col(net.free_nodes()[static_cast<size_t>(i)]);
+        coordinates.segment<3>(3 * i) = form.col(net.free_nodes()[i]);
     }
     return coordinates;
 }
@@ -87,7 +85,7 @@ Points with_free_coordinates(const CableNet& net,
     check_size("coordinates has", coordinates.size(), 3 * net.free_node_count(), "entries");
     Points form = net.nodes();
     for (int i = 0; i < net.free_node_count(); ++i) {
-        form.col(net.free_nodes()[static_cast<size_t>(i)]) = coordinates.segment<3>(3 * i);
+        form.col(net.free_nodes()[i]) = coordinates.segment<3>(3 * i);
     }
     return form;
 }

@@ -23,7 +23,7 @@ public:
     void add_list(const List& list) {
         const auto size = static_cast<std::uint64_t>(list.size());
         add(&size, 1);
-        add(list.data(), static_cast<size_t>(list.size()));
+        add(list.data(), list.size());
     }
 
     [[nodiscard]] std::uint64_t value() const { return m_hash; }

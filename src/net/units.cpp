@@ -42,7 +42,7 @@ double parse_quantity(std::string_view text, const std::array<Unit, Count>& unit
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);
     if (error == std::errc() && std::isfinite(value)) {
-        std::string_view name(rest, static_cast<size_t>(end - rest));
+        std::string_view name(rest, end - rest);
         while (name.starts_with(' ')) {
             name.remove_prefix(1);
         }

@@ -80,17 +80,17 @@ void check_positive(const std::string& key, const Eigen::VectorXd& values) {
 /// Every index of the list lies in [0, count) and stands there once. Gives a mask of length count.
 std::vector<bool> check_indices(const std::string& key, const std::vector<int>& indices, int count,
                                 const std::string& of_what) {
-    std::vector<bool> listed(static_cast<size_t>(count), false);
+    std::vector<bool> listed(count, false);
     for (size_t i = 0; i < indices.size(); ++i) {
         const std::string where = fmt::format("/{}/{}", key, i);
         if (indices[i] < 0 || indices[i] >= count) {
             throw NetError(where, fmt::format("is {}, expected the index of one of the {} {}s",
                                               indices[i], count, of_what));
         }
-        if (listed[static_cast<size_t>(indices[i])]) {
+        if (listed[indices[i]]) {
             throw NetError(where, fmt::format("lists {} {} a second time", of_what, indices[i]));
         }
-        listed[static_cast<size_t>(indices[i])] = true;
+        listed[indices[i]] = true;
     }
     return listed;
 }
@@ -110,7 +110,7 @@ void check_edges(const CableNetData& data, const std::vector<bool>& is_support) 
         if (s == t) {
             throw NetError(where, fmt::format("connects node {} to itself", s));
         }
-        if (is_support[static_cast<size_t>(s)] && is_support[static_cast<size_t>(t)]) {
+        if (is_support[s] && is_support[t]) {
             throw NetError(where, fmt::format("connects the supports {} and {}; an edge needs at "
                                               "least one free node",
                                               s, t));
@@ -130,9 +130,9 @@ void check_edges(const CableNetData& data, const std::vector<bool>& is_support) 
 
 /// Root of a node's part in a union-find forest, with path halving.
 int find_root(std::vector<int>& parent, int node) {
-    while (parent[static_cast<size_t>(node)] != node) {
-        int& up = parent[static_cast<size_t>(node)];
-        up = parent[static_cast<size_t>(up)];
+    while (parent[node] != node) {
+        int& up = parent[node];
+        up = parent[up];
         node = up;
     }
     return node;
@@ -144,12 +144,12 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
     std::iota(parent.begin(), parent.end(), 0);
     std::vector<bool> has_edge(n, false);
     for (const auto& [s, t] : data.edges) {
-        has_edge[static_cast<size_t>(s)] = has_edge[static_cast<size_t>(t)] = true;
-        parent[static_cast<size_t>(find_root(parent, s))] = find_root(parent, t);
+        has_edge[s] = has_edge[t] = true;
+        parent[find_root(parent, s)] = find_root(parent, t);
     }
     std::vector<bool> supported(n, false);
     for (const int support : data.supports) {
-        supported[static_cast<size_t>(find_root(parent, support))] = true;
+        supported[find_root(parent, support)] = true;
     }
     for (size_t i = 0; i < n; ++i) {
         if (is_support[i]) {
@@ -159,7 +159,7 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
         if (!has_edge[i]) {
             throw NetError(where, "is a free node without edges");
         }
-        if (!supported[static_cast<size_t>(find_root(parent, static_cast<int>(i)))]) {
+        if (!supported[find_root(parent, static_cast<int>(i))]) {
             throw NetError(where, "is a free node in a part of the net that reaches no support");
         }
     }

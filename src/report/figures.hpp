@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/svg.hpp"
-#include "taut/io/result_file.hpp"
+#include "taut/results/result_file.hpp"
 
 namespace taut::report {
 

@@ -22,7 +22,7 @@ PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const std::vec
     if (errors_mm.cols() == 0) {  // the matrix has no memory whose rows could be taken
         return path;
     }
-    std::vector<double> column(static_cast<size_t>(errors_mm.cols()));
+    std::vector<double> column(errors_mm.cols());
     for (const int i : edges) {
         std::ranges::transform(errors_mm.row(i), column.begin(),
                                [&](double error) { return 0.5 * std::round(2.0 * axes.y(error)); });
@@ -32,7 +32,7 @@ PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const std::vec
         for (const double y : column) {
             path.dot({axes.x(i + 1), y});
         }
-        column.resize(static_cast<size_t>(errors_mm.cols()));
+        column.resize(errors_mm.cols());
     }
     return path;
 }
@@ -53,7 +53,7 @@ PathData curve(const Axes& axes, const Eigen::VectorXd& values_mm, const std::ve
 std::string caption(const StudyResult& study, int edge_limit) {
     Eigen::Index worst = 0;
     const double largest_mean = study.error_mean.cwiseAbs().maxCoeff(&worst);
-    const int edge = study.net.interior_edges()[static_cast<size_t>(worst)];
+    const int edge = study.net.interior_edges()[worst];
     std::string text = fmt::format(
         "Error (true minus identified) of every interior edge in {}, with its mean over them and "
         "one standard deviation to both sides. The largest mean error is {} mm, at edge {} (i = "

@@ -29,7 +29,7 @@ void draw_intervals(SvgBody& svg, const Axes& axes, const IdentificationResult& 
     PathData intervals;
     PathData dots;
     for (const int i : edges) {
-        const IdentifiedEdge& edge = result.edges[static_cast<size_t>(i)];
+        const IdentifiedEdge& edge = result.edges[i];
         if (edge.status == kind.status) {
             intervals.move_to(axes(i + 1, 1e3 * edge.lower));
             intervals.line_to(axes(i + 1, 1e3 * edge.upper));

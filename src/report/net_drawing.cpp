@@ -50,8 +50,8 @@ Places places_in(const Axes& axes, const Plan& plan, const Points& form) {
 PathData edges_path(const CableNet& net, const std::vector<int>& edges, const Places& places) {
     PathData path;
     for (const int i : thinned(static_cast<int>(edges.size()), most_drawn)) {
-        const int edge = edges[static_cast<size_t>(i)];
-        const auto [s, t] = net.edges()[static_cast<size_t>(edge)];
+        const int edge = edges[i];
+        const auto [s, t] = net.edges()[edge];
         path.move_to(places.col(s));
         path.line_to(places.col(t));
     }
@@ -61,7 +61,7 @@ PathData edges_path(const CableNet& net, const std::vector<int>& edges, const Pl
 PathData dots_path(const std::vector<int>& nodes, const Places& places) {
     PathData path;
     for (const int i : thinned(static_cast<int>(nodes.size()), most_drawn)) {
-        path.dot(places.col(nodes[static_cast<size_t>(i)]));
+        path.dot(places.col(nodes[i]));
     }
     return path;
 }
@@ -69,7 +69,7 @@ PathData dots_path(const std::vector<int>& nodes, const Places& places) {
 PathData squares_path(const std::vector<int>& nodes, const Places& places, double width) {
     PathData path;
     for (const int i : thinned(static_cast<int>(nodes.size()), most_drawn)) {
-        path.square(places.col(nodes[static_cast<size_t>(i)]), width);
+        path.square(places.col(nodes[i]), width);
     }
     return path;
 }

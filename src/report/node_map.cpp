@@ -33,7 +33,7 @@ void draw_values(SvgBody& svg, const NodeMap& map, const Places& places, double 
              fmt::format("style=\"stroke-width:{:.1f}\"", width + 1.0));
     std::map<int, PathData> paths;
     for (const int i : thinned(static_cast<int>(map.nodes.size()), most_drawn)) {
-        const int node = map.nodes[static_cast<size_t>(i)];
+        const int node = map.nodes[i];
         paths[colours.level_of(map.values(i))].dot(places.col(node));
     }
     for (const auto& [level, path] : paths) {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "taut/io/result_file.hpp"
+#include "taut/results/result_file.hpp"
 
 namespace taut::report {
 

@@ -29,7 +29,7 @@ std::vector<double> standardised(const IdentificationResult& result) {
 
 /// Bins of one width over [-reach, reach]; what lies beyond is counted at the ends.
 std::vector<double> histogram(const std::vector<double>& values, double reach, int bins) {
-    std::vector<double> counts(static_cast<size_t>(bins), 0.0);
+    std::vector<double> counts(bins, 0.0);
     for (const double value : values) {
         const double place = std::clamp((value / reach + 1.0) * 0.5 * bins, 0.0, bins - 1.0);
         counts[static_cast<size_t>(place)] += 1.0;
@@ -104,8 +104,7 @@ Figure residual_histogram_figure(const IdentificationResult& result) {
                 {{.style = "bar", .words = "survey", .mark = Mark::square},
                  {.style = "std", .words = "normal law", .mark = Mark::dash}});
     for (int i = 0; i < bins; ++i) {
-        const Eigen::Vector2d top =
-            axes(-reach + 2.0 * reach * i / bins, counts[static_cast<size_t>(i)]);
+        const Eigen::Vector2d top = axes(-reach + 2.0 * reach * i / bins, counts[i]);
         svg.rectangle("bar", top, {(axes.x.to - axes.x.from) / bins - 0.8, axes.y.from - top.y()});
     }
     svg.path("std", normal_curve(axes, total, 2.0 * reach / bins));

@@ -21,7 +21,7 @@ int DataSet::not_converged() const {
 std::vector<int> DataSet::converged_in(int first, int last) const {
     std::vector<int> result;
     for (int k = first; k < last; ++k) {
-        if (statuses[static_cast<size_t>(k)] != EquilibriumStatus::iteration_limit) {
+        if (statuses[k] != EquilibriumStatus::iteration_limit) {
             result.push_back(k);
         }
     }

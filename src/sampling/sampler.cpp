@@ -51,8 +51,8 @@ struct Sampler::State {
         const Equilibrium found =
             solvers.local().solve(lengths, with_free_coordinates(net, predicted));
         data.form_deviations.col(k) = free_coordinates(net, found.form) - data.nominal_form;
-        data.statuses[static_cast<size_t>(k)] = found.status;
-        data.slack_counts[static_cast<size_t>(k)] = static_cast<int>(found.slack_edges.size());
+        data.statuses[k] = found.status;
+        data.slack_counts[k] = static_cast<int>(found.slack_edges.size());
     }
 };
 
@@ -83,8 +83,8 @@ bool Sampler::extend(DataSet& data, int count, const std::stop_token& stop) cons
     const auto resize = [&data](int n) {
         data.form_deviations.conservativeResize(Eigen::NoChange, n);
         data.length_deviations.conservativeResize(Eigen::NoChange, n);
-        data.statuses.resize(static_cast<size_t>(n));
-        data.slack_counts.resize(static_cast<size_t>(n));
+        data.statuses.resize(n);
+        data.slack_counts.resize(n);
     };
     if (count <= first) {
         return true;

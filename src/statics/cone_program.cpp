@@ -63,7 +63,7 @@ private:
         const int variables = m_coordinates + m_edges + (form == ConeForm::paper ? 1 : 0);
         m_program.q.setZero(variables);
         for (int i = 0; i < m_net.free_node_count(); ++i) {
-            const int node = m_net.free_nodes()[static_cast<size_t>(i)];
+            const int node = m_net.free_nodes()[i];
             m_program.q.segment<3>(Eigen::Index{3} * i) = -m_net.loads().col(node) / m_units.force;
         }
         m_program.P.resize(variables, variables);
@@ -91,7 +91,7 @@ private:
             m_net.axial_stiffness()(e) / unstressed * m_units.length / m_units.force;
         m_program.b(row) = unstressed / m_units.length;
         m_entries.emplace_back(row, m_coordinates + e, -1.0 / std::sqrt(axial));
-        const auto [s, t] = m_net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = m_net.edges()[e];
         m_program.b.segment<3>(row + 1) =
             (m_net.nodes().col(s) - m_net.nodes().col(t)) / m_units.length;
         for (int k = 0; k < 3; ++k) {
@@ -172,7 +172,7 @@ ConeSolution solve_cone_program(const CableNet& net,
                         .dual_residual = found.dual_residual};
     double work = 0.0;  // of the loads, up to the net's nodes: the program counts from there
     for (int i = 0; i < net.free_node_count(); ++i) {
-        const int node = net.free_nodes()[static_cast<size_t>(i)];
+        const int node = net.free_nodes()[i];
         work += net.loads().col(node).dot(net.nodes().col(node));
         result.form.col(node) += units.length * found.x.segment<3>(Eigen::Index{3} * i);
     }

@@ -25,7 +25,7 @@ constexpr double negligible_strain = 1e-6;
 Eigen::MatrixX3d imbalance(const CableNet& net, const Points& edge_forces) {
     Points forces = -net.loads();
     for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = net.edges()[e];
         forces.col(s) += edge_forces.col(e);
         forces.col(t) -= edge_forces.col(e);
     }
@@ -40,7 +40,7 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * net.edges().size());
     for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = net.edges()[e];
         const int i = net.free_index(s);
         const int j = net.free_index(t);
         for (const int k : {i, j}) {
@@ -63,7 +63,7 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
         multipliers(Eigen::all, net.free_nodes()) =
             Eigen::MatrixX3d(factor.solve(imbalance(net, edge_forces))).transpose();
         for (int e = 0; e < net.edge_count(); ++e) {
-            const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+            const auto [s, t] = net.edges()[e];
             edge_forces.col(e) -= stiffness(e) * (multipliers.col(s) - multipliers.col(t));
         }
     }
@@ -108,7 +108,7 @@ EnergyCertificate certify_states(const CableNet& net,
     double elastic = 0.0;
     double complementary = 0.0;
     for (int e = 0; e < net.edge_count(); ++e) {
-        const EdgeState& state = states[static_cast<size_t>(e)];
+        const EdgeState& state = states[e];
         elastic += state.energy();
         complementary += forces.col(e).squaredNorm() / (2.0 * state.axial);
         result.duality_gap += gap_of(state, unstressed_lengths(e), forces.col(e));
@@ -128,7 +128,7 @@ EnergyCertificate certify(const CableNet& net,
     const auto states = edge_states(net, unstressed_lengths, form);
     Points forces(3, net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        const EdgeState& state = states[static_cast<size_t>(e)];
+        const EdgeState& state = states[e];
         forces.col(e) = state.tension() * state.direction;
     }
     return certify_states(net, unstressed_lengths, form, states, std::move(forces));

@@ -45,7 +45,7 @@ inline std::vector<EdgeState> edge_states(
     std::vector<EdgeState> states;
     states.reserve(net.edges().size());
     for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = net.edges()[e];
         states.push_back(
             edge_state(form.col(s), form.col(t), net.axial_stiffness()(e), unstressed_lengths(e)));
     }

@@ -87,7 +87,7 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
     check_unstressed_lengths(w.net.axial_stiffness.size(), unstressed_lengths);
     check_form("start", w.net.nodes.cols(), start);
     Equilibrium result;
-    result.energy_decreases.reserve(static_cast<size_t>(std::max(0, w.settings.max_iterations)));
+    result.energy_decreases.reserve(std::max(0, w.settings.max_iterations));
 
     NetState& state = w.state;
     state.set_unstressed_lengths(w.net, unstressed_lengths);

@@ -22,7 +22,7 @@ Eigen::SparseMatrix<double> equilibrium_matrix(const CableNet& net,
             throw std::invalid_argument(fmt::format("edges names edge {}, expected one of the {}",
                                                     edges[column], net.edge_count()));
         }
-        const auto [s, t] = net.edges()[static_cast<size_t>(edges[column])];
+        const auto [s, t] = net.edges()[edges[column]];
         const Eigen::Vector3d vector = form.col(s) - form.col(t);
         if (vector.isZero(0.0)) {
             throw std::invalid_argument(fmt::format(
@@ -50,7 +50,7 @@ StressStates stress_states(const CableNet& net,
     const auto states = edge_states(net, unstressed_lengths, form);
     std::vector<int> taut_edges;
     for (int e = 0; e < net.edge_count(); ++e) {
-        if (states[static_cast<size_t>(e)].taut()) {
+        if (states[e].taut()) {
             taut_edges.push_back(e);
         }
     }

@@ -24,7 +24,7 @@ struct FormSensitivity::Factor {
 
     /// Adds -dh/dl_0 of an edge, times its change of length, to a right-hand side.
     void add_force(int edge, double change, Eigen::Ref<Eigen::VectorXd> rhs) const {
-        const auto [s, t] = net.edges[static_cast<size_t>(edge)];
+        const auto [s, t] = net.edges[edge];
         const Eigen::Vector3d force = change * force_rates.col(edge);
         if (s < net.free_count) {
             rhs.segment<3>(Eigen::Index{3} * s) += force;
@@ -39,8 +39,7 @@ struct FormSensitivity::Factor {
         stiffness.factor.solve(local);
         Eigen::VectorXd result(local.size());
         for (int i = 0; i < net.free_count; ++i) {
-            result.segment<3>(Eigen::Index{3} * row_of[static_cast<size_t>(i)]) =
-                local.segment<3>(Eigen::Index{3} * i);
+            result.segment<3>(Eigen::Index{3} * row_of[i]) = local.segment<3>(Eigen::Index{3} * i);
         }
         return result;
     }
@@ -52,12 +51,12 @@ FormSensitivity::FormSensitivity(const CableNet& net,
     : m_factor(std::make_unique<Factor>(net)) {
     Factor& f = *m_factor;
     for (int i = 0; i < f.net.free_count; ++i) {
-        f.row_of.push_back(net.free_index(f.net.node_of[static_cast<size_t>(i)]));
+        f.row_of.push_back(net.free_index(f.net.node_of[i]));
     }
     const auto states = edge_states(net, unstressed_lengths, form);
     f.force_rates.setZero(3, net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        const EdgeState& state = states[static_cast<size_t>(e)];
+        const EdgeState& state = states[e];
         if (state.taut()) {
             f.force_rates.col(e) =
                 state.axial * state.length / unstressed_lengths(e) * state.direction;

@@ -24,11 +24,11 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
 
     std::vector<int> local_of(local.node_of.size());
     for (size_t i = 0; i < local.node_of.size(); ++i) {
-        local_of[static_cast<size_t>(local.node_of[i])] = static_cast<int>(i);
+        local_of[local.node_of[i]] = static_cast<int>(i);
     }
     local.edges.reserve(net.edges().size());
     for (const auto& [s, t] : net.edges()) {
-        local.edges.push_back({local_of[static_cast<size_t>(s)], local_of[static_cast<size_t>(t)]});
+        local.edges.push_back({local_of[s], local_of[t]});
     }
     local.axial_stiffness = net.axial_stiffness();
     local.origin = origin_of(net);
@@ -36,7 +36,7 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     local.nodes.resize(3, net.node_count());
     local.loads.resize(Eigen::Index{3} * local.free_count);
     for (int i = 0; i < net.node_count(); ++i) {
-        const int node = local.node_of[static_cast<size_t>(i)];
+        const int node = local.node_of[i];
         local.nodes.col(i) = net.nodes().col(node) - local.origin;
         if (i < local.free_count) {
             local.loads.segment<3>(Eigen::Index{3} * i) = net.loads().col(node);
@@ -71,14 +71,14 @@ Eigen::SparseMatrix<double> free_node_graph(const CableNet& net) {
 void LocalNet::gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const {
     local = nodes;
     for (int i = 0; i < free_count; ++i) {
-        local.col(i) = form.col(node_of[static_cast<size_t>(i)]) - origin;
+        local.col(i) = form.col(node_of[i]) - origin;
     }
 }
 
 Points LocalNet::scatter(const Eigen::Matrix3Xd& local) const {
     Points form(3, local.cols());
     for (Eigen::Index i = 0; i < local.cols(); ++i) {
-        const int node = node_of[static_cast<size_t>(i)];
+        const int node = node_of[i];
         if (i < free_count) {
             form.col(node) = local.col(i) + origin;
         } else {
@@ -96,10 +96,9 @@ LocalNet number_for_elimination(const CableNet& net) {
     // Nodes, not coordinates, are ordered: the three rows of a node share their pattern.
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
     Eigen::AMDOrdering<int>()(free_node_graph(net), order);
-    std::vector<int> free_order(static_cast<size_t>(net.free_node_count()));
+    std::vector<int> free_order(net.free_node_count());
     for (Eigen::Index i = 0; i < order.size(); ++i) {
-        free_order[static_cast<size_t>(i)] =
-            net.free_nodes()[static_cast<size_t>(order.indices()(i))];
+        free_order[i] = net.free_nodes()[order.indices()(i)];
     }
     return number(net, free_order);
 }

@@ -31,22 +31,22 @@ bool factorize_block(Eigen::Matrix3d matrix, Eigen::Matrix3d& lower,
 }  // namespace
 
 StiffnessFactor::StiffnessFactor(const StiffnessMatrix& matrix)
-    : m_parents(static_cast<size_t>(matrix.node_count()), -1),
-      m_starts(static_cast<size_t>(matrix.node_count()) + 1, 0),
-      m_diagonal(static_cast<size_t>(matrix.node_count()), Eigen::Matrix3d::Zero()),
+    : m_parents(matrix.node_count(), -1),
+      m_starts(matrix.node_count() + 1, 0),
+      m_diagonal(matrix.node_count(), Eigen::Matrix3d::Zero()),
       m_pivots(3, matrix.node_count()),
-      m_row(static_cast<size_t>(matrix.node_count()), Eigen::Matrix3d::Zero()),
-      m_pattern(static_cast<size_t>(matrix.node_count())),
-      m_visited(static_cast<size_t>(matrix.node_count()), -1) {
+      m_row(matrix.node_count(), Eigen::Matrix3d::Zero()),
+      m_pattern(matrix.node_count()),
+      m_visited(matrix.node_count(), -1) {
     // Davis, sections 4.1 and 4.5, but without path compression: every row is walked whole, since
     // its length counts.
     for (int row = 0; row < matrix.node_count(); ++row) {
-        m_visited[static_cast<size_t>(row)] = row;
+        m_visited[row] = row;
         for (const auto& block : matrix.column(row)) {
-            for (int j = block.row; m_visited[static_cast<size_t>(j)] != row;) {
-                m_visited[static_cast<size_t>(j)] = row;
-                ++m_starts[static_cast<size_t>(j) + 1];
-                int& parent = m_parents[static_cast<size_t>(j)];
+            for (int j = block.row; m_visited[j] != row;) {
+                m_visited[j] = row;
+                ++m_starts[j + 1];
+                int& parent = m_parents[j];
                 if (parent < 0) {
                     parent = row;
                 }
@@ -64,12 +64,11 @@ StiffnessFactor::StiffnessFactor(const StiffnessMatrix& matrix)
 /// @return where they begin
 size_t StiffnessFactor::row_pattern(const StiffnessMatrix& matrix, int row) {
     size_t begin = m_pattern.size();
-    m_visited[static_cast<size_t>(row)] = row;
+    m_visited[row] = row;
     for (const auto& block : matrix.column(row)) {
         size_t length = 0;
-        for (int j = block.row; m_visited[static_cast<size_t>(j)] != row;
-             j = m_parents[static_cast<size_t>(j)]) {
-            m_visited[static_cast<size_t>(j)] = row;
+        for (int j = block.row; m_visited[j] != row; j = m_parents[j]) {
+            m_visited[j] = row;
             m_pattern[length++] = j;
         }
         while (length > 0) {
@@ -88,7 +87,7 @@ bool StiffnessFactor::factorize(const StiffnessMatrix& matrix) {
         Eigen::Matrix3d pivot = matrix.diagonal(row);
         const size_t begin = row_pattern(matrix, row);
         for (const auto& block : matrix.column(row)) {
-            m_row[static_cast<size_t>(block.row)] += block.values;
+            m_row[block.row] += block.values;
         }
         for (size_t k = begin; k < m_pattern.size(); ++k) {
             const auto j = static_cast<size_t>(m_pattern[k]);
@@ -98,7 +97,7 @@ bool StiffnessFactor::factorize(const StiffnessMatrix& matrix) {
             m_diagonal[j].triangularView<Eigen::UnitLower>().solveInPlace(scaled);
             for (size_t p = m_starts[j]; p < m_ends[j]; ++p) {
                 const Block& below = m_blocks[p];
-                m_row[static_cast<size_t>(below.row)].noalias() -= below.values * scaled;
+                m_row[below.row].noalias() -= below.values * scaled;
             }
             Block& found = m_blocks[m_ends[j]++];
             found.row = row;
@@ -107,7 +106,7 @@ bool StiffnessFactor::factorize(const StiffnessMatrix& matrix) {
                     .transpose();
             pivot.noalias() -= found.values * scaled;
         }
-        if (!factorize_block(pivot, m_diagonal[static_cast<size_t>(row)], m_pivots.col(row))) {
+        if (!factorize_block(pivot, m_diagonal[row], m_pivots.col(row))) {
             return false;
         }
     }
@@ -122,14 +121,13 @@ void StiffnessFactor::solve(Eigen::Ref<Eigen::VectorXd> x) const {
         m_diagonal[j].triangularView<Eigen::UnitLower>().solveInPlace(value);
         node(j) = value;
         for (size_t p = m_starts[j]; p < m_starts[j + 1]; ++p) {
-            node(static_cast<size_t>(m_blocks[p].row)).noalias() -= m_blocks[p].values * value;
+            node(m_blocks[p].row).noalias() -= m_blocks[p].values * value;
         }
     }
     for (size_t j = m_diagonal.size(); j-- > 0;) {
         Eigen::Vector3d value = node(j).cwiseQuotient(m_pivots.col(static_cast<Eigen::Index>(j)));
         for (size_t p = m_starts[j]; p < m_starts[j + 1]; ++p) {
-            value.noalias() -=
-                m_blocks[p].values.transpose() * node(static_cast<size_t>(m_blocks[p].row));
+            value.noalias() -= m_blocks[p].values.transpose() * node(m_blocks[p].row);
         }
         m_diagonal[j].triangularView<Eigen::UnitLower>().transpose().solveInPlace(value);
         node(j) = value;

@@ -8,13 +8,13 @@
 namespace taut {
 
 StiffnessMatrix::StiffnessMatrix(const LocalNet& net)
-    : m_diagonal(static_cast<size_t>(net.free_count)),
-      m_starts(static_cast<size_t>(net.free_count) + 1, 0),
+    : m_diagonal(net.free_count),
+      m_starts(net.free_count + 1, 0),
       m_block_of_edge(net.edges.size(), -1),
       m_axial_at_nodes(net.free_count) {
     for (const Edge& edge : net.edges) {
         if (const int j = std::ranges::max(edge); j < net.free_count) {
-            ++m_starts[static_cast<size_t>(j) + 1];
+            ++m_starts[j + 1];
         }
     }
     std::partial_sum(m_starts.begin(), m_starts.end(), m_starts.begin());
@@ -23,7 +23,7 @@ StiffnessMatrix::StiffnessMatrix(const LocalNet& net)
     for (size_t e = 0; e < net.edges.size(); ++e) {
         const auto [i, j] = std::minmax(net.edges[e][0], net.edges[e][1]);
         if (j < net.free_count) {
-            const size_t block = next[static_cast<size_t>(j)]++;
+            const size_t block = next[j]++;
             m_blocks[block].row = i;
             m_block_of_edge[e] = static_cast<int>(block);
         }
@@ -45,18 +45,18 @@ void StiffnessMatrix::assemble(const LocalNet& net, const std::vector<EdgeState>
         for (const int node : net.edges[e]) {
             if (node < net.free_count) {
                 m_axial_at_nodes(node) += state.axial;
-                m_diagonal[static_cast<size_t>(node)] += stiffness;
+                m_diagonal[node] += stiffness;
             }
         }
         if (m_block_of_edge[e] >= 0) {
-            m_blocks[static_cast<size_t>(m_block_of_edge[e])].values = -stiffness;
+            m_blocks[m_block_of_edge[e]].values = -stiffness;
         }
     }
 }
 
 void StiffnessMatrix::add_shift(double shift) {
     for (int node = 0; node < node_count(); ++node) {
-        m_diagonal[static_cast<size_t>(node)].diagonal().array() += shift * m_axial_at_nodes(node);
+        m_diagonal[node].diagonal().array() += shift * m_axial_at_nodes(node);
     }
 }
 

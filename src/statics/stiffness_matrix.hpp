@@ -32,9 +32,7 @@ public:
     void add_shift(double shift);
 
     [[nodiscard]] int node_count() const { return static_cast<int>(m_diagonal.size()); }
-    [[nodiscard]] const Eigen::Matrix3d& diagonal(int node) const {
-        return m_diagonal[static_cast<size_t>(node)];
-    }
+    [[nodiscard]] const Eigen::Matrix3d& diagonal(int node) const { return m_diagonal[node]; }
     /// K_ij of a column j for its neighbours i < j, in no order.
     [[nodiscard]] std::span<const Block> column(int node) const {
         const auto j = static_cast<size_t>(node);

@@ -11,7 +11,7 @@ Eigen::VectorXd edge_lengths(const CableNet& net, const Eigen::Ref<const Points>
     check_form("form", net.node_count(), form);
     Eigen::VectorXd lengths(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = net.edges()[e];
         lengths(e) = (form.col(s) - form.col(t)).norm();
     }
     return lengths;

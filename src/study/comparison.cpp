@@ -179,9 +179,8 @@ private:
 };
 
 int count_with_slack(const DataSet& data, const std::vector<int>& samples) {
-    return static_cast<int>(std::ranges::count_if(samples, [&data](int sample) {
-        return data.slack_counts[static_cast<size_t>(sample)] > 0;
-    }));
+    return static_cast<int>(std::ranges::count_if(
+        samples, [&data](int sample) { return data.slack_counts[sample] > 0; }));
 }
 
 }  // namespace

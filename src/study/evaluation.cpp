@@ -86,13 +86,13 @@ void fill(MethodResult& result, const CableNet& net, const std::vector<Trial>& t
         }
         const Trial& trial = trials[k];
         for (Eigen::Index i = 0; i < m; ++i) {
-            const IdentifiedEdge& edge = identifications[k]->edges[static_cast<size_t>(i)];
+            const IdentifiedEdge& edge = identifications[k]->edges[i];
             const double error = trial.deviations(i) - edge.length_deviation;
             estimate(i, column) = edge.length_deviation;
             const bool is_inside =
                 edge.lower <= trial.deviations(i) && trial.deviations(i) <= edge.upper;
             sums.inside += is_inside ? 1 : 0;
-            if (!trial.slack[static_cast<size_t>(i)]) {
+            if (!trial.slack[i]) {
                 sums.squared_errors_of_taut += error * error;
                 ++sums.taut;
             }
@@ -142,7 +142,7 @@ std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& 
     Eigen::MatrixXd variances(net.interior_edge_count(), static_cast<Eigen::Index>(trials.size()));
     try {
         tbb::parallel_for(Eigen::Index{0}, variances.cols(), [&](Eigen::Index k) {
-            const Trial& trial = trials[static_cast<size_t>(k)];
+            const Trial& trial = trials[k];
             variances.col(k) = best_possible_variances(
                 net, with_length_deviations(net, trial.deviations), trial.form, trial.survey, law);
         });
@@ -153,7 +153,7 @@ std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& 
     int taut = 0;
     for (Eigen::Index k = 0; k < variances.cols(); ++k) {
         for (Eigen::Index i = 0; i < variances.rows(); ++i) {
-            if (!trials[static_cast<size_t>(k)].slack[static_cast<size_t>(i)]) {
+            if (!trials[k].slack[i]) {
                 sum_of_taut += variances(i, k);
                 ++taut;
             }

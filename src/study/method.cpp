@@ -17,7 +17,7 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
         estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
     Identification result{.method = "gp_as_in_paper"};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[static_cast<size_t>(i)];
+        const int edge = net.interior_edges()[i];
         const double mean = estimates.mean(i, 0);
         const double std = estimates.std(i, 0);
         result.edges.push_back({.edge = edge,

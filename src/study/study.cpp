@@ -21,8 +21,7 @@ LengthEstimates estimates_of(const std::vector<std::optional<Identification>>& i
                               .std = Eigen::MatrixXd(edges, count)};
     for (Eigen::Index k = 0; k < count; ++k) {
         for (Eigen::Index i = 0; i < edges; ++i) {
-            const IdentifiedEdge& edge =
-                identifications[static_cast<size_t>(k)]->edges[static_cast<size_t>(i)];
+            const IdentifiedEdge& edge = identifications[k]->edges[i];
             estimates.mean(i, k) = edge.length_deviation;
             estimates.std(i, k) = edge.std;
         }

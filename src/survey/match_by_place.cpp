@@ -57,7 +57,7 @@ std::vector<PlaceMatch> match_by_place(const CableNet& net, const std::vector<Su
         return matches;
     }
     std::vector<NodePlace> places;
-    places.reserve(static_cast<size_t>(net.node_count()));
+    places.reserve(net.node_count());
     for (int node = 0; node < net.node_count(); ++node) {
         places.emplace_back(place(net.nodes().col(node)), node);
     }

@@ -70,8 +70,8 @@ Registration register_rigidly(const std::vector<ControlPoint>& points) {
     Eigen::Matrix3Xd known(3, count);
     Eigen::Matrix3Xd measured(3, count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        known.col(i) = points[static_cast<size_t>(i)].known;
-        measured.col(i) = points[static_cast<size_t>(i)].measured;
+        known.col(i) = points[i].known;
+        measured.col(i) = points[i].measured;
     }
     Registration result;
     result.motion.from = measured.rowwise().mean();
@@ -83,8 +83,8 @@ Registration register_rigidly(const std::vector<ControlPoint>& points) {
     check_scale(b, a);
     result.motion.rotation = Eigen::umeyama(a, b, false).topLeftCorner<3, 3>();
     for (Eigen::Index i = 0; i < count; ++i) {
-        result.residuals.push_back({.id = points[static_cast<size_t>(i)].id,
-                                    .residual = result.motion.rotation * a.col(i) - b.col(i)});
+        result.residuals.push_back(
+            {.id = points[i].id, .residual = result.motion.rotation * a.col(i) - b.col(i)});
     }
     return result;
 }

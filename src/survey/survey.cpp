@@ -31,14 +31,14 @@ public:
         : m_net(net), m_default_noise_std(Eigen::Vector3d::Constant(noise_std)) {
         m_survey.form = net.nodes();
         m_survey.noise_std = Points::Zero(3, net.node_count());
-        m_seen.assign(static_cast<size_t>(net.node_count()), false);
+        m_seen.assign(net.node_count(), false);
     }
 
-    [[nodiscard]] bool seen(int node) const { return m_seen[static_cast<size_t>(node)]; }
+    [[nodiscard]] bool seen(int node) const { return m_seen[node]; }
 
     /// Of a support, only that it was seen: its place is known.
     void put(const SurveyPoint& point, int node) {
-        m_seen[static_cast<size_t>(node)] = true;
+        m_seen[node] = true;
         if (m_net.free_index(node) >= 0) {
             m_survey.form.col(node) = point.position;
             m_survey.noise_std.col(node) = point.noise_std.value_or(m_default_noise_std);

@@ -186,12 +186,12 @@ TEST_F(Chain, ResultHasTheKeysOfTheContract) {
             "std": 0.1, "lower": 0.1, "upper": 0.1, "status": ""})"));
         const int index = m_net.interior_edges()[i];
         EXPECT_EQ(edge["edge"], index);
-        EXPECT_EQ(edge["nodes"], json(m_net.edges()[static_cast<size_t>(index)]));
+        EXPECT_EQ(edge["nodes"], json(m_net.edges()[index]));
         EXPECT_EQ(edge["nominal"], m_net.unstressed_lengths()(index));
         EXPECT_LT(edge["lower"], edge["length_deviation"]);
         EXPECT_LT(edge["length_deviation"], edge["upper"]);
     }
-    ASSERT_EQ(result["form"].size(), static_cast<size_t>(m_net.node_count()));
+    ASSERT_EQ(result["form"].size(), m_net.node_count());
     EXPECT_EQ(result["form"][0].size(), 3U);
     EXPECT_EQ(result["survey"]["used"], 12);
     EXPECT_EQ(result["survey"]["missing"], 0);

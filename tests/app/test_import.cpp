@@ -5,7 +5,7 @@
 // out to another program and back.
 
 #include "app/program.hpp"
-#include "io/foreign_nets.hpp"
+#include "support/foreign_nets.hpp"
 #include "support/real_data.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/io/net_json.hpp"

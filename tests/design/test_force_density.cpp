@@ -71,7 +71,7 @@ RC_GTEST_PROP(ForceDensities, BalanceAtEveryFreeNode, ()) {
         form_from_force_densities(data.nodes, data.supports, data.edges, q, data.loads);
     Points forces = -data.loads;
     for (Eigen::Index e = 0; e < m; ++e) {
-        const auto [s, t] = data.edges[static_cast<size_t>(e)];
+        const auto [s, t] = data.edges[e];
         const Eigen::Vector3d force = q(e) * (form.col(s) - form.col(t));
         forces.col(s) += force;
         forces.col(t) -= force;

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "taut/io/input_error.hpp"
-#include "taut/io/net_import.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/interchange/net_import.hpp"
 
 /// What libFuzzer calls with each input.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -4,7 +4,7 @@
 // COMPAS and JAX FDM, as JSON.
 
 #include "fuzz.hpp"
-#include "taut/io/compas_json.hpp"
+#include "taut/interchange/compas_json.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace taut;

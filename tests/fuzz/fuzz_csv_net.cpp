@@ -7,7 +7,7 @@
 #include <string>
 
 #include "fuzz.hpp"
-#include "taut/io/net_csv.hpp"
+#include "taut/interchange/net_csv.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace taut;

@@ -14,7 +14,7 @@
 #include <stdexcept>
 
 #include "reference.hpp"
-#include "textbook.hpp"
+#include "support/textbook.hpp"
 
 namespace taut::gp {
 namespace {
@@ -243,7 +243,7 @@ TEST(Fit, TakesNoiseForNoise) {
     const Prediction prediction = fitted.predict(normal_matrix(5, 10, 3));
     for (Eigen::Index j = 0; j < 3; ++j) {
         // With a very short length scale, signal is noise by another name.
-        const Process& process = fitted.processes[static_cast<size_t>(j)];
+        const Process& process = fitted.processes[j];
         const Eigen::ArrayXd std = prediction.std.row(j).transpose();
         const double noise = process.hyperparameters.noise_std;
         EXPECT_NEAR((std.square() + noise * noise).sqrt().mean(), 1.0, 0.15);
@@ -289,7 +289,7 @@ TEST(FitSettings, LimitTheDecompositionsAndTellOfEach) {
         const FittedProcesses fitted = fit(inputs, smooth_output(inputs, 0.1, 2), settings);
         ASSERT_EQ(told.size(), static_cast<size_t>(most));
         for (int k = 0; k < most; ++k) {
-            EXPECT_EQ(told[static_cast<size_t>(k)], k);
+            EXPECT_EQ(told[k], k);
         }
         expect_finite(fitted);
     }

@@ -13,8 +13,8 @@
 #include <stdexcept>
 
 #include "support/finite_differences.hpp"
+#include "support/textbook.hpp"
 #include "taut/gp/fit.hpp"
-#include "textbook.hpp"
 
 namespace taut::gp {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "textbook.hpp"
+#include "support/textbook.hpp"
 
 namespace taut::gp {
 namespace {

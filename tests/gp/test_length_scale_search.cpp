@@ -44,7 +44,7 @@ LikelihoodProfile profile_of(const std::vector<Function>& outputs, double x) {
                               .noise_ratio = Eigen::VectorXd::Ones(m),
                               .signal_variance = Eigen::VectorXd::Ones(m)};
     for (Eigen::Index j = 0; j < m; ++j) {
-        const auto [value, slope] = outputs[static_cast<size_t>(j)](x);
+        const auto [value, slope] = outputs[j](x);
         profile.value(j) = value;
         profile.slope(j) = slope;
     }

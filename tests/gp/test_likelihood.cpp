@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-#include "textbook.hpp"
+#include "support/textbook.hpp"
 
 namespace taut::gp {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "reference.hpp"
 #include "support/finite_differences.hpp"
+#include "support/textbook.hpp"
 #include "taut/gp/fit.hpp"
-#include "textbook.hpp"
 
 namespace taut::gp {
 namespace {
@@ -71,8 +71,8 @@ TEST(Predict, IsTheDenseFormulaForEveryOutputOfAFit) {
     ASSERT_GT(fitted.spectra.size(), 1);
     const Prediction prediction = fitted.predict(at);
     for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
-        const auto expected = test::textbook_prediction(
-            inputs, outputs.col(j), fitted.processes[static_cast<size_t>(j)].hyperparameters, at);
+        const auto expected = test::textbook_prediction(inputs, outputs.col(j),
+                                                        fitted.processes[j].hyperparameters, at);
         EXPECT_LT((prediction.mean.row(j).transpose() - expected.mean).cwiseAbs().maxCoeff(), 1e-7)
             << j;
         EXPECT_LT((prediction.std.row(j).transpose() - expected.std).cwiseAbs().maxCoeff(), 1e-7)
@@ -130,8 +130,7 @@ TEST(Predict, KnowsNothingFarFromTheTrainingInputs) {
     const Prediction prediction = fitted.predict(Eigen::Vector3d::Constant(1e6));
     for (Eigen::Index j = 0; j < prediction.mean.rows(); ++j) {
         EXPECT_NEAR(prediction.mean(j, 0), 0.0, 1e-300);
-        EXPECT_DOUBLE_EQ(prediction.std(j, 0),
-                         fitted.processes[static_cast<size_t>(j)].hyperparameters.signal_std);
+        EXPECT_DOUBLE_EQ(prediction.std(j, 0), fitted.processes[j].hyperparameters.signal_std);
     }
 }
 

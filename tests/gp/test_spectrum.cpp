@@ -11,8 +11,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "support/textbook.hpp"
 #include "taut/gp/kernel.hpp"
-#include "textbook.hpp"
 
 namespace taut::gp {
 namespace {

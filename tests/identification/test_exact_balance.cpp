@@ -44,7 +44,7 @@ void expect_all_lengths(const CableNet& net, const LengthLaw& law, const BuiltNe
                         const Identification& found) {
     ASSERT_EQ(built.equilibrium.status, EquilibriumStatus::converged);
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const IdentifiedEdge& edge = found.edges[static_cast<size_t>(i)];
+        const IdentifiedEdge& edge = found.edges[i];
         const bool is_slack = std::ranges::binary_search(built.equilibrium.slack_edges, edge.edge);
         EXPECT_EQ(edge.status, is_slack ? EdgeStatus::slack : EdgeStatus::identified) << edge.edge;
         const double error = std::abs(edge.length_deviation - built.deviations(i));
@@ -114,7 +114,7 @@ TEST(MaximumAPosteriori, SettlesOnTheHiloRoofWithLittleNoiseThoughDozensOfEdgesA
     }
     int inside = 0;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const IdentifiedEdge& edge = found.edges[static_cast<size_t>(i)];
+        const IdentifiedEdge& edge = found.edges[i];
         inside += edge.lower <= built.deviations(i) && built.deviations(i) <= edge.upper ? 1 : 0;
     }
     EXPECT_GT(inside, 0.93 * net.interior_edge_count());
@@ -132,7 +132,7 @@ TEST(ExactBalance, ClaimsNoLengthThatTheFormDoesNotDetermine) {
         const BuiltNet built = build(net, law, sample);
         const Identification found = identify_by_exact_balance(net, built.survey, law);
         for (int i = 0; i < net.interior_edge_count(); ++i) {
-            const IdentifiedEdge& edge = found.edges[static_cast<size_t>(i)];
+            const IdentifiedEdge& edge = found.edges[i];
             EXPECT_LE(edge.lower, built.deviations(i));
             EXPECT_GE(edge.upper, built.deviations(i));
         }

@@ -10,7 +10,7 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "identification/gross_errors.hpp"
+#include "estimation/data_snooping.hpp"
 #include "identification/mean_function.hpp"
 #include "simulated_survey.hpp"
 #include "support/finite_differences.hpp"
@@ -100,8 +100,8 @@ TEST_F(FormConditioning, TakesBackWhatFitsOnceOthersAreLeftOut) {
     size_t found = 0;
     for (int k = 0; k < 50; ++k) {
         Survey wrong = test::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
-        const int first = m_net.free_nodes()[static_cast<size_t>(k % 12)];
-        const int second = m_net.free_nodes()[static_cast<size_t>((5 * k + 3) % 12)];
+        const int first = m_net.free_nodes()[k % 12];
+        const int second = m_net.free_nodes()[(5 * k + 3) % 12];
         wrong.form(k % 3, first) += 0.02;
         wrong.form(k % 3, second) += 0.02;
         const ConditionedForm after = condition(wrong, threshold);
@@ -158,8 +158,8 @@ TEST_F(FormConditioning, TheGeometricMeanIsThatOfNominalStrain) {
     const Eigen::VectorXd mean =
         mean_values(m_net, MeanFunction::geometry, m_model.nominal_form, at).col(0);
     for (int i = 0; i < m_net.interior_edge_count(); ++i) {
-        const int edge = m_net.interior_edges()[static_cast<size_t>(i)];
-        const auto [s, t] = m_net.edges()[static_cast<size_t>(edge)];
+        const int edge = m_net.interior_edges()[i];
+        const auto [s, t] = m_net.edges()[edge];
         const auto length = [&](const Eigen::VectorXd& deviation) {
             const Points form = with_free_coordinates(m_net, m_model.nominal_form + deviation);
             return (form.col(s) - form.col(t)).norm();

@@ -25,7 +25,7 @@ namespace {
 using namespace taut;
 
 std::vector<int> first(int count) {
-    std::vector<int> samples(static_cast<size_t>(count));
+    std::vector<int> samples(count);
     std::iota(samples.begin(), samples.end(), 0);
     return samples;
 }
@@ -128,8 +128,7 @@ TEST_F(OnASmallNet, TheEstimatesAreThePosteriorWithTheNoiseOfEachProcess) {
     ASSERT_EQ(estimates.std.rows(), m_net.interior_edge_count());
     ASSERT_EQ(estimates.std.cols(), 3);
     for (int i = 0; i < m_net.interior_edge_count(); ++i) {
-        const double noise =
-            m_model.processes.processes[static_cast<size_t>(i)].hyperparameters.noise_std;
+        const double noise = m_model.processes.processes[i].hyperparameters.noise_std;
         for (int k = 0; k < 3; ++k) {
             EXPECT_DOUBLE_EQ(estimates.std(i, k), std::hypot(posterior.std(i, k), noise));
         }
@@ -152,7 +151,7 @@ TEST_F(OnASmallNet, TheResidualsAreTheDistancesOfPredictedAndSurveyedNodes) {
     const Identification result = identify(training);
     ASSERT_EQ(result.residuals.size(), m_net.free_node_count());
     for (int i = 0; i < m_net.free_node_count(); ++i) {
-        const int node = survey.surveyed[static_cast<size_t>(i)];
+        const int node = survey.surveyed[i];
         EXPECT_DOUBLE_EQ(result.residuals(i),
                          (result.predicted.form.col(node) - survey.form.col(node)).norm());
     }

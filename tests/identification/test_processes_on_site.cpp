@@ -41,7 +41,7 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
     for (int k = 0; k < surveys; ++k) {
         auto s = test::simulate(net, model.law, noise, 500 + static_cast<unsigned>(k));
         for (int h = 0; h < hidden; ++h) {
-            test::hide(net, s.survey, net.free_nodes()[static_cast<size_t>(5 * h + k % 5)]);
+            test::hide(net, s.survey, net.free_nodes()[5 * h + k % 5]);
         }
         const Identification found = identify_by_processes(net, model, s.survey);
         const double weight = 1.0 / (surveys * net.interior_edge_count());

@@ -80,7 +80,7 @@ Tally tally(const CableNet& net, const LengthLaw& law, double noise_std, int sur
         tally.gross_missed += static_cast<int>(moved.size()) - found;
         int inside = 0;
         for (int i = 0; i < net.interior_edge_count(); ++i) {
-            const IdentifiedEdge& edge = result.edges[static_cast<size_t>(i)];
+            const IdentifiedEdge& edge = result.edges[i];
             const double error = std::abs(edge.length_deviation - s.deviations(i));
             tally.far_off += edge.status != EdgeStatus::slack && error > 5.0 * edge.std ? 1 : 0;
             inside += edge.lower <= s.deviations(i) && s.deviations(i) <= edge.upper ? 1 : 0;

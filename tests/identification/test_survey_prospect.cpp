@@ -117,7 +117,7 @@ TEST(SurveyProspect, FindsUnobservedExactlyEdgesInsideAHiddenRegion) {
         survey_prospect(net, form, survey_without(net, hidden), uniform_5mm);
     int inside = 0;
     for (const EdgeProspect& e : prospect.edges) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e.edge)];
+        const auto [s, t] = net.edges()[e.edge];
         if (core.contains(s) && core.contains(t)) {
             EXPECT_EQ(e.status, EdgeStatus::unobserved) << net.edge_id(e.edge);
             ++inside;

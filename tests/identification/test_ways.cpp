@@ -140,7 +140,7 @@ TEST(MaximumAPosteriori, ReachesTheBestPossibleWithHiddenNodes) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
         SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, seed);
         for (int i = static_cast<int>(seed % 10); i < net_7x7.free_node_count(); i += 10) {
-            hide(net_7x7, s.survey, net_7x7.free_nodes()[static_cast<size_t>(i)]);
+            hide(net_7x7, s.survey, net_7x7.free_nodes()[i]);
         }
         errors += squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations);
         best += best_possible_variances(net_7x7, with_length_deviations(net_7x7, s.deviations),

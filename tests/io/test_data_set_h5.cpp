@@ -10,10 +10,10 @@
 
 #include <limits>
 
-#include "io/errors.hpp"
-#include "io/examples.hpp"
-#include "io/scratch.hpp"
-#include "taut/io/file.hpp"
+#include "support/errors.hpp"
+#include "support/examples.hpp"
+#include "support/scratch.hpp"
+#include "taut/files/file.hpp"
 
 namespace taut {
 namespace {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <set>
 
-#include "io/examples.hpp"
+#include "support/examples.hpp"
 #include "taut/io/survey_csv.hpp"
 
 namespace taut {
@@ -58,8 +58,8 @@ RC_GTEST_PROP(FormCsv, ReadsBackAsASurveyWithAnyNamesAndNumbersToTheLastBit, ())
     const auto points = parse_survey_points(form_to_csv(net, form), "form.csv");
     RC_ASSERT(static_cast<int>(points.size()) == net.node_count());
     for (int node = 0; node < net.node_count(); ++node) {
-        RC_ASSERT(points[static_cast<size_t>(node)].id == names[static_cast<size_t>(node)]);
-        RC_ASSERT(test::same_bits(points[static_cast<size_t>(node)].position, form.col(node)));
+        RC_ASSERT(points[node].id == names[node]);
+        RC_ASSERT(test::same_bits(points[node].position, form.col(node)));
     }
 }
 

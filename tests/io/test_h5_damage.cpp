@@ -8,9 +8,9 @@
 
 #include <random>
 
-#include "io/errors.hpp"
-#include "io/examples.hpp"
-#include "io/scratch.hpp"
+#include "support/errors.hpp"
+#include "support/examples.hpp"
+#include "support/scratch.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
 

@@ -8,10 +8,10 @@
 
 #include <random>
 
-#include "io/errors.hpp"
-#include "io/examples.hpp"
-#include "io/hdf5.hpp"
-#include "io/scratch.hpp"
+#include "files/hdf5.hpp"
+#include "support/errors.hpp"
+#include "support/examples.hpp"
+#include "support/scratch.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
 

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "io/examples.hpp"
-#include "io/scratch.hpp"
+#include "support/examples.hpp"
+#include "support/scratch.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
 
@@ -123,7 +123,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     const auto column = [&model](auto of) {
         Eigen::VectorXd values(static_cast<Eigen::Index>(model.processes.processes.size()));
         for (Eigen::Index j = 0; j < values.size(); ++j) {
-            values(j) = of(model.processes.processes[static_cast<size_t>(j)]);
+            values(j) = of(model.processes.processes[j]);
         }
         return values;
     };

@@ -7,8 +7,8 @@
 
 #include <gmock/gmock.h>
 
-#include "io/examples.hpp"
-#include "io/scratch.hpp"
+#include "support/examples.hpp"
+#include "support/scratch.hpp"
 #include "taut/identification/identification.hpp"
 
 namespace taut {

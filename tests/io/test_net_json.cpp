@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/examples.hpp"
-#include "io/scratch.hpp"
-#include "taut/io/file.hpp"
+#include "support/examples.hpp"
+#include "support/scratch.hpp"
+#include "taut/files/file.hpp"
 
 namespace taut {
 namespace {

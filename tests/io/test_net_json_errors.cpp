@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "io/bad_input.hpp"
-#include "io/errors.hpp"
-#include "io/examples.hpp"
+#include "support/bad_input.hpp"
+#include "support/errors.hpp"
+#include "support/examples.hpp"
 #include "taut/io/net_json.hpp"
 
 namespace taut {

@@ -10,9 +10,9 @@
 
 #include <random>
 
-#include "io/bad_input.hpp"
-#include "io/errors.hpp"
-#include "io/scratch.hpp"
+#include "support/bad_input.hpp"
+#include "support/errors.hpp"
+#include "support/scratch.hpp"
 
 namespace taut {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "io/errors.hpp"
+#include "support/errors.hpp"
 
 namespace taut {
 namespace {

@@ -41,7 +41,7 @@ json result_in(const std::string& page) {
 CableNet net_named(const std::string& name) {
     CableNetData data = hypar(3, 4).data();
     data.name = name;
-    data.node_ids.assign(static_cast<size_t>(data.nodes.cols()), "");
+    data.node_ids.assign(data.nodes.cols(), "");
     for (size_t i = 0; i < data.node_ids.size(); ++i) {
         data.node_ids[i] = name + std::to_string(i);
     }

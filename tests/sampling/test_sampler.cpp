@@ -123,8 +123,7 @@ TEST(Sampler, CountsTheSlackEdgesOfEachSample) {
     for (int k = 0; k < data.size(); ++k) {
         const auto slack = slack_edges(
             net, with_length_deviations(net, data.length_deviations.col(k)), form_of(net, data, k));
-        EXPECT_EQ(data.slack_counts[static_cast<size_t>(k)], static_cast<int>(slack.size()))
-            << "sample " << k;
+        EXPECT_EQ(data.slack_counts[k], static_cast<int>(slack.size())) << "sample " << k;
         with_slack += slack.empty() ? 0 : 1;
     }
     EXPECT_EQ(data.with_slack(), with_slack);
@@ -152,8 +151,7 @@ TEST(Sampler, TellsWhichSamplesAreMechanisms) {
     for (int k = 0; k < data.size(); ++k) {
         // 3 mm of the chain are strained away before it hangs loose.
         const bool loose = data.length_deviations(0, k) > 0.003;
-        EXPECT_EQ(data.statuses[static_cast<size_t>(k)] == EquilibriumStatus::slack_mechanism,
-                  loose)
+        EXPECT_EQ(data.statuses[k] == EquilibriumStatus::slack_mechanism, loose)
             << "sample " << k << " deviates by " << data.length_deviations(0, k) << " m";
     }
 }

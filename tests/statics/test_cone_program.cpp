@@ -93,7 +93,7 @@ TEST_F(ConeProgram, GivesForcesThatBalanceAndAreTheTensions) {
     Points sums = -net.loads();
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), cone.form);
     for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = net.edges()[e];
         sums.col(s) += cone.edge_forces.col(e);
         sums.col(t) -= cone.edge_forces.col(e);
         const Eigen::Vector3d direction = (cone.form.col(s) - cone.form.col(t)).normalized();

@@ -22,7 +22,7 @@ double complementary_energy(const CableNet& net, const Points& forces) {
     Points sums = Points::Zero(3, net.node_count());
     double result = 0.0;
     for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = net.edges()[e];
         sums.col(s) += forces.col(e);
         sums.col(t) -= forces.col(e);
         const double tension = forces.col(e).norm();
@@ -39,7 +39,7 @@ Points forces_of(const CableNet& net, const Points& form) {
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), form);
     Points forces(3, net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[static_cast<size_t>(e)];
+        const auto [s, t] = net.edges()[e];
         forces.col(e) = tension(e) * (form.col(s) - form.col(t)).normalized();
     }
     return forces;

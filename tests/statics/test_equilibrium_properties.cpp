@@ -131,15 +131,15 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheOrderOfNodesAndEdges, (
     test::Random random = test::any_random();
     const CableNetData data = test::random_net_data(random);
     const CableNet net(data);
-    std::vector<int> node_from(static_cast<size_t>(net.node_count()));
-    std::vector<int> edge_from(static_cast<size_t>(net.edge_count()));
+    std::vector<int> node_from(net.node_count());
+    std::vector<int> edge_from(net.edge_count());
     std::iota(node_from.begin(), node_from.end(), 0);
     std::iota(edge_from.begin(), edge_from.end(), 0);
     std::ranges::shuffle(node_from, random);
     std::ranges::shuffle(edge_from, random);
     std::vector<int> node_to(node_from.size());
     for (size_t i = 0; i < node_from.size(); ++i) {
-        node_to[static_cast<size_t>(node_from[i])] = static_cast<int>(i);
+        node_to[node_from[i]] = static_cast<int>(i);
     }
 
     CableNetData other = data;
@@ -149,11 +149,11 @@ RC_GTEST_PROP(EquilibriumOfARandomNet, DoesNotDependOnTheOrderOfNodesAndEdges, (
     other.unstressed_lengths = data.unstressed_lengths(edge_from);
     other.adjustable.clear();
     for (int& support : other.supports) {
-        support = node_to[static_cast<size_t>(support)];
+        support = node_to[support];
     }
     for (size_t e = 0; e < edge_from.size(); ++e) {
-        const auto [s, t] = data.edges[static_cast<size_t>(edge_from[e])];
-        other.edges[e] = {node_to[static_cast<size_t>(t)], node_to[static_cast<size_t>(s)]};
+        const auto [s, t] = data.edges[edge_from[e]];
+        other.edges[e] = {node_to[t], node_to[s]};
     }
     const CableNet other_net(std::move(other));
 

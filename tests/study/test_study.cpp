@@ -119,9 +119,9 @@ Eigen::VectorXd identified_form_error(const Study& study, int k) {
     const CableNet& net = study.net;
     const Equilibrium predicted = EquilibriumSolver(net).solve(
         with_length_deviations(net, study.estimates.mean.col(k)), net.nodes());
-    return node_distances(study.data.nominal_form + study.data.form_deviations.col(
-                                                        study.validation[static_cast<size_t>(k)]),
-                          free_coordinates(net, predicted.form));
+    return node_distances(
+        study.data.nominal_form + study.data.form_deviations.col(study.validation[k]),
+        free_coordinates(net, predicted.form));
 }
 
 TEST_F(SmallStudy, TellsTheIdentifiedFormErrorOfTheFirstValidationSample) {
@@ -137,9 +137,9 @@ TEST_F(SmallStudy, TellsTheMeanFormErrorsOfAllValidationSamples) {
     const auto count = static_cast<int>(m_study.validation.size());
     for (int k = 0; k < count; ++k) {
         const FormErrorSummary identified = summarise(identified_form_error(m_study, k));
-        const FormErrorSummary nominal = summarise(node_distances(
-            m_study.data.form_deviations.col(m_study.validation[static_cast<size_t>(k)]),
-            Eigen::VectorXd::Zero(3 * m_net.free_node_count())));
+        const FormErrorSummary nominal =
+            summarise(node_distances(m_study.data.form_deviations.col(m_study.validation[k]),
+                                     Eigen::VectorXd::Zero(3 * m_net.free_node_count())));
         mean.identified.mean += identified.mean / count;
         mean.identified.max += identified.max / count;
         mean.identified.min += identified.min / count;

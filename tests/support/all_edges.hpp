@@ -11,7 +11,7 @@ namespace taut::test {
 
 /// 0, 1, ..., m - 1.
 inline std::vector<int> all_edges(const CableNet& net) {
-    std::vector<int> edges(static_cast<size_t>(net.edge_count()));
+    std::vector<int> edges(net.edge_count());
     std::iota(edges.begin(), edges.end(), 0);
     return edges;
 }

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "support/real_data.hpp"
-#include "taut/io/compas_json.hpp"
-#include "taut/io/file.hpp"
-#include "taut/io/net_import.hpp"
+#include "taut/files/file.hpp"
+#include "taut/interchange/compas_json.hpp"
+#include "taut/interchange/net_import.hpp"
 
 namespace taut::test {
 

@@ -82,7 +82,7 @@ inline CableNetData random_net_data(Random& random, const RandomNetSettings& set
     data.axial_stiffness.resize(m);
     data.unstressed_lengths.resize(m);
     for (Eigen::Index e = 0; e < m; ++e) {
-        const auto [s, t] = data.edges[static_cast<size_t>(e)];
+        const auto [s, t] = data.edges[e];
         data.axial_stiffness(e) = std::pow(10.0, uniform(random, 4.0, 6.0));
         data.unstressed_lengths(e) =
             (data.nodes.col(s) - data.nodes.col(t)).norm() /

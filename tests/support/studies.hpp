@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "taut/io/result_file.hpp"
-#include "taut/io/results_json.hpp"
+#include "taut/results/result_file.hpp"
+#include "taut/results/results_json.hpp"
 #include "taut/study/study.hpp"
 
 /// Studies without the work of one.
@@ -26,8 +26,8 @@ inline Study made_up_study(const CableNet& net, int validation = 5, double scale
             return 0.005 *
                    std::sin(1.0 + 1.7 * static_cast<double>(i) + 0.3 * static_cast<double>(k));
         });
-    study.data.statuses.assign(static_cast<size_t>(2 * validation), EquilibriumStatus::converged);
-    study.data.slack_counts.assign(static_cast<size_t>(2 * validation), 0);
+    study.data.statuses.assign(2 * validation, EquilibriumStatus::converged);
+    study.data.slack_counts.assign(2 * validation, 0);
     study.data.slack_counts.front() = 2;
     study.data.statuses.back() = EquilibriumStatus::iteration_limit;
     for (int k = validation; k < 2 * validation; ++k) {

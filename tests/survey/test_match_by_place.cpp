@@ -31,7 +31,7 @@ protected:
         m_net, m_net.nodes(), {.noise_std = 0.003, .dropped_part = 0.1, .shuffled = true});
 
     Eigen::Vector3d place(int free_index) const {
-        return m_net.nodes().col(m_net.free_nodes()[static_cast<size_t>(free_index)]);
+        return m_net.nodes().col(m_net.free_nodes()[free_index]);
     }
     /// Points that stand for nothing but these targets and some that are right.
     Survey match_with(const std::vector<Eigen::Vector3d>& targets) const {
@@ -60,11 +60,11 @@ TEST_F(UnnamedTargets, AreAllPutOnTheirNodesWhereTheyLieNearThem) {
 TEST_F(UnnamedTargets, BetweenTwoNodesAreListedAndPutOnNone) {
     // The shortest interior edge: its middle is near both ends.
     const auto length = [this](int edge) {
-        const auto [s, t] = m_net.edges()[static_cast<size_t>(edge)];
+        const auto [s, t] = m_net.edges()[edge];
         return (m_net.nodes().col(s) - m_net.nodes().col(t)).norm();
     };
     const int shortest = std::ranges::min(m_net.interior_edges(), {}, length);
-    const auto [s, t] = m_net.edges()[static_cast<size_t>(shortest)];
+    const auto [s, t] = m_net.edges()[shortest];
     const Survey survey = match_with({0.55 * m_net.nodes().col(s) + 0.45 * m_net.nodes().col(t)});
     ASSERT_EQ(survey.unmatched.size(), 1U);
     EXPECT_EQ(survey.unmatched[0].reason, UnmatchedReason::between_nodes);

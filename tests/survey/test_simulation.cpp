@@ -28,7 +28,7 @@ protected:
 
 TEST_F(SimulatedSurvey, IsTheFormItselfWhereNothingIsAskedOfIt) {
     const auto points = survey({});
-    ASSERT_EQ(points.size(), static_cast<size_t>(m_net.node_count()));
+    ASSERT_EQ(points.size(), m_net.node_count());
     const Survey matched = match_to_nodes(m_net, points);
     EXPECT_EQ(matched.form, m_net.nodes());
     EXPECT_TRUE(matched.missing.empty());

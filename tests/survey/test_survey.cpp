@@ -66,7 +66,7 @@ protected:
     const int m_free = m_net.free_nodes()[4];
     const int m_support = m_net.supports()[2];
 
-    SurveyPoint& at(int node) { return m_points[static_cast<size_t>(node)]; }
+    SurveyPoint& at(int node) { return m_points[node]; }
 };
 
 TEST_F(MatchToNodes, PutsEachPointOnItsNode) {
@@ -175,7 +175,7 @@ TEST_F(MatchToNodes, RefusesPositionsThatAreNotFinite) {
           -std::numeric_limits<double>::infinity()}) {
         for (int axis = 0; axis < 3; ++axis) {
             std::vector<SurveyPoint> points = survey_of(m_net);
-            points[static_cast<size_t>(m_free)].position(axis) = bad;
+            points[m_free].position(axis) = bad;
             const SurveyError error = survey_error(m_net, points);
             EXPECT_EQ(error.line(), 10 + m_free);
             EXPECT_THAT(error.what(), HasSubstr("not finite"));

@@ -68,6 +68,7 @@ struct IdentifiedEdge {
 /// The outcome of an identification, by whatever method.
 struct Identification {
     std::string method;         ///< "gp", "balance", "map"
+    LengthLaw law;              ///< of the length deviations, as reckoned with
     std::string method_reason;  ///< why this method, in words, where somebody chose
     IdentificationStatus status = IdentificationStatus::converged;
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order

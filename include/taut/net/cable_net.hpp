@@ -82,7 +82,7 @@ public:
     [[nodiscard]] const std::vector<int>& free_nodes() const { return m_free_nodes; }
     [[nodiscard]] const std::vector<int>& supports() const { return m_data.supports; }
     /// Position of a node in free_nodes(), or -1 for a support.
-    [[nodiscard]] int free_index(int node) const { return m_free_index[static_cast<size_t>(node)]; }
+    [[nodiscard]] int free_index(int node) const { return m_free_index[node]; }
 
     /// Edges of uncertain unstressed length, ascending: the order of l_0,I (eq. l0I).
     [[nodiscard]] const std::vector<int>& interior_edges() const { return m_interior; }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "taut/io/result_file.hpp"
+#include "taut/results/result_file.hpp"
 
 namespace taut {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "taut/io/result_file.hpp"
+#include "taut/results/result_file.hpp"
 
 namespace taut {
 

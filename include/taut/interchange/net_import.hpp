@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/interchange/imported_structure.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// How to make a net of another program's file, where the file leaves it open.
+struct ImportSettings {
+    /// Where the loads come from.
+    enum class Loads {
+        file,     ///< those of the file
+        balance,  ///< those that hold the given form in equilibrium
+        none,
+    };
+    std::optional<double> axial_stiffness;  ///< of all edges [N]
+    std::optional<double> young;            ///< of all edges, with a diameter [Pa]
+    std::optional<double> diameter;         ///< of all edges [m]
+    std::string diameter_attribute;         ///< name of the attribute that gives it [mm]
+    std::optional<double> force_unit;       ///< of q, f and loads in the file [N]
+    Loads loads = Loads::file;
+};
+
+/// What was read, left out and assumed: a line each, for a person.
+struct ImportReport {
+    std::vector<std::string> read;
+    std::vector<std::string> left_out;
+    std::vector<std::string> assumed;
+    std::vector<std::string> warnings;
+    int inactive_edges = 0;
+    int edges_between_supports = 0;
+    int isolated_nodes = 0;
+    Eigen::Vector3d load_sum{0.0, 0.0, 0.0};  ///< over the free nodes [N]
+    double largest_horizontal_load = 0.0;     ///< at one node [N]
+    double largest_out_of_balance = 0.0;      ///< at one node, in the given form [N]
+    double mean_tension = 0.0;                ///< over the taut edges, in the given form [N]
+    double least_strain = 0.0;  ///< in the given form, negative where an edge is slack
+    double largest_strain = 0.0;
+};
+
+struct ImportedNet {
+    CableNet net;
+    ImportReport report;
+};
+
+/// Makes a net. The given form is the nominal form; edges between two supports and nodes without
+/// edges are left out; edges at supports are adjustable. Where the file gives unstressed lengths
+/// that agree with its forces, they are taken; else l_0 = l / (1 + T/EA) with T = q l, or T = f.
+/// @throws InputError naming the node or edge: an edge in compression, a strain beyond 10 %, no
+///   axial stiffness, a rule of CableNet that is broken
+/// @throws std::invalid_argument for settings that are not positive, or exclude each other
+[[nodiscard]] ImportedNet import_net(const ImportedStructure& structure,
+                                     const ImportSettings& settings);
+
+}  // namespace taut

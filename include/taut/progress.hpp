@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string_view>
+
+namespace taut {
+
+/// Thrown where a stop was requested before the work was done.
+class Interrupted : public std::runtime_error {
+public:
+    Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// How long work tells of itself, and asks whether to go on. Both may be empty.
+struct Progress {
+    /// The stage ("sampling", "training", "identification"), steps done and steps in all. Called
+    /// from one thread at a time. Fewer steps than announced may be needed.
+    std::function<void(std::string_view stage, int done, int total)> tell;
+    /// Whether to give up. Called from any thread.
+    std::function<bool()> stop_requested;
+
+    [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
+
+    /// @throws Interrupted where a stop was requested
+    void operator()(std::string_view stage, int done, int total) const {
+        if (stopped()) {
+            throw Interrupted();
+        }
+        if (tell) {
+            tell(stage, done, total);
+        }
+    }
+};
+
+}  // namespace taut

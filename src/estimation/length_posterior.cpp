@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/estimation/length_posterior.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "numerics/truncated_mixture.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// log N(x; mean, std^2) but for a constant, the same for every std; 0 for an infinite one.
+double log_normal_density(double x, double mean, double std) {
+    const double z = std < infinity ? (x - mean) / std : 0.0;
+    return -0.5 * z * z - (std < infinity ? std::log(std) : 0.0);
+}
+
+/// Pressure that is no tension for sure, in standard deviations: more, and its square could
+/// overflow.
+constexpr double surely_slack = -1e6;
+
+/// Adds law part times likelihood: N(centre, spread^2) (uniform where the spread is infinite) on
+/// [lower, upper].
+void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likelihood,
+              double centre, double spread, double lower, double upper) {
+    const double z = likelihood.extension < surely_slack ? -infinity : likelihood.extension;
+    if (z > -infinity) {
+        // A product of normal densities is one again.
+        const double law_precision = 1.0 / (spread * spread);
+        const double precision = law_precision + 1.0 / (likelihood.std * likelihood.std);
+        double mean = centre;
+        if (likelihood.std < infinity) {
+            mean = likelihood.mean + law_precision / precision * (centre - likelihood.mean);
+        }
+        // log Phi(z), by its tail where that underflows.
+        constexpr double far = -30.0;
+        const double log_taut =
+            z > far ? std::log(0.5 * std::erfc(-z / std::numbers::sqrt2))
+                    : -0.5 * z * z - std::log(-z * std::sqrt(2.0 * std::numbers::pi));
+        parts.push_back({.log_height = log_normal_density(mean, centre, spread) +
+                                       log_normal_density(mean, likelihood.mean, likelihood.std) +
+                                       log_taut,
+                         .mean = mean,
+                         .std = 1.0 / std::sqrt(precision),
+                         .lower = lower,
+                         .upper = upper});
+    }
+    constexpr double surely_taut = 10.0;  // slack with a probability below 1e-20
+    if (z < surely_taut) {
+        const bool is_sure = z == -infinity || likelihood.std == infinity;
+        parts.push_back({.log_height = log_normal_density(centre, centre, spread) +
+                                       (is_sure ? 0.0 : -0.5 * z * z - std::log(likelihood.std)),
+                         .mean = centre,
+                         .std = spread,
+                         .lower = std::clamp(likelihood.slack_from, lower, upper),
+                         .upper = upper,
+                         .is_marked = true});
+    }
+}
+
+}  // namespace
+
+LengthLikelihood without_prior(double prior_mean, double prior_std, double posterior_mean,
+                               double posterior_std) {
+    // Below this part of the prior's precision, what the survey adds is rounding error.
+    constexpr double smallest_part = 1e-6;
+    const double ratio = posterior_std / prior_std;
+    const double part = 1.0 / (ratio * ratio) - 1.0;
+    if (!(part > smallest_part)) {
+        return {};
+    }
+    return {.mean = prior_mean + (posterior_mean - prior_mean) / (part * ratio * ratio),
+            .std = prior_std / std::sqrt(part)};
+}
+
+LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
+    if (!std::isfinite(likelihood.mean) || !(likelihood.std > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("the likelihood has mean {} and std {}, expected a finite and a positive "
+                        "number",
+                        likelihood.mean, likelihood.std));
+    }
+    std::vector<TruncatedNormal> parts;
+    double bound = infinity;
+    switch (law.kind) {
+        case LengthLaw::Kind::uniform:
+            bound = law.scale;
+            add_part(parts, likelihood, 0.0, infinity, -bound, bound);
+            break;
+        case LengthLaw::Kind::normal:
+            add_part(parts, likelihood, 0.0, law.scale, -infinity, infinity);
+            break;
+        case LengthLaw::Kind::bimodal:
+            for (const double mode : {-law.scale, law.scale}) {
+                const double spread = std::sqrt(law.std() * law.std() - law.scale * law.scale);
+                add_part(parts, likelihood, mode, spread, -infinity, infinity);
+            }
+            break;
+    }
+    if (likelihood.extension < surely_slack && !(likelihood.slack_from < bound)) {
+        // Slack, though the law has no such length: the law alone.
+        LengthLikelihood none;
+        none.extension = infinity;
+        return posterior_of(law, none);
+    }
+    const TruncatedMixture mixture(parts);
+    const auto [mean, variance] = mixture.moments();
+    LengthPosterior posterior{.mean = mean,
+                              .std = std::sqrt(variance),
+                              .lower = mixture.quantile(0.025),
+                              .upper = mixture.quantile(0.975),
+                              .slack_probability = mixture.marked()};
+    if (posterior.slack_probability > 0.5) {
+        posterior.lower = std::max(std::min(posterior.lower, likelihood.slack_from), -bound);
+        posterior.upper = std::isfinite(bound) ? bound : posterior.upper;
+    }
+    // A slack part of little weight can draw the mean beyond the interval, far as it reaches.
+    posterior.lower = std::min(posterior.lower, posterior.mean);
+    posterior.upper = std::max(posterior.upper, posterior.mean);
+    return posterior;
+}
+
+EdgeStatus status_of(const LengthLaw& law, const LengthPosterior& posterior) {
+    if (posterior.slack_probability > 0.5) {
+        return EdgeStatus::slack;
+    }
+    return posterior.std >= unobserved_ratio * law.std() ? EdgeStatus::unobserved
+                                                         : EdgeStatus::identified;
+}
+
+}  // namespace taut

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/linearised_statics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+/// Part of a node's axial stiffness that keeps a loose node in its place.
+constexpr double smallest_relative_stiffness = 1e-10;
+
+std::vector<bool> interior_flags(const CableNet& net) {
+    std::vector<bool> flags(net.edge_count(), false);
+    for (const int edge : net.interior_edges()) {
+        flags[edge] = true;
+    }
+    return flags;
+}
+
+}  // namespace
+
+ConditionedStatics::ConditionedStatics(const CableNet& net)
+    : m_net(net),
+      m_local(number_for_elimination(net)),
+      m_local_of(net.node_count()),
+      m_interior_of(net.edge_count(), -1),
+      m_free_nodes(m_local.node_of.begin(), m_local.node_of.begin() + m_local.free_count),
+      m_slack(net.edge_count(), false),
+      m_matrix(m_local, interior_flags(net)) {
+    for (size_t i = 0; i < m_local.node_of.size(); ++i) {
+        m_local_of[m_local.node_of[i]] = static_cast<int>(i);
+    }
+    for (size_t i = 0; i < net.interior_edges().size(); ++i) {
+        m_interior_of[net.interior_edges()[i]] = static_cast<int>(i);
+    }
+}
+
+ConditionedStatics::EdgeRates ConditionedStatics::rates(int edge, const Guess& guess) const {
+    const auto [s, t] = m_net.edges()[edge];
+    const int i = m_interior_of[edge];
+    const double unstressed =
+        m_net.unstressed_lengths()(edge) + (i >= 0 ? guess.deviations(i) : 0.0);
+    const Eigen::Vector3d vector = guess.form.col(s) - guess.form.col(t);
+    const double length = vector.norm();
+    const Eigen::Vector3d u = vector / length;
+    const double axial = m_net.axial_stiffness()(edge) / unstressed;
+    const double across = axial * (1.0 - unstressed / length);  // T / l
+    return {
+        .force = across * vector,
+        .stiffness = (axial - across) * u * u.transpose() + across * Eigen::Matrix3d::Identity(),
+        .length_rate = -axial / unstressed * vector};
+}
+
+void ConditionedStatics::set_weights(const Knowledge& knowledge) {
+    m_length_unit = std::sqrt(knowledge.variance.mean());
+    m_multiplier_unit =
+        1.0 /
+        (m_length_unit * m_net.axial_stiffness().cwiseQuotient(m_net.unstressed_lengths()).mean());
+    const double squared_unit = m_length_unit * m_length_unit;
+    m_matrix.place_weights = squared_unit * knowledge.weights(Eigen::all, m_free_nodes);
+    m_matrix.length_weights(m_net.interior_edges()) =
+        squared_unit * knowledge.variance.cwiseInverse();
+}
+
+void ConditionedStatics::add_edge(int edge, const Guess& guess) {
+    const auto [s, t] = m_local.edges[edge];
+    const EdgeRates e = rates(edge, guess);
+    const double unit = m_length_unit * m_multiplier_unit;
+    m_matrix.edge_stiffness[edge] = unit * e.stiffness;
+    m_matrix.length_rates.col(edge) = unit * e.length_rate;
+    for (const int node : {s, t}) {
+        if (node < m_local.free_count) {
+            m_matrix.node_stiffness[node] +=
+                unit * (e.stiffness + smallest_relative_stiffness * e.stiffness.trace() *
+                                          Eigen::Matrix3d::Identity());
+        }
+    }
+}
+
+bool ConditionedStatics::linearise(const Guess& guess, const Knowledge& knowledge) {
+    set_weights(knowledge);
+    std::ranges::fill(m_matrix.edge_stiffness, Eigen::Matrix3d::Zero());
+    std::ranges::fill(m_matrix.node_stiffness, Eigen::Matrix3d::Zero());
+    m_matrix.length_rates.setZero();
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (!m_slack[e]) {
+            add_edge(e, guess);
+        }
+    }
+    m_place_reactions.setZero(3, m_local.free_count);
+    m_length_reactions.setZero(m_net.edge_count());
+    if (!m_matrix.factorize()) {
+        return false;
+    }
+    set_reactions(m_matrix.solve(right_side(guess, knowledge)).multipliers);
+    return true;
+}
+
+void ConditionedStatics::set_reactions(const Eigen::Matrix3Xd& multipliers) {
+    for (int node = 0; node < m_local.free_count; ++node) {
+        m_place_reactions.col(node) = m_matrix.node_stiffness[node] * multipliers.col(node);
+    }
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        const auto [s, t] = m_local.edges[e];
+        const Eigen::Matrix3d& stiffness = m_matrix.edge_stiffness[e];
+        const bool both_are_free = std::max(s, t) < m_local.free_count;
+        if (both_are_free) {
+            m_place_reactions.col(s) -= stiffness * multipliers.col(t);
+            m_place_reactions.col(t) -= stiffness * multipliers.col(s);
+        }
+        m_length_reactions(e) = 0.0;
+        if (s < m_local.free_count) {
+            m_length_reactions(e) += m_matrix.length_rates.col(e).dot(multipliers.col(s));
+        }
+        if (t < m_local.free_count) {
+            m_length_reactions(e) -= m_matrix.length_rates.col(e).dot(multipliers.col(t));
+        }
+    }
+}
+
+SaddlePointFactor::Vector ConditionedStatics::right_side(const Guess& guess,
+                                                         const Knowledge& knowledge) const {
+    Points forces = -m_net.loads();
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (!m_slack[e]) {
+            const auto [s, t] = m_net.edges()[e];
+            const Eigen::Vector3d force = rates(e, guess).force;
+            forces.col(s) += force;
+            forces.col(t) -= force;
+        }
+    }
+    const Points misfit = knowledge.weights.cwiseProduct(knowledge.form - guess.form);
+    SaddlePointFactor::Vector result{
+        .places = m_length_unit * misfit(Eigen::all, m_free_nodes) - m_place_reactions,
+        .lengths = -m_length_reactions,
+        .multipliers = -m_multiplier_unit * forces(Eigen::all, m_free_nodes)};
+    result.lengths(m_net.interior_edges()) +=
+        m_length_unit * (knowledge.mean - guess.deviations).cwiseQuotient(knowledge.variance);
+    return result;
+}
+
+Guess ConditionedStatics::step(const Guess& guess, const Knowledge& knowledge) const {
+    const SaddlePointFactor::Vector solution = m_matrix.solve(right_side(guess, knowledge));
+    Guess change{.form = Points::Zero(3, m_net.node_count()),
+                 .deviations = m_length_unit * solution.lengths(m_net.interior_edges())};
+    change.form(Eigen::all, m_free_nodes) = m_length_unit * solution.places;
+    return change;
+}
+
+Eigen::VectorXd ConditionedStatics::length_variances() const {
+    return m_length_unit * m_length_unit * m_covariance.lengths(m_net.interior_edges());
+}
+
+Eigen::VectorXd ConditionedStatics::extension_variances() const {
+    return m_length_unit * m_length_unit * m_covariance.extensions(m_net.interior_edges());
+}
+
+Eigen::Matrix3d ConditionedStatics::form_covariance(int node) const {
+    return m_length_unit * m_length_unit * m_covariance.places[m_local_of[node]];
+}
+
+}  // namespace taut

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "numerics/supernodes.hpp"
+#include "statics/local_net.hpp"
+
+namespace taut {
+
+/// The symmetric matrix of a least squares problem in places r and length deviations d under
+/// linearised statics H r + B d = c with multipliers lambda, and its factor:
+///
+///   [ S    H ] r        S: weights of places, one a coordinate, 0 or more
+///   [    P B'] d        P: weights of lengths, one an interior edge, positive
+///   [ H  B   ] lambda   H, B: sums over edges, as below
+///
+/// It is eliminated node by node, along each branch of the elimination tree in the order of the
+/// local net: place and multipliers of a node, then the lengths of the edges to earlier nodes. Any
+/// such order can be eliminated, as S and P are semidefinite and definite and so is H. And it keeps
+/// the digits where a survey is far more precise than what was known of the lengths: by the time
+/// that a length is eliminated both its ends have told of it. (Eliminating the lengths first, for
+/// the smaller matrix [S H; H -B P^-1 B'], loses them: it subtracts large variances from each
+/// other.)
+///
+/// The method is multifrontal: a dense matrix a supernode that takes the updates of its children.
+/// Supernodes are eliminated in panels of some nodes; each is a dense pivot, of which the inverse
+/// is kept.
+class SaddlePointFactor {
+public:
+    /// @param interior one flag an edge of the net: whether its length is unknown
+    SaddlePointFactor(const LocalNet& net, const std::vector<bool>& interior);
+
+    // The matrix, to be filled before factorize().
+    Eigen::Matrix3Xd place_weights;               ///< S, 3 x free nodes
+    Eigen::VectorXd length_weights;               ///< P, one an edge; unused for known lengths
+    std::vector<Eigen::Matrix3d> node_stiffness;  ///< diagonal block of H, one a free node
+    /// One an edge: -1 times the block of H between its nodes.
+    std::vector<Eigen::Matrix3d> edge_stiffness;
+    /// One an edge: the block of B of its first node, and -1 times that of its second (3 x edges).
+    Eigen::Matrix3Xd length_rates;
+
+    /// @return false where a pivot is singular
+    [[nodiscard]] bool factorize();
+
+    struct Vector {
+        Eigen::Matrix3Xd places;       ///< 3 x free nodes
+        Eigen::VectorXd lengths;       ///< one an edge; 0 for known lengths
+        Eigen::Matrix3Xd multipliers;  ///< 3 x free nodes
+    };
+    /// After factorize().
+    [[nodiscard]] Vector solve(const Vector& right_side) const;
+
+    struct Covariance {
+        std::vector<Eigen::Matrix3d> places;  ///< one a free node
+        Eigen::VectorXd lengths;              ///< variances, one an edge; 0 for known lengths
+        /// Variances of the distance of the two nodes, along -B, less the length deviation: one an
+        /// edge; 0 for known lengths.
+        Eigen::VectorXd extensions;
+    };
+    /// The diagonal of the inverse, after factorize(): S and P being inverse covariances, the
+    /// covariances under H r + B d = c. By Takahashi's recursion over the dense matrices.
+    [[nodiscard]] Covariance covariance() const;
+
+private:
+    /// A supernode, where its panels begin among its pivots (and the end), and their factor.
+    struct Front {
+        Supernode supernode;
+        std::vector<int> panels;
+        /// The columns of the pivots: for each panel the inverse of its pivot on the diagonal, and
+        /// below it L.
+        Eigen::MatrixXd factor;
+    };
+    /// Fronts first .. end.
+    struct Branch {
+        int first = 0;
+        int end = 0;
+    };
+    void find_branches();
+    void assemble(const Supernode& supernode, Eigen::MatrixXd& matrix) const;
+    [[nodiscard]] bool eliminate(int front, std::vector<Eigen::MatrixXd>& matrices);
+    void invert(int front, std::vector<Eigen::MatrixXd>& inverses, Covariance& result) const;
+    void read_covariance(const Supernode& supernode, const Eigen::MatrixXd& inverse,
+                         Covariance& result) const;
+    [[nodiscard]] double extension_variance(int edge, int node, const Supernode& supernode,
+                                            const Eigen::MatrixXd& inverse) const;
+    [[nodiscard]] bool is_unknown(int edge) const { return m_unknown_of_edge[edge] >= 0; }
+    [[nodiscard]] Eigen::VectorXd gather(const Vector& vector) const;
+    [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns) const;
+
+    const LocalNet& m_net;
+    std::vector<std::vector<int>> m_edges_of_node;  ///< free nodes
+    std::vector<int> m_unknown_of_node;             ///< the first of six
+    std::vector<int> m_unknown_of_edge;             ///< -1 for a known length
+    std::vector<Front> m_fronts;                    ///< children before parents, depth first
+    std::vector<Branch> m_branches;                 ///< subtrees that are independent of each other
+    std::vector<int> m_trunk;                       ///< all other fronts, children before parents
+    int m_unknowns = 0;
+};
+
+}  // namespace taut

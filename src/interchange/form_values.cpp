@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "interchange/form_values.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+
+FormValues form_values(const CableNet& net, const Points& form) {
+    FormValues values{.lengths = edge_lengths(net, form),
+                      .tensions = tensions(net, net.unstressed_lengths(), form),
+                      .force_densities = {}};
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (values.lengths(e) == 0.0) {
+            throw std::invalid_argument(
+                fmt::format("edge {} has no length in the form", net.edge_id(e)));
+        }
+    }
+    values.force_densities = values.tensions.cwiseQuotient(values.lengths);
+    return values;
+}
+
+std::vector<bool> adjustable_flags(const CableNet& net) {
+    std::vector<bool> flags(net.edge_count(), false);
+    for (const int edge : net.adjustable_edges()) {
+        flags[edge] = true;
+    }
+    return flags;
+}
+
+}  // namespace taut

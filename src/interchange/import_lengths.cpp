@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "interchange/import_lengths.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "interchange/import_numbers.hpp"
+#include "interchange/import_stiffness.hpp"
+#include "taut/design/unstressed_lengths.hpp"
+
+namespace taut {
+namespace {
+
+/// A stored l_0 is consistent where its tensions differ from those of q or f by no more than this
+/// part of their mean.
+constexpr double consistent_within = 1e-2;
+/// A cable that is stretched further than this is not one, or a unit is wrong.
+constexpr double largest_strain = 0.10;
+/// No steel cable bears this much; a net of another material may.
+constexpr double absurd_strain = 0.05;
+
+/// All that the file says of one edge's forces, and l_0 if it is stored.
+struct Stored {
+    Eigen::VectorXd lengths;  ///< in the given form [m]
+    ImportedForces forces;
+    ImportedStiffness stiffness;
+    std::optional<Eigen::VectorXd> unstressed;  ///< positive [m]
+};
+
+Stored collect(const ImportedStructure& structure, const ImportSettings& settings,
+               ImportReport& report) {
+    Stored stored{.lengths = lengths_of(structure)};
+    stored.forces = forces_of(structure, stored.lengths, report.warnings);
+    stored.stiffness = stiffness_of(structure, settings);
+    stored.unstressed = numbers_of(structure, {"l0"});
+    if (stored.unstressed && !(stored.unstressed->array() > 0.0).all()) {
+        report.warnings.emplace_back("l0 is not positive at every edge: it is not used");
+        stored.unstressed.reset();
+    }
+    return stored;
+}
+
+Eigen::VectorXd stiffness_in(const Stored& stored, double force_unit) {
+    return (stored.stiffness.in_force_unit ? force_unit : 1.0) * stored.stiffness.values;
+}
+
+Eigen::VectorXd tensions_in(const Stored& stored, double force_unit) {
+    return force_unit * stored.forces.force_densities.cwiseProduct(stored.lengths);
+}
+
+/// Whether EA max(0, l / l_0 - 1) are the tensions that q gives.
+bool is_consistent(const Stored& stored, double force_unit) {
+    const Eigen::VectorXd expected = tensions_in(stored, force_unit);
+    const Eigen::ArrayXd strains = stored.lengths.array() / stored.unstressed->array() - 1.0;
+    const Eigen::ArrayXd found = stiffness_in(stored, force_unit).array() * strains.max(0.0);
+    return (found - expected.array()).abs().maxCoeff() <= consistent_within * expected.mean();
+}
+
+std::string unit_text(double force_unit) {
+    return force_unit == 1e3 ? "kN" : force_unit == 1.0 ? "N" : fmt::format("{} N", force_unit);
+}
+
+/// From the settings, else the file, else the one in which a stored l_0 fits, else N.
+double force_unit_of(const Stored& stored, const ImportedStructure& structure,
+                     const ImportSettings& settings, ImportReport& report) {
+    if (settings.force_unit) {
+        report.assumed.push_back(
+            fmt::format("forces of the file are in {}, as told", unit_text(*settings.force_unit)));
+        return *settings.force_unit;
+    }
+    if (structure.force_unit) {
+        report.read.push_back("forces are in " + unit_text(*structure.force_unit));
+        return *structure.force_unit;
+    }
+    // A stiffness in the same unit agrees in every one.
+    if (stored.unstressed && !stored.forces.source.empty() && !stored.stiffness.in_force_unit) {
+        for (const double unit : {1.0, 1e3}) {
+            if (is_consistent(stored, unit)) {
+                report.assumed.push_back(fmt::format(
+                    "forces of the file are in {}: with this, {} agrees with l0 and the axial "
+                    "stiffness",
+                    unit_text(unit), stored.forces.source));
+                return unit;
+            }
+        }
+    }
+    const bool has_loads = std::ranges::any_of(
+        structure.nodes, [](const ImportedNode& node) { return !node.load.isZero(0.0); });
+    if (stored.forces.source.empty() && !stored.stiffness.in_force_unit && !has_loads) {
+        return 1.0;
+    }
+    report.assumed.emplace_back(
+        "forces of the file are in N, as --force-unit does not say otherwise");
+    return 1.0;
+}
+
+bool takes_stored_lengths(const Stored& stored, double force_unit, ImportReport& report) {
+    if (!stored.unstressed) {
+        return false;
+    }
+    if (stored.forces.source.empty() || is_consistent(stored, force_unit)) {
+        report.read.emplace_back(stored.forces.source.empty()
+                                     ? "unstressed lengths: the file's l0"
+                                     : "unstressed lengths: the file's l0, which agrees with its " +
+                                           stored.forces.source);
+        return true;
+    }
+    report.warnings.push_back(fmt::format(
+        "l0 does not agree with {} and the axial stiffness: it is not used", stored.forces.source));
+    return false;
+}
+
+/// Tells or refuses strains that no cable has.
+void check_strains(const ImportedStructure& structure, const Stored& stored,
+                   const Eigen::VectorXd& unstressed, ImportReport& report) {
+    const Eigen::ArrayXd strains = stored.lengths.array() / unstressed.array() - 1.0;
+    // An edge that is slack beside edges in tension may be so by any length.
+    const Eigen::ArrayXd sizes = stored.forces.source.empty() ? strains.abs() : strains;
+    Eigen::Index worst = 0;
+    const double largest = sizes.maxCoeff(&worst);
+    const ImportedEdge& edge = structure.edges[worst];
+    // Written so that NaN is refused.
+    if (!(largest <= largest_strain)) {
+        fail_at(structure, edge,
+                fmt::format("has a strain of {:.3g} %, expected at most {:.3g} %: check the units "
+                            "(--force-unit, --young, --diameter, --axial-stiffness)",
+                            100.0 * strains(worst), 100.0 * largest_strain));
+    }
+    if (largest > absurd_strain) {
+        report.warnings.push_back(
+            fmt::format("edge {} has a strain of {:.3g} %, more than a cable of steel bears: check "
+                        "the units",
+                        edge.id, 100.0 * strains(worst)));
+    }
+    if (const auto slack = (strains <= 0.0).count(); slack > 0 && stored.unstressed) {
+        report.warnings.push_back(fmt::format("{} edges are slack in the given form", slack));
+    }
+}
+
+}  // namespace
+
+ImportedLengths import_lengths(const ImportedStructure& structure, const ImportSettings& settings,
+                               ImportReport& report) {
+    const Stored stored = collect(structure, settings, report);
+    const double force_unit = force_unit_of(stored, structure, settings, report);
+    report.read.push_back("axial stiffness: " + stored.stiffness.source);
+    ImportedLengths result{.axial_stiffness = stiffness_in(stored, force_unit),
+                           .unstressed = {},
+                           .force_unit = force_unit};
+    const Eigen::VectorXd tensions = tensions_in(stored, force_unit);
+    for (Eigen::Index e = 0; e < tensions.size(); ++e) {
+        const ImportedEdge& edge = structure.edges[e];
+        if (!(std::isfinite(result.axial_stiffness(e)) && result.axial_stiffness(e) > 0.0)) {
+            fail_at(structure, edge,
+                    fmt::format("has the axial stiffness {} N, expected a positive and finite one",
+                                result.axial_stiffness(e)));
+        }
+        if (!std::isfinite(tensions(e))) {
+            fail_at(structure, edge,
+                    fmt::format("has the tension {} N, expected a finite one", tensions(e)));
+        }
+    }
+    if (takes_stored_lengths(stored, force_unit, report)) {
+        result.unstressed = *stored.unstressed;
+    } else if (stored.forces.source.empty()) {
+        report.warnings.emplace_back(
+            "the file gives no forces: unstressed lengths are the lengths, no edge is in tension");
+        result.unstressed = stored.lengths;
+    } else {
+        report.read.push_back(fmt::format("unstressed lengths: l / (1 + T/EA), tensions T by {}",
+                                          stored.forces.source == "q" ? "q l" : "f"));
+        result.unstressed =
+            unstressed_lengths_for(stored.lengths, tensions, result.axial_stiffness);
+    }
+    check_strains(structure, stored, result.unstressed, report);
+    return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "taut/interchange/net_import.hpp"
+
+namespace taut {
+
+/// What makes edges of the lines of a structure.
+struct ImportedLengths {
+    Eigen::VectorXd axial_stiffness;  ///< [N]
+    Eigen::VectorXd unstressed;       ///< [m]
+    double force_unit = 1.0;          ///< [N]
+};
+
+/// Axial stiffnesses, the file's unit of force and unstressed lengths. Tells in the report what was
+/// taken from where.
+/// @throws InputError and std::invalid_argument as import_net()
+[[nodiscard]] ImportedLengths import_lengths(const ImportedStructure& structure,
+                                             const ImportSettings& settings, ImportReport& report);
+
+}  // namespace taut

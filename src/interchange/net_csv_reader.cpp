@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "files/csv_reader.hpp"
+#include "files/message.hpp"
+#include "files/parse_number.hpp"
+#include "files/plain_text.hpp"
+#include "interchange/edge_collection.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/interchange/net_csv.hpp"
+
+namespace taut {
+namespace {
+
+/// The records of a file behind its header, with fields by the names in the header.
+class Table {
+public:
+    /// @param leading names of the first columns, whatever the header calls them
+    Table(std::string_view text, const std::string& file_name, std::vector<std::string> leading)
+        : m_file_name(file_name),
+          m_reader(plain_text(text, file_name), file_name),
+          m_names(std::move(leading)) {
+        const size_t least = m_names.size();
+        next(least);
+        if (m_record.line == 0) {
+            throw InputError(file_name, "", "is empty, expected a header and a line an item");
+        }
+        if (std::ranges::all_of(m_record.fields,
+                                [](const std::string& f) { return parse_number(f).has_value(); })) {
+            fail("holds numbers only, expected a header");
+        }
+        m_names.insert(m_names.end(), m_record.fields.begin() + static_cast<long>(least),
+                       m_record.fields.end());
+    }
+
+    /// Goes to the next record, if there is one.
+    bool next() { return next(m_names.size()); }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(m_file_name, std::to_string(m_record.line), what);
+    }
+    [[nodiscard]] std::string place() const { return std::to_string(m_record.line); }
+    [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
+    [[nodiscard]] const std::string& field(size_t column) const { return m_record.fields[column]; }
+
+    [[nodiscard]] std::optional<size_t> column(const std::string& name) const {
+        const auto found = std::ranges::find(m_names, name);
+        return found == m_names.end() ? std::nullopt
+                                      : std::optional<size_t>(found - m_names.begin());
+    }
+    [[nodiscard]] double number(size_t column) const {
+        const auto value = parse_number(field(column));
+        if (!value) {
+            fail(fmt::format("{} is {}, expected a finite number", m_names[column],
+                             quote(field(column))));
+        }
+        return *value;
+    }
+    [[nodiscard]] double number(const std::string& name, double otherwise) const {
+        const auto found = column(name);
+        return found ? number(*found) : otherwise;
+    }
+
+private:
+    bool next(size_t expected) {
+        auto record = m_reader.next();
+        if (!record) {
+            return false;
+        }
+        const bool is_header = m_record.line == 0;
+        m_record = std::move(*record);
+        const size_t found = m_record.fields.size();
+        if (is_header ? found < expected : found != expected) {
+            fail(fmt::format("has {} fields, expected {}{}", found, is_header ? "at least " : "",
+                             expected));
+        }
+        return true;
+    }
+
+    const std::string& m_file_name;
+    CsvReader m_reader;
+    std::vector<std::string> m_names;
+    CsvRecord m_record;
+};
+
+using NodeOf = std::map<std::string, int>;
+
+NodeOf read_nodes(std::string_view text, ImportedStructure& structure) {
+    Table table(text, structure.file, {"id", "x", "y", "z"});
+    const bool has_displacements = table.column("u") && table.column("v") && table.column("w");
+    bool any_displaced = false;
+    NodeOf node_of;
+    while (table.next()) {
+        ImportedNode node{.id = table.field(0), .place = table.place()};
+        if (node.id.empty()) {
+            table.fail("has an empty id");
+        }
+        if (!node_of.emplace(node.id, static_cast<int>(structure.nodes.size())).second) {
+            table.fail(fmt::format("gives the node {} a second time", quote(node.id)));
+        }
+        node.position = {table.number(1), table.number(2), table.number(3)};
+        if (has_displacements) {
+            const Eigen::Vector3d displacement(table.number("u", 0.0), table.number("v", 0.0),
+                                               table.number("w", 0.0));
+            any_displaced |= !displacement.isZero(0.0);
+            node.position += displacement;
+        }
+        node.load = {table.number("px", 0.0), table.number("py", 0.0), table.number("pz", 0.0)};
+        node.is_support = table.number("is_free", 1.0) == 0.0;
+        structure.nodes.push_back(std::move(node));
+    }
+    if (any_displaced) {
+        structure.notes.emplace_back(
+            "positions before the displacements u, v, w: the form is x + u");
+    }
+    return node_of;
+}
+
+/// The numbers of the current record, and its name if it has one.
+void read_attributes(const Table& table, size_t first, ImportedEdge& edge) {
+    for (size_t column = first; column < table.names().size(); ++column) {
+        const std::string& name = table.names()[column];
+        if (name == "id") {
+            edge.id = table.field(column);
+        } else if (!table.field(column).empty()) {
+            edge.numbers[name] = table.number(column);
+        }
+    }
+    for (const char* name : {"qopt", "q0"}) {
+        if (const auto found = edge.numbers.find(name); found != edge.numbers.end()) {
+            edge.numbers.try_emplace("q", found->second);
+        }
+    }
+}
+
+void read_edges(std::string_view text, const std::string& file_name, const NodeOf& node_of,
+                ImportedStructure& structure) {
+    Table table(text, file_name, {"u", "v"});
+    EdgeCollection edges;
+    std::map<std::pair<int, int>, ImportedEdge> records;
+    while (table.next()) {
+        std::array<int, 2> ends{};
+        for (size_t k = 0; k < 2; ++k) {
+            const auto found = node_of.find(table.field(k));
+            if (found == node_of.end()) {
+                table.fail(fmt::format("names the node {}, which is not in {}",
+                                       quote(table.field(k)), structure.file));
+            }
+            ends[k] = found->second;
+        }
+        if (ends[0] == ends[1]) {
+            table.fail(fmt::format("joins the node {} to itself", quote(table.field(0))));
+        }
+        if (edges.contains(ends[0], ends[1])) {
+            table.fail(fmt::format("joins the nodes {} and {} a second time", quote(table.field(0)),
+                                   quote(table.field(1))));
+        }
+        edges.add(ends[0], ends[1], file_name + ":" + table.place());
+        ImportedEdge& record = records[std::minmax(ends[0], ends[1])];
+        read_attributes(table, 2, record);
+    }
+    edges.write_to(structure);
+    for (ImportedEdge& edge : structure.edges) {
+        ImportedEdge& record = records.at({edge.s, edge.t});
+        edge.numbers = std::move(record.numbers);
+        edge.id = record.id.empty() ? edge.id : record.id;
+    }
+}
+
+}  // namespace
+
+ImportedStructure parse_net_csv(const NetCsv& text, const std::string& nodes_name,
+                                const std::string& edges_name) {
+    ImportedStructure structure;
+    structure.file = nodes_name;
+    structure.format = "CSV nodes and edges as of JAX FDM";
+    const NodeOf node_of = read_nodes(text.nodes, structure);
+    read_edges(text.edges, edges_name, node_of, structure);
+    return structure;
+}
+
+}  // namespace taut

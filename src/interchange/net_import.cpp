@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/interchange/net_import.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <set>
+
+#include "interchange/import_lengths.hpp"
+#include "interchange/import_numbers.hpp"
+#include "interchange/import_selection.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/statics/energy.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+/// The index that a pointer such as "/edges/12/0" names in a list, or -1.
+int index_in(std::string_view pointer, std::string_view list) {
+    int index = -1;
+    if (pointer.starts_with(list)) {
+        pointer.remove_prefix(list.size());
+        std::from_chars(pointer.data(), pointer.data() + pointer.size(), index);
+    }
+    return index;
+}
+
+/// The net, its broken rules told in the names of the file.
+CableNet make_net(const ImportedStructure& structure, CableNetData data) {
+    try {
+        return CableNet(std::move(data));
+    } catch (const NetError& error) {
+        const std::string what = std::string(error.what()).substr(error.where().size() + 2);
+        if (const int e = index_in(error.where(), "/edges/"); e >= 0) {
+            fail_at(structure, structure.edges[e], what);
+        }
+        const int i =
+            std::max(index_in(error.where(), "/nodes/"), index_in(error.where(), "/loads/"));
+        if (i >= 0) {
+            const ImportedNode& node = structure.nodes[i];
+            throw InputError(structure.file, node.place, fmt::format("node {} {}", node.id, what));
+        }
+        throw InputError(structure.file, error.where(), what);
+    }
+}
+
+CableNetData data_of(const ImportedStructure& structure) {
+    CableNetData data;
+    data.name = structure.name.empty() ? std::filesystem::path(structure.file).stem().string()
+                                       : structure.name;
+    data.nodes.resize(3, static_cast<Eigen::Index>(structure.nodes.size()));
+    for (size_t i = 0; i < structure.nodes.size(); ++i) {
+        const ImportedNode& node = structure.nodes[i];
+        data.nodes.col(static_cast<Eigen::Index>(i)) = node.position;
+        data.node_ids.push_back(node.id);
+        if (node.is_support) {
+            data.supports.push_back(static_cast<int>(i));
+        }
+    }
+    for (const ImportedEdge& edge : structure.edges) {
+        data.edges.push_back({edge.s, edge.t});
+        data.edge_ids.push_back(edge.id);
+    }
+    return data;
+}
+
+/// Names of edges are free text: where two are alike, all edges go by their nodes.
+void make_edge_ids_unique(CableNetData& data, ImportReport& report) {
+    const std::set<std::string> ids(data.edge_ids.begin(), data.edge_ids.end());
+    if (ids.size() == data.edge_ids.size()) {
+        return;
+    }
+    for (size_t e = 0; e < data.edges.size(); ++e) {
+        data.edge_ids[e] = data.node_ids[data.edges[e][0]] + "-" + data.node_ids[data.edges[e][1]];
+    }
+    report.left_out.emplace_back("the names of the edges, of which some are alike");
+}
+
+std::vector<int> adjustable_of(const ImportedStructure& structure, const CableNetData& data,
+                               ImportReport& report) {
+    std::vector<int> adjustable;
+    bool given = false;
+    for (size_t e = 0; e < structure.edges.size(); ++e) {
+        const auto& numbers = structure.edges[e].numbers;
+        const auto found = numbers.find("is_adjustable");
+        given |= found != numbers.end();
+        if (found != numbers.end() && found->second != 0.0) {
+            adjustable.push_back(static_cast<int>(e));
+        }
+    }
+    if (given) {
+        report.read.emplace_back("adjustable edges: by is_adjustable");
+        return adjustable;
+    }
+    report.assumed.emplace_back("adjustable edges: those at supports");
+    return edges_at_supports(data.edges, data.supports);
+}
+
+Points loads_of_file(const ImportedStructure& structure, double force_unit, ImportReport& report) {
+    Points loads(3, static_cast<Eigen::Index>(structure.nodes.size()));
+    for (size_t i = 0; i < structure.nodes.size(); ++i) {
+        loads.col(static_cast<Eigen::Index>(i)) = force_unit * structure.nodes[i].load;
+    }
+    int loaded_edges = 0;
+    for (const ImportedEdge& edge : structure.edges) {
+        for (const char* name : {"px", "py", "pz"}) {
+            const auto found = edge.numbers.find(name);
+            if (found != edge.numbers.end() && found->second != 0.0) {
+                ++loaded_edges;
+                break;
+            }
+        }
+    }
+    if (loaded_edges > 0) {
+        report.left_out.push_back(fmt::format("the loads of {} edges", loaded_edges));
+    }
+    return loads;
+}
+
+/// Forces at the free nodes that hold the form: h_s without loads.
+Points balancing_loads(const CableNet& net) {
+    const Eigen::VectorXd forces =
+        out_of_balance_forces(net, net.unstressed_lengths(), net.nodes());
+    Points loads = Points::Zero(3, net.node_count());
+    loads(Eigen::all, net.free_nodes()) = forces.reshaped(3, net.free_node_count());
+    return loads;
+}
+
+void describe(const CableNet& net, ImportReport& report) {
+    const Points loads = net.loads()(Eigen::all, net.free_nodes());
+    report.load_sum = loads.rowwise().sum();
+    report.largest_horizontal_load = loads.topRows(2).colwise().norm().maxCoeff();
+    const Eigen::VectorXd forces =
+        out_of_balance_forces(net, net.unstressed_lengths(), net.nodes());
+    report.largest_out_of_balance =
+        forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff();
+    const Eigen::VectorXd edge_tensions = tensions(net, net.unstressed_lengths(), net.nodes());
+    const auto taut_count = (edge_tensions.array() > 0.0).count();
+    report.mean_tension = taut_count == 0 ? 0.0 : edge_tensions.sum() / double(taut_count);
+    const Eigen::ArrayXd strains =
+        edge_lengths(net, net.nodes()).array() / net.unstressed_lengths().array() - 1.0;
+    report.least_strain = strains.minCoeff();
+    report.largest_strain = strains.maxCoeff();
+}
+
+}  // namespace
+
+ImportedNet import_net(const ImportedStructure& structure, const ImportSettings& settings) {
+    ImportReport report;
+    report.read.push_back(structure.format);
+    const ImportedStructure selected = select_net(structure, report);
+    CableNetData data = data_of(selected);
+    make_edge_ids_unique(data, report);
+    data.adjustable = adjustable_of(selected, data, report);
+
+    const ImportedLengths lengths = import_lengths(selected, settings, report);
+    data.axial_stiffness = lengths.axial_stiffness;
+    data.unstressed_lengths = lengths.unstressed;
+    report.assumed.emplace_back("coordinates are in m");
+    if (settings.loads == ImportSettings::Loads::file) {
+        data.loads = loads_of_file(selected, lengths.force_unit, report);
+    }
+    CableNet net = make_net(selected, std::move(data));
+    if (settings.loads == ImportSettings::Loads::balance) {
+        data = net.data();
+        data.loads = balancing_loads(net);
+        net = make_net(selected, std::move(data));
+    }
+    describe(net, report);
+    return {.net = std::move(net), .report = std::move(report)};
+}
+
+}  // namespace taut

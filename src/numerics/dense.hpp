@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+/// The few dense operations that are worth the library of the machine: BLAS and LAPACK.
+namespace taut {
+
+/// a * b
+[[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// a' * b
+[[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
+                                                 const Eigen::MatrixXd& b);
+
+/// Keeps BLAS to the calling threads while it lives: for parallel loops that call it, and for
+/// results that are the same for any number of threads.
+class SerialBlas {
+public:
+    SerialBlas();
+    ~SerialBlas();
+    SerialBlas(const SerialBlas&) = delete;
+    SerialBlas& operator=(const SerialBlas&) = delete;
+};
+
+/// c += factor * a * b
+void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                 const Eigen::Ref<const Eigen::MatrixXd>& a,
+                 const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+/// c += factor * a * b'
+void add_product_transposed(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                            const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+/// c += factor * a' * b
+void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
+                            const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+/// x' A x of every column x of b (n x k), for a symmetric A (n x n). Reads the lower triangle of A.
+[[nodiscard]] Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower,
+                                              const Eigen::MatrixXd& b);
+
+/// The factor L of a symmetric, positive definite matrix L L'.
+class Cholesky {
+public:
+    /// Reads the lower triangle of the matrix.
+    /// @throws std::runtime_error where the matrix is not positive definite
+    explicit Cholesky(Eigen::MatrixXd matrix);
+
+    /// (L L')^-1 b
+    [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd b) const;
+    /// L^-1 b
+    [[nodiscard]] Eigen::MatrixXd solve_lower(Eigen::MatrixXd b) const;
+    /// (L L')^-1, its lower triangle
+    [[nodiscard]] Eigen::MatrixXd inverse_lower() const;
+
+private:
+    Eigen::MatrixXd m_L;
+};
+
+struct SymmetricEigen {
+    Eigen::VectorXd values;   ///< ascending
+    Eigen::MatrixXd vectors;  ///< columns, orthonormal
+};
+
+/// All eigenvalues and eigenvectors of a symmetric matrix.
+/// @throws std::runtime_error where LAPACK does not converge (an entry that is not finite, say)
+[[nodiscard]] SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix);
+
+}  // namespace taut

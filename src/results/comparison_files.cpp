@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/results/comparison_files.hpp"
+
+#include "files/csv_field.hpp"
+#include "results/result_parts.hpp"
+#include "taut/version.hpp"
+
+namespace taut {
+namespace {
+
+template <class T>
+ResultJson or_null(const std::optional<T>& value) {
+    return value ? ResultJson(*value) : ResultJson();
+}
+
+ResultJson row_json(const ComparisonRow& row) {
+    const MethodResult& result = row.result;
+    const bool any = result.identified() > 0;
+    const auto number = [](bool is_there, double value) {
+        return is_there ? ResultJson(value) : ResultJson();
+    };
+    const auto best = row.best_possible.value_or(BestPossible{});
+    const bool has_best = row.best_possible.has_value();
+    return {{"method", result.name},
+            {"noise", row.kind.noise_std},
+            {"hidden_fraction", row.kind.hidden_part},
+            {"training_samples", or_null(row.training_samples)},
+            {"surveys", result.surveys},
+            {"failed", result.failed},
+            {"first_failure", result.failed > 0 ? ResultJson(result.first_failure) : ResultJson()},
+            {"mse", number(any, result.errors.mse)},
+            {"best_possible_mse", number(has_best, best.mse)},
+            {"mse_of_taut_edges", number(any, result.mse_of_taut)},
+            {"best_possible_mse_of_taut_edges", number(has_best, best.mse_of_taut)},
+            {"mrse", number(any, result.errors.mrse)},
+            {"form_error", number(any && result.forms_not_converged < result.identified(),
+                                  result.form_error.mean)},
+            {"forms_not_converged", result.forms_not_converged},
+            {"coverage", number(any, result.coverage)},
+            {"training_seconds", number(row.training_samples.has_value(), result.training_seconds)},
+            {"seconds", number(any, result.seconds)}};
+}
+
+ResultJson rows_json(const Comparison& comparison) {
+    ResultJson rows = ResultJson::array();
+    for (const ComparisonRow& row : comparison.rows) {
+        rows.push_back(row_json(row));
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::string comparison_to_json(const Comparison& comparison, const RunRecord& run) {
+    const ComparisonSettings& settings = comparison.settings;
+    ResultJson document{{"format", "taut-comparison"},
+                        {"version", 1},
+                        {"program", "taut " + std::string(version())},
+                        {"net", counts_json(comparison.net)},
+                        {"law", settings.law.to_string()},
+                        {"seed", settings.seed},
+                        {"common_noise", settings.common_noise()},
+                        {"common_training_samples", settings.common_training()},
+                        {"samples",
+                         {{"total", comparison.samples},
+                          {"not_converged", comparison.not_converged},
+                          {"surveyed", comparison.surveys},
+                          {"surveyed_with_slack", comparison.surveys_with_slack}}},
+                        {"seconds",
+                         {{"sampling", comparison.seconds.sampling},
+                          {"training", comparison.seconds.training},
+                          {"identification", comparison.seconds.identification},
+                          {"total", comparison.seconds.total}}}};
+    add_run(document, run);
+    document["rows"] = rows_json(comparison);
+    return to_text(document);
+}
+
+std::string comparison_to_csv(const Comparison& comparison) {
+    std::string csv;
+    for (const ResultJson& row : rows_json(comparison)) {
+        const auto add = [&](const auto& text) {
+            const char* separator = "";
+            for (const auto& [key, value] : row.items()) {
+                csv += separator;
+                csv += text(key, value);
+                separator = ",";
+            }
+            csv += '\n';
+        };
+        if (csv.empty()) {
+            add([](const std::string& key, const ResultJson&) { return key; });
+        }
+        add([](const std::string&, const ResultJson& value) {
+            return value.is_null()     ? std::string()
+                   : value.is_string() ? csv_field(value.get<std::string>())
+                                       : value.dump();
+        });
+    }
+    return csv;
+}
+
+}  // namespace taut

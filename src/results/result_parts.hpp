@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/results/results_json.hpp"
+
+namespace taut {
+
+/// What the results of all commands are put together from; the order of keys is kept.
+using ResultJson = nlohmann::ordered_json;
+
+/// {"name", "free_nodes", "supports", "interior_edges", "adjustable_edges", "fingerprint"}
+[[nodiscard]] ResultJson counts_json(const CableNet& net);
+
+/// The net in taut's own format, whole.
+[[nodiscard]] ResultJson net_json(const CableNet& net);
+
+/// Numbers rounded to so many significant digits, which keeps a result small.
+[[nodiscard]] ResultJson numbers_json(const Eigen::Ref<const Eigen::VectorXd>& numbers, int digits);
+
+/// What is known of how a result came about, as keys of it.
+void add_run(ResultJson& document, const RunRecord& run);
+
+/// [[x, y, z]...], to 10 nm for a net of some 10 m.
+[[nodiscard]] ResultJson points_json(const Points& points);
+
+/// The document, to be read by people too: objects with a key a line, lists of numbers on one line,
+/// other lists with an entry a line.
+[[nodiscard]] std::string to_text(const ResultJson& document);
+
+}  // namespace taut

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "files/json_value.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+// Pieces of a result, read strictly. All throw InputError at the offending value.
+
+/// Member of an object that must be an object itself.
+[[nodiscard]] JsonValue require_object(const JsonValue& parent, const std::string& key);
+
+/// An object that holds a number under each of the keys.
+void require_numbers(const JsonValue& object, std::initializer_list<const char*> keys);
+
+/// A member that counts something: whole, not negative.
+[[nodiscard]] int require_count(const JsonValue& parent, const std::string& key);
+
+/// A member that lists so many numbers. @param what they are, "a number for each edge" say
+[[nodiscard]] Eigen::VectorXd require_list(const JsonValue& parent, const std::string& key,
+                                           Eigen::Index size, const std::string& what);
+
+/// A member that lists a point [x, y, z] for each node of a net.
+[[nodiscard]] Points require_form(const JsonValue& parent, const std::string& key,
+                                  const CableNet& net);
+
+/// A node of the net.
+[[nodiscard]] int read_node(const JsonValue& value, const CableNet& net);
+
+/// The net of a result, its fingerprint that of the counts beside it.
+[[nodiscard]] CableNet require_net(const JsonValue& root);
+
+}  // namespace taut

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against posteriors that are not law times likelihood, and intervals that leave the law.
+
+#include "taut/estimation/length_posterior.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace {
+
+using namespace taut;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const LengthLaw uniform{LengthLaw::Kind::uniform, 0.005};
+const LengthLaw normal{LengthLaw::Kind::normal, 0.002};
+const LengthLaw bimodal{LengthLaw::Kind::bimodal, 0.004};
+
+double density(const LengthLaw& law, double x) {
+    const auto bell = [](double z) { return std::exp(-0.5 * z * z); };
+    switch (law.kind) {
+        case LengthLaw::Kind::uniform:
+            return std::abs(x) <= law.scale ? 1.0 : 0.0;
+        case LengthLaw::Kind::normal:
+            return bell(x / law.scale);
+        default:
+            return bell((x - law.scale) / (0.2 * law.scale)) +
+                   bell((x + law.scale) / (0.2 * law.scale));
+    }
+}
+
+/// Mean, std, the probability below lower and above upper, and of being slack, by the sum over a
+/// fine grid.
+void expect_as_on_a_grid(const LengthLaw& law, const LengthLikelihood& l) {
+    const LengthPosterior found = posterior_of(law, l);
+    double mass = 0.0, first = 0.0, second = 0.0, below = 0.0, above = 0.0, slack = 0.0;
+    constexpr double step = 1e-7;
+    for (double x = -0.02; x <= 0.02; x += step) {
+        const double z = (x - l.mean) / l.std;
+        double taut = std::isfinite(l.std) ? std::exp(-0.5 * z * z) / l.std : 1.0;
+        taut *= 0.5 * std::erfc(-l.extension / std::numbers::sqrt2);
+        const double loose = x > l.slack_from && std::isfinite(l.extension)
+                                 ? std::exp(-0.5 * l.extension * l.extension) / l.std
+                                 : 0.0;
+        const double p = density(law, x) * (taut + loose);
+        mass += p;
+        first += p * x;
+        second += p * x * x;
+        slack += density(law, x) * loose;
+        below += x < found.lower ? p : 0.0;
+        above += x > found.upper ? p : 0.0;
+    }
+    const double mean = first / mass;
+    EXPECT_NEAR(found.mean, mean, 1e-6);
+    EXPECT_NEAR(found.std, std::sqrt(second / mass - mean * mean), 1e-6);
+    EXPECT_NEAR(found.slack_probability, slack / mass, 1e-3);
+    if (found.slack_probability < 0.5) {
+        EXPECT_NEAR(below / mass, 0.025, 1e-3);
+        EXPECT_NEAR(above / mass, 0.025, 1e-3);
+    }
+}
+
+TEST(PosteriorOf, IsLawTimesLikelihood) {
+    for (const LengthLaw& law : {uniform, normal, bimodal}) {
+        for (const double std : {0.0003, 0.002, 0.02}) {
+            for (const double mean : {-0.0045, 0.0, 0.003}) {
+                expect_as_on_a_grid(law, {.mean = mean, .std = std});
+                expect_as_on_a_grid(
+                    law,
+                    {.mean = mean, .std = std, .slack_from = mean + 0.5 * std, .extension = 0.5});
+            }
+        }
+    }
+}
+
+TEST(PosteriorOf, IsTheLawWhereTheSurveyTellsNothing) {
+    const LengthPosterior p = posterior_of(uniform, {});
+    EXPECT_NEAR(p.mean, 0.0, 1e-12);
+    EXPECT_NEAR(p.std, uniform.std(), 1e-9);
+    EXPECT_NEAR(p.upper, 0.95 * uniform.scale, 1e-9);
+    EXPECT_EQ(status_of(uniform, p), EdgeStatus::unobserved);
+}
+
+TEST(PosteriorOf, NeverLeavesTheBoundsOfAUniformLaw) {
+    for (const double mean : {-1.0, -0.006, -0.005, 0.0049, 0.0051, 0.3}) {
+        for (const double std : {1e-9, 1e-5, 1e-3, 1.0}) {
+            const LengthPosterior p = posterior_of(uniform, {.mean = mean, .std = std});
+            EXPECT_GE(p.lower, -uniform.scale) << mean << ", " << std;
+            EXPECT_LE(p.upper, uniform.scale) << mean << ", " << std;
+            EXPECT_LE(p.lower, p.mean);
+            EXPECT_LE(p.mean, p.upper);
+            EXPECT_TRUE(p.std >= 0.0);
+        }
+    }
+}
+
+TEST(PosteriorOf, KeepsTheDigitsOfANarrowLikelihood) {
+    const LengthPosterior p = posterior_of(uniform, {.mean = 0.001234567, .std = 1e-9});
+    EXPECT_NEAR(p.mean, 0.001234567, 1e-15);
+    EXPECT_NEAR(p.std, 1e-9, 1e-14);
+    EXPECT_NEAR(p.upper, 0.001234567 + half_interval_95 * 1e-9, 1e-14);
+}
+
+TEST(PosteriorOf, ASlackEdgeIsOnlyKnownToBeAsLongAsItMeasures) {
+    const LengthPosterior p =
+        posterior_of(uniform, {.mean = 0.002, .std = 1e-6, .slack_from = 0.002, .extension = 0.0});
+    EXPECT_EQ(status_of(uniform, p), EdgeStatus::slack);
+    EXPECT_DOUBLE_EQ(p.lower, 0.002);
+    EXPECT_DOUBLE_EQ(p.upper, 0.005);
+    EXPECT_NEAR(p.mean, 0.0035, 1e-5);
+    LengthLikelihood surely{.slack_from = 0.001, .extension = -infinity};
+    const LengthPosterior tail = posterior_of(normal, surely);
+    EXPECT_EQ(status_of(normal, tail), EdgeStatus::slack);
+    EXPECT_DOUBLE_EQ(tail.lower, 0.001);
+    EXPECT_GT(tail.upper, 0.004);
+}
+
+TEST(PosteriorOf, RefusesWhatIsNoDistribution) {
+    EXPECT_THROW((void)posterior_of(uniform, {.mean = NAN, .std = 1.0}), std::invalid_argument);
+    EXPECT_THROW((void)posterior_of(uniform, {.mean = 0.0, .std = 0.0}), std::invalid_argument);
+    EXPECT_THROW((void)posterior_of(uniform, {.mean = 0.0, .std = -1.0}), std::invalid_argument);
+}
+
+TEST(WithoutPrior, TimesThePriorIsThePosterior) {
+    const LengthLikelihood l = without_prior(0.001, 0.003, 0.002, 0.001);
+    const double precision = 1.0 / (l.std * l.std) + 1.0 / (0.003 * 0.003);
+    EXPECT_NEAR(1.0 / std::sqrt(precision), 0.001, 1e-12);
+    EXPECT_NEAR((l.mean / (l.std * l.std) + 0.001 / (0.003 * 0.003)) / precision, 0.002, 1e-12);
+    EXPECT_EQ(without_prior(0.0, 0.003, 0.0, 0.003).std, infinity);
+}
+
+TEST(LengthPosterior, OfAnEdgeUnderAnyPressureIsThatOfASlackOne) {
+    const LengthLikelihood slack{.mean = 0.001,
+                                 .std = 1e-6,
+                                 .slack_from = -0.002,
+                                 .extension = -std::numeric_limits<double>::infinity()};
+    for (const double z : {-1e7, -1e160, -1e300}) {
+        LengthLikelihood pressed = slack;
+        pressed.extension = z;
+        for (const LengthLaw& law : {uniform, normal, bimodal}) {
+            EXPECT_EQ(posterior_of(law, pressed).mean, posterior_of(law, slack).mean);
+            pressed.slack_from = 0.9;  // beyond any law
+            EXPECT_TRUE(std::isfinite(posterior_of(law, pressed).mean));
+            pressed.slack_from = slack.slack_from;
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards against half-written outputs: a failure, or a program that ends early, must leave an
+// earlier result as it was and no litter beside it.
+
+#include "taut/files/file.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+
+#include "support/errors.hpp"
+#include "support/scratch.hpp"
+
+namespace taut {
+namespace {
+
+using test::bytes_of;
+using test::put_bytes;
+using test::ScratchDirectory;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Files of more than so many bytes cannot be written while it lives: a full disk.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit limit{.rlim_cur = bytes, .rlim_max = m_before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+    FullDisk(FullDisk&&) = delete;
+    FullDisk& operator=(FullDisk&&) = delete;
+
+private:
+    void (*m_handler)(int);
+    rlimit m_before{};
+};
+
+std::string output_error_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const OutputError& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << "expected an OutputError";
+    return {};
+}
+
+TEST(AtomicFile, LeavesAnExistingTargetAndNoTemporaryWhenItIsNotCommitted) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "out", "before");
+    {
+        const AtomicFile file(scratch / "out");
+        put_bytes(file.temporary(), "after");
+        EXPECT_EQ(scratch.files().size(), 2U);
+    }
+    EXPECT_EQ(bytes_of(scratch / "out"), "before");
+    EXPECT_THAT(scratch.files(), ElementsAre("out"));
+}
+
+TEST(AtomicFile, ReplacesTheTargetWhenItIsCommitted) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "out", "before");
+    AtomicFile file(scratch / "out");
+    put_bytes(file.temporary(), "after");
+    EXPECT_EQ(bytes_of(scratch / "out"), "before");
+    file.commit();
+    EXPECT_EQ(bytes_of(scratch / "out"), "after");
+    EXPECT_THAT(scratch.files(), ElementsAre("out"));
+}
+
+TEST(AtomicFile, GivesTwoWritersOfOneTargetTemporariesOfTheirOwn) {
+    const ScratchDirectory scratch;
+    const AtomicFile one(scratch / "out");
+    const AtomicFile two(scratch / "out");
+    EXPECT_NE(one.temporary(), two.temporary());
+    EXPECT_EQ(one.temporary().parent_path(), scratch.path());
+}
+
+TEST(AtomicFile, GivesANewFileTheModeThatAnyNewFileGets) {
+    const ScratchDirectory scratch;
+    write_file(scratch / "ours", "");
+    put_bytes(scratch / "any", "");
+    struct stat ours{};
+    struct stat any{};
+    ASSERT_EQ(stat((scratch / "ours").c_str(), &ours), 0);
+    ASSERT_EQ(stat((scratch / "any").c_str(), &any), 0);
+    EXPECT_EQ(ours.st_mode, any.st_mode);
+}
+
+TEST(AtomicFile, KeepsASymbolicLinkAndReplacesWhatItLeadsTo) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directory(scratch / "store");
+    put_bytes(scratch / "store/file", "before");
+    std::filesystem::create_symlink("store/file", scratch / "link");
+    write_file(scratch / "link", "after");
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "link"));
+    EXPECT_EQ(bytes_of(scratch / "store/file"), "after");
+}
+
+TEST(AtomicFile, RefusesADirectoryThatDoesNotExist) {
+    const ScratchDirectory scratch;
+    const std::string target = (scratch / "nowhere/out").string();
+    EXPECT_EQ(output_error_of([&] { AtomicFile file(target); }),
+              target + ": cannot be written: No such file or directory");
+}
+
+TEST(AtomicFile, RefusesATargetThatIsADirectory) {
+    const ScratchDirectory scratch;
+    EXPECT_EQ(output_error_of([&] { AtomicFile file(scratch.path()); }),
+              scratch.path().string() + ": is a directory, expected a file");
+}
+
+TEST(AtomicFile, RefusesADeviceThatARenameWouldReplace) {
+    EXPECT_THAT(output_error_of([] { AtomicFile file("/dev/null"); }), HasSubstr("is a device"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, RefusesADirectoryThatCannotBeWrittenTo) {
+    EXPECT_THAT(output_error_of([] { AtomicFile file("/proc/out"); }),
+                HasSubstr("/proc/out: cannot be written"));
+}
+
+TEST(AtomicFile, RefusesAnEmptyName) {
+    EXPECT_THROW(AtomicFile(""), OutputError);
+}
+
+TEST(WriteFile, LeavesAnExistingFileAndNoTemporaryWhereTheDiskIsFull) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "out", "before");
+    const std::string message = [&] {
+        const FullDisk full(100);
+        return output_error_of([&] { write_file(scratch / "out", std::string(100'000, 'x')); });
+    }();
+    EXPECT_THAT(message, HasSubstr("out: cannot be written: File too large"));
+    EXPECT_EQ(bytes_of(scratch / "out"), "before");
+    EXPECT_THAT(scratch.files(), ElementsAre("out"));
+}
+
+TEST(WriteFiles, WritesAllIntoADirectoryThatItMakes) {
+    const ScratchDirectory scratch;
+    write_files(scratch / "a/b", {{"one", "1"}, {"two", "2"}});
+    EXPECT_EQ(bytes_of(scratch / "a/b/one"), "1");
+    EXPECT_EQ(bytes_of(scratch / "a/b/two"), "2");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch / "a/b"), {}), 2);
+}
+
+TEST(WriteFiles, LeavesEveryFileAsItWasWhereTheLastCannotBeWritten) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "one", "before");
+    std::filesystem::create_directory(scratch / "two");
+    EXPECT_THROW(write_files(scratch.path(), {{"one", "after"}, {"two", "after"}}), OutputError);
+    EXPECT_EQ(bytes_of(scratch / "one"), "before");
+    EXPECT_THAT(scratch.files(), ElementsAre("one", "two"));
+}
+
+TEST(WriteFiles, LeavesEveryFileAsItWasWhereTheDiskIsFull) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "one", "before");
+    {
+        const FullDisk full(100);
+        EXPECT_THROW(
+            write_files(scratch.path(), {{"one", "after"}, {"two", std::string(100'000, 'x')}}),
+            OutputError);
+    }
+    EXPECT_EQ(bytes_of(scratch / "one"), "before");
+    EXPECT_THAT(scratch.files(), ElementsAre("one"));
+}
+
+TEST(WriteFiles, RemovesTheDirectoriesThatItMadeWhereItFails) {
+    const ScratchDirectory scratch;
+    {
+        const FullDisk full(100);
+        EXPECT_THROW(write_files(scratch / "a/b", {{"one", std::string(100'000, 'x')}}),
+                     OutputError);
+    }
+    EXPECT_THAT(scratch.files(), IsEmpty());
+}
+
+TEST(WriteFiles, RefusesADirectoryThatIsAFile) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "a", "before");
+    EXPECT_THAT(output_error_of([&] { write_files(scratch / "a", {{"one", "1"}}); }),
+                HasSubstr("cannot be made as a directory"));
+    EXPECT_EQ(bytes_of(scratch / "a"), "before");
+}
+
+TEST(WriteFiles, RefusesNamesThatLeadOutOfTheDirectoryOrComeTwice) {
+    const ScratchDirectory scratch;
+    for (const char* name : {"", ".", "..", "../one", "/tmp/one", "a/one"}) {
+        EXPECT_THROW(write_files(scratch.path(), {{name, "1"}}), std::invalid_argument) << name;
+    }
+    EXPECT_THROW(write_files(scratch.path(), {{"one", "1"}, {"one", "2"}}), std::invalid_argument);
+    EXPECT_THAT(scratch.files(), IsEmpty());
+}
+
+TEST(WriteFiles, WritesAllPathsOrNone) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directory(scratch / "a");
+    put_bytes(scratch / "one", "before");
+    put_bytes(scratch / "a/two", "before");
+    {
+        const FullDisk full(100);
+        EXPECT_THROW(write_files({{scratch / "one", "after"},
+                                  {scratch / "a/two", std::string(100'000, 'x')}}),
+                     OutputError);
+    }
+    EXPECT_EQ(bytes_of(scratch / "one"), "before");
+    EXPECT_EQ(bytes_of(scratch / "a/two"), "before");
+    EXPECT_THAT(scratch.files(), ElementsAre("a", "one"));
+    write_files({{scratch / "one", "after"}, {scratch / "a/two", "after"}});
+    EXPECT_EQ(bytes_of(scratch / "one"), "after");
+    EXPECT_EQ(bytes_of(scratch / "a/two"), "after");
+}
+
+TEST(WriteFiles, RefusesOnePathByTwoNames) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directory(scratch / "a");
+    EXPECT_THROW(write_files({{scratch / "one", "1"}, {scratch / "a/../one", "2"}}),
+                 std::invalid_argument);
+    EXPECT_THAT(scratch.files(), ElementsAre("a"));
+}
+
+TEST(IsSameFile, KnowsAFileByAnyNameWhetherItIsThereOrNot) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "one", "");
+    std::filesystem::create_symlink("one", scratch / "link");
+    std::filesystem::create_hard_link(scratch / "one", scratch / "hard");
+    EXPECT_TRUE(is_same_file(scratch / "one", scratch / "link"));
+    EXPECT_TRUE(is_same_file(scratch / "one", scratch / "hard"));
+    EXPECT_FALSE(is_same_file(scratch / "one", scratch / "two"));
+    EXPECT_TRUE(is_same_file(scratch / "two", scratch / "./two"));
+    EXPECT_TRUE(is_same_file("two", "./two"));
+    EXPECT_FALSE(is_same_file("two", "./three"));
+    EXPECT_FALSE(is_same_file("", ""));
+}
+
+TEST(ReadFile, GivesEveryByte) {
+    const ScratchDirectory scratch;
+    std::string bytes;
+    for (int i = 0; i < 200'000; ++i) {
+        bytes += static_cast<char>(i * 7);
+    }
+    put_bytes(scratch / "in", bytes);
+    EXPECT_EQ(read_file(scratch / "in"), bytes);
+}
+
+TEST(ReadFile, RefusesAFileThatIsMissing) {
+    EXPECT_EQ(test::input_error_of([] { return read_file("/nowhere/in"); }),
+              "/nowhere/in: cannot be read: No such file or directory");
+}
+
+TEST(ReadFile, RefusesADirectory) {
+    EXPECT_EQ(test::input_error_of([] { return read_file("/tmp"); }),
+              "/tmp: is a directory, expected a file");
+}
+
+}  // namespace
+}  // namespace taut

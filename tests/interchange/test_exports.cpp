@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a net that changes on its way out and back, and against a file that other programs
+// cannot open: what COMPAS and meshio see in these files, tests/data/check_exports.py compares.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/examples.hpp"
+#include "taut/interchange/compas_json.hpp"
+#include "taut/interchange/form_vtk.hpp"
+#include "taut/interchange/net_csv.hpp"
+#include "taut/interchange/net_import.hpp"
+#include "taut/interchange/obj.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+/// A net in its equilibrium form, with names, loads, several stiffnesses, an adjustable interior
+/// edge and an edge that is slack.
+CableNet net_with_everything() {
+    CableNetData data = test::example_net().net.data();
+    data.axial_stiffness(2) *= 1.5;
+    data.unstressed_lengths(1) *= 1.3;
+    data.adjustable.pop_back();
+    const CableNet net(data);
+    data.nodes = solve_equilibrium(net).form;
+    return CableNet(std::move(data));
+}
+
+CableNet import(const ImportedStructure& structure) {
+    return import_net(structure, {.force_unit = 1.0}).net;
+}
+
+/// The edges with the same two nodes have the same numbers and names.
+void expect_same(const CableNet& found, const CableNet& net) {
+    ASSERT_EQ(found.data().node_ids, net.data().node_ids);
+    ASSERT_EQ(found.edge_count(), net.edge_count());
+    EXPECT_EQ(found.nodes(), net.nodes());
+    EXPECT_EQ(found.loads(), net.loads());
+    std::vector<int> supports = net.supports();
+    std::ranges::sort(supports);
+    EXPECT_EQ(found.supports(), supports);
+    using Attributes = std::tuple<std::string, double, double, bool>;
+    const auto by_ends = [](const CableNet& of) {
+        std::map<std::pair<int, int>, Attributes> edges;
+        for (int e = 0; e < of.edge_count(); ++e) {
+            const auto [s, t] = of.edges()[e];
+            const auto& adjustable = of.adjustable_edges();
+            edges[std::minmax(s, t)] = {of.edge_id(e), of.axial_stiffness()(e),
+                                        of.unstressed_lengths()(e),
+                                        std::ranges::find(adjustable, e) != adjustable.end()};
+        }
+        return edges;
+    };
+    EXPECT_EQ(by_ends(found), by_ends(net));
+}
+
+TEST(Exports, ToCompasComeBackToTheLastBit) {
+    const CableNet net = net_with_everything();
+    ASSERT_FALSE(slack_edges(net, net.unstressed_lengths(), net.nodes()).empty());
+    const ImportedNet back =
+        import_net(parse_compas(form_to_compas(net, net.nodes()), "net.json"), {});
+    expect_same(back.net, net);
+    EXPECT_EQ(back.net.name(), net.name());
+    EXPECT_THAT(back.report.assumed, testing::ElementsAre("coordinates are in m"));
+}
+
+TEST(Exports, ToCsvComeBackToTheLastBit) {
+    const CableNet net = net_with_everything();
+    expect_same(import(parse_net_csv(form_to_net_csv(net, net.nodes()), "n.csv", "e.csv")), net);
+}
+
+TEST(Exports, ToObjComeBackAsFarAsObjGoes) {
+    const CableNet net = net_with_everything();
+    const ImportedStructure back = parse_obj(form_to_obj(net, net.nodes()), "net.obj");
+    const CableNet found = import_net(back, {.axial_stiffness = 1e5}).net;
+    EXPECT_EQ(found.nodes(), net.nodes());
+    EXPECT_EQ(found.supports().size(), net.supports().size());
+    EXPECT_EQ(found.edge_count(), net.edge_count());
+}
+
+TEST(Exports, TellTensionsInTheFormThatIsGivenAndWhichEdgesAreSlack) {
+    const CableNet net = net_with_everything();
+    Points form = net.nodes();
+    form.col(net.free_nodes()[0]).z() += 0.001;
+    const Eigen::VectorXd expected = tensions(net, net.unstressed_lengths(), form);
+    const auto document = nlohmann::json::parse(form_to_compas(net, form));
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto [s, t] = net.edges()[e];
+        const auto& edge = document["data"]["edge"][std::to_string(s)][std::to_string(t)];
+        EXPECT_EQ(edge["f"], expected(e));
+        EXPECT_EQ(edge["is_slack"], expected(e) == 0.0);
+    }
+    EXPECT_EQ(document["dtype"], "compas.datastructures/Graph");
+}
+
+TEST(Exports, ToVtkHoldAsManyNumbersAsTheirHeadersSay) {
+    const CableNet net = net_with_everything();
+    std::istringstream file(form_to_vtk(net, net.nodes()));
+    std::map<std::string, int> lines;  // of numbers below each heading
+    std::string heading;
+    for (std::string line; std::getline(file, line);) {
+        const bool is_number = line.find_first_not_of("0123456789-.e+ ") == std::string::npos;
+        if (is_number) {
+            ++lines[heading];
+        } else if (!line.starts_with("LOOKUP_TABLE")) {
+            heading = line;
+        }
+    }
+    const int n = net.node_count();
+    const int m = net.edge_count();
+    EXPECT_EQ(lines["POINTS " + std::to_string(n) + " double"], n);
+    EXPECT_EQ(lines["CELLS " + std::to_string(m) + " " + std::to_string(3 * m)], m);
+    EXPECT_EQ(lines["CELL_TYPES " + std::to_string(m)], m);
+    for (const std::string name : {"tension double 1", "force_density double 1", "is_slack int 1",
+                                   "unstressed_length double 1", "axial_stiffness double 1"}) {
+        EXPECT_EQ(lines["SCALARS " + name], m) << name;
+    }
+    EXPECT_EQ(lines["SCALARS is_support int 1"], n);
+    EXPECT_EQ(lines["VECTORS load double"], n);
+}
+
+TEST(Exports, RefuseAFormThatIsNone) {
+    const CableNet net = net_with_everything();
+    Points form = net.nodes();
+    form(0, net.free_nodes()[0]) = std::numeric_limits<double>::quiet_NaN();
+    const Points shorter = net.nodes().leftCols(3);
+    for (const Points& bad : {form, shorter}) {
+        EXPECT_THROW(static_cast<void>(form_to_compas(net, bad)), std::invalid_argument);
+        EXPECT_THROW(static_cast<void>(form_to_obj(net, bad)), std::invalid_argument);
+        EXPECT_THROW(static_cast<void>(form_to_net_csv(net, bad)), std::invalid_argument);
+        EXPECT_THROW(static_cast<void>(form_to_vtk(net, bad)), std::invalid_argument);
+    }
+}
+
+}  // namespace
+}  // namespace taut

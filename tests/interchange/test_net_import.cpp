@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a net that behaves unlike the one its authors had: forces in the wrong unit,
+// lengths that do not carry the tensions, loads that do not hold the form; and against guesses that
+// nobody was told of.
+
+#include "taut/interchange/net_import.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/errors.hpp"
+#include "support/foreign_nets.hpp"
+#include "taut/interchange/compas_json.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using test::input_error_of;
+using test::old_compas_mesh;
+using testing::Contains;
+using testing::HasSubstr;
+using Loads = ImportSettings::Loads;
+
+constexpr double EA = 210e9 * std::numbers::pi * 1e-6;  ///< of the mesh's E and r [N]
+
+ImportedNet import(const json& file, const ImportSettings& settings = {}) {
+    return import_net(parse_compas(file.dump(), "net.json"), settings);
+}
+
+std::string error(const json& file, const ImportSettings& settings = {}) {
+    return input_error_of([&] { return import(file, settings); });
+}
+
+/// The mesh with an l_0 that carries q = 2, 2, 2, 3 in kN/m.
+json with_stored_lengths() {
+    json file = old_compas_mesh();
+    const double l = 1.5;
+    for (const auto& [key, q] : std::map<std::string, double>{
+             {"(4, 0)", 3.0}, {"(1, 4)", 2.0}, {"(2, 4)", 2.0}, {"(4, 3)", 2.0}}) {
+        file["edgedata"][key]["l0"] = l / (1.0 + 1e3 * q * l / EA);
+    }
+    return file;
+}
+
+TEST(ImportNet, CutsEdgesSoThatTheyCarryTheFilesForceDensities) {
+    const CableNet net = import(old_compas_mesh(), {.force_unit = 1e3}).net;
+    EXPECT_EQ(net.free_node_count(), 1);
+    EXPECT_EQ(net.edge_count(), 4);
+    EXPECT_EQ(net.adjustable_edges().size(), 4U);
+    EXPECT_EQ(net.node_id(4), "4");
+    EXPECT_EQ(net.edge_id(0), "0-4");
+    const Eigen::VectorXd expected = Eigen::Vector4d(3, 2, 2, 2) * 1e3 * 1.5;
+    EXPECT_LT((tensions(net, net.unstressed_lengths(), net.nodes()) - expected).norm(), 1e-8);
+    EXPECT_NEAR(net.axial_stiffness()(0), EA, 1e-9 * EA);
+}
+
+TEST(ImportNet, TakesForcesForNewtonsAndTellsSoWhereNobodySaysMore) {
+    const ImportedNet imported = import(old_compas_mesh());
+    EXPECT_NEAR(tensions(imported.net, imported.net.unstressed_lengths(), imported.net.nodes())(1),
+                3.0, 1e-6);
+    EXPECT_THAT(imported.report.assumed, Contains(HasSubstr("forces of the file are in N")));
+}
+
+TEST(ImportNet, TakesForcesOverLengthsWhereThereAreNoForceDensities) {
+    json file = old_compas_mesh();
+    file["dea"].erase("q");
+    file["edgedata"]["(4, 0)"].erase("q");
+    file["dea"]["f"] = 3.0;
+    const CableNet net = import(file).net;
+    EXPECT_NEAR(tensions(net, net.unstressed_lengths(), net.nodes())(2), 3.0, 1e-6);
+}
+
+TEST(ImportNet, TakesStoredLengthsThatAgreeWithTheForcesAndFindsTheUnitByThem) {
+    const ImportedNet imported = import(with_stored_lengths());
+    EXPECT_EQ(imported.net.unstressed_lengths()(0), 1.5 / (1.0 + 4500.0 / EA));
+    EXPECT_THAT(imported.report.assumed, Contains(HasSubstr("forces of the file are in kN")));
+    EXPECT_THAT(imported.report.read, Contains(HasSubstr("the file's l0")));
+    EXPECT_TRUE(imported.report.warnings.empty());
+}
+
+TEST(ImportNet, LeavesStoredLengthsThatDoNotAgreeWithTheForcesAndTellsSo) {
+    const ImportedNet imported = import(with_stored_lengths(), {.force_unit = 1.0});
+    EXPECT_NEAR(imported.net.unstressed_lengths()(0), 1.5 / (1.0 + 4.5 / EA), 1e-12);
+    EXPECT_THAT(imported.report.warnings, Contains(HasSubstr("l0 does not agree with q")));
+}
+
+TEST(ImportNet, BalancesTheGivenForm) {
+    const ImportedNet imported = import(old_compas_mesh(), {.loads = Loads::balance});
+    const CableNet& net = imported.net;
+    EXPECT_LT(imported.report.largest_out_of_balance, 1e-9 * imported.report.mean_tension);
+    // Node 4 is pulled to corner 0 by one more unit of q: (-1, -1, -0.5); and down by all: -0.5
+    // * 8.
+    EXPECT_LT((imported.report.load_sum - Eigen::Vector3d(1, 1, 4.5)).norm(), 1e-6);
+    EXPECT_NEAR(imported.report.largest_horizontal_load, std::numbers::sqrt2, 1e-6);
+    EXPECT_LT((solve_equilibrium(net).form - net.nodes()).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(ImportNet, TakesTheFilesLoadsOrNone) {
+    EXPECT_EQ(import(old_compas_mesh(), {.force_unit = 1e3}).report.load_sum,
+              Eigen::Vector3d(0, 0, -1500));
+    EXPECT_EQ(import(old_compas_mesh(), {.loads = Loads::none}).report.load_sum,
+              Eigen::Vector3d(0, 0, 0));
+}
+
+TEST(ImportNet, LeavesOutWhatIsNoPartOfTheNetAndCounts) {
+    json file = old_compas_mesh();
+    file["edgedata"].erase("(0, 1)");
+    file["vertex"]["5"] = {{"x", 9}, {"y", 9}};
+    file["vertex"]["6"] = {{"x", 9}, {"y", 9}, {"is_anchor", false}};
+    const ImportReport report = import(file).report;
+    EXPECT_EQ(report.inactive_edges, 3);
+    EXPECT_EQ(report.edges_between_supports, 1);
+    EXPECT_EQ(report.isolated_nodes, 2);
+    EXPECT_THAT(report.left_out, Contains("1 edges between two supports"));
+}
+
+TEST(ImportNet, TakesTheStiffnessThatIsAskedFor) {
+    EXPECT_EQ(import(old_compas_mesh(), {.axial_stiffness = 5e5}).net.axial_stiffness()(3), 5e5);
+    EXPECT_NEAR(
+        import(old_compas_mesh(), {.young = 200e9, .diameter = 0.002}).net.axial_stiffness()(3),
+        200e9 * std::numbers::pi * 1e-6, 1e-6);
+    json file = old_compas_mesh();
+    file["dea"]["size"] = 8;
+    const CableNet net = import(file, {.young = 200e9, .diameter_attribute = "size"}).net;
+    EXPECT_NEAR(net.axial_stiffness()(0), 200e9 * std::numbers::pi * 9e-6, 1e-6);
+    EXPECT_NEAR(net.axial_stiffness()(1), 200e9 * std::numbers::pi * 16e-6, 1e-6);
+}
+
+TEST(ImportNet, RefusesAnEdgeInCompressionByItsName) {
+    json file = old_compas_mesh();
+    file["edgedata"]["(4, 0)"]["q"] = -1.0;
+    EXPECT_THAT(error(file), testing::StartsWith("net.json:/edgedata/(0, 4): edge 0-4 is in "
+                                                 "compression (q = -1): "));
+    file = old_compas_mesh();
+    file["dea"]["f"] = -2.0;
+    EXPECT_THAT(error(file), HasSubstr("edge 0-4 is in compression (f = -2), as are 3 others"));
+}
+
+TEST(ImportNet, RefusesStrainsThatNoCableHas) {
+    EXPECT_THAT(error(old_compas_mesh(), {.axial_stiffness = 44.0}),
+                HasSubstr("edge 0-4 has a strain of 10.2 %, expected at most 10 %: check the "
+                          "units"));
+    EXPECT_THAT(import(old_compas_mesh(), {.axial_stiffness = 46.0}).report.warnings,
+                Contains(HasSubstr("edge 0-4 has a strain of 9.78 %")));
+    json file = old_compas_mesh();
+    file["dea"] = {{"EA", 1e3}, {"l0", 1500.0}};
+    file["edgedata"].erase("(4, 0)");
+    EXPECT_THAT(error(file), HasSubstr("has a strain of -99.9 %"));
+}
+
+TEST(ImportNet, RefusesWhatGivesNoStiffness) {
+    json file = old_compas_mesh();
+    file["dea"]["r"] = 0.0;
+    EXPECT_THAT(error(file), HasSubstr("gives no axial stiffness"));
+    EXPECT_THAT(error(old_compas_mesh(), {.young = 2e11, .diameter_attribute = "size"}),
+                HasSubstr("edge 1-4 has no attribute 'size' that is a number"));
+    file = old_compas_mesh();
+    file["edgedata"]["(4, 0)"]["r"] = 0.0;
+    EXPECT_THAT(error(file), HasSubstr("edge 0-4 has the axial stiffness 0 N"));
+}
+
+TEST(ImportNet, RefusesANetWithoutSupportsOrWithoutFreeNodes) {
+    json file = old_compas_mesh();
+    file["dva"]["is_anchor"] = false;
+    EXPECT_THAT(error(file), HasSubstr("marks no supports"));
+    file["dva"]["is_anchor"] = true;
+    file["vertex"]["4"].erase("is_anchor");
+    EXPECT_THAT(error(file), HasSubstr("joins supports only"));
+}
+
+TEST(ImportNet, RefusesAMeshWithoutFaces) {
+    json file = old_compas_mesh();
+    file["face"] = json::object();
+    EXPECT_EQ(error(file), "net.json: the COMPAS mesh holds no edges");
+}
+
+TEST(ImportNet, TellsABrokenRuleOfTheNetInTheNamesOfTheFile) {
+    json file = old_compas_mesh();
+    file["vertex"]["4"]["z"] = 0.0;
+    file["vertex"]["4"]["x"] = 0.0;
+    file["vertex"]["4"]["y"] = 0.0;
+    EXPECT_THAT(error(file), HasSubstr("edge 0-4 has the length 0 m"));
+    file = old_compas_mesh();
+    file["vertex"].update({{"20", {{"x", 5}, {"y", 0}, {"is_anchor", false}}},
+                           {"21", {{"x", 6}, {"y", 0}, {"is_anchor", false}}},
+                           {"22", {{"x", 6}, {"y", 1}, {"is_anchor", false}}}});
+    file["face"]["11"] = {20, 21, 22};
+    EXPECT_EQ(error(file),
+              "net.json:/vertex/20: node 20 is a free node in a part of the net that "
+              "reaches no support");
+}
+
+TEST(ImportNet, TellsThatAFileWithoutForcesGivesANetWithoutTension) {
+    json file = old_compas_mesh();
+    file["dea"]["q"] = 0.0;
+    file["edgedata"]["(4, 0)"]["q"] = 0.0;
+    const ImportedNet imported = import(file);
+    EXPECT_THAT(imported.report.warnings, Contains(HasSubstr("the file gives no forces")));
+    EXPECT_DOUBLE_EQ(imported.net.unstressed_lengths()(0), 1.5);
+}
+
+TEST(ImportNet, RefusesSettingsThatExcludeEachOtherOrAreNotPositive) {
+    for (const ImportSettings& settings :
+         {ImportSettings{.axial_stiffness = 0.0}, ImportSettings{.axial_stiffness = -1.0},
+          ImportSettings{.young = 2e11}, ImportSettings{.diameter = 0.008},
+          ImportSettings{.young = -2e11, .diameter = 0.008},
+          ImportSettings{.axial_stiffness = 1e5, .young = 2e11, .diameter = 0.008},
+          ImportSettings{.young = 2e11, .diameter = 0.008, .diameter_attribute = "size"},
+          ImportSettings{.force_unit = 0.0}}) {
+        EXPECT_THROW(static_cast<void>(import(old_compas_mesh(), settings)), std::invalid_argument);
+    }
+}
+
+TEST(SupportNamed, MarksTheNodesOfAListAndRefusesAName) {
+    json file = old_compas_mesh();
+    file["dva"]["is_anchor"] = false;
+    ImportedStructure net = parse_compas(file.dump(), "net.json");
+    support_named(net, "# corners\n0, 1;2\n3 # the last\n", "supports.txt");
+    EXPECT_TRUE(net.nodes[0].is_support && net.nodes[3].is_support);
+    EXPECT_FALSE(net.nodes[4].is_support);
+    EXPECT_EQ(input_error_of([&] {
+                  support_named(net, "0\n9\n", "supports.txt");
+                  return 0;
+              }),
+              "supports.txt:2: '9' is no node of net.json");
+    EXPECT_EQ(input_error_of([&] {
+                  support_named(net, "# none\n", "supports.txt");
+                  return 0;
+              }),
+              "supports.txt: names no node, expected the supports");
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against nets that only our own examples resemble: files that other people published, as
+// they are. They are no part of this repository; the tests are skipped where they are not there.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/errors.hpp"
+#include "support/real_data.hpp"
+#include "taut/files/file.hpp"
+#include "taut/interchange/compas_json.hpp"
+#include "taut/interchange/net_import.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+namespace {
+
+using test::input_error_of;
+using test::real_file;
+using testing::Contains;
+using testing::HasSubstr;
+
+ImportedStructure real_net(const std::string& name) {
+    return parse_compas(read_file(real_file(name)), name);
+}
+
+const ImportSettings hilo_settings{.young = 205e9,
+                                   .diameter_attribute = "size",
+                                   .force_unit = 1e3,
+                                   .loads = ImportSettings::Loads::balance};
+
+/// Equilibrium found from another form, so that it has to be found.
+Points form_from_elsewhere(const CableNet& net) {
+    Points start = net.nodes();
+    for (const int node : net.free_nodes()) {
+        start.col(node) += 0.01 * Eigen::Vector3d(std::sin(node), std::cos(3.0 * node), 0.5);
+    }
+    const Equilibrium equilibrium = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
+    EXPECT_EQ(equilibrium.status, EquilibriumStatus::converged);
+    return equilibrium.form;
+}
+
+double largest_move(const CableNet& net) {
+    return (form_from_elsewhere(net) - net.nodes()).colwise().norm().maxCoeff();
+}
+
+TEST(RealNets, HiloIsReadWhole) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    const ImportedNet hilo = import_net(real_net("hilo/cablenet.json"), hilo_settings);
+    EXPECT_EQ(hilo.net.free_node_count(), 800);
+    EXPECT_EQ(hilo.net.interior_edge_count(), 1511);
+    EXPECT_EQ(hilo.net.adjustable_edges().size(), 186U);
+    EXPECT_EQ(hilo.report.isolated_nodes, 12);
+    EXPECT_EQ(hilo.report.inactive_edges, 198);
+    // 205 GPa on 10, 8 and 6 mm.
+    EXPECT_NEAR(hilo.net.axial_stiffness().maxCoeff(), 16.1007e6, 1e2);
+    EXPECT_NEAR(hilo.net.axial_stiffness().minCoeff(), 5.79624e6, 1e2);
+}
+
+TEST(RealNets, HiloIsInEquilibriumUnderItsBalancingLoads) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    const ImportedNet hilo = import_net(real_net("hilo/cablenet.json"), hilo_settings);
+    EXPECT_LT(hilo.report.largest_out_of_balance, 1e-9 * hilo.report.mean_tension);
+    // Concrete: 114.7 kN down, and horizontally no more than the residual its designers left.
+    EXPECT_NEAR(hilo.report.load_sum.z(), -114.738e3, 1.0);
+    EXPECT_LT(hilo.report.largest_horizontal_load, 0.5552 * std::sqrt(2.0));
+    EXPECT_LT(largest_move(hilo.net), 1e-9);
+}
+
+TEST(RealNets, HiloMovesWithoutItsLoads) {
+    TAUT_NEEDS_REAL_FILE("hilo/cablenet.json");
+    ImportSettings settings = hilo_settings;
+    settings.loads = ImportSettings::Loads::none;
+    const CableNet net = import_net(real_net("hilo/cablenet.json"), settings).net;
+    EXPECT_NEAR(largest_move(net), 0.034, 0.002);
+}
+
+TEST(RealNets, TexasGivesBackItsOwnForm) {
+    TAUT_NEEDS_REAL_FILE("texas/texas.fofin");
+    const ImportedNet texas = import_net(real_net("texas/texas.fofin"), {});
+    EXPECT_EQ(texas.net.free_node_count(), 144);
+    EXPECT_EQ(texas.net.edge_count(), 314);
+    EXPECT_LT(largest_move(texas.net), 1e-9);
+    EXPECT_THAT(texas.report.read, Contains("COMPAS mesh at the key 'cablenet'"));
+    EXPECT_THAT(texas.report.read,
+                Contains("axial stiffness: the file's E and r, taken in GPa and in m"));
+    EXPECT_THAT(texas.report.assumed, Contains(HasSubstr("forces of the file are in kN")));
+}
+
+TEST(RealNets, AMaterializedHyparGivesBackItsOwnForm) {
+    TAUT_NEEDS_REAL_FILE("formats/compas_mesh_hypar_materialized.json");
+    const ImportedNet hypar =
+        import_net(real_net("formats/compas_mesh_hypar_materialized.json"), {});
+    EXPECT_EQ(hypar.net.free_node_count(), 41);
+    EXPECT_LT(largest_move(hypar.net), 1e-9);
+}
+
+TEST(RealNets, ALoadedHyparWhoseCablesPushIsRefused) {
+    TAUT_NEEDS_REAL_FILE("formats/compas_mesh_hypar_loaded.json");
+    EXPECT_THAT(input_error_of([] {
+                    return import_net(real_net("formats/compas_mesh_hypar_loaded.json"), {});
+                }),
+                HasSubstr("edge 1-3 is in compression (f = -0.185486), as are 23 others"));
+}
+
+TEST(RealNets, NetsOfJaxFdmAreReadWithTheirBoundaryAsSupports) {
+    TAUT_NEEDS_REAL_FILE("formats/jax_fdm_network_creased_shell.json");
+    ImportedStructure shell = real_net("formats/jax_fdm_network_creased_shell.json");
+    EXPECT_EQ(shell.format, "JAX FDM network");
+    EXPECT_THAT(input_error_of([&] { return import_net(shell, {.axial_stiffness = 1e5}); }),
+                HasSubstr("marks no supports"));
+    support_boundary(shell);
+    const CableNet net = import_net(shell, {.axial_stiffness = 1e5}).net;
+    EXPECT_EQ(net.free_node_count(), 156);
+    EXPECT_EQ(net.edge_count(), 324);
+
+    ImportedStructure saddle = real_net("formats/jax_fdm_mesh_monkey_saddle.json");
+    support_boundary(saddle);
+    EXPECT_EQ(import_net(saddle, {.axial_stiffness = 1e5}).net.free_node_count(), 1);
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a damaged or foreign result that is taken for a good one, that crashes the reader,
+// or whose message does not tell where and what is wrong.
+
+#include "taut/results/result_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/errors.hpp"
+#include "support/studies.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using test::input_error_of;
+
+json good(const std::string& kind) {
+    static const std::map<std::string, std::string> texts{
+        {"study", test::saved(test::made_up_study(hypar(2, 3))).json},
+        {"identification", test::made_up_identification(hypar(2, 3)).json},
+        {"comparison", test::made_up_comparison().json}};
+    return json::parse(texts.at(kind));
+}
+
+TEST(ResultFile, OfAStudyGivesItsNumbersBack) {
+    const Study study = test::made_up_study(hypar(2, 3));
+    const ResultFile file = test::saved(study);
+    const auto& read = std::get<StudyResult>(file.content);
+    EXPECT_EQ(read.net.fingerprint(), study.net.fingerprint());
+    EXPECT_EQ(read.validation, 5);
+    EXPECT_TRUE(read.true_deviation.isApprox(
+        study.data.length_deviations.col(study.validation.front()), 1e-8));
+    EXPECT_TRUE(read.identified_deviation.isApprox(study.estimates.mean.col(0), 1e-8));
+    EXPECT_TRUE(read.error_mean.isApprox(study.as_in_paper().errors.mean, 1e-5));
+    EXPECT_TRUE(read.error_std.isApprox(study.as_in_paper().errors.std, 1e-5));
+    EXPECT_EQ(read.errors.cols(), 5);
+    EXPECT_TRUE(read.errors.rowwise().mean().isApprox(study.as_in_paper().errors.mean, 1e-3));
+    EXPECT_TRUE(read.nominal_form_error.isApprox(study.nominal_form_error, 1e-5));
+}
+
+TEST(ResultFile, OfAnIdentificationGivesItsNumbersBack) {
+    const ResultFile file = test::made_up_identification(hypar(2, 3));
+    const auto& read = std::get<IdentificationResult>(file.content);
+    EXPECT_EQ(read.edges.size(), 7U);
+    EXPECT_EQ(read.edges.front().status, EdgeStatus::slack);
+    EXPECT_EQ(read.residuals.size(), 6U);
+    EXPECT_NEAR(read.residuals.front().surveyed_less_predicted.x(), 1e-4, 1e-12);
+    EXPECT_FALSE(read.residuals.front().standardised);
+}
+
+TEST(ResultFile, OfAnIdentificationMayLackWhatOnlySomeMethodsTell) {
+    json result = good("identification");
+    for (const char* key : {"residuals", "missing_nodes", "unmatched"}) {
+        result["survey"].erase(key);
+    }
+    result.erase("tension");
+    EXPECT_NO_THROW(static_cast<void>(parse_result(result.dump(), "result.json")));
+    result["survey"]["residuals"] =
+        json::parse(R"([{"node": 0, "dx": 0, "dy": 0, "dz": 1e-3, "standardised": null}])");
+    EXPECT_NO_THROW(static_cast<void>(parse_result(result.dump(), "result.json")));
+}
+
+TEST(ResultFile, ThatIsCutShortAnywhereIsRefused) {
+    const std::string text = good("identification").dump();
+    for (size_t size = 0; size < text.size(); size += 97) {
+        EXPECT_FALSE(test::succeeds_or_refuses([&] {
+            return parse_result(text.substr(0, size), "result.json");
+        })) << size;
+    }
+}
+
+struct Damage {
+    const char* name;
+    std::string kind;
+    std::string pointer;
+    json value;  ///< null stands for itself; discarded: the key is taken away
+    std::string message;
+};
+
+const json gone = json(json::value_t::discarded);
+
+class DamagedResult : public ::testing::TestWithParam<Damage> {};
+
+TEST_P(DamagedResult, IsRefusedWithItsPlace) {
+    const Damage& damage = GetParam();
+    json result = good(damage.kind);
+    const json::json_pointer pointer(damage.pointer);
+    if (damage.value.is_discarded()) {
+        result.at(pointer.parent_pointer()).erase(pointer.back());
+    } else {
+        result[pointer] = damage.value;
+    }
+    const std::string message =
+        input_error_of([&] { return parse_result(result.dump(), "r.json"); });
+    EXPECT_THAT(message, ::testing::StartsWith("r.json:"));
+    EXPECT_THAT(message, ::testing::HasSubstr(damage.message));
+}
+
+std::string name_of(const ::testing::TestParamInfo<Damage>& damage) {
+    return damage.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    AnyFormat, DamagedResult,
+    ::testing::Values(
+        Damage{"OfAnotherFormat", "study", "/format", "taut-net",
+               R"(/format: is 'taut-net', expected "taut-study", "taut-identification")"},
+        Damage{"WithoutFormat", "study", "/format", gone, "/format: is missing"},
+        Damage{"OfALaterVersion", "study", "/version", 2, "/version: is 2, expected 1"},
+        Damage{"WithoutVersion", "comparison", "/version", gone, "/version: is missing"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Study, DamagedResult,
+    ::testing::Values(
+        Damage{"WithoutNet", "study", "/cable_net", gone, "/cable_net: is missing"},
+        Damage{"WithABrokenNet", "study", "/cable_net/edges/1", json{0, 99}, "/cable_net/edges/1"},
+        Damage{"WithAnothersCounts", "study", "/net/fingerprint", "0000000000000000",
+               "/net/fingerprint: is 0000000000000000"},
+        Damage{"WithNullForANumber", "study", "/sample/true/2", nullptr,
+               "/sample/true/2: is null, expected a number"},
+        Damage{"WithTextForANumber", "study", "/errors/std/0", "1",
+               "/errors/std/0: is the text '1'"},
+        Damage{"WithAListTooShort", "study", "/sample/identified", json{0.1},
+               "/sample/identified: has 1 entries, expected a number for each interior edge: 7"},
+        Damage{"WithAFormTooShort", "study", "/nominal_form", json::array(),
+               "/nominal_form: has 0 entries"},
+        Damage{"WithAFlatForm", "study", "/sample/true_form/0", json{1.0, 2.0},
+               "/sample/true_form/0: has 2 entries"},
+        Damage{"WithErrorsOfTooFewSamples", "study", "/errors/all/0", json{0.1, 0.2},
+               "/errors/all/0: has 2 entries"},
+        Damage{"WithoutMethods", "study", "/methods", json::object(), "/methods: is empty"},
+        Damage{"WithAMethodWithoutError", "study", "/methods/gp_as_in_paper/mse", gone,
+               "/methods/gp_as_in_paper/mse: is missing"},
+        Damage{"WithoutValidation", "study", "/samples/validation", 0, "/samples/validation"},
+        Damage{"WithANegativeCount", "study", "/samples/total", -1, "/samples/total: is -1"},
+        Damage{"WithANumberForADate", "study", "/date", 5, "/date: is 5, expected text"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Identification, DamagedResult,
+    ::testing::Values(
+        Damage{"WithoutEdges", "identification", "/edges", json::array(), "/edges: is empty"},
+        Damage{"WithAnEdgeBeyondTheNet", "identification", "/edges/0/edge", 1000,
+               "/edges/0/edge: is 1000, expected an interior edge"},
+        Damage{"WithAnEdgeTwice", "identification", "/edges/1", good("identification")["edges"][0],
+               "/edges/1: is the edge"},
+        Damage{"WithAnUnknownStatus", "identification", "/edges/0/status", "broken",
+               "/edges/0/status: is 'broken'"},
+        Damage{"WithANegativeStd", "identification", "/edges/0/std", -1.0, "/edges/0: has the"},
+        Damage{"WithAReversedInterval", "identification", "/edges/0/lower", 1.0, "/edges/0: has"},
+        Damage{"WithANullDeviation", "identification", "/edges/0/length_deviation", nullptr,
+               "/edges/0/length_deviation: is null"},
+        Damage{"WithoutSurvey", "identification", "/survey", gone, "/survey: is missing"},
+        Damage{"WithAnOutlierBeyondTheNet", "identification", "/survey/outliers",
+               json::parse(R"([{"node": 999}])"), "/survey/outliers/0/node: is 999"},
+        Damage{"WithAHiddenNodeBeyondTheNet", "identification", "/survey/missing_nodes", json{-1},
+               "/survey/missing_nodes/0: is -1"},
+        Damage{"WithAResidualWithoutDirection", "identification", "/survey/residuals/0/dz", gone,
+               "/survey/residuals/0/dz: is missing"},
+        Damage{"WithTooFewTensions", "identification", "/tension", json{1.0},
+               "/tension: has 1 entries"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Comparison, DamagedResult,
+    ::testing::Values(
+        Damage{"WithoutRows", "comparison", "/rows", json::array(), "/rows: is empty"},
+        Damage{"WithoutNoise", "comparison", "/rows/0/noise", gone, "/rows/0/noise: is missing"},
+        Damage{"WithANumberForAMethod", "comparison", "/rows/0/method", 1,
+               "/rows/0/method: is 1, expected text"},
+        Damage{"WithTextForAnError", "comparison", "/rows/0/mse", "small", "/rows/0/mse"}),
+    name_of);
+
+}  // namespace
+}  // namespace taut
