@@ -7,10 +7,9 @@
 
 #include "command.hpp"
 #include "comparison_table.hpp"
-#include "interruption.hpp"
 #include "net_summary.hpp"
 #include "output_directory.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 #include "run_record.hpp"
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
@@ -104,13 +103,9 @@ void run(CompareOptions options) {
     check_output_directory(directory, {"comparison.json", "comparison.csv", "report.html"},
                            {options.net});
 
-    const std::stop_token stop = Interruption::stop_token();
     const Comparison comparison = [&] {
-        Progress progress(options.quiet);
-        return compare_methods(
-            net, options.comparison,
-            [&](std::string_view stage, int done, int total) { progress.show(stage, done, total); },
-            stop);
+        ProgressLine line(options.quiet);
+        return compare_methods(net, options.comparison, line.progress());
     }();
     const std::string json = comparison_to_json(comparison, run_record());
     std::vector<std::pair<std::string, std::string>> files{

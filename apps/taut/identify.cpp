@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "command.hpp"
-#include "interruption.hpp"
 #include "net_summary.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 #include "run_record.hpp"
 #include "survey_input.hpp"
 #include "taut/files/file.hpp"
@@ -16,6 +15,7 @@
 #include "taut/identification/force_balance.hpp"
 #include "taut/identification/identification.hpp"
 #include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/identification/model.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/survey_csv.hpp"
@@ -23,8 +23,6 @@
 #include "taut/results/results_json.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/tensions.hpp"
-#include "taut/study/study.hpp"
-#include "training.hpp"
 
 namespace taut::app {
 namespace {
@@ -87,20 +85,11 @@ LengthModel stored_model(const IdentifyOptions& options, const CableNet& net) {
 
 /// Where no model is given: one is trained for the net and the law, and forgotten.
 LengthModel trained_model(const IdentifyOptions& options, const CableNet& net) {
-    const std::stop_token stop = Interruption::stop_token();
+    ProgressLine line(options.quiet);
+    const Progress progress = line.progress();
     const Sampler sampler(net, parse_length_law(options.law), 1);
-    DataSet data = sampler.empty();
-    {
-        Progress progress(options.quiet);
-        constexpr int block = 50;
-        while (data.size() < default_samples) {
-            progress.show("sampling", data.size(), default_samples);
-            if (!sampler.extend(data, data.size() + block, stop)) {
-                throw Interrupted();
-            }
-        }
-    }
-    return train_with_progress(net, data, data.converged_in(0, data.size()), {}, options.quiet);
+    const DataSet data = draw_samples(sampler, default_samples, progress);
+    return train(net, data, data.converged_in(0, data.size()), {}, progress);
 }
 
 /// The identification, and how it came about, in words.

@@ -13,13 +13,8 @@
 namespace taut::app {
 namespace {
 
-/// Never destroyed: the thread that watches lives to the end of the process.
-std::stop_source& source() {
-    static auto& the_source = *new std::stop_source;
-    return the_source;
-}
-
 std::atomic<bool> orderly{false};
+std::atomic<bool> requested{false};
 sem_t arrived;
 
 /// Runs in whichever thread the signal meets, where next to nothing is allowed. To block the signal
@@ -37,17 +32,15 @@ void hand_over(int /*signal*/) {
 }  // namespace
 
 void Interruption::watch() {
-    source();
     sem_init(&arrived, 0, 0);
     std::thread([] {
         while (true) {
             if (sem_wait(&arrived) != 0) {
                 continue;
             }
-            if (!orderly || source().stop_requested()) {
+            if (!orderly || requested.exchange(true)) {
                 end_at_once();
             }
-            source().request_stop();
         }
     }).detach();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -62,9 +55,9 @@ void Interruption::watch() {
     }
 }
 
-std::stop_token Interruption::stop_token() {
+std::function<bool()> Interruption::stop_request() {
     orderly = true;
-    return source().get_token();
+    return [] { return requested.load(); };
 }
 
 }  // namespace taut::app

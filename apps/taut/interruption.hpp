@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <stdexcept>
-#include <stop_token>
 
 namespace taut::app {
 
@@ -12,14 +12,14 @@ inline constexpr int interrupted = 130;
 
 /// What SIGINT, SIGTERM and SIGHUP do. A command that says nothing is ended at once with exit code
 /// 130; its outputs appear in one piece or not at all, so nothing is left half done. A command that
-/// asks for a stop token is told through it, and ended at once by a second signal.
+/// asks for stop_request() is told by it, and ended at once by a second signal.
 class Interruption {
 public:
     /// Call once. Signals that are ignored stay so.
     static void watch();
 
-    /// From now on the first signal requests a stop here.
-    [[nodiscard]] static std::stop_token stop_token();
+    /// From now on the first signal does no more than to request a stop: whether it came.
+    [[nodiscard]] static std::function<bool()> stop_request();
 };
 
 /// Sampling was interrupted and what is done was kept: the message tells where.

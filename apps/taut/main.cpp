@@ -14,7 +14,7 @@
 #include "run_record.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
-#include "taut/study/study.hpp"
+#include "taut/progress.hpp"
 #include "taut/version.hpp"
 
 namespace {

@@ -5,11 +5,10 @@
 #include <filesystem>
 
 #include "command.hpp"
-#include "interruption.hpp"
 #include "net_summary.hpp"
 #include "output_directory.hpp"
 #include "paper_table.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 #include "run_record.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/files/file.hpp"
@@ -63,13 +62,9 @@ void run(ReproduceOptions options) {
     const NetFile file = net_of(options);
     check_directory(options);
 
-    const std::stop_token stop = Interruption::stop_token();
     Study study = [&] {
-        Progress progress(options.quiet);
-        return run_study(
-            file.net, options.study,
-            [&](std::string_view stage, int done, int total) { progress.show(stage, done, total); },
-            stop);
+        ProgressLine line(options.quiet);
+        return run_study(file.net, options.study, line.progress());
     }();
     const std::filesystem::path directory(options.directory);
     const std::string results = study_to_json(study, run_record());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,7 +10,7 @@
 #include "command.hpp"
 #include "interruption.hpp"
 #include "net_summary.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/io/data_set_h5.hpp"
@@ -74,34 +73,26 @@ std::optional<DataSet> earlier_samples(const SampleOptions& options, const DataS
 /// Draws until the data set is complete; keeps what is done from time to time, and when
 /// interrupted.
 void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampler, DataSet& data) {
-    const std::stop_token stop = Interruption::stop_token();
-    Progress progress(options.quiet);
+    ProgressLine line(options.quiet);
     const auto keep = [&] { write_data_set(options.partial(), data, net); };
     auto last_kept = Clock::now();
-    int block = 16;
-    while (data.size() < options.count) {
-        progress.show("sampling", data.size(), options.count);
-        const auto start = Clock::now();
-        const int next = std::min(options.count, data.size() + block);
-        if (!sampler.extend(data, next, stop)) {
-            if (data.size() == 0) {
-                throw SampleInterrupted("interrupted, nothing was written");
+    try {
+        sampler.extend(data, options.count, line.progress(), [&] {
+            if (Clock::now() - last_kept > checkpoint_interval) {
+                keep();
+                last_kept = Clock::now();
             }
-            keep();
-            throw SampleInterrupted(
-                fmt::format("interrupted: {} of {} samples are kept in {}; the same command with "
-                            "--resume goes on from there",
-                            data.size(), options.count, options.partial()));
+        });
+    } catch (const Interrupted&) {
+        if (data.size() == 0) {
+            throw;
         }
-        // Blocks of about a second: long enough to copy little, short enough to keep often.
-        const std::chrono::duration<double> took = Clock::now() - start;
-        block = std::max(block, took.count() < 0.5 ? 2 * block : block);
-        if (Clock::now() - last_kept > checkpoint_interval) {
-            keep();
-            last_kept = Clock::now();
-        }
+        keep();
+        throw SampleInterrupted(
+            fmt::format("interrupted: {} of {} samples are kept in {}; the same command with "
+                        "--resume goes on from there",
+                        data.size(), options.count, options.partial()));
     }
-    progress.show("sampling", options.count, options.count);
 }
 
 void tell(const SampleOptions& options, const CableNet& net, const DataSet& data,

@@ -10,16 +10,13 @@
 #include <numeric>
 
 #include "command.hpp"
-#include "interruption.hpp"
 #include "net_summary.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
-#include "taut/study/study.hpp"
-#include "training.hpp"
 
 namespace taut::app {
 namespace {
@@ -97,8 +94,10 @@ void run(const TrainOptions& options) {
     }
     check_outputs({options.output}, {options.data});
     const auto start = std::chrono::steady_clock::now();
-    const LengthModel model = train_with_progress(stored.net.net, stored.data, samples,
-                                                  options.settings(), options.quiet);
+    const LengthModel model = [&] {
+        ProgressLine line(options.quiet);
+        return train(stored.net.net, stored.data, samples, options.settings(), line.progress());
+    }();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     write_model(options.output, model, stored.net);
 

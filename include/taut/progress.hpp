@@ -17,10 +17,10 @@ public:
 /// How long work tells of itself, and asks whether to go on. Both may be empty.
 struct Progress {
     /// The stage ("sampling", "training", "identification"), steps done and steps in all. Called
-    /// from one thread at a time. Fewer steps than announced may be needed.
-    std::function<void(std::string_view stage, int done, int total)> tell;
+    /// from one thread at a time. Fewer steps than announced may be needed. May throw to give up.
+    std::function<void(std::string_view stage, int done, int total)> tell = {};
     /// Whether to give up. Called from any thread.
-    std::function<bool()> stop_requested;
+    std::function<bool()> stop_requested = {};
 
     [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
 
@@ -32,6 +32,19 @@ struct Progress {
         if (tell) {
             tell(stage, done, total);
         }
+    }
+
+    /// That of one part of a stage of `count` parts with as many steps each, the `index`th from 0:
+    /// tells of all parts together.
+    [[nodiscard]] Progress part(int index, int count) const {
+        Progress result = *this;
+        if (tell) {
+            result.tell = [whole = tell, index, count](std::string_view stage, int done,
+                                                       int total) {
+                whole(stage, index * total + done, count * total);
+            };
+        }
+        return result;
     }
 };
 

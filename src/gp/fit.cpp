@@ -166,7 +166,8 @@ std::string_view to_string(FitStatus status) {
 }
 
 FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
-                    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const FitSettings& settings) {
+                    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const FitSettings& settings,
+                    const Progress& progress) {
     check_arguments(inputs, outputs);
     check_settings(settings);
     const Eigen::MatrixXd distances = squared_distances(inputs, inputs);
@@ -208,9 +209,7 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
         if (!log_lambda) {
             break;
         }
-        if (settings.progress) {
-            settings.progress(made);
-        }
+        progress("training", made, settings.max_spectra);
         search.look_at(*log_lambda, distances, fittable, bounds);
     }
 

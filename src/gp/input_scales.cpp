@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -24,6 +25,9 @@ constexpr Eigen::Index most_inputs = 500;
 /// The likelihood is flat about its optimum: a scale that is a per cent off costs nothing.
 constexpr double relative_tolerance = 1e-6;
 constexpr int most_evaluations = 60;
+
+/// Length scales that the search may start from, in distances of the inputs.
+constexpr std::array starts{100.0, 30.0, 10.0, 3.0, 1.0};
 
 /// A dimension this many times less or more relevant than at the start is as good as out, or alone.
 constexpr double widest_factor = 1e3;
@@ -53,13 +57,14 @@ struct Problem {
     const std::vector<int>& groups;
     std::vector<double> best_log_scales;
     double best_value = std::numeric_limits<double>::infinity();
-    const std::function<void()>& progress;
+    const Progress& progress;
+    int evaluations = 0;
     std::exception_ptr failure;
 };
 
 Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups,
-                   const std::function<void()>& progress) {
+                   const Progress& progress) {
     const Eigen::Index n = std::min(most_inputs, inputs.cols());
     std::vector<Eigen::Index> usable;
     for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
@@ -76,10 +81,10 @@ Problem problem_of(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
             .failure = {}};
 }
 
-ScalesLikelihood evaluate(const Problem& problem, const Eigen::VectorXd& log_scales) {
-    if (problem.progress) {
-        problem.progress();
-    }
+ScalesLikelihood evaluate(Problem& problem, const Eigen::VectorXd& log_scales) {
+    constexpr int most = static_cast<int>(starts.size()) + most_evaluations;
+    // A line search may evaluate a little more than it was allowed.
+    problem.progress("scales of the kernel", std::min(problem.evaluations++, most), most);
     return scales_likelihood(problem.inputs, problem.outputs, problem.groups, log_scales);
 }
 
@@ -107,7 +112,7 @@ double objective(const std::vector<double>& x, std::vector<double>& gradient, vo
 }
 
 /// One scale for all: the best of a few, from that of a nearly linear kernel to a rough one.
-double best_common_scale(const Problem& problem, Eigen::Index group_count) {
+double best_common_scale(Problem& problem, Eigen::Index group_count) {
     const Eigen::MatrixXd squares = squared_distances(problem.inputs, problem.inputs);
     const double distance = std::sqrt(squares.mean());
     if (!(distance > 0.0)) {
@@ -116,7 +121,7 @@ double best_common_scale(const Problem& problem, Eigen::Index group_count) {
     }
     double best = 0.0;
     double best_value = std::numeric_limits<double>::infinity();
-    for (const double length_scale : {100.0, 30.0, 10.0, 3.0, 1.0}) {
+    for (const double length_scale : starts) {
         const double log_scale = -std::log(length_scale * distance);
         const double value =
             evaluate(problem, Eigen::VectorXd::Constant(group_count, log_scale)).value;
@@ -174,8 +179,7 @@ ScalesLikelihood scales_likelihood(const Eigen::Ref<const Eigen::MatrixXd>& inpu
 
 Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                                       const Eigen::Ref<const Eigen::MatrixXd>& outputs,
-                                      const std::vector<int>& groups,
-                                      const std::function<void()>& progress) {
+                                      const std::vector<int>& groups, const Progress& progress) {
     const int count = group_count(groups, inputs.rows());
     if (outputs.rows() != inputs.cols() || inputs.cols() < 2 || !inputs.allFinite()) {
         throw std::invalid_argument(

@@ -27,8 +27,7 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
 }
 
 Eigen::VectorXd input_scales(KernelMetric metric, const Eigen::MatrixXd& inputs,
-                             const Eigen::MatrixXd& outputs,
-                             const std::function<void(int)>& progress) {
+                             const Eigen::MatrixXd& outputs, const Progress& progress) {
     if (metric == KernelMetric::isotropic) {
         return Eigen::VectorXd::Ones(inputs.rows());
     }
@@ -36,11 +35,7 @@ Eigen::VectorXd input_scales(KernelMetric metric, const Eigen::MatrixXd& inputs,
     for (size_t i = 0; i < groups.size(); ++i) {
         groups[i] = static_cast<int>(metric == KernelMetric::direction ? i % 3 : i / 3);
     }
-    return gp::estimate_input_scales(inputs, outputs, groups, [&progress] {
-        if (progress) {
-            progress(0);
-        }
-    });
+    return gp::estimate_input_scales(inputs, outputs, groups, progress);
 }
 
 }  // namespace
@@ -68,7 +63,7 @@ std::string_view to_string(KernelMetric metric) {
 }
 
 LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
-                  const TrainingSettings& settings) {
+                  const TrainingSettings& settings, const Progress& progress) {
     check(net, data, samples);
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
     LengthModel model{.net_fingerprint = data.net_fingerprint,
@@ -83,8 +78,9 @@ LengthModel train(const CableNet& net, const DataSet& data, const std::vector<in
     const Eigen::MatrixXd outputs =
         (model.length_deviations - mean_values(net, model.mean, model.nominal_form, forms))
             .transpose();
-    model.input_scales = input_scales(settings.metric, forms, outputs, settings.fit.progress);
-    model.processes = gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit);
+    model.input_scales = input_scales(settings.metric, forms, outputs, progress);
+    model.processes =
+        gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit, progress);
     return model;
 }
 

@@ -6,6 +6,8 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 #include "taut/statics/form_sensitivity.hpp"
@@ -78,7 +80,7 @@ DataSet Sampler::empty() const {
             .slack_counts = {}};
 }
 
-bool Sampler::extend(DataSet& data, int count, const std::stop_token& stop) const {
+void Sampler::draw_block(DataSet& data, int count, const Progress& progress) const {
     const int first = data.size();
     const auto resize = [&data](int n) {
         data.form_deviations.conservativeResize(Eigen::NoChange, n);
@@ -86,25 +88,43 @@ bool Sampler::extend(DataSet& data, int count, const std::stop_token& stop) cons
         data.statuses.resize(n);
         data.slack_counts.resize(n);
     };
-    if (count <= first) {
-        return true;
-    }
     resize(count);
     try {
         tbb::parallel_for(first, count, [&](int k) {
-            if (!stop.stop_requested()) {
-                m_state->draw(data, k);
+            if (progress.stopped()) {
+                throw Interrupted();
             }
+            m_state->draw(data, k);
         });
     } catch (...) {
         resize(first);
         throw;
     }
-    if (stop.stop_requested()) {
-        resize(first);
-        return false;
+}
+
+void Sampler::extend(DataSet& data, int count, const Progress& progress,
+                     const std::function<void()>& after_block) const {
+    using Clock = std::chrono::steady_clock;
+    int block = 16;
+    while (data.size() < count) {
+        progress("sampling", data.size(), count);
+        const auto start = Clock::now();
+        draw_block(data, std::min(count, data.size() + block), progress);
+        if (after_block) {
+            after_block();
+        }
+        // About a second each: long enough to copy little, short enough to tell and keep often.
+        if (Clock::now() - start < std::chrono::milliseconds(500)) {
+            block *= 2;
+        }
     }
-    return true;
+    progress("sampling", data.size(), data.size());
+}
+
+DataSet draw_samples(const Sampler& sampler, int count, const Progress& progress) {
+    DataSet data = sampler.empty();
+    sampler.extend(data, count, progress);
+    return data;
 }
 
 }  // namespace taut

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "study/stages.hpp"
 #include "study/stopwatch.hpp"
+#include "taut/sampling/sampler.hpp"
 
 namespace taut {
 namespace {
@@ -56,32 +56,28 @@ std::vector<Cell> cells_of(const ComparisonSettings& settings) {
     return cells;
 }
 
-/// How many identifications are tried on so many surveys of each kind.
-int identifications(const std::vector<Cell>& cells, size_t surveys) {
-    size_t count = 0;
+/// How often a method is tried on the surveys of a kind.
+int evaluation_count(const std::vector<Cell>& cells) {
+    int count = 0;
     for (const Cell& cell : cells) {
-        const size_t trained = 2;
-        const size_t untrained = cell.only_trained ? 0 : 2;
+        const int trained = 2;
+        const int untrained = cell.only_trained ? 0 : 2;
         const bool takes_all = cell.kind.hidden_part == 0.0;  // else one of either
-        count += (trained + untrained) / (takes_all ? 1 : 2) * surveys;
+        count += (trained + untrained) / (takes_all ? 1 : 2);
     }
-    return static_cast<int>(count);
+    return count;
 }
 
 /// A comparison under way.
 class Comparing {
 public:
     Comparing(Comparison& comparison, const DataSet& data, std::vector<int> surveyed,
-              const StudyProgress& progress, const std::stop_token& stop)
+              const Progress& progress)
         : m_comparison(comparison),
           m_data(data),
           m_surveyed(std::move(surveyed)),
           m_cells(cells_of(comparison.settings)),
-          m_stop(stop),
-          m_training(comparison.net,
-                     static_cast<int>(2 * comparison.settings.training_samples.size()), progress,
-                     stop),
-          m_steps("identification", identifications(m_cells, m_surveyed.size()), progress) {
+          m_progress(progress) {
         m_rows.resize(m_cells.size());
     }
 
@@ -104,10 +100,10 @@ private:
                 "only {} of {} training samples found their equilibrium", samples.size(), count));
         }
         const Stopwatch paper_training;
-        const LengthModel paper = m_training.as_in_paper(m_data, samples);
+        const LengthModel paper = train_next(samples, TrainingSettings::as_in_paper());
         const double paper_seconds = paper_training.seconds();
         const Stopwatch best_training;
-        const LengthModel best = m_training.best(m_data, samples);
+        const LengthModel best = train_next(samples, {});
         const double best_seconds = best_training.seconds();
         m_comparison.seconds.training += paper_seconds + best_seconds;
 
@@ -125,6 +121,13 @@ private:
             }
         }
         m_comparison.seconds.identification += identification.seconds();
+    }
+
+    [[nodiscard]] LengthModel train_next(const std::vector<int>& samples,
+                                         const TrainingSettings& settings) {
+        const auto models = static_cast<int>(2 * m_comparison.settings.training_samples.size());
+        return train(m_comparison.net, m_data, samples, settings,
+                     m_progress.part(m_models++, models));
     }
 
     [[nodiscard]] std::vector<ComparisonRow> rows_of(const Cell& cell,
@@ -160,12 +163,9 @@ private:
                     .first_failure = "needs a survey of all free nodes",
                     .training_seconds = method.training_seconds};
         }
-        MethodResult result =
-            evaluate(m_comparison.net, method, trials, [this] { m_steps.tick(); }, m_stop).result;
-        if (m_stop.stop_requested()) {
-            throw Interrupted();
-        }
-        return result;
+        return evaluate(m_comparison.net, method, trials,
+                        m_progress.part(m_evaluations++, evaluation_count(m_cells)))
+            .result;
     }
 
     Comparison& m_comparison;
@@ -173,9 +173,9 @@ private:
     std::vector<int> m_surveyed;
     std::vector<Cell> m_cells;
     std::vector<std::vector<ComparisonRow>> m_rows;  ///< of each cell
-    std::stop_token m_stop;
-    Training m_training;
-    StepCounter m_steps;
+    const Progress& m_progress;
+    int m_models = 0;       ///< whose training has begun
+    int m_evaluations = 0;  ///< begun
 };
 
 int count_with_slack(const DataSet& data, const std::vector<int>& samples) {
@@ -234,9 +234,8 @@ void ComparisonSettings::check() const {
 }
 
 Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
-                           const StudyProgress& progress, const std::stop_token& stop) {
+                           const Progress& progress) {
     settings.check();
-    const StudyProgress tell = progress ? progress : [](std::string_view, int, int) {};
     const Stopwatch total;
     Comparison comparison{.net = net, .settings = settings};
     sort_once(comparison.settings.noises);
@@ -246,7 +245,7 @@ Comparison compare_methods(const CableNet& net, const ComparisonSettings& settin
     const Stopwatch sampling;
     const Sampler sampler(net, settings.law, settings.seed);
     const int training = comparison.settings.training_samples.back();
-    const DataSet data = draw_samples(sampler, training + settings.surveys, tell, stop);
+    const DataSet data = draw_samples(sampler, training + settings.surveys, progress);
     comparison.seconds.sampling = sampling.seconds();
     comparison.samples = data.size();
     comparison.not_converged = data.not_converged();
@@ -257,7 +256,7 @@ Comparison compare_methods(const CableNet& net, const ComparisonSettings& settin
     comparison.surveys = static_cast<int>(surveyed.size());
     comparison.surveys_with_slack = count_with_slack(data, surveyed);
 
-    Comparing(comparison, data, surveyed, tell, stop).run();
+    Comparing(comparison, data, surveyed, progress).run();
     comparison.seconds.total = total.seconds();
     return comparison;
 }

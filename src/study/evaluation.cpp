@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 
@@ -41,15 +42,17 @@ Outcome attempt(const Method& method, const Survey& survey) {
 }
 
 std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>& trials,
-                                 const std::function<void()>& tick, const std::stop_token& stop) {
+                                 const Progress& progress) {
     std::vector<Outcome> outcomes(trials.size());
+    std::mutex mutex;
+    int done = 0;
     const auto run = [&](size_t k) {
-        if (!stop.stop_requested()) {
-            outcomes[k] = attempt(method, trials[k].survey);
-            if (tick) {
-                tick();
-            }
+        if (progress.stopped()) {
+            throw Interrupted();
         }
+        outcomes[k] = attempt(method, trials[k].survey);
+        const std::lock_guard lock(mutex);
+        progress("identification", ++done, static_cast<int>(trials.size()));
     };
     if (method.uses_all_threads) {
         for (size_t k = 0; k < trials.size(); ++k) {
@@ -115,13 +118,13 @@ void fill(MethodResult& result, const CableNet& net, const std::vector<Trial>& t
 }  // namespace
 
 Evaluation evaluate(const CableNet& net, const Method& method, const std::vector<Trial>& trials,
-                    const std::function<void()>& tick, const std::stop_token& stop) {
+                    const Progress& progress) {
     Evaluation evaluation;
     MethodResult& result = evaluation.result;
     result.name = method.name;
     result.surveys = static_cast<int>(trials.size());
     result.training_seconds = method.training_seconds;
-    for (Outcome& outcome : attempt_all(method, trials, tick, stop)) {
+    for (Outcome& outcome : attempt_all(method, trials, progress)) {
         result.seconds += outcome.seconds / static_cast<double>(trials.size());
         if (!outcome.identification) {
             ++result.failed;

@@ -7,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "study/stages.hpp"
 #include "study/stopwatch.hpp"
 
 namespace taut {
@@ -62,8 +61,7 @@ void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vec
 
 /// Tries all ways on exact surveys of the validation samples.
 void try_methods(Study& study, const LengthModel& best, double paper_seconds, double best_seconds,
-                 const Points& nominal_form, const StudyProgress& tell,
-                 const std::stop_token& stop) {
+                 const Points& nominal_form, const Progress& progress) {
     const CableNet& net = study.net;
     const std::vector<Trial> trials =
         simulate_trials(net, study.data, study.validation, {}, study.settings.seed);
@@ -72,13 +70,9 @@ void try_methods(Study& study, const LengthModel& best, double paper_seconds, do
                         method_by_maximum_a_posteriori(net, study.settings.law)};
     methods[0].training_seconds = paper_seconds;
     methods[1].training_seconds = best_seconds;
-    StepCounter steps("identification", static_cast<int>(methods.size() * trials.size()), tell);
-    for (const Method& method : methods) {
-        const Evaluation evaluation =
-            evaluate(net, method, trials, [&steps] { steps.tick(); }, stop);
-        if (stop.stop_requested()) {
-            throw Interrupted();
-        }
+    const auto count = static_cast<int>(methods.size());
+    for (int m = 0; m < count; ++m) {
+        const Evaluation evaluation = evaluate(net, methods[m], trials, progress.part(m, count));
         if (study.methods.empty()) {
             tell_as_in_paper(study, evaluation, trials, nominal_form);
         }
@@ -100,16 +94,14 @@ void StudySettings::check() const {
     }
 }
 
-Study run_study(const CableNet& net, const StudySettings& settings, const StudyProgress& progress,
-                const std::stop_token& stop) {
+Study run_study(const CableNet& net, const StudySettings& settings, const Progress& progress) {
     settings.check();
-    const StudyProgress tell = progress ? progress : [](std::string_view, int, int) {};
     const Stopwatch total;
     Study study{.net = net, .settings = settings};
 
     const Stopwatch sampling;
     const Sampler sampler(net, settings.law, settings.seed);
-    study.data = draw_samples(sampler, settings.samples, tell, stop);
+    study.data = draw_samples(sampler, settings.samples, progress);
     study.seconds.sampling = sampling.seconds();
 
     const int first_validation = settings.samples - settings.validation;
@@ -120,17 +112,17 @@ Study run_study(const CableNet& net, const StudySettings& settings, const StudyP
             fmt::format("only {} training and {} validation samples found their equilibrium",
                         training_samples.size(), study.validation.size()));
     }
-    Training training(net, 2, tell, stop);
     const Stopwatch paper_training;
-    study.model = training.as_in_paper(study.data, training_samples);
+    study.model = train(net, study.data, training_samples, TrainingSettings::as_in_paper(),
+                        progress.part(0, 2));
     const double paper_seconds = paper_training.seconds();
     const Stopwatch best_training;
-    const LengthModel best = training.best(study.data, training_samples);
+    const LengthModel best = train(net, study.data, training_samples, {}, progress.part(1, 2));
     const double best_seconds = best_training.seconds();
     study.seconds.training = paper_seconds + best_seconds;
 
     const Stopwatch identification;
-    try_methods(study, best, paper_seconds, best_seconds, sampler.nominal().form, tell, stop);
+    try_methods(study, best, paper_seconds, best_seconds, sampler.nominal().form, progress);
     study.seconds.identification = identification.seconds();
     study.seconds.total = total.seconds();
     return study;

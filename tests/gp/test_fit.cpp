@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "reference.hpp"
 #include "support/textbook.hpp"
@@ -285,8 +287,13 @@ TEST(FitSettings, LimitTheDecompositionsAndTellOfEach) {
         std::vector<int> told;
         FitSettings settings;
         settings.max_spectra = most;
-        settings.progress = [&](int made) { told.push_back(made); };
-        const FittedProcesses fitted = fit(inputs, smooth_output(inputs, 0.1, 2), settings);
+        const Progress progress{.tell = [&](std::string_view stage, int made, int total) {
+            EXPECT_EQ(stage, "training");
+            EXPECT_EQ(total, most);
+            told.push_back(made);
+        }};
+        const FittedProcesses fitted =
+            fit(inputs, smooth_output(inputs, 0.1, 2), settings, progress);
         ASSERT_EQ(told.size(), static_cast<size_t>(most));
         for (int k = 0; k < most; ++k) {
             EXPECT_EQ(told[k], k);
@@ -296,14 +303,12 @@ TEST(FitSettings, LimitTheDecompositionsAndTellOfEach) {
 }
 
 TEST(FitSettings, LetTheProgressGiveUp) {
-    FitSettings settings;
-    settings.progress = [](int made) {
-        if (made == 2) {
-            throw std::domain_error("stop");
-        }
-    };
+    int told = 0;
+    const Progress progress{.tell = [&](std::string_view, int, int) { ++told; },
+                            .stop_requested = [&] { return told == 2; }};
     const Eigen::MatrixXd inputs = normal_matrix(3, 20, 1);
-    EXPECT_THROW((void)fit(inputs, smooth_output(inputs, 0.1, 2), settings), std::domain_error);
+    EXPECT_THROW((void)fit(inputs, smooth_output(inputs, 0.1, 2), {}, progress), Interrupted);
+    EXPECT_EQ(told, 2);
 }
 
 TEST(FitSettings, HoldTheNoiseRatioWithinItsBounds) {

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "support/finite_differences.hpp"
 #include "support/textbook.hpp"
@@ -111,15 +113,20 @@ TEST(EstimateInputScales, OfOneGroupOrNothingToLearnAreAllOne) {
 TEST(EstimateInputScales, EndsWhereItIsGivenUp) {
     const Eigen::MatrixXd inputs = normal_matrix(4, 30, 1);
     for (const int last : {2, 7}) {  // while it looks for a start, and afterwards
-        int calls = 0;
-        const auto give_up = [&calls, last] {
-            if (++calls == last) {
-                throw std::domain_error("given up");
-            }
-        };
-        EXPECT_THROW((void)estimate_input_scales(inputs, outputs_of(inputs), {0, 1, 2, 3}, give_up),
-                     std::domain_error);
-        EXPECT_EQ(calls, last);
+        std::vector<int> told;
+        const Progress progress{
+            .tell =
+                [&](std::string_view stage, int done, int total) {
+                    EXPECT_EQ(stage, "scales of the kernel");
+                    EXPECT_LT(done, total);
+                    told.push_back(done);
+                },
+            .stop_requested = [&] { return static_cast<int>(told.size()) == last; }};
+        EXPECT_THROW(
+            (void)estimate_input_scales(inputs, outputs_of(inputs), {0, 1, 2, 3}, progress),
+            Interrupted);
+        EXPECT_EQ(static_cast<int>(told.size()), last);
+        EXPECT_EQ(told.back(), last - 1);
     }
 }
 

@@ -11,10 +11,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
+#include <atomic>
+#include <functional>
 #include <stdexcept>
 #include <string>
-#include <thread>
+#include <string_view>
+#include <vector>
 
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/energy.hpp"
@@ -31,7 +34,7 @@ DataSet draw(const CableNet& net, int count, const LengthLaw& from = uniform_5mm
              std::uint64_t seed = 1) {
     const Sampler sampler(net, from, seed);
     DataSet data = sampler.empty();
-    EXPECT_TRUE(sampler.extend(data, count));
+    sampler.extend(data, count);
     return data;
 }
 
@@ -170,7 +173,7 @@ TEST(Sampler, GivesTheSameBitsInOneCallAndInMany) {
     const Sampler sampler(net, uniform_5mm, 1);
     DataSet in_parts = sampler.empty();
     for (const int count : {1, 2, 17, 17, 40}) {
-        EXPECT_TRUE(sampler.extend(in_parts, count));
+        sampler.extend(in_parts, count);
     }
     expect_same(in_parts, draw(net, 40));
 }
@@ -178,7 +181,7 @@ TEST(Sampler, GivesTheSameBitsInOneCallAndInMany) {
 TEST(Sampler, GivesTheSameBitsWhenAnotherSamplerGoesOn) {
     const CableNet net = hypar(4, 5);
     DataSet data = draw(net, 10);
-    EXPECT_TRUE(Sampler(net, uniform_5mm, 1).extend(data, 25));
+    Sampler(net, uniform_5mm, 1).extend(data, 25);
     expect_same(data, draw(net, 25));
 }
 
@@ -193,33 +196,66 @@ TEST(Sampler, KeepsADataSetThatHoldsEnough) {
     const CableNet net = hypar(3, 4);
     const Sampler sampler(net, uniform_5mm, 1);
     DataSet data = draw(net, 10);
-    EXPECT_TRUE(sampler.extend(data, 4));
+    sampler.extend(data, 4);
     expect_same(data, draw(net, 10));
 }
 
 TEST(Sampler, LeavesTheDataSetAsItWasWhenAStopWasRequested) {
     const CableNet net = hypar(3, 4);
     const Sampler sampler(net, uniform_5mm, 1);
-    std::stop_source source;
-    source.request_stop();
     DataSet data = draw(net, 10);
-    EXPECT_FALSE(sampler.extend(data, 20, source.get_token()));
+    EXPECT_THROW(sampler.extend(data, 20, {.stop_requested = [] { return true; }}), Interrupted);
     expect_same(data, draw(net, 10));
-    EXPECT_TRUE(sampler.extend(data, 20));
+    sampler.extend(data, 20);
     expect_same(data, draw(net, 20));
 }
 
-TEST(Sampler, LeavesTheDataSetAsItWasWhenStoppedWhileItWorks) {
+TEST(Sampler, KeepsWholeBlocksWhenStoppedWhileItWorks) {
     const CableNet net = hypar(3, 4);
     const Sampler sampler(net, uniform_5mm, 1);
     DataSet data = draw(net, 10);
-    std::stop_source source;
-    const std::jthread stopper([&source] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        source.request_stop();
-    });
-    // Seconds of work, were it not stopped.
-    EXPECT_FALSE(sampler.extend(data, 300'000, source.get_token()));
+    std::vector<int> sizes;
+    std::atomic<int> asked = 0;
+    // After the first block, whose 16 samples ask once each, and not at the end of a later one.
+    const Progress progress{.stop_requested = [&] { return ++asked > 100; }};
+    EXPECT_THROW(sampler.extend(data, 300'000, progress, [&] { sizes.push_back(data.size()); }),
+                 Interrupted);
+    ASSERT_FALSE(sizes.empty());
+    EXPECT_EQ(sizes.front(), 26);
+    EXPECT_EQ(data.size(), sizes.back());
+    EXPECT_LT(data.size(), 110);
+    expect_same(data, draw(net, data.size()));
+    sampler.extend(data, 120);
+    expect_same(data, draw(net, 120));
+}
+
+TEST(Sampler, TellsHowManySamplesThereAreUntilAllAre) {
+    const CableNet net = hypar(3, 4);
+    std::vector<int> told;
+    const Progress progress{.tell = [&](std::string_view stage, int done, int total) {
+        EXPECT_EQ(stage, "sampling");
+        EXPECT_EQ(total, 50);
+        told.push_back(done);
+    }};
+    expect_same(draw_samples(Sampler(net, uniform_5mm, 1), 50, progress), draw(net, 50));
+    ASSERT_GE(told.size(), 3U);
+    EXPECT_THAT(std::vector(told.begin(), told.begin() + 2), testing::ElementsAre(0, 16));
+    EXPECT_EQ(std::ranges::adjacent_find(told, std::ranges::greater_equal()), told.end());
+    EXPECT_EQ(told.back(), 50);
+}
+
+TEST(Sampler, LeavesTheDataSetAsItWasWhereASampleCannotBeDrawn) {
+    const CableNet net = hypar(3, 4);
+    const Sampler sampler(net, uniform_5mm, 1);
+    DataSet data = draw(net, 10);
+    std::atomic<int> asked = 0;
+    const Progress progress{.stop_requested = [&]() -> bool {
+        if (++asked > 5) {
+            throw std::domain_error("as a solver might");
+        }
+        return false;
+    }};
+    EXPECT_THROW(sampler.extend(data, 20, progress), std::domain_error);
     expect_same(data, draw(net, 10));
 }
 

@@ -9,7 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <tuple>
 
 #include "taut/design/builtin_nets.hpp"
@@ -157,24 +160,25 @@ TEST(Comparison, CountsSurveysWithSlackEdges) {
 
 TEST(Comparison, TellsItsProgressToItsEndAndStopsWhereRequested) {
     std::vector<int> last(2, 0);
-    const auto progress = [&](std::string_view stage, int done, int total) {
+    const auto tell = [&](std::string_view stage, int done, int total) {
         if (stage == "identification") {
             EXPECT_EQ(done, last[0] + 1);
             last = {done, total};
         }
     };
-    (void)compare_methods(hypar(3, 3), small_comparison, progress);
+    (void)compare_methods(hypar(3, 3), small_comparison, {.tell = tell});
     EXPECT_GT(last[0], 0);
     EXPECT_EQ(last[0], last[1]);
     for (const std::string stage : {"sampling", "training", "identification"}) {
-        std::stop_source source;
-        const auto stop = [&](std::string_view now, int, int) {
-            if (now == stage) {
-                source.request_stop();
-            }
-        };
-        EXPECT_THROW((void)compare_methods(hypar(3, 3), small_comparison, stop, source.get_token()),
-                     Interrupted);
+        std::atomic<bool> stop = false;
+        const Progress progress{.tell =
+                                    [&](std::string_view now, int, int) {
+                                        if (now == stage) {
+                                            stop = true;
+                                        }
+                                    },
+                                .stop_requested = [&] { return stop.load(); }};
+        EXPECT_THROW((void)compare_methods(hypar(3, 3), small_comparison, progress), Interrupted);
     }
 }
 

@@ -10,8 +10,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -193,7 +195,7 @@ TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
     std::vector<std::string> stages;
     int last_done = -1;
     int last_total = 0;
-    const auto progress = [&](std::string_view stage, int done, int total) {
+    const auto tell = [&](std::string_view stage, int done, int total) {
         if (stages.empty() || stages.back() != stage) {
             stages.emplace_back(stage);
             last_done = -1;
@@ -204,7 +206,7 @@ TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
         last_done = done;
         last_total = total;
     };
-    (void)run_study(hypar(4, 5), small, progress);
+    (void)run_study(hypar(4, 5), small, {.tell = tell});
     EXPECT_THAT(stages, testing::ElementsAre("sampling", "training", "identification"));
     EXPECT_EQ(last_done, last_total);
 }
@@ -212,8 +214,8 @@ TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
 class StoppedIn : public testing::TestWithParam<std::string> {};
 
 TEST_P(StoppedIn, GivesUp) {
-    std::stop_source source;
-    const auto progress = [&](std::string_view stage, int, int) {
+    std::atomic<bool> stop = false;
+    const auto tell = [&](std::string_view stage, int, int) {
         EXPECT_LE(stage == "identification" ? 2
                   : stage == "training"     ? 1
                                             : 0,
@@ -222,10 +224,11 @@ TEST_P(StoppedIn, GivesUp) {
                                                  : 0)
             << "went on to " << stage;
         if (stage == GetParam()) {
-            source.request_stop();
+            stop = true;
         }
     };
-    EXPECT_THROW((void)run_study(hypar(4, 5), small, progress, source.get_token()), Interrupted);
+    const Progress progress{.tell = tell, .stop_requested = [&] { return stop.load(); }};
+    EXPECT_THROW((void)run_study(hypar(4, 5), small, progress), Interrupted);
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, StoppedIn,

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "taut/gp/kernel.hpp"
 #include "taut/gp/likelihood.hpp"
 #include "taut/gp/spectrum.hpp"
+#include "taut/progress.hpp"
 
 namespace taut::gp {
 
@@ -70,18 +70,18 @@ struct FitSettings {
     /// more.
     double relative_tolerance = 1e-7;
     int max_spectra = 12;
-    /// Called before each decomposition with how many were made; may throw to give up.
-    std::function<void(int)> progress;
 };
 
 /// Algorithm 1 of the paper: estimates each output's hyperparameters by maximum marginal likelihood
 /// (eq. max_marginal_likelihood) and conditions its process on the data.
 /// @param inputs d x n, finite, not all the same; n >= 2
 /// @param outputs n x m; an output that cannot be fitted is marked and leaves the others standing
+/// @param progress told of the stage "training" before each decomposition
 /// @throws std::invalid_argument for sizes that differ, for inputs as excluded above, and for
 ///   settings out of range
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                                   const Eigen::Ref<const Eigen::MatrixXd>& outputs,
-                                  const FitSettings& settings = {});
+                                  const FitSettings& settings = {}, const Progress& progress = {});
 
 }  // namespace taut::gp

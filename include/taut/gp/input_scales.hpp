@@ -3,8 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <vector>
+
+#include "taut/progress.hpp"
 
 namespace taut::gp {
 
@@ -32,11 +33,13 @@ struct ScalesLikelihood {
 /// of one group share a scale. With the inputs so scaled, fit() estimates each output's own
 /// lambda, so that lambda_i of eq. SEkernel is that lambda times the dimension's scale. Where there
 /// are more than 500 inputs, 500 of them are used.
-/// @param progress called before each evaluation of the likelihood; may throw to give up
+/// @param progress told of the stage "scales of the kernel" before each evaluation of the
+/// likelihood
 /// @throws std::invalid_argument as fit(), and for groups that are not one a dimension, from 0 on
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] Eigen::VectorXd estimate_input_scales(
     const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups,
-    const std::function<void()>& progress = {});
+    const Progress& progress = {});
 
 }  // namespace taut::gp

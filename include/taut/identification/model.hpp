@@ -7,6 +7,7 @@
 
 #include "taut/gp/fit.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
 #include "taut/sampling/data_set.hpp"
 
 namespace taut {
@@ -70,10 +71,13 @@ struct LengthModel {
 
 /// Algorithm 1 of the paper on samples of a data set of the net.
 /// @param samples which to train on; their forces must balance
+/// @param progress told of the stages of gp::estimate_input_scales() and gp::fit()
 /// @throws std::invalid_argument for a data set of another net, fewer than two samples, or an index
 ///   out of range
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] LengthModel train(const CableNet& net, const DataSet& data,
                                 const std::vector<int>& samples,
-                                const TrainingSettings& settings = {});
+                                const TrainingSettings& settings = {},
+                                const Progress& progress = {});
 
 }  // namespace taut

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <stop_token>
 
 #include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -32,14 +33,26 @@ public:
     /// A data set of this net, law and seed without samples.
     [[nodiscard]] DataSet empty() const;
 
-    /// Adds samples to a data set that this sampler made, until it holds `count`. The outcome is
-    /// the same, bit for bit, in one call or in many, on any number of threads.
-    /// @return false where a stop was requested before that; the data set is then as it was.
-    bool extend(DataSet& data, int count, const std::stop_token& stop = {}) const;
+    /// Adds samples to a data set that this sampler made, until it holds `count`, in blocks of
+    /// about a second. The outcome is the same, bit for bit, in one call or in many, on any number
+    /// of threads.
+    /// @param progress told of the stage "sampling" before each block and at the end
+    /// @param after_block called where the data set has got a block more: to keep it, say
+    /// @throws Interrupted where a stop was requested; the data set then holds whole blocks, and
+    ///   can be extended again
+    void extend(DataSet& data, int count, const Progress& progress = {},
+                const std::function<void()>& after_block = {}) const;
 
 private:
+    void draw_block(DataSet& data, int count, const Progress& progress) const;
+
     struct State;
     std::unique_ptr<State> m_state;
 };
+
+/// The first `count` samples of a sampler.
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] DataSet draw_samples(const Sampler& sampler, int count,
+                                   const Progress& progress = {});
 
 }  // namespace taut

@@ -4,13 +4,12 @@
 
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
 #include "taut/study/evaluation.hpp"
-#include "taut/study/progress.hpp"
 
 namespace taut {
 
@@ -67,9 +66,9 @@ struct Comparison {
 
 /// @throws std::invalid_argument as ComparisonSettings::check(), Sampler and simulate_trials()
 /// @throws std::runtime_error where too few samples converge
-/// @throws Interrupted
+/// @param progress told of the stages "sampling", "training" and "identification"
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
-                                         const StudyProgress& progress = {},
-                                         const std::stop_token& stop = {});
+                                         const Progress& progress = {});
 
 }  // namespace taut

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "taut/progress.hpp"
 #include "taut/study/error_statistics.hpp"
 #include "taut/study/method.hpp"
 #include "taut/study/trial.hpp"
@@ -44,12 +43,10 @@ struct Evaluation {
 
 /// Tries a method on surveys, in parallel on the threads of oneTBB where it does not use them
 /// itself. The outcome does not depend on their number.
-/// @param tick called after each identification, from any thread
-/// @return where a stop was requested, of some trials only
+/// @param progress told of the stage "identification" after each trial
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] Evaluation evaluate(const CableNet& net, const Method& method,
-                                  const std::vector<Trial>& trials,
-                                  const std::function<void()>& tick = {},
-                                  const std::stop_token& stop = {});
+                                  const std::vector<Trial>& trials, const Progress& progress = {});
 
 /// The least mean squared error that can be expected, to first order: the mean over edges and
 /// surveys of best_possible_variances() at the truth [m2].

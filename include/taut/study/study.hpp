@@ -3,16 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <stop_token>
 #include <vector>
 
 #include "taut/identification/identification.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/study/error_statistics.hpp"
 #include "taut/study/evaluation.hpp"
-#include "taut/study/progress.hpp"
 
 namespace taut {
 
@@ -65,8 +64,9 @@ struct Study {
 /// same by the other ways of identification.
 /// @throws std::invalid_argument as StudySettings::check() and Sampler
 /// @throws std::runtime_error where too few samples converge, or the paper's way fails on one
-/// @throws Interrupted
+/// @param progress told of the stages "sampling", "training" and "identification"
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] Study run_study(const CableNet& net, const StudySettings& settings,
-                              const StudyProgress& progress = {}, const std::stop_token& stop = {});
+                              const Progress& progress = {});
 
 }  // namespace taut

@@ -6,22 +6,28 @@
 #include <string>
 #include <string_view>
 
+#include "taut/progress.hpp"
+
 namespace taut::app {
 
 /// A line on a terminal's standard error that tells how far a stage of the work is, how fast it
 /// goes and how long it still takes. Silent where standard error is no terminal.
-class Progress {
+class ProgressLine {
 public:
-    explicit Progress(bool quiet);
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    Progress(Progress&&) = delete;
-    Progress& operator=(Progress&&) = delete;
+    explicit ProgressLine(bool quiet);
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+    ProgressLine(ProgressLine&&) = delete;
+    ProgressLine& operator=(ProgressLine&&) = delete;
 
-    void show(std::string_view stage, int done, int total);
+    /// Shows what it is told on this line, and requests a stop after a signal. It must not outlive
+    /// the line.
+    [[nodiscard]] Progress progress();
 
 private:
+    void show(std::string_view stage, int done, int total);
+
     using Clock = std::chrono::steady_clock;
 
     bool m_active;

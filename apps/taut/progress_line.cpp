@@ -1,24 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "progress.hpp"
+#include "progress_line.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include <cstdio>
 
+#include "interruption.hpp"
+
 namespace taut::app {
 
-Progress::Progress(bool quiet) : m_active(!quiet && isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool quiet) : m_active(!quiet && isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
     if (m_shown) {
         fmt::print(stderr, "\r\033[K");
         std::fflush(stderr);
     }
 }
 
-void Progress::show(std::string_view stage, int done, int total) {
+Progress ProgressLine::progress() {
+    return {
+        .tell = [this](std::string_view stage, int done, int total) { show(stage, done, total); },
+        .stop_requested = Interruption::stop_request()};
+}
+
+void ProgressLine::show(std::string_view stage, int done, int total) {
     if (!m_active) {
         return;
     }
