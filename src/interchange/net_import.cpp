@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <set>
 
@@ -19,32 +18,23 @@
 namespace taut {
 namespace {
 
-/// The index that a pointer such as "/edges/12/0" names in a list, or -1.
-int index_in(std::string_view pointer, std::string_view list) {
-    int index = -1;
-    if (pointer.starts_with(list)) {
-        pointer.remove_prefix(list.size());
-        std::from_chars(pointer.data(), pointer.data() + pointer.size(), index);
-    }
-    return index;
-}
-
 /// The net, its broken rules told in the names of the file.
 CableNet make_net(const ImportedStructure& structure, CableNetData data) {
     try {
         return CableNet(std::move(data));
     } catch (const NetError& error) {
-        const std::string what = std::string(error.what()).substr(error.where().size() + 2);
-        if (const int e = index_in(error.where(), "/edges/"); e >= 0) {
-            fail_at(structure, structure.edges[e], what);
+        if (!error.index().empty()) {
+            const int i = error.index().front();
+            if (error.field() == "edges") {
+                fail_at(structure, structure.edges[i], error.problem());
+            }
+            if (error.field() == "nodes" || error.field() == "loads") {
+                const ImportedNode& node = structure.nodes[i];
+                throw InputError(structure.file, node.place,
+                                 fmt::format("node {} {}", node.id, error.problem()));
+            }
         }
-        const int i =
-            std::max(index_in(error.where(), "/nodes/"), index_in(error.where(), "/loads/"));
-        if (i >= 0) {
-            const ImportedNode& node = structure.nodes[i];
-            throw InputError(structure.file, node.place, fmt::format("node {} {}", node.id, what));
-        }
-        throw InputError(structure.file, error.where(), what);
+        throw InputError(structure.file, "", error.what());
     }
 }
 

@@ -116,15 +116,17 @@ CableNetData read_data(const JsonValue& root) {
 CableNet read_net_value(const JsonValue& root) {
     check_format(root);
     CableNetData data = read_data(root);
-    const std::string stiffness = "/axial_stiffness";
     const bool one_stiffness = root.json().at("axial_stiffness").is_number();
     try {
         return CableNet(std::move(data));
     } catch (const NetError& error) {
-        // "<pointer>: <what>"
-        const std::string what = std::string(error.what()).substr(error.where().size() + 2);
-        const bool of_the_one = one_stiffness && error.where().starts_with(stiffness);
-        root.fail_below(of_the_one ? stiffness : error.where(), what);
+        std::string pointer = "/" + error.field();
+        if (!(one_stiffness && error.field() == "axial_stiffness")) {
+            for (const int index : error.index()) {
+                pointer += "/" + std::to_string(index);
+            }
+        }
+        root.fail_below(pointer, error.problem());
     }
 }
 

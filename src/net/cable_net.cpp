@@ -20,10 +20,21 @@ void check_size(const char* what_has, Eigen::Index size, int expected, const cha
     }
 }
 
+std::string place_of(const std::string& field, const std::vector<int>& index) {
+    std::string place = field;
+    for (const int i : index) {
+        place += fmt::format("[{}]", i);
+    }
+    return place;
+}
+
 }  // namespace
 
-NetError::NetError(std::string where, const std::string& what)
-    : std::invalid_argument(fmt::format("{}: {}", where, what)), m_where(std::move(where)) {}
+NetError::NetError(std::string field, std::vector<int> index, std::string problem)
+    : std::invalid_argument(place_of(field, index) + ": " + problem),
+      m_field(std::move(field)),
+      m_index(std::move(index)),
+      m_problem(std::move(problem)) {}
 
 std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
                                    const std::vector<int>& supports) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -18,11 +19,12 @@ namespace {
 /// So that no product in the energy, EA l^2 / l_0, overflows.
 constexpr double largest_magnitude = 1e50;
 
-void check_entry_count(const std::string& key, Eigen::Index size, Eigen::Index expected,
+void check_entry_count(const std::string& field, Eigen::Index size, Eigen::Index expected,
                        const std::string& of_what) {
     if (size != expected) {
-        throw NetError("/" + key, fmt::format("has {} entries, expected {}, one for each {}", size,
-                                              expected, of_what));
+        throw NetError(
+            field, {},
+            fmt::format("has {} entries, expected {}, one for each {}", size, expected, of_what));
     }
 }
 
@@ -30,10 +32,10 @@ void check_sizes(const CableNetData& data) {
     const Eigen::Index n = data.nodes.cols();
     const auto m = static_cast<Eigen::Index>(data.edges.size());
     if (n == 0) {
-        throw NetError("/nodes", "is empty, expected at least two nodes");
+        throw NetError("nodes", {}, "is empty, expected at least two nodes");
     }
     if (m == 0) {
-        throw NetError("/edges", "is empty, expected at least one edge");
+        throw NetError("edges", {}, "is empty, expected at least one edge");
     }
     check_entry_count("axial_stiffness", data.axial_stiffness.size(), m, "edge");
     check_entry_count("unstressed_lengths", data.unstressed_lengths.size(), m, "edge");
@@ -46,31 +48,31 @@ void check_sizes(const CableNetData& data) {
     }
 }
 
-void check_finite(const std::string& key, const Points& points,
+void check_finite(const std::string& field, const Points& points,
                   double largest = std::numeric_limits<double>::max()) {
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
-        for (Eigen::Index k = 0; k < 3; ++k) {
+    for (int i = 0; i < points.cols(); ++i) {
+        for (int k = 0; k < 3; ++k) {
             if (!std::isfinite(points(k, i))) {
-                throw NetError(fmt::format("/{}/{}/{}", key, i, k),
+                throw NetError(field, {i, k},
                                fmt::format("is {}, expected a finite number", points(k, i)));
             }
             if (std::abs(points(k, i)) > largest) {
                 throw NetError(
-                    fmt::format("/{}/{}/{}", key, i, k),
+                    field, {i, k},
                     fmt::format("is {}, expected no more than {:g}", points(k, i), largest));
             }
         }
     }
 }
 
-void check_positive(const std::string& key, const Eigen::VectorXd& values) {
-    for (Eigen::Index i = 0; i < values.size(); ++i) {
+void check_positive(const std::string& field, const Eigen::VectorXd& values) {
+    for (int i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values(i)) || values(i) <= 0.0) {
-            throw NetError(fmt::format("/{}/{}", key, i),
+            throw NetError(field, {i},
                            fmt::format("is {}, expected a positive and finite number", values(i)));
         }
         if (values(i) > largest_magnitude || values(i) < 1.0 / largest_magnitude) {
-            throw NetError(fmt::format("/{}/{}", key, i),
+            throw NetError(field, {i},
                            fmt::format("is {}, expected a number from {:g} to {:g}", values(i),
                                        1.0 / largest_magnitude, largest_magnitude));
         }
@@ -78,17 +80,18 @@ void check_positive(const std::string& key, const Eigen::VectorXd& values) {
 }
 
 /// Every index of the list lies in [0, count) and stands there once. Gives a mask of length count.
-std::vector<bool> check_indices(const std::string& key, const std::vector<int>& indices, int count,
-                                const std::string& of_what) {
+std::vector<bool> check_indices(const std::string& field, const std::vector<int>& indices,
+                                int count, const std::string& of_what) {
     std::vector<bool> listed(count, false);
-    for (size_t i = 0; i < indices.size(); ++i) {
-        const std::string where = fmt::format("/{}/{}", key, i);
+    for (int i = 0; i < std::ssize(indices); ++i) {
         if (indices[i] < 0 || indices[i] >= count) {
-            throw NetError(where, fmt::format("is {}, expected the index of one of the {} {}s",
-                                              indices[i], count, of_what));
+            throw NetError(field, {i},
+                           fmt::format("is {}, expected the index of one of the {} {}s", indices[i],
+                                       count, of_what));
         }
         if (listed[indices[i]]) {
-            throw NetError(where, fmt::format("lists {} {} a second time", of_what, indices[i]));
+            throw NetError(field, {i},
+                           fmt::format("lists {} {} a second time", of_what, indices[i]));
         }
         listed[indices[i]] = true;
     }
@@ -97,33 +100,35 @@ std::vector<bool> check_indices(const std::string& key, const std::vector<int>& 
 
 void check_edges(const CableNetData& data, const std::vector<bool>& is_support) {
     const auto n = static_cast<int>(data.nodes.cols());
-    std::map<Edge, size_t> seen;
-    for (size_t e = 0; e < data.edges.size(); ++e) {
+    std::map<Edge, int> seen;
+    for (int e = 0; e < std::ssize(data.edges); ++e) {
         const auto [s, t] = data.edges[e];
-        const std::string where = fmt::format("/edges/{}", e);
         for (const int node : {s, t}) {
             if (node < 0 || node >= n) {
-                throw NetError(where,
+                throw NetError("edges", {e},
                                fmt::format("names node {}, expected one of the {} nodes", node, n));
             }
         }
         if (s == t) {
-            throw NetError(where, fmt::format("connects node {} to itself", s));
+            throw NetError("edges", {e}, fmt::format("connects node {} to itself", s));
         }
         if (is_support[s] && is_support[t]) {
-            throw NetError(where, fmt::format("connects the supports {} and {}; an edge needs at "
-                                              "least one free node",
-                                              s, t));
+            throw NetError("edges", {e},
+                           fmt::format("connects the supports {} and {}; an edge needs at "
+                                       "least one free node",
+                                       s, t));
         }
         const auto [first, inserted] = seen.emplace(Edge{std::min(s, t), std::max(s, t)}, e);
         if (!inserted) {
-            throw NetError(where, fmt::format("connects nodes {} and {} as edge {} already does", s,
-                                              t, first->second));
+            throw NetError("edges", {e},
+                           fmt::format("connects nodes {} and {} as edge {} already does", s, t,
+                                       first->second));
         }
         if (data.nodes.col(s) == data.nodes.col(t)) {
-            throw NetError(where, fmt::format("has zero length: nodes {} and {} are at the same "
-                                              "place",
-                                              s, t));
+            throw NetError("edges", {e},
+                           fmt::format("has zero length: nodes {} and {} are at the same "
+                                       "place",
+                                       s, t));
         }
     }
 }
@@ -139,7 +144,7 @@ int find_root(std::vector<int>& parent, int node) {
 }
 
 void check_connected(const CableNetData& data, const std::vector<bool>& is_support) {
-    const size_t n = is_support.size();
+    const auto n = static_cast<int>(is_support.size());
     std::vector<int> parent(n);
     std::iota(parent.begin(), parent.end(), 0);
     std::vector<bool> has_edge(n, false);
@@ -151,29 +156,28 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
     for (const int support : data.supports) {
         supported[find_root(parent, support)] = true;
     }
-    for (size_t i = 0; i < n; ++i) {
+    for (int i = 0; i < n; ++i) {
         if (is_support[i]) {
             continue;
         }
-        const std::string where = fmt::format("/nodes/{}", i);
         if (!has_edge[i]) {
-            throw NetError(where, "is a free node without edges");
+            throw NetError("nodes", {i}, "is a free node without edges");
         }
-        if (!supported[find_root(parent, static_cast<int>(i))]) {
-            throw NetError(where, "is a free node in a part of the net that reaches no support");
+        if (!supported[find_root(parent, i)]) {
+            throw NetError("nodes", {i},
+                           "is a free node in a part of the net that reaches no support");
         }
     }
 }
 
-void check_ids(const std::string& key, const std::vector<std::string>& ids) {
+void check_ids(const std::string& field, const std::vector<std::string>& ids) {
     std::set<std::string> seen;
-    for (size_t i = 0; i < ids.size(); ++i) {
-        const std::string where = fmt::format("/{}/{}", key, i);
+    for (int i = 0; i < std::ssize(ids); ++i) {
         if (ids[i].empty()) {
-            throw NetError(where, "is empty, expected a name");
+            throw NetError(field, {i}, "is empty, expected a name");
         }
         if (!seen.insert(ids[i]).second) {
-            throw NetError(where, fmt::format("gives the name '{}' a second time", ids[i]));
+            throw NetError(field, {i}, fmt::format("gives the name '{}' a second time", ids[i]));
         }
     }
 }
@@ -189,7 +193,7 @@ void validate(const CableNetData& data) {
     const auto is_support =
         check_indices("supports", data.supports, static_cast<int>(data.nodes.cols()), "node");
     if (std::ranges::all_of(is_support, std::identity())) {
-        throw NetError("/supports", "holds every node, expected at least one free node");
+        throw NetError("supports", {}, "holds every node, expected at least one free node");
     }
     check_edges(data, is_support);
     check_indices("adjustable", data.adjustable, static_cast<int>(data.edges.size()), "edge");

@@ -18,16 +18,24 @@ using Points = Eigen::Matrix3Xd;
 /// The two nodes (s, t) that an edge connects.
 using Edge = std::array<int, 2>;
 
-/// A rule of a cable net that is broken, and where: a JSON pointer into the native net file.
+/// A rule of a cable net that is broken, and where in CableNetData. what() tells both:
+/// "edges[3]: connects node 7 to itself".
 class NetError : public std::invalid_argument {
 public:
-    NetError(std::string where, const std::string& what);
+    NetError(std::string field, std::vector<int> index, std::string problem);
 
-    /// JSON pointer to the offending value, "/edges/12" say.
-    [[nodiscard]] const std::string& where() const { return m_where; }
+    /// Of CableNetData: "edges", say.
+    [[nodiscard]] const std::string& field() const { return m_field; }
+    /// The entry: {3}; a coordinate by entry and axis: {4, 1}; empty where the field as a whole is
+    /// wrong.
+    [[nodiscard]] const std::vector<int>& index() const { return m_index; }
+    /// What is wrong there, and what was expected.
+    [[nodiscard]] const std::string& problem() const { return m_problem; }
 
 private:
-    std::string m_where;
+    std::string m_field;
+    std::vector<int> m_index;
+    std::string m_problem;
 };
 
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
