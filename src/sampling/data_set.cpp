@@ -33,10 +33,7 @@ void check_law(const CableNet& net, const LengthLaw& law) {
         throw std::invalid_argument(
             "the net has no interior edge: every unstressed length is known and set");
     }
-    if (!(law.scale > 0.0)) {
-        throw std::invalid_argument(
-            fmt::format("the law's scale is {} m, expected a positive length", law.scale));
-    }
+    law.check();
     const double shortest = net.unstressed_lengths()(net.interior_edges()).minCoeff();
     if (law.reach() >= shortest) {
         throw std::invalid_argument(fmt::format(
@@ -48,6 +45,7 @@ void check_law(const CableNet& net, const LengthLaw& law) {
 
 Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
                                        std::uint64_t sample, Eigen::Index count) {
+    law.check();
     // The standard fixes what the engine and the seed sequence give, to the bit, but not what its
     // distributions do: so the law draws from 52 random bits, at the middle of their cell. With 53
     // the middle would be rounded, of the last cell to 1.

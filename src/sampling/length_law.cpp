@@ -33,7 +33,22 @@ double normal_quantile(double u) {
            boost::math::erfc_inv(2.0 * std::clamp(u, 0x1p-54, 1.0 - 0x1p-53));
 }
 
+std::string_view name_of(LengthLaw::Kind kind) {
+    const auto* const found =
+        std::ranges::find(names, kind, [](const auto& n) { return n.second; });
+    return found != names.end() ? found->first : "unknown";
+}
+
 }  // namespace
+
+void LengthLaw::check() const {
+    if (!(scale > 0.0) || !std::isfinite(scale)) {
+        throw std::invalid_argument(
+            fmt::format("the scale of the {} law of length deviations is {} m, expected a positive "
+                        "and finite length",
+                        name_of(kind), scale));
+    }
+}
 
 double LengthLaw::std() const {
     switch (kind) {

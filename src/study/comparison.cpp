@@ -201,6 +201,7 @@ double ComparisonSettings::common_noise() const {
 }
 
 void ComparisonSettings::check() const {
+    law.check();
     if (noises.empty() || training_samples.empty()) {
         throw std::invalid_argument(
             "no noise or no number of training samples, expected at least "

@@ -83,6 +83,7 @@ void try_methods(Study& study, const LengthModel& best, double paper_seconds, do
 }  // namespace
 
 void StudySettings::check() const {
+    law.check();
     if (samples < 3) {
         throw std::invalid_argument(fmt::format("{} samples, expected at least 3", samples));
     }

@@ -9,6 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
+
 #include "taut/design/builtin_nets.hpp"
 #include "taut/sampling/sampler.hpp"
 
@@ -57,6 +60,17 @@ TEST(BuiltNet, RefusesALawThatGivesLengthsBelowZero) {
             ADD_FAILURE() << far.to_string() << " is not refused";
         } catch (const std::invalid_argument& error) {
             EXPECT_THAT(error.what(), testing::HasSubstr(far.to_string()));
+        }
+    }
+}
+
+TEST(BuiltNet, RefusesALawWithoutAPositiveScaleByName) {
+    for (const double scale : {0.0, -0.005, std::nan("")}) {
+        try {
+            static_cast<void>(built_net(hypar(3, 4), {LengthLaw::Kind::normal, scale}, 1));
+            ADD_FAILURE() << scale << " is not refused";
+        } catch (const std::invalid_argument& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("normal law"));
         }
     }
 }

@@ -12,10 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "taut/sampling/data_set.hpp"
@@ -141,6 +143,30 @@ RC_GTEST_PROP(LengthLaw, IsReadBackAsWritten, ()) {
                                   LengthLaw::Kind::bimodal),
         .scale = static_cast<double>(*rc::gen::inRange<std::int64_t>(1, 1'000'000'000'000)) / 3e12};
     RC_ASSERT(parse_length_law(law.to_string()) == law);
+}
+
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+TEST(LengthLaw, IsRefusedByNameWhereItsScaleIsNotPositiveAndFinite) {
+    for (const auto& [scale, text] : {std::pair{0.0, "is 0 m"},
+                                      {-0.005, "is -0.005 m"},
+                                      {std::nan(""), "is nan m"},
+                                      {HUGE_VAL, "is inf m"},
+                                      {-HUGE_VAL, "is -inf m"}}) {
+        const LengthLaw law{LengthLaw::Kind::normal, scale};
+        const std::string told = refusal([&] { law.check(); });
+        EXPECT_THAT(told, testing::AllOf(testing::HasSubstr("normal law"), testing::HasSubstr(text),
+                                         testing::HasSubstr("positive and finite")));
+        EXPECT_EQ(refusal([&] { (void)taut::draw_length_deviations(law, 1, 0, 3); }), told);
+    }
+    EXPECT_EQ(refusal([] { LengthLaw{LengthLaw::Kind::normal, 1e-9}.check(); }), "not refused");
 }
 
 class BadLaw : public testing::TestWithParam<std::string> {};

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -212,6 +213,9 @@ TEST(ComparisonSettings, RefuseWhatMakesNoSense) {
     EXPECT_THAT(refusal([](auto& s) { s.hidden_parts = {1.0}; }), HasSubstr("below 1"));
     EXPECT_THAT(refusal([](auto& s) { s.hidden_parts = {-0.1}; }), HasSubstr("-0.1"));
     EXPECT_THAT(refusal([](auto& s) { s.surveys = 0; }), HasSubstr("0 surveys"));
+    for (const double scale : {0.0, -0.005, std::nan("")}) {
+        EXPECT_THAT(refusal([scale](auto& s) { s.law.scale = scale; }), HasSubstr("uniform law"));
+    }
 }
 
 }  // namespace

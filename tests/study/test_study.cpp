@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -277,8 +278,15 @@ TEST(StudySettings, RefuseValidationSamplesThatLeaveFewerThanTwoToTrainOn) {
     }
 }
 
+TEST(StudySettings, RefuseALawWithoutAPositiveScale) {
+    for (const double scale : {0.0, -0.005, std::nan("")}) {
+        EXPECT_THAT(refusal({.law = {LengthLaw::Kind::bimodal, scale}}),
+                    testing::HasSubstr("bimodal law"));
+    }
+}
+
 TEST(Study, ChecksItsSettingsBeforeItBegins) {
-    const auto must_not_be_called = [](std::string_view, int, int) { FAIL(); };
+    const Progress must_not_be_called{.tell = [](std::string_view, int, int) { FAIL(); }};
     EXPECT_THROW((void)run_study(hypar(4, 5), {.samples = 0}, must_not_be_called),
                  std::invalid_argument);
     EXPECT_THROW(

@@ -37,12 +37,13 @@ struct DataSet {
 };
 
 /// Whether length deviations of a net can be drawn from a law.
-/// @throws std::invalid_argument where the net has no interior edge, the law's scale is not
-///   positive, or its reach is not below the shortest interior unstressed length, named with both
+/// @throws std::invalid_argument where the net has no interior edge, as LengthLaw::check(), and
+///   where the law's reach is not below the shortest interior unstressed length, named with both
 void check_law(const CableNet& net, const LengthLaw& law);
 
 /// The length deviations of one sample (m_I) [m]. They depend on the law, the seed and the sample's
 /// index alone, and so on no other sample, thread or run.
+/// @throws std::invalid_argument as LengthLaw::check()
 [[nodiscard]] Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
                                                      std::uint64_t sample, Eigen::Index count);
 

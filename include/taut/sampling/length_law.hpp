@@ -18,6 +18,10 @@ struct LengthLaw {
     Kind kind = Kind::uniform;
     double scale = 0.005;  ///< [m]
 
+    /// A scale that is positive and finite; the functions below ask for it and do not check.
+    /// @throws std::invalid_argument naming law and scale
+    void check() const;
+
     /// Standard deviation [m].
     [[nodiscard]] double std() const;
 

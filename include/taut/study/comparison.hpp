@@ -31,7 +31,8 @@ struct ComparisonSettings {
     [[nodiscard]] double common_noise() const;
 
     /// @throws std::invalid_argument for an empty list, noise that is negative or not finite, fewer
-    ///   than two training samples, a hidden part outside [0, 1), and no survey
+    ///   than two training samples, a hidden part outside [0, 1), and no survey; and as
+    ///   LengthLaw::check()
     void check() const;
 };
 

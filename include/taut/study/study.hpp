@@ -22,8 +22,7 @@ struct StudySettings {
     std::uint64_t seed = 1;
 
     /// @throws std::invalid_argument for less than 3 samples, no validation sample, or fewer than
-    /// two
-    ///   samples left to train on
+    ///   two samples left to train on, and as LengthLaw::check()
     void check() const;
 };
 
