@@ -42,6 +42,12 @@ struct Guess {
 class ConditionedStatics {
 public:
     explicit ConditionedStatics(const CableNet& net);
+    ~ConditionedStatics() = default;
+    // The matrix refers to the local net.
+    ConditionedStatics(const ConditionedStatics&) = delete;
+    ConditionedStatics& operator=(const ConditionedStatics&) = delete;
+    ConditionedStatics(ConditionedStatics&&) = delete;
+    ConditionedStatics& operator=(ConditionedStatics&&) = delete;
 
     /// Edges (m) that carry nothing.
     void set_slack(std::vector<bool> slack) { m_slack = std::move(slack); }

@@ -46,6 +46,12 @@ class Builder : public nlohmann::json_sax<json> {
 public:
     Builder(std::string_view text, const std::string& file_name)
         : m_text(text), m_file_name(file_name) {}
+    ~Builder() override = default;
+    // The open levels point into the root.
+    Builder(const Builder&) = delete;
+    Builder& operator=(const Builder&) = delete;
+    Builder(Builder&&) = delete;
+    Builder& operator=(Builder&&) = delete;
 
     json take() { return std::move(m_root); }
 

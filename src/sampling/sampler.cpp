@@ -42,6 +42,12 @@ struct Sampler::State {
           nominal(nominal_equilibrium(net)),
           sensitivity(net, net.unstressed_lengths(), nominal.form),
           solvers([this] { return EquilibriumSolver(net); }) {}
+    ~State() = default;
+    // The solvers are made of this net.
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    State(State&&) = delete;
+    State& operator=(State&&) = delete;
 
     /// One pass of the loop of Algorithm 2.
     void draw(DataSet& data, int k) const {

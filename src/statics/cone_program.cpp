@@ -125,7 +125,7 @@ private:
     }
 
     const CableNet& m_net;
-    const Eigen::Ref<const Eigen::VectorXd>& m_unstressed_lengths;
+    Eigen::Ref<const Eigen::VectorXd> m_unstressed_lengths;
     Units m_units;
     int m_coordinates;
     int m_edges;
