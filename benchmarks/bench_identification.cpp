@@ -6,8 +6,7 @@
 #include <random>
 
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/force_balance.hpp"
-#include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/identification/identify.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -47,7 +46,9 @@ void balance(benchmark::State& state) {
     const CableNet net = taut::hilo_quarter();
     const taut::Survey survey = survey_of(net, metres(state));
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::identify_by_force_balance(net, survey, law).edges.data());
+        benchmark::DoNotOptimize(
+            taut::identify(net, survey, {.method = taut::IdentificationMethod::balance, .law = law})
+                .edges.data());
     }
 }
 BENCHMARK(balance)->Arg(0)->Arg(5)->Unit(benchmark::kMillisecond);
@@ -57,7 +58,8 @@ void map(benchmark::State& state) {
     const taut::Survey survey = survey_of(net, metres(state));
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            taut::identify_by_maximum_a_posteriori(net, survey, law).edges.data());
+            taut::identify(net, survey, {.method = taut::IdentificationMethod::map, .law = law})
+                .edges.data());
     }
 }
 BENCHMARK(map)->Arg(0)->Arg(1)->Arg(5)->Arg(20)->Unit(benchmark::kMillisecond);
@@ -69,7 +71,8 @@ void map_of_hypar(benchmark::State& state) {
     const taut::Survey survey = survey_of(net, 0.0005);
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            taut::identify_by_maximum_a_posteriori(net, survey, law).edges.data());
+            taut::identify(net, survey, {.method = taut::IdentificationMethod::map, .law = law})
+                .edges.data());
     }
 }
 BENCHMARK(map_of_hypar)->Arg(30)->Arg(158)->Unit(benchmark::kMillisecond)->Iterations(1);

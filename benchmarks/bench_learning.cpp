@@ -6,7 +6,8 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/gp/kernel.hpp"
 #include "taut/gp/spectrum.hpp"
-#include "taut/identification/identification.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/length_estimates.hpp"
 #include "taut/sampling/sampler.hpp"
 
 namespace {
@@ -82,7 +83,7 @@ void identify_by_processes_from_a_noisy_survey(benchmark::State& state) {
         .surveyed = net().free_nodes(),
         .missing = {}};
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::identify_by_processes(net(), trained, survey).edges.data());
+        benchmark::DoNotOptimize(taut::identify(net(), survey, {.model = &trained}).edges.data());
     }
 }
 BENCHMARK(identify_by_processes_from_a_noisy_survey)->Unit(benchmark::kMillisecond)->UseRealTime();

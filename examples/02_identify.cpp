@@ -6,7 +6,8 @@
 #include <iostream>
 
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/identification.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/model.hpp"
 #include "taut/sampling/sampler.hpp"
 
 int main() {
@@ -25,7 +26,7 @@ int main() {
     survey.form =
         taut::with_free_coordinates(net, data.nominal_form + data.form_deviations.col(400));
     survey.surveyed = net.free_nodes();
-    const taut::Identification result = taut::identify_by_processes(net, model, survey);
+    const taut::Identification result = taut::identify(net, survey, {.model = &model});
 
     double worst = 0.0;
     for (size_t i = 0; i < result.edges.size(); ++i) {

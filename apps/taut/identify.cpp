@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -12,129 +13,98 @@
 #include "survey_input.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
-#include "taut/identification/force_balance.hpp"
-#include "taut/identification/identification.hpp"
-#include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/identification/identify.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/io/survey_csv.hpp"
-#include "taut/net/units.hpp"
 #include "taut/results/results_json.hpp"
-#include "taut/sampling/sampler.hpp"
-#include "taut/statics/tensions.hpp"
+#include "taut/sampling/data_set.hpp"
 
 namespace taut::app {
 namespace {
 
-/// Samples to train on where no model is given.
-constexpr int default_samples = 1000;
-
-struct IdentifyOptions : CommonOptions, SurveyOptions {
+struct Options : CommonOptions, SurveyOptions {
     std::string net;
     std::string method;  ///< empty: chosen by what is there
     std::string model;
-    std::string law = "uniform:5mm";
-    bool law_given = false;
+    std::string law;  ///< empty: the model's, or the default
     std::string output;
 };
 
-struct Choice {
-    std::string method;
-    std::string reason;
-};
-
-/// The method that was asked for, or the one that suits what is there.
-Choice choose_method(const IdentifyOptions& options, const CableNet& net, const Survey& survey) {
-    const bool has_noise = is_noisy(survey);
-    const bool has_hidden = !survey.missing.empty();
-    Choice choice{.method = options.method, .reason = "asked for by --method"};
-    if (choice.method.empty() && !options.model.empty()) {
-        choice = {.method = "gp", .reason = "a model is given"};
-    } else if (choice.method.empty() && has_hidden) {
-        choice = {.method = "map",
-                  .reason = fmt::format("{} free nodes were not surveyed", survey.missing.size())};
-    } else if (choice.method.empty() && has_noise) {
-        choice = {.method = "map", .reason = "the survey has noise"};
-    } else if (choice.method.empty()) {
-        choice = {.method = "balance",
-                  .reason = "all free nodes were surveyed, and no noise is told"};
-    }
-    if (has_hidden && (choice.method == "balance" || !has_noise)) {
-        const std::string expected =
-            choice.method == "balance" ? "all for --method balance" : all_or_their_noise;
-        refuse_hidden_nodes(net, survey, options.survey, expected);
-    }
-    return choice;
-}
-
-LengthModel stored_model(const IdentifyOptions& options, const CableNet& net) {
-    LengthModel model = read_model(options.model).model;
-    if (model.net_fingerprint != net.fingerprint()) {
-        throw InputError(options.model, "",
-                         fmt::format("was trained for the net {}, expected {}, that of {}",
-                                     model.net_fingerprint, net.fingerprint(), options.net));
-    }
-    if (options.law_given && model.law != parse_length_law(options.law)) {
-        throw InputError(options.model, "",
-                         fmt::format("was trained for the law {}, expected {}",
-                                     model.law.to_string(), options.law));
-    }
-    return model;
-}
-
-/// Where no model is given: one is trained for the net and the law, and forgotten.
-LengthModel trained_model(const IdentifyOptions& options, const CableNet& net) {
-    ProgressLine line(options.quiet);
-    const Progress progress = line.progress();
-    const Sampler sampler(net, parse_length_law(options.law), 1);
-    const DataSet data = draw_samples(sampler, default_samples, progress);
-    return train(net, data, data.converged_in(0, data.size()), {}, progress);
-}
-
-/// The identification, and how it came about, in words.
-struct Outcome {
-    Identification result;
-    std::string how;
-};
-
-Outcome identify(const IdentifyOptions& options, const CableNet& net, const Survey& survey,
-                 const std::string& method) {
-    if (method == "gp") {
-        const LengthModel model =
-            options.model.empty() ? trained_model(options, net) : stored_model(options, net);
-        if (model.as_in_paper()) {
-            refuse_hidden_nodes(net, survey, options.survey, "all for a model as in the paper");
-        }
-        return {
-            identify_by_processes(net, model, survey),
-            fmt::format(
-                "Gaussian processes trained on {} samples of {}{}", model.training_count(),
-                model.law.to_string(),
-                options.model.empty() ? " (no --model was given, so they were drawn now)" : "") +
-                (model.as_in_paper() && is_noisy(survey)
-                     ? "\n  as in the paper, which takes the survey for exact: its noise is not in "
-                       "their intervals"
-                     : "")};
+/// The law that was asked for, by the rules of the sampler.
+std::optional<LengthLaw> law_of(const CableNet& net, const Options& options) {
+    if (options.law.empty()) {
+        return std::nullopt;
     }
     const LengthLaw law = parse_length_law(options.law);
-    if (method == "map") {
-        return {identify_by_maximum_a_posteriori(net, survey, law),
-                fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string())};
+    try {
+        check_law(net, law);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(options.net, "", error.what());
     }
-    return {identify_by_force_balance(net, survey, law),
-            fmt::format("force balance at the surveyed form, lengths {}", law.to_string())};
+    return law;
+}
+
+std::optional<LengthModel> model_of(const CableNet& net, const Options& options,
+                                    const std::optional<LengthLaw>& law) {
+    if (options.model.empty()) {
+        return std::nullopt;
+    }
+    LengthModel model = read_model(options.model).model;
+    try {
+        check_model(net, model, law);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(options.model, "", error.what());
+    }
+    return model;
 }
 
 int count(const Identification& result, EdgeStatus status) {
     return static_cast<int>(std::ranges::count(result.edges, status, &IdentifiedEdge::status));
 }
 
-void print(const IdentifyOptions& options, const CableNet& net, const Survey& survey,
-           const Outcome& outcome) {
-    const Identification& result = outcome.result;
+/// Of a slack edge no deviation is known, only a bound: those are listed apart.
+void print_largest(const CableNet& net, const Identification& result) {
+    std::vector<IdentifiedEdge> edges = result.edges;
+    std::erase_if(edges, [](const IdentifiedEdge& e) { return e.status == EdgeStatus::slack; });
+    if (edges.empty()) {
+        return;
+    }
+    std::ranges::sort(edges, std::greater{},
+                      [](const IdentifiedEdge& e) { return std::abs(e.length_deviation); });
+    fmt::print("largest length deviations [mm]\n  {:<12}{:>12}{:>10}{:>22}  status\n", "edge",
+               "deviation", "std", "95 % interval");
+    constexpr size_t shown = 8;
+    for (size_t i = 0; i < std::min(shown, edges.size()); ++i) {
+        const IdentifiedEdge& e = edges[i];
+        fmt::print("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}  {}\n", net.edge_id(e.edge),
+                   1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper,
+                   to_string(e.status));
+    }
+}
+
+void print_slack(const CableNet& net, const Identification& result) {
+    std::vector<IdentifiedEdge> edges = result.edges;
+    std::erase_if(edges, [](const IdentifiedEdge& e) { return e.status != EdgeStatus::slack; });
+    if (edges.empty()) {
+        return;
+    }
+    std::ranges::sort(edges, std::greater{}, &IdentifiedEdge::lower);
+    fmt::print("slack edges: only a bound of the length deviation is known [mm]\n  {:<12}{:>12}\n",
+               "edge", "at least");
+    constexpr size_t shown = 8;
+    for (size_t i = 0; i < std::min(shown, edges.size()); ++i) {
+        fmt::print("  {:<12}{:>12.3f}\n", net.edge_id(edges[i].edge), 1e3 * edges[i].lower);
+    }
+    if (edges.size() > shown) {
+        fmt::print("  and {} more\n", edges.size() - shown);
+    }
+}
+
+void print(const Options& options, const CableNet& net, const Survey& survey,
+           const Identification& result) {
     fmt::print("{}\n{}", counts_text(net), survey_text(net, options, survey));
-    fmt::print("method {}: {}\n  chosen because: {}\n\n", result.method, outcome.how,
+    fmt::print("method {}: {}\n  chosen because: {}\n\n", result.method, result.how,
                result.method_reason);
     if (!result.outliers.empty()) {
         fmt::print("gross errors, left out: {} {}\n", result.outliers.size(),
@@ -150,7 +120,7 @@ void print(const IdentifyOptions& options, const CableNet& net, const Survey& su
         constexpr double least = 0.7;
         constexpr double most = 1.3;
         if (result.noise_ratio < least || result.noise_ratio > most) {
-            const double told = survey.noise_std(Eigen::all, survey.surveyed).maxCoeff();
+            const double told = survey.largest_noise_std();
             fmt::print(
                 "  the noise told seems too {}, and so all standard deviations: {:.2g} mm "
                 "would fit\n",
@@ -171,95 +141,60 @@ void print(const IdentifyOptions& options, const CableNet& net, const Survey& su
     fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n\n",
                1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
                1e3 * residuals.maxCoeff());
-    fmt::print("largest length deviations [mm]\n  {:<12}{:>12}{:>10}{:>22}  status\n", "edge",
-               "deviation", "std", "95 % interval");
-    std::vector<IdentifiedEdge> edges = result.edges;
-    std::ranges::sort(edges, std::greater{},
-                      [](const IdentifiedEdge& e) { return std::abs(e.length_deviation); });
-    constexpr size_t shown = 8;
-    for (size_t i = 0; i < std::min(shown, edges.size()); ++i) {
-        const IdentifiedEdge& e = edges[i];
-        fmt::print("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}  {}\n", net.edge_id(e.edge),
-                   1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper,
-                   to_string(e.status));
-    }
+    print_largest(net, result);
+    print_slack(net, result);
     if (!options.output.empty()) {
         fmt::print("\nwritten to {}: all {} edges, and the predicted form\n", options.output,
-                   edges.size());
+                   result.edges.size());
     }
 }
 
-std::string failure_text(const IdentifyOptions& options, const Survey& survey,
-                         const Identification& result) {
-    if (result.status == IdentificationStatus::survey_does_not_fit) {
-        return fmt::format(
-            "{}: {} of {} targets contradict the others: are net, frame, law and noise ({}) right?",
-            options.survey, result.outliers.size(), survey.surveyed.size(),
-            format_length(survey.noise_std(Eigen::all, survey.surveyed).maxCoeff()));
-    }
-    return fmt::format("{}: method {} found no lengths that settle: {}{}", options.survey,
-                       result.method, to_string(result.status),
-                       result.method == "gp" ? "" : "; --method gp needs no such search");
-}
-
-/// Checks of a law for a net, by the rules of the sampler.
-void check_law_of(const CableNet& net, const IdentifyOptions& options) {
-    try {
-        check_law(net, parse_length_law(options.law));
-    } catch (const std::invalid_argument& error) {
-        throw InputError(options.net, "", error.what());
+/// What did not converge: bad input where the survey is not what it was taken for.
+void refuse_unless_converged(const Options& options, const Identification& result) {
+    switch (result.status) {
+        case IdentificationStatus::converged:
+            return;
+        case IdentificationStatus::survey_not_exact:
+            throw InputError(options.survey, "",
+                             result.message + ": --noise tells it, or sx, sy, sz in the file");
+        case IdentificationStatus::iteration_limit:
+        case IdentificationStatus::survey_does_not_fit:
+        case IdentificationStatus::no_equilibrium:
+            throw NumericalFailure(
+                fmt::format("{}: method {}: {}", options.survey, result.method, result.message));
     }
 }
 
-/// An exact form is met to rounding errors by the lengths that balance it. Where it is not, the
-/// intervals would be those of an exact survey around lengths that are not.
-void refuse_inexact_form(const IdentifyOptions& options, const CableNet& net, const Survey& survey,
-                         const Identification& result) {
-    constexpr double rounding = 1e-5;  // of an edge length
-    const double miss =
-        std::sqrt(result.residuals.squaredNorm() / static_cast<double>(result.residuals.size()));
-    if (result.method != "gp" && !is_noisy(survey) &&
-        miss > rounding * edge_lengths(net, net.nodes()).mean()) {
-        throw InputError(options.survey, "",
-                         fmt::format("is taken for exact, but no lengths of the law {} give its "
-                                     "form: those found miss it by {:.3g} mm RMS. Tell its noise "
-                                     "(--noise, or sx, sy, sz in the file), or another law",
-                                     options.law, 1e3 * miss));
-    }
-}
-
-void run(const IdentifyOptions& options) {
+void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
-    check_law_of(net, options);
-    const Survey survey = read_survey(net, options);
-    const Choice choice = choose_method(options, net, survey);
-    if (!options.model.empty() && choice.method != "gp") {
-        throw std::invalid_argument(
-            fmt::format("--model is for --method gp, not for {}", choice.method));
-    }
+    const std::optional<LengthLaw> law = law_of(net, options);
+    const Survey survey = read_survey(net, options.survey, options.reading());
+    const std::optional<LengthModel> model = model_of(net, options, law);
     check_outputs({options.output}, {options.net, options.survey, options.model, options.control});
-    Outcome outcome = identify(options, net, survey, choice.method);
-    outcome.result.method_reason = choice.reason;
-    if (outcome.result.status != IdentificationStatus::converged) {
-        throw NumericalFailure(failure_text(options, survey, outcome.result));
+    IdentifyOptions settings{.law = law, .model = model ? &*model : nullptr};
+    if (!options.method.empty()) {
+        settings.method = parse_identification_method(options.method);
     }
-    refuse_inexact_form(options, net, survey, outcome.result);
-    const std::string document = identification_to_json(net, survey, outcome.result, run_record());
+    ProgressLine line(options.quiet);
+    const Identification result = with_survey_of(
+        options.survey, [&] { return identify(net, survey, settings, line.progress()); });
+    refuse_unless_converged(options, result);
+    const std::string document = identification_to_json(net, survey, result, run_record());
     if (!options.output.empty()) {
         write_file(options.output, document);
     }
     if (options.json) {
         fmt::print("{}", document);
     } else {
-        print(options, net, survey, outcome);
+        print(options, net, survey, result);
     }
 }
 
 }  // namespace
 
 void add_identify(CLI::App& program) {
-    auto options = std::make_shared<IdentifyOptions>();
+    auto options = std::make_shared<Options>();
     CLI::App& command = add_command(
         program, "identify", "Tell each edge's unstressed length from one survey of the form",
         "  taut identify net.json survey.csv --noise 0.5mm -o result.json", *options);
@@ -277,13 +212,8 @@ void add_identify(CLI::App& program) {
         ->check(CLI::IsMember({"gp", "balance", "map"}));
     command.add_option("--model", options->model,
                        "Model of taut train, for gp (default: trained now, on 1000 samples)");
-    command.add_option_function<std::string>(
-        "--law",
-        [options](const std::string& law) {
-            options->law = law;
-            options->law_given = true;
-        },
-        "Law of the length deviations (default: the model's, or uniform:5mm)");
+    command.add_option("--law", options->law,
+                       "Law of the length deviations (default: the model's, or uniform:5mm)");
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
     command.callback([options] { run(*options); });
 }

@@ -13,15 +13,13 @@ namespace taut::app {
 
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
                      const LengthLaw& law, const std::string& net_file) {
-    Survey survey = read_planned_survey(net, options);
-    if (!is_noisy(survey)) {
-        refuse_hidden_nodes(net, survey, options.survey, all_or_their_noise);
-    }
+    Survey survey = read_planned_survey(net, options.survey, options.reading());
     if (!nominal.balanced()) {
         throw NumericalFailure(
             fmt::format("{}: no equilibrium: {}", net_file, equilibrium_text(nominal)));
     }
-    SurveyProspect lengths = survey_prospect(net, nominal.form, survey, law);
+    SurveyProspect lengths = with_survey_of(
+        options.survey, [&] { return survey_prospect(net, nominal.form, survey, law); });
     return {.survey = std::move(survey), .law = law, .lengths = std::move(lengths)};
 }
 

@@ -55,7 +55,7 @@ void choose(Setting& chosen, const std::string& name, const std::array<Setting, 
 }
 
 TrainingSettings TrainOptions::settings() const {
-    TrainingSettings settings = as_in_paper ? TrainingSettings::as_in_paper() : TrainingSettings();
+    TrainingSettings settings = as_in_paper ? TrainingSettings::paper() : TrainingSettings();
     choose(settings.mean, mean, all_means);
     choose(settings.metric, kernel, all_metrics);
     return settings;

@@ -14,12 +14,24 @@ namespace {
 /// A direction in which the fit follows a target to this part of its variance cannot be tested.
 constexpr double smallest_redundancy = 1e-3;
 
+/// More targets with gross errors than this part: not they are wrong, but net, frame, law or noise.
+constexpr double most_outliers = 0.25;
+
 /// Of three degrees of freedom.
 constexpr double median_of_chi_squared = 2.366;
 
+std::vector<std::vector<int>> neighbours_of(const CableNet& net) {
+    std::vector<std::vector<int>> neighbours(net.node_count());
+    for (const auto& [s, t] : net.edges()) {
+        neighbours[s].push_back(t);
+        neighbours[t].push_back(s);
+    }
+    return neighbours;
+}
+
 }  // namespace
 
-double outlier_threshold(double false_alarm_rate, size_t targets) {
+double snooping_threshold(double false_alarm_rate, size_t targets) {
     if (!(false_alarm_rate > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
@@ -28,82 +40,61 @@ double outlier_threshold(double false_alarm_rate, size_t targets) {
         boost::math::complement(boost::math::chi_squared_distribution<>(3.0), of_one));
 }
 
-Neighbours neighbours_of(const CableNet& net) {
-    Neighbours neighbours(net.node_count());
-    for (const auto& [s, t] : net.edges()) {
-        neighbours[s].push_back(t);
-        neighbours[t].push_back(s);
-    }
-    return neighbours;
-}
-
-std::vector<int> worst_targets(const std::vector<int>& surveyed, const Neighbours& neighbours,
-                               const Eigen::VectorXd& statistics, const std::vector<bool>& left_out,
-                               double threshold) {
-    const auto is_worst_around = [&](int node) {
-        const auto beats = [&](int other) {
-            return left_out[other] || statistics(node) >= statistics(other);
-        };
-        return std::ranges::all_of(neighbours[node], [&](int near) {
-            return beats(near) && std::ranges::all_of(neighbours[near], beats);
-        });
-    };
-    std::vector<int> worst;
-    for (const int node : surveyed) {
-        if (!left_out[node] && statistics(node) > threshold && is_worst_around(node)) {
-            worst.push_back(node);
-        }
-    }
-    return worst;
-}
-
-GrossErrorTest::GrossErrorTest(const CableNet& net, const Survey& survey, const Points& noise,
-                               double false_alarm_rate)
+DataSnooping::DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
+                           double false_alarm_rate)
     : m_survey(survey),
       m_noise(noise),
-      m_threshold(outlier_threshold(false_alarm_rate, survey.surveyed.size())),
+      m_threshold(
+          snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0, survey.surveyed.size())),
       m_neighbours(neighbours_of(net)),
-      m_left_out(net.node_count(), false),
-      m_acquitted(net.node_count(), false),
+      m_rejected(net.node_count(), false),
+      m_readmitted(net.node_count(), false),
       m_statistics(Eigen::VectorXd::Zero(net.node_count())),
       m_distances(Eigen::VectorXd::Zero(net.node_count())) {}
 
-int GrossErrorTest::left_out_count() const {
-    return static_cast<int>(std::ranges::count(m_left_out, true));
+bool DataSnooping::is_active() const {
+    return std::isfinite(m_threshold);
 }
 
-int GrossErrorTest::suspicious_count() const {
+int DataSnooping::rejected_count() const {
+    return static_cast<int>(std::ranges::count(m_rejected, true));
+}
+
+int DataSnooping::suspicious_count() const {
     return static_cast<int>(std::ranges::count_if(m_survey.surveyed, [this](int node) {
-        return !is_left_out(node) && m_statistics(node) > m_threshold;
+        return !is_rejected(node) && m_statistics(node) > m_threshold;
     }));
 }
 
-void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& fitted_form,
-                              double inflation) {
+bool DataSnooping::is_too_many(int targets) const {
+    return targets > most_outliers * static_cast<double>(m_survey.surveyed.size());
+}
+
+void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& covariance,
+                            double inflation) {
     m_statistics.setZero();
-    m_distances.setZero();
     m_squares = 0.0;
     m_redundancy = 0.0;
     for (const int node : m_survey.surveyed) {
         const Eigen::Vector3d residual = m_survey.form.col(node) - fitted_form.col(node);
         m_distances(node) = residual.norm();
-        // In units of the noise: I -+ Sigma^-1/2 C Sigma^-1/2.
+        // In units of the noise: Sigma^-1/2 Q Sigma^-1/2 = I -+ Sigma^-1/2 C Sigma^-1/2.
         const Eigen::DiagonalMatrix<double, 3> whiten(
             (inflation * m_noise.col(node)).cwiseInverse());
         const Eigen::Vector3d e = whiten * residual;
-        const double sign = is_left_out(node) ? 1.0 : -1.0;
+        const double sign = is_rejected(node) ? 1.0 : -1.0;
         const Eigen::Matrix3d Q =
-            Eigen::Matrix3d::Identity() + sign * (whiten * statics.form_covariance(node) * whiten);
+            Eigen::Matrix3d::Identity() + sign * (whiten * covariance(node) * whiten);
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
         for (int k = 0; k < 3; ++k) {
             if (eigen.eigenvalues()(k) > smallest_redundancy) {
                 const double along = eigen.eigenvectors().col(k).dot(e);
-                m_statistics(node) += along * along / eigen.eigenvalues()(k);
+                m_statistics(node) += along * along / eigen.eigenvalues()(k);  // (snooping)
             }
         }
-        if (!is_left_out(node)) {
+        if (!is_rejected(node)) {
             m_squares += e.squaredNorm();
-            m_redundancy += Q.trace();
+            m_redundancy += Q.trace();  // (redundancy)
         }
     }
     if (inflation > 1.0) {
@@ -113,10 +104,10 @@ void GrossErrorTest::evaluate(const ConditionedStatics& statics, const Points& f
 }
 
 /// Of the targets in use.
-double GrossErrorTest::median_statistic() const {
+double DataSnooping::median_statistic() const {
     std::vector<double> in_use;
     for (const int node : m_survey.surveyed) {
-        if (!is_left_out(node)) {
+        if (!is_rejected(node)) {
             in_use.push_back(m_statistics(node));
         }
     }
@@ -128,48 +119,61 @@ double GrossErrorTest::median_statistic() const {
     return *middle;
 }
 
-bool GrossErrorTest::revise() {
-    Eigen::VectorXd suspicious = m_statistics;
+/// Of the targets in use that were not readmitted, those above the threshold with the largest
+/// statistic of all in use that are two edges away or less.
+std::vector<int> DataSnooping::largest_above_threshold() const {
+    const auto statistic = [this](int node) {
+        return m_rejected[node] || m_readmitted[node] ? 0.0 : m_statistics(node);
+    };
+    std::vector<int> result;
     for (const int node : m_survey.surveyed) {
-        if (m_acquitted[node]) {
-            suspicious(node) = 0.0;
+        const double own = statistic(node);
+        const auto is_no_smaller = [&](int other) { return own >= statistic(other); };
+        const bool is_largest = std::ranges::all_of(m_neighbours[node], [&](int near) {
+            return is_no_smaller(near) && std::ranges::all_of(m_neighbours[near], is_no_smaller);
+        });
+        if (own > m_threshold && is_largest) {
+            result.push_back(node);
         }
     }
-    std::vector<int> changing =
-        worst_targets(m_survey.surveyed, m_neighbours, suspicious, m_left_out, m_threshold);
+    return result;
+}
+
+bool DataSnooping::revise() {
+    std::vector<int> changing = largest_above_threshold();
     if (changing.empty()) {
         for (const int node : m_survey.surveyed) {
-            if (is_left_out(node) && m_statistics(node) <= m_threshold) {
+            if (is_rejected(node) && m_statistics(node) <= m_threshold) {
                 changing.push_back(node);
-                m_acquitted[node] = true;
+                m_readmitted[node] = true;
             }
         }
     }
     for (const int node : changing) {
-        m_left_out[node] = !is_left_out(node);
+        m_rejected[node] = !is_rejected(node);
     }
     return !changing.empty();
 }
 
-void GrossErrorTest::leave_out_suspicious() {
+void DataSnooping::reject_suspicious() {
     for (const int node : m_survey.surveyed) {
         if (m_statistics(node) > m_threshold) {
-            m_left_out[node] = true;
+            m_rejected[node] = true;
         }
     }
 }
 
-void GrossErrorTest::take_all_back() {
-    m_left_out.assign(m_left_out.size(), false);
+void DataSnooping::readmit_all() {
+    m_rejected.assign(m_rejected.size(), false);
 }
-void GrossErrorTest::reopen() {
-    m_acquitted.assign(m_acquitted.size(), false);
+void DataSnooping::reopen() {
+    m_readmitted.assign(m_readmitted.size(), false);
 }
 
-std::vector<Outlier> GrossErrorTest::outliers() const {
+std::vector<Outlier> DataSnooping::outliers() const {
     std::vector<Outlier> result;
     for (const int node : m_survey.surveyed) {
-        if (is_left_out(node)) {
+        if (is_rejected(node)) {
             result.push_back(
                 {.node = node, .distance = m_distances(node), .statistic = m_statistics(node)});
         }
@@ -178,7 +182,7 @@ std::vector<Outlier> GrossErrorTest::outliers() const {
     return result;
 }
 
-double GrossErrorTest::noise_ratio() const {
+double DataSnooping::noise_ratio() const {
     return m_redundancy > 0.0 ? std::sqrt(m_squares / m_redundancy) : 0.0;
 }
 

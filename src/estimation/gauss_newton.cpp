@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace taut {
 namespace {
@@ -16,72 +17,88 @@ constexpr double fast_contraction = 0.3;
 /// The search gives up where steps this much shorter still lead astray.
 constexpr double shortest_part = 1e-4;
 
-Guess moved(const Guess& guess, const Guess& change, double part) {
-    return {.form = guess.form + part * change.form,
-            .deviations = guess.deviations + part * change.deviations};
+Iterate moved(const Iterate& iterate, const Iterate& step, double part) {
+    return {.form = iterate.form + part * step.form,
+            .deviations = iterate.deviations + part * step.deviations};
 }
 
-double size_of(const Guess& change) {
+double size_of(const Iterate& step) {
     const double size =
-        std::max(change.form.cwiseAbs().maxCoeff(), change.deviations.cwiseAbs().maxCoeff());
+        std::max(step.form.cwiseAbs().maxCoeff(), step.deviations.cwiseAbs().maxCoeff());
     return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
+}
+
+Iterate linearised_step(LinearisedStatics& statics, const Observations& observations,
+                        const Iterate& iterate) {
+    if (!statics.linearise(iterate, observations)) {
+        throw std::runtime_error(
+            "the statics of the net are singular at the surveyed form: are net and law right?");
+    }
+    return statics.step(iterate, observations);
+}
+
+/// A part of a step, where it leads, and the step that the same matrix gives from there.
+struct Trial {
+    double part = 1.0;
+    Iterate iterate;
+    Iterate next;
+};
+
+Trial try_part(const LinearisedStatics& statics, const Observations& observations,
+               const Iterate& iterate, const Iterate& step, double part) {
+    Trial trial{.part = part, .iterate = moved(iterate, step, part), .next = {}};
+    trial.next = statics.step(trial.iterate, observations);
+    return trial;
+}
+
+/// (monotonicity): forces and misfit are held against each other in metres.
+bool leads_astray(const Trial& trial, const Iterate& step, double tolerance) {
+    const double size = size_of(trial.next);
+    return size > (1.0 - 0.5 * trial.part) * size_of(step) && size > tolerance;
 }
 
 }  // namespace
 
-GaussNewtonResult fit_under_statics(ConditionedStatics& statics, const Knowledge& knowledge,
-                                    Guess start, double tolerance, int max_iterations) {
-    GaussNewtonResult result{.guess = std::move(start)};
-    const auto linearised_step = [&] {
-        if (!statics.linearise(result.guess, knowledge)) {
-            throw std::runtime_error(
-                "the statics of the net are singular at the surveyed form: are net and law right?");
-        }
-        return statics.step(result.guess, knowledge);
-    };
-    Guess step = linearised_step();
+GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& observations,
+                               Iterate start, double tolerance, int max_iterations) {
+    GaussNewtonResult result{.iterate = std::move(start)};
+    Iterate step = linearised_step(statics, observations, result.iterate);  // (normal)
     bool is_linearised_here = true;
-    while (result.iterations < max_iterations) {
+    const auto relinearise = [&] {
+        step = linearised_step(statics, observations, result.iterate);
+        is_linearised_here = true;
+    };
+    while (result.iterations < max_iterations && std::isfinite(size_of(step))) {
         if (size_of(step) <= tolerance) {
             // The covariance is to be that of the result.
             if (is_linearised_here) {
-                result.guess = moved(result.guess, step, 1.0);
+                result.iterate = moved(result.iterate, step, 1.0);
                 result.converged = true;
                 return result;
             }
-            step = linearised_step();
-            is_linearised_here = true;
+            relinearise();
             continue;
-        }
-        if (!std::isfinite(size_of(step))) {
-            return result;
         }
         ++result.iterations;
-        // Natural monotonicity test (Deuflhard): the step that the same matrix gives from where
-        // this one leads must be shorter. It holds forces and misfit against each other in metres.
-        double part = 1.0;
-        Guess trial = moved(result.guess, step, part);
-        Guess next = statics.step(trial, knowledge);
-        const auto leads_astray = [&] {
-            return size_of(next) > (1.0 - 0.5 * part) * size_of(step) && size_of(next) > tolerance;
-        };
+        Trial trial = try_part(statics, observations, result.iterate, step, 1.0);
         // A matrix from elsewhere need not even give a direction of descent.
-        if (!is_linearised_here && leads_astray()) {
-            step = linearised_step();
-            is_linearised_here = true;
+        if (!is_linearised_here && leads_astray(trial, step, tolerance)) {
+            relinearise();
             continue;
         }
-        while (part > shortest_part && leads_astray()) {
-            part *= 0.5;
-            trial = moved(result.guess, step, part);
-            next = statics.step(trial, knowledge);
+        while (trial.part > shortest_part && leads_astray(trial, step, tolerance)) {
+            trial = try_part(statics, observations, result.iterate, step, 0.5 * trial.part);
         }
-        if (part <= shortest_part) {
+        if (trial.part <= shortest_part) {
             return result;
         }
-        result.guess = std::move(trial);
-        is_linearised_here = part < 1.0 || size_of(next) > fast_contraction * size_of(step);
-        step = is_linearised_here ? linearised_step() : std::move(next);
+        result.iterate = std::move(trial.iterate);
+        if (trial.part < 1.0 || size_of(trial.next) > fast_contraction * size_of(step)) {
+            relinearise();
+        } else {
+            step = std::move(trial.next);
+            is_linearised_here = false;
+        }
     }
     return result;
 }

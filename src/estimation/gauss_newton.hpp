@@ -7,17 +7,19 @@
 namespace taut {
 
 struct GaussNewtonResult {
-    Guess guess;
+    Iterate iterate;
     bool converged = false;
     int iterations = 0;
 };
 
-/// Goes from a start to the form and lengths that fit all knowledge best under the statics (see
-/// ConditionedStatics), until a step changes no place and no length by more than the tolerance [m].
-/// The statics are left linearised at the result, to the tolerance.
+/// Gauss-Newton under constraints: from a start to the form and lengths that minimise (map) of
+/// docs/theory.md under the statics with the slack set of `statics`, until a step changes no place
+/// and no length by more than the tolerance [m]. Each step solves the normal equations (normal);
+/// the natural monotonicity test (monotonicity) damps it. Where it converges the statics are left
+/// linearised at the result, to the tolerance.
 /// @throws std::runtime_error where no factor is found
-[[nodiscard]] GaussNewtonResult fit_under_statics(ConditionedStatics& statics,
-                                                  const Knowledge& knowledge, Guess start,
-                                                  double tolerance, int max_iterations);
+[[nodiscard]] GaussNewtonResult gauss_newton(LinearisedStatics& statics,
+                                             const Observations& observations, Iterate start,
+                                             double tolerance, int max_iterations);
 
 }  // namespace taut

@@ -81,6 +81,7 @@ LengthLikelihood without_prior(double prior_mean, double prior_std, double poste
 }
 
 LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
+    law.check();
     if (!std::isfinite(likelihood.mean) || !(likelihood.std > 0.0)) {
         throw std::invalid_argument(
             fmt::format("the likelihood has mean {} and std {}, expected a finite and a positive "

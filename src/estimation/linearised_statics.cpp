@@ -21,7 +21,7 @@ std::vector<bool> interior_flags(const CableNet& net) {
 
 }  // namespace
 
-ConditionedStatics::ConditionedStatics(const CableNet& net)
+LinearisedStatics::LinearisedStatics(const CableNet& net)
     : m_net(net),
       m_local(number_for_elimination(net)),
       m_local_of(net.node_count()),
@@ -37,12 +37,13 @@ ConditionedStatics::ConditionedStatics(const CableNet& net)
     }
 }
 
-ConditionedStatics::EdgeRates ConditionedStatics::rates(int edge, const Guess& guess) const {
+/// docs/theory.md, (edge rates)
+LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& iterate) const {
     const auto [s, t] = m_net.edges()[edge];
     const int i = m_interior_of[edge];
     const double unstressed =
-        m_net.unstressed_lengths()(edge) + (i >= 0 ? guess.deviations(i) : 0.0);
-    const Eigen::Vector3d vector = guess.form.col(s) - guess.form.col(t);
+        m_net.unstressed_lengths()(edge) + (i >= 0 ? iterate.deviations(i) : 0.0);
+    const Eigen::Vector3d vector = iterate.form.col(s) - iterate.form.col(t);
     const double length = vector.norm();
     const Eigen::Vector3d u = vector / length;
     const double axial = m_net.axial_stiffness()(edge) / unstressed;
@@ -53,20 +54,20 @@ ConditionedStatics::EdgeRates ConditionedStatics::rates(int edge, const Guess& g
         .length_rate = -axial / unstressed * vector};
 }
 
-void ConditionedStatics::set_weights(const Knowledge& knowledge) {
-    m_length_unit = std::sqrt(knowledge.variance.mean());
+void LinearisedStatics::set_weights(const Observations& observations) {
+    m_length_unit = std::sqrt(observations.variance.mean());
     m_multiplier_unit =
         1.0 /
         (m_length_unit * m_net.axial_stiffness().cwiseQuotient(m_net.unstressed_lengths()).mean());
     const double squared_unit = m_length_unit * m_length_unit;
-    m_matrix.place_weights = squared_unit * knowledge.weights(Eigen::all, m_free_nodes);
+    m_matrix.place_weights = squared_unit * observations.weights(Eigen::all, m_free_nodes);
     m_matrix.length_weights(m_net.interior_edges()) =
-        squared_unit * knowledge.variance.cwiseInverse();
+        squared_unit * observations.variance.cwiseInverse();
 }
 
-void ConditionedStatics::add_edge(int edge, const Guess& guess) {
+void LinearisedStatics::add_edge(int edge, const Iterate& iterate) {
     const auto [s, t] = m_local.edges[edge];
-    const EdgeRates e = rates(edge, guess);
+    const EdgeRates e = rates(edge, iterate);
     const double unit = m_length_unit * m_multiplier_unit;
     m_matrix.edge_stiffness[edge] = unit * e.stiffness;
     m_matrix.length_rates.col(edge) = unit * e.length_rate;
@@ -79,14 +80,14 @@ void ConditionedStatics::add_edge(int edge, const Guess& guess) {
     }
 }
 
-bool ConditionedStatics::linearise(const Guess& guess, const Knowledge& knowledge) {
-    set_weights(knowledge);
+bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& observations) {
+    set_weights(observations);
     std::ranges::fill(m_matrix.edge_stiffness, Eigen::Matrix3d::Zero());
     std::ranges::fill(m_matrix.node_stiffness, Eigen::Matrix3d::Zero());
     m_matrix.length_rates.setZero();
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!m_slack[e]) {
-            add_edge(e, guess);
+            add_edge(e, iterate);
         }
     }
     m_place_reactions.setZero(3, m_local.free_count);
@@ -94,11 +95,11 @@ bool ConditionedStatics::linearise(const Guess& guess, const Knowledge& knowledg
     if (!m_matrix.factorize()) {
         return false;
     }
-    set_reactions(m_matrix.solve(right_side(guess, knowledge)).multipliers);
+    set_reactions(m_matrix.solve(right_side(iterate, observations)).multipliers);
     return true;
 }
 
-void ConditionedStatics::set_reactions(const Eigen::Matrix3Xd& multipliers) {
+void LinearisedStatics::set_reactions(const Eigen::Matrix3Xd& multipliers) {
     for (int node = 0; node < m_local.free_count; ++node) {
         m_place_reactions.col(node) = m_matrix.node_stiffness[node] * multipliers.col(node);
     }
@@ -120,44 +121,45 @@ void ConditionedStatics::set_reactions(const Eigen::Matrix3Xd& multipliers) {
     }
 }
 
-SaddlePointFactor::Vector ConditionedStatics::right_side(const Guess& guess,
-                                                         const Knowledge& knowledge) const {
+SaddlePointFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
+                                                        const Observations& observations) const {
     Points forces = -m_net.loads();
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!m_slack[e]) {
             const auto [s, t] = m_net.edges()[e];
-            const Eigen::Vector3d force = rates(e, guess).force;
+            const Eigen::Vector3d force = rates(e, iterate).force;
             forces.col(s) += force;
             forces.col(t) -= force;
         }
     }
-    const Points misfit = knowledge.weights.cwiseProduct(knowledge.form - guess.form);
+    const Points misfit = observations.weights.cwiseProduct(observations.form - iterate.form);
     SaddlePointFactor::Vector result{
         .places = m_length_unit * misfit(Eigen::all, m_free_nodes) - m_place_reactions,
         .lengths = -m_length_reactions,
         .multipliers = -m_multiplier_unit * forces(Eigen::all, m_free_nodes)};
     result.lengths(m_net.interior_edges()) +=
-        m_length_unit * (knowledge.mean - guess.deviations).cwiseQuotient(knowledge.variance);
+        m_length_unit *
+        (observations.mean - iterate.deviations).cwiseQuotient(observations.variance);
     return result;
 }
 
-Guess ConditionedStatics::step(const Guess& guess, const Knowledge& knowledge) const {
-    const SaddlePointFactor::Vector solution = m_matrix.solve(right_side(guess, knowledge));
-    Guess change{.form = Points::Zero(3, m_net.node_count()),
-                 .deviations = m_length_unit * solution.lengths(m_net.interior_edges())};
+Iterate LinearisedStatics::step(const Iterate& iterate, const Observations& observations) const {
+    const SaddlePointFactor::Vector solution = m_matrix.solve(right_side(iterate, observations));
+    Iterate change{.form = Points::Zero(3, m_net.node_count()),
+                   .deviations = m_length_unit * solution.lengths(m_net.interior_edges())};
     change.form(Eigen::all, m_free_nodes) = m_length_unit * solution.places;
     return change;
 }
 
-Eigen::VectorXd ConditionedStatics::length_variances() const {
+Eigen::VectorXd LinearisedStatics::length_variances() const {
     return m_length_unit * m_length_unit * m_covariance.lengths(m_net.interior_edges());
 }
 
-Eigen::VectorXd ConditionedStatics::extension_variances() const {
+Eigen::VectorXd LinearisedStatics::extension_variances() const {
     return m_length_unit * m_length_unit * m_covariance.extensions(m_net.interior_edges());
 }
 
-Eigen::Matrix3d ConditionedStatics::form_covariance(int node) const {
+Eigen::Matrix3d LinearisedStatics::form_covariance(int node) const {
     return m_length_unit * m_length_unit * m_covariance.places[m_local_of[node]];
 }
 

@@ -2,30 +2,40 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
-#include "estimation/linearised_statics.hpp"
+#include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
 
-/// @throws std::invalid_argument for a survey of another size, an index that is not a free node's
-/// or
-///   comes twice, noise that is negative or not finite, a position that is not, no surveyed node
-void check_survey(const CableNet& net, const Survey& survey);
+/// What is known of form and lengths apart from the statics: independent normal distributions.
+/// docs/theory.md, (observation) and (prior).
+struct Observations {
+    Points form;               ///< 3 x n, as measured; anything where the weight is 0 [m]
+    Points weights;            ///< 3 x n, 1 / variance of each measured coordinate, else 0 [1/m2]
+    Eigen::VectorXd mean;      ///< m_I, prior mean of the length deviations [m]
+    Eigen::VectorXd variance;  ///< m_I, prior variance, positive [m2]
+};
 
-/// Standard deviation of each coordinate (3 x n) as reckoned with: exact ones are so to a ten
-/// millionth of the net's mean edge length. Far above rounding errors, far below any instrument's,
-/// and no harder on the factorisation than it bears [m].
-[[nodiscard]] Points reckoned_noise(const CableNet& net, const Survey& survey);
+/// A form and length deviations that need not be in equilibrium.
+struct Iterate {
+    Points form;                 ///< 3 x n [m]
+    Eigen::VectorXd deviations;  ///< m_I [m]
+};
 
-/// A survey without the targets that are left out (one flag a node), and length deviations of one
-/// mean and standard deviation.
-[[nodiscard]] Knowledge knowledge_of(const CableNet& net, const Survey& survey, const Points& noise,
-                                     const std::vector<bool>& left_out, double length_std);
+/// The nominal form and no length deviation.
+[[nodiscard]] Iterate nominal_iterate(const CableNet& net);
 
-/// Where to begin: the surveyed form, nominal places where there is none, nominal lengths.
-[[nodiscard]] Guess surveyed_guess(const CableNet& net, const Survey& survey,
-                                   const std::vector<bool>& left_out);
+/// Standard deviation of each coordinate (3 x n), no smaller than a ten millionth of the net's mean
+/// edge length, which stands for that of an exact one: far above rounding errors, far below any
+/// instrument's, and no harder on the factorisation than it bears [m].
+[[nodiscard]] Points with_noise_floor(const CableNet& net, const Survey& survey);
+
+/// A survey without the targets that are rejected (one flag a node), and length deviations of mean
+/// zero and one standard deviation.
+[[nodiscard]] Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
+                                   const std::vector<bool>& rejected, double length_std);
 
 }  // namespace taut

@@ -78,6 +78,10 @@ Handle Reader::open_attribute(const std::string& name, H5T_class_t type_class) c
     return attribute;
 }
 
+bool Reader::has_attribute(const std::string& name) const {
+    return H5Aexists(m_file.get(), name.c_str()) > 0;
+}
+
 std::string Reader::text_attribute(const std::string& name) const {
     constexpr size_t longest = 4096;
     const Handle attribute = open_attribute(name, H5T_STRING);

@@ -24,6 +24,7 @@ public:
     [[noreturn]] void fail(const std::string& object, const std::string& what) const;
 
     /// Attributes of the root.
+    [[nodiscard]] bool has_attribute(const std::string& name) const;
     [[nodiscard]] std::string text_attribute(const std::string& name) const;
     [[nodiscard]] std::uint64_t number_attribute(const std::string& name) const;
 

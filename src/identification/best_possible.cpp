@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -13,19 +14,20 @@ Eigen::VectorXd best_possible_variances(const CableNet& net,
                                         const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                         const Eigen::Ref<const Points>& form, const Survey& survey,
                                         const LengthLaw& law) {
+    law.check();
     check_survey(net, survey);
     std::vector<bool> slack(net.edge_count(), false);
     for (const int edge : slack_edges(net, unstressed_lengths, form)) {
         slack[edge] = true;
     }
-    const std::vector<bool> none_left_out(net.node_count(), false);
-    ConditionedStatics statics(net);
+    const std::vector<bool> none_rejected(net.node_count(), false);
+    LinearisedStatics statics(net);
     statics.set_slack(slack);
-    const Guess truth{
+    const Iterate truth{
         .form = form,
         .deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges())};
-    if (!statics.linearise(truth, knowledge_of(net, survey, reckoned_noise(net, survey),
-                                               none_left_out, law.std()))) {
+    if (!statics.linearise(
+            truth, observe(net, survey, with_noise_floor(net, survey), none_rejected, law.std()))) {
         throw std::runtime_error("the statics of the net are singular at this form");
     }
     statics.invert();

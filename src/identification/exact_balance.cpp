@@ -10,11 +10,12 @@
 #include <random>
 #include <stdexcept>
 
+#include "estimation/length_likelihoods.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/slack_set.hpp"
-#include "identification/outcome.hpp"
-#include "taut/statics/energy.hpp"
+#include "identification/completion.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
@@ -26,6 +27,11 @@ namespace {
 constexpr double narrow_bound = 1e2;
 constexpr double wide_bound = 1e4;
 constexpr double widest_part_of_bound = 3.0;
+
+/// An exact form is met to rounding errors by the lengths that balance it. Where it is not, by more
+/// than this part of an edge length, the intervals would be those of an exact survey around lengths
+/// that are not.
+constexpr double rounding_of_form = 1e-5;
 
 /// The balance of a known form: linear in y, with 1/l_0 = (1 + y) / nominal.
 class Balance {
@@ -116,20 +122,24 @@ private:
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  ///< of the normal equations
 };
 
-Eigen::VectorXd balanced_deviations(const CableNet& net, const Balance& balance) {
+/// Length deviations (m_I) from y; an edge that balances with no positive length is told.
+struct BalancedDeviations {
+    Eigen::VectorXd deviations;
+    int impossible_edge = -1;
+};
+
+BalancedDeviations balanced_deviations(const CableNet& net, const Balance& balance) {
     const Eigen::VectorXd y = balance.solve();
-    Eigen::VectorXd deviations(y.size());
+    BalancedDeviations result{.deviations = Eigen::VectorXd(y.size())};
     for (Eigen::Index i = 0; i < y.size(); ++i) {
         const int edge = net.interior_edges()[i];
         if (!(1.0 + y(i) > 0.0)) {
-            throw std::runtime_error(
-                fmt::format("the forces at the surveyed form balance with no positive length of "
-                            "edge '{}': is the survey exact?",
-                            net.edge_id(edge)));
+            result.impossible_edge = edge;
+            return result;
         }
-        deviations(i) = -net.unstressed_lengths()(edge) * y(i) / (1.0 + y(i));
+        result.deviations(i) = -net.unstressed_lengths()(edge) * y(i) / (1.0 + y(i));
     }
-    return deviations;
+    return result;
 }
 
 /// What an exact form tells of each length, on top of its balance.
@@ -138,16 +148,23 @@ public:
     ExactForm(const CableNet& net, const Survey& survey, const LengthLaw& law)
         : m_net(net),
           m_survey(survey),
-          m_noise(reckoned_noise(net, survey)),
-          m_none_left_out(net.node_count(), false),
-          m_balanced(surveyed_guess(net, survey, m_none_left_out)),
+          m_noise(with_noise_floor(net, survey)),
+          m_none_rejected(net.node_count(), false),
+          m_balanced({.form = survey.form, .deviations = {}}),
           m_statics(net) {
         m_statics.set_slack(slack_by_form(net, m_balanced, law));
         const Balance balance(net, m_balanced.form, m_statics.slack());
-        m_balanced.deviations = balanced_deviations(net, balance);
+        const BalancedDeviations balanced = balanced_deviations(net, balance);
+        m_balanced.deviations = balanced.deviations;
+        m_impossible_edge = balanced.impossible_edge;
         m_undetermined = balance.undetermined();
     }
 
+    ExactForm(const ExactForm&) = delete;
+    ExactForm& operator=(const ExactForm&) = delete;
+
+    /// An edge that balances with no positive length; -1 where there is none.
+    [[nodiscard]] int impossible_edge() const { return m_impossible_edge; }
     [[nodiscard]] const Points& form() const { return m_balanced.form; }
 
     [[nodiscard]] std::vector<LengthLikelihood> likelihoods(const LengthLaw& law) {
@@ -178,39 +195,50 @@ public:
 private:
     /// With a normal prior of this standard deviation around the balance, taken out again.
     [[nodiscard]] std::vector<LengthLikelihood> likelihoods_within(double length_std) {
-        Knowledge knowledge = knowledge_of(m_net, m_survey, m_noise, m_none_left_out, length_std);
-        knowledge.mean = m_balanced.deviations;
-        if (!m_statics.linearise(m_balanced, knowledge)) {
+        Observations observations = observe(m_net, m_survey, m_noise, m_none_rejected, length_std);
+        observations.mean = m_balanced.deviations;
+        if (!m_statics.linearise(m_balanced, observations)) {
             throw std::runtime_error(
                 "the statics of the net are singular at the surveyed form: are net and law right?");
         }
         m_statics.invert();
-        return taut::likelihoods(m_net, m_statics, knowledge, m_balanced);
+        return length_likelihoods(m_net, m_statics, observations, m_balanced);
     }
 
     const CableNet& m_net;
     const Survey& m_survey;
     Points m_noise;
-    std::vector<bool> m_none_left_out;
-    Guess m_balanced;
-    ConditionedStatics m_statics;
+    std::vector<bool> m_none_rejected;
+    Iterate m_balanced;
+    LinearisedStatics m_statics;
     std::vector<bool> m_undetermined;  ///< m_I
+    int m_impossible_edge = -1;
 };
 
 }  // namespace
 
-bool is_exact_and_complete(const CableNet& net, const Survey& survey) {
-    return survey.missing.empty() &&
-           static_cast<int>(survey.surveyed.size()) == net.free_node_count() &&
-           (survey.noise_std.cols() == 0 ||
-            survey.noise_std(Eigen::all, survey.surveyed).isZero(0.0));
-}
-
 Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
                                          const LengthLaw& law) {
     ExactForm exact(net, survey, law);
-    Identification result;
+    Identification result{.method = "balance", .law = law};
+    if (const int edge = exact.impossible_edge(); edge >= 0) {
+        result.status = IdentificationStatus::survey_does_not_fit;
+        result.message = fmt::format(
+            "the forces at the surveyed form balance with no positive length of edge '{}': is the "
+            "survey exact?",
+            net.edge_id(edge));
+        return result;
+    }
     complete(result, net, survey, law, exact.likelihoods(law), exact.form());
+    const double miss = std::sqrt(result.residuals.cwiseAbs2().mean());
+    if (result.status == IdentificationStatus::converged &&
+        miss > rounding_of_form * edge_lengths(net, net.nodes()).mean()) {
+        result.status = IdentificationStatus::survey_not_exact;
+        result.message = fmt::format(
+            "is taken for exact, but no lengths of the law {} give its form: those found miss it "
+            "by {:.3g} mm RMS. Tell its noise, or another law",
+            law.to_string(), 1e3 * miss);
+    }
     return result;
 }
 

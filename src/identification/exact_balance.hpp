@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "taut/identification/identification.hpp"
+#include "taut/identification/result.hpp"
+#include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
 
-/// Whether every free node was surveyed, and without noise: then the statics leave the law nothing
-/// to say, but of slack edges.
-[[nodiscard]] bool is_exact_and_complete(const CableNet& net, const Survey& survey);
-
-/// Lengths from such a survey: the balance of its form, h = 0 (eq. hq), is linear in 1/l_0, and
-/// solved by sparse least squares.
-/// @throws std::runtime_error where it asks for a length that is not positive, or the identified
-///   lengths find no equilibrium
+/// Lengths from an exact survey of all free nodes, which leaves the law nothing to say but of slack
+/// edges: the balance of its form, h = 0 (eq. hq), is linear in 1/l_0, and solved by sparse least
+/// squares, docs/theory.md (balance). A survey that is not exact, though it is taken for it, is
+/// told by the status: its form is that of no lengths.
 [[nodiscard]] Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
                                                        const LengthLaw& law);
 

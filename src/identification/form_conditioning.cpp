@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "identification/form_conditioning.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/data_snooping.hpp"
+#include "estimation/observations.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
@@ -48,109 +47,67 @@ FormDistribution form_before_survey(const CableNet& net, const LengthModel& mode
 
 ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& before,
                                  const Survey& survey, const Eigen::VectorXd& nominal_form,
-                                 const Points& noise, double threshold)
-    : m_before(before), m_noise(free_coordinates(net, noise)) {
-    const Eigen::VectorXd surveyed = free_coordinates(net, survey.form) - nominal_form;
-    const Neighbours neighbours = neighbours_of(net);
-    std::vector<bool> left_out(net.node_count(), false);
-    std::vector<int> taken_back;  // for good
-    while (true) {
-        use_targets(net, survey.surveyed, left_out);
-        condition(surveyed);
-        if (!std::isfinite(threshold)) {
-            return;
-        }
-        Eigen::VectorXd suspicious = statistics(net.node_count());
-        suspicious(taken_back).setZero();
-        const std::vector<int> worst =
-            worst_targets(m_nodes, neighbours, suspicious, left_out, threshold);
-        const auto still_used = static_cast<double>(m_nodes.size() - worst.size());
-        if (still_used < (1.0 - most_outliers) * static_cast<double>(survey.surveyed.size())) {
-            m_fits = false;
-            tell_outliers(net, survey.surveyed, left_out, surveyed);
-            return;
-        }
-        for (const int node : worst) {
-            left_out[node] = true;
-        }
-        if (!worst.empty()) {
-            continue;
-        }
-        tell_outliers(net, survey.surveyed, left_out, surveyed);
-        const size_t taken_before = taken_back.size();
-        for (const Outlier& outlier : m_outliers) {
-            if (outlier.statistic <= threshold) {
-                left_out[outlier.node] = false;
-                taken_back.push_back(outlier.node);
-            }
-        }
-        if (taken_back.size() == taken_before) {
-            return;
-        }
+                                 double false_alarm_rate)
+    : m_net(net),
+      m_before(before),
+      m_survey(survey),
+      m_nominal_form(nominal_form),
+      m_noise(with_noise_floor(net, survey)),
+      m_free_noise(free_coordinates(net, m_noise)),
+      m_snooping(net, survey, m_noise, false_alarm_rate) {
+    condition();
+    if (!m_snooping.is_active()) {
+        return;
+    }
+    evaluate();
+    while (!m_snooping.rejects_too_many() && m_snooping.revise()) {
+        condition();
+        evaluate();
     }
 }
 
-/// Takes the targets that are not left out as observed.
-void ConditionedForm::use_targets(const CableNet& net, const std::vector<int>& surveyed,
-                                  const std::vector<bool>& left_out) {
-    m_nodes.clear();
+/// On the targets that are not rejected.
+void ConditionedForm::condition() {
+    m_place_in_use.assign(m_net.node_count(), -1);
     m_observed.clear();
-    for (const int node : surveyed) {
-        if (!left_out[node]) {
-            m_nodes.push_back(node);
+    for (const int node : m_survey.surveyed) {
+        if (!m_snooping.rejected()[node]) {
+            m_place_in_use[node] = static_cast<int>(m_observed.size()) / 3;
             for (int k = 0; k < 3; ++k) {
-                m_observed.push_back(3 * net.free_index(node) + k);
+                m_observed.push_back(3 * m_net.free_index(node) + k);
             }
         }
     }
-}
-
-void ConditionedForm::condition(const Eigen::VectorXd& surveyed_deviations) {
+    const Eigen::VectorXd surveyed = free_coordinates(m_net, m_survey.form) - m_nominal_form;
     Eigen::MatrixXd K = m_before.covariance(m_observed, m_observed);
-    K.diagonal() += m_noise(m_observed).cwiseAbs2();
+    K.diagonal() += m_free_noise(m_observed).cwiseAbs2();
     m_factor.emplace(std::move(K));
-    m_weights = m_factor->solve((surveyed_deviations - m_before.mean)(m_observed)).col(0);
-    m_mean = m_before.mean + m_before.covariance(Eigen::all, m_observed) * m_weights;
+    const Eigen::VectorXd weights = m_factor->solve((surveyed - m_before.mean)(m_observed)).col(0);
+    m_mean = m_before.mean + m_before.covariance(Eigen::all, m_observed) * weights;
 }
 
-Eigen::VectorXd ConditionedForm::statistics(int node_count) {
-    const Eigen::MatrixXd P = m_factor->inverse_lower();
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(node_count);
-    double squares = 0.0;
-    double redundancy = 0.0;
-    for (size_t i = 0; i < m_nodes.size(); ++i) {
-        const auto at = static_cast<Eigen::Index>(3 * i);
-        const Eigen::Vector3d a = m_weights.segment<3>(at);
-        const Eigen::Matrix3d block = P.block<3, 3>(at, at).selfadjointView<Eigen::Lower>();
-        result(m_nodes[i]) = a.dot(block.llt().solve(a));
-        // The residual is Sigma a, of covariance Sigma P Sigma.
-        const Eigen::Vector3d noise = m_noise.segment<3>(m_observed[3 * i]);
-        squares += noise.cwiseProduct(a).squaredNorm();
-        redundancy += noise.cwiseAbs2().dot(block.diagonal());
-    }
-    m_noise_ratio = redundancy > 0.0 ? std::sqrt(squares / redundancy) : 0.0;
-    return result;
+void ConditionedForm::evaluate() {
+    m_precision = m_factor->inverse_lower();
+    m_snooping.evaluate(with_free_coordinates(m_net, m_nominal_form + m_mean),
+                        [this](int node) { return covariance_of(node); });
 }
 
-void ConditionedForm::tell_outliers(const CableNet& net, const std::vector<int>& surveyed,
-                                    const std::vector<bool>& left_out,
-                                    const Eigen::VectorXd& surveyed_deviations) {
-    m_outliers.clear();
-    for (const int node : surveyed) {
-        if (!left_out[node]) {
-            continue;
-        }
-        const int at = 3 * net.free_index(node);
-        const Eigen::Vector3d error = (surveyed_deviations - m_mean).segment<3>(at);
-        Eigen::MatrixXd coordinates = Eigen::MatrixXd::Zero(m_mean.size(), 3);
-        coordinates.middleRows<3>(at).setIdentity();
-        const Eigen::MatrixXd root = reduced(coordinates);
-        Eigen::Matrix3d Q = m_before.covariance.block<3, 3>(at, at) - root.transpose() * root;
-        Q.diagonal() += m_noise.segment<3>(at).cwiseAbs2();
-        m_outliers.push_back(
-            {.node = node, .distance = error.norm(), .statistic = error.dot(Q.llt().solve(error))});
+/// Of a node's place after the survey: Sigma - Sigma P Sigma of a target in use, which keeps the
+/// digits of the redundancy Sigma P Sigma; else C - C_o' K^-1 C_o.
+Eigen::Matrix3d ConditionedForm::covariance_of(int node) const {
+    const int at = 3 * m_net.free_index(node);
+    if (const Eigen::Index place = m_place_in_use[node]; place >= 0) {
+        const Eigen::Matrix3d P =
+            m_precision.block<3, 3>(3 * place, 3 * place).selfadjointView<Eigen::Lower>();
+        const Eigen::Vector3d variance = m_free_noise.segment<3>(at).cwiseAbs2();
+        Eigen::Matrix3d C = -(variance.asDiagonal() * P * variance.asDiagonal());
+        C.diagonal() += variance;
+        return C;
     }
-    std::ranges::sort(m_outliers, std::greater{}, &Outlier::statistic);
+    Eigen::MatrixXd coordinates = Eigen::MatrixXd::Zero(m_mean.size(), 3);
+    coordinates.middleRows<3>(at).setIdentity();
+    const Eigen::MatrixXd root = reduced(coordinates);
+    return m_before.covariance.block<3, 3>(at, at) - root.transpose() * root;
 }
 
 Eigen::MatrixXd ConditionedForm::reduced(const Eigen::MatrixXd& gradients) const {

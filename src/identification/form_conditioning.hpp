@@ -6,64 +6,66 @@
 #include <optional>
 #include <vector>
 
+#include "estimation/data_snooping.hpp"
 #include "numerics/dense.hpp"
-#include "taut/identification/form_distribution.hpp"
-#include "taut/identification/identification.hpp"
 #include "taut/identification/model.hpp"
+#include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
 
-/// The form after a survey: a normal distribution conditioned on the surveyed coordinates with
-/// their noise, gross errors left out.
+/// Normal distribution of the free coordinates' deviations from the nominal form.
+struct FormDistribution {
+    Eigen::VectorXd mean;        ///< 3 n_I [m]
+    Eigen::MatrixXd covariance;  ///< 3 n_I x 3 n_I [m2]
+};
+
+/// What is known of the form before any survey, docs/theory.md (form-prior): the length deviations'
+/// law, taken as normal, through the linearised statics J, and the remainder e = x - J d of the
+/// model's training samples,
 ///
-/// A target is tested against what all others let expect of it: with K = C_oo + Sigma of the
-/// surveyed coordinates, a = K^-1 (y - mean) and P = K^-1, the statistic a_i' P_ii^-1 a_i has a
-/// chi-squared distribution of three degrees of freedom. Targets that fit once others were left out
-/// are taken back for good.
+///   mean(e),   law.std()^2 J J' + cov(e),
+///
+/// with cov(e) shrunk towards its diagonal.
+[[nodiscard]] FormDistribution form_before_survey(const CableNet& net, const LengthModel& model);
+
+/// The form after a survey, docs/theory.md (conditioning): a normal distribution conditioned on the
+/// surveyed coordinates with their noise, gross errors rejected by data snooping.
 class ConditionedForm {
 public:
+    /// Keeps references to all but the nominal form. Not copied: its parts refer to each other.
     /// @param nominal_form that deviations refer to (3 n_I) [m]
-    /// @param noise standard deviation of each coordinate (3 x n), positive where surveyed [m]
-    /// @param threshold of the test; infinite: none
     ConditionedForm(const CableNet& net, const FormDistribution& before, const Survey& survey,
-                    const Eigen::VectorXd& nominal_form, const Points& noise, double threshold);
+                    const Eigen::VectorXd& nominal_form, double false_alarm_rate);
+    ConditionedForm(const ConditionedForm&) = delete;
+    ConditionedForm& operator=(const ConditionedForm&) = delete;
 
     [[nodiscard]] const Eigen::VectorXd& mean() const { return m_mean; }  ///< 3 n_I [m]
 
     /// g' C g of each column g of `gradients` (3 n_I x k), C the covariance after the survey.
     [[nodiscard]] Eigen::VectorXd variances(const Eigen::MatrixXd& gradients) const;
 
-    /// False where so many targets contradict the others that it is not they who are wrong; those
-    /// found last are then still in use.
-    [[nodiscard]] bool fits() const { return m_fits; }
-    [[nodiscard]] const std::vector<Outlier>& outliers() const { return m_outliers; }
-
-    /// Root mean square of the standardised residuals in use, over their expectation.
-    [[nodiscard]] double noise_ratio() const { return m_noise_ratio; }
+    [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
 
 private:
-    void use_targets(const CableNet& net, const std::vector<int>& surveyed,
-                     const std::vector<bool>& left_out);
-    void condition(const Eigen::VectorXd& surveyed_deviations);
-    /// The test statistic of each node in use (n), 0 elsewhere; finds the noise ratio.
-    [[nodiscard]] Eigen::VectorXd statistics(int node_count);
-    void tell_outliers(const CableNet& net, const std::vector<int>& surveyed,
-                       const std::vector<bool>& left_out,
-                       const Eigen::VectorXd& surveyed_deviations);
+    void condition();
+    void evaluate();
+    [[nodiscard]] Eigen::Matrix3d covariance_of(int node) const;
     /// L^-1 C_o g: what the survey takes from the variance is its square.
     [[nodiscard]] Eigen::MatrixXd reduced(const Eigen::MatrixXd& gradients) const;
 
+    const CableNet& m_net;
     const FormDistribution& m_before;
-    Eigen::VectorXd m_noise;           ///< of the free coordinates (3 n_I)
-    std::vector<int> m_nodes;          ///< targets in use
-    std::vector<int> m_observed;       ///< their coordinates, among the free ones
-    std::optional<Cholesky> m_factor;  ///< of K
-    Eigen::VectorXd m_weights;         ///< a
+    const Survey& m_survey;
+    Eigen::VectorXd m_nominal_form;
+    Points m_noise;                    ///< 3 x n [m]
+    Eigen::VectorXd m_free_noise;      ///< of the free coordinates (3 n_I) [m]
+    std::vector<int> m_place_in_use;   ///< of each node (n) among the targets in use, or -1
+    std::vector<int> m_observed;       ///< coordinates of these, among the free ones
+    std::optional<Cholesky> m_factor;  ///< of K = C_oo + Sigma
+    Eigen::MatrixXd m_precision;       ///< P = K^-1, its lower triangle; made by evaluate()
     Eigen::VectorXd m_mean;
-    std::vector<Outlier> m_outliers;
-    double m_noise_ratio = 0.0;
-    bool m_fits = true;
+    DataSnooping m_snooping;
 };
 
 }  // namespace taut

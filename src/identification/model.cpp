@@ -65,12 +65,20 @@ std::string_view to_string(KernelMetric metric) {
 LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
                   const TrainingSettings& settings, const Progress& progress) {
     check(net, data, samples);
+    if (settings.as_in_paper &&
+        (settings.mean != MeanFunction::zero || settings.metric != KernelMetric::isotropic)) {
+        throw std::invalid_argument(
+            fmt::format("a model as in the paper has mean function {} and kernel {}, expected zero "
+                        "and isotropic",
+                        to_string(settings.mean), to_string(settings.metric)));
+    }
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
     LengthModel model{.net_fingerprint = data.net_fingerprint,
                       .law = data.law,
                       .seed = data.seed,
                       .mean = settings.mean,
                       .metric = settings.metric,
+                      .as_in_paper = settings.as_in_paper,
                       .nominal_form = data.nominal_form,
                       .input_scales = {},
                       .length_deviations = data.length_deviations(Eigen::all, samples),

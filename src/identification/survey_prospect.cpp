@@ -54,6 +54,10 @@ SurveyProspect survey_prospect(const CableNet& net, const Eigen::Ref<const Point
         throw std::invalid_argument(
             "the net has no interior edge: every unstressed length is known and set");
     }
+    check_survey(net, survey);
+    if (survey.is_exact()) {
+        require_whole(net, survey, "all, or their noise (--noise, or sx, sy, sz in the file)");
+    }
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     const Eigen::VectorXd variances = best_possible_variances(net, lengths, form, survey, law);
     const std::vector<int> slack = slack_edges(net, lengths, form);

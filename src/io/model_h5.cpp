@@ -57,6 +57,25 @@ Setting read_name(const hdf5::Reader& reader, const char* attribute,
     reader.fail(attribute, fmt::format("is {}, which this taut does not know", quote(name)));
 }
 
+/// Files of taut 0.1.0 do not tell: there such a model was known by its mean function and kernel.
+bool read_as_in_paper(const hdf5::Reader& reader, MeanFunction mean, KernelMetric metric) {
+    const bool has_settings = mean == MeanFunction::zero && metric == KernelMetric::isotropic;
+    if (!reader.has_attribute("as_in_paper")) {
+        return has_settings;
+    }
+    const std::string told = reader.text_attribute("as_in_paper");
+    if (told == "no") {
+        return false;
+    }
+    if (told != "yes" || !has_settings) {
+        reader.fail("as_in_paper",
+                    fmt::format("is {} of mean function {} and kernel {}, expected \"no\", or "
+                                "\"yes\" of zero and isotropic",
+                                quote(told), to_string(mean), to_string(metric)));
+    }
+    return true;
+}
+
 std::string spectrum_name(size_t index) {
     return fmt::format("spectra/{}", index);
 }
@@ -180,6 +199,7 @@ std::string model_bytes(const LengthModel& model, const NetFile& net) {
                net);
     writer.attribute("mean_function", std::string(to_string(model.mean)));
     writer.attribute("kernel_metric", std::string(to_string(model.metric)));
+    writer.attribute("as_in_paper", std::string(model.as_in_paper ? "yes" : "no"));
     writer.vector("input_scales", model.input_scales, "1");
     writer.matrix("training_inputs", fitted.inputs, "m");
     writer.matrix("training_outputs", model.length_deviations, "m");
@@ -217,11 +237,14 @@ StoredModel read_model(const std::filesystem::path& path) {
     if (scales.size() > 0 && !(scales.minCoeff() > 0.0)) {
         reader.fail("input_scales", "holds a number that is not positive");
     }
+    const MeanFunction mean = read_name(reader, "mean_function", mean_functions);
+    const KernelMetric metric = read_name(reader, "kernel_metric", kernel_metrics);
     return {.model = {.net_fingerprint = head.net_fingerprint,
                       .law = head.law,
                       .seed = head.seed,
-                      .mean = read_name(reader, "mean_function", mean_functions),
-                      .metric = read_name(reader, "kernel_metric", kernel_metrics),
+                      .mean = mean,
+                      .metric = metric,
+                      .as_in_paper = read_as_in_paper(reader, mean, metric),
                       .nominal_form = std::move(head.nominal_form),
                       .input_scales = std::move(scales),
                       .length_deviations = reader.matrix("training_outputs", m, n),

@@ -100,7 +100,7 @@ private:
                 "only {} of {} training samples found their equilibrium", samples.size(), count));
         }
         const Stopwatch paper_training;
-        const LengthModel paper = train_next(samples, TrainingSettings::as_in_paper());
+        const LengthModel paper = train_next(samples, TrainingSettings::paper());
         const double paper_seconds = paper_training.seconds();
         const Stopwatch best_training;
         const LengthModel best = train_next(samples, {});

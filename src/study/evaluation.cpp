@@ -28,8 +28,10 @@ Outcome attempt(const Method& method, const Survey& survey) {
     Outcome outcome;
     try {
         outcome.identification = method.identify(survey);
-        if (outcome.identification->status != IdentificationStatus::converged) {
-            outcome.failure = to_string(outcome.identification->status);
+        const IdentificationStatus status = outcome.identification->status;
+        if (status != IdentificationStatus::converged &&
+            status != IdentificationStatus::no_equilibrium) {  // that one has lengths
+            outcome.failure = to_string(status);
             outcome.identification.reset();
         }
     } catch (const std::bad_alloc&) {

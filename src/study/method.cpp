@@ -4,35 +4,11 @@
 
 #include <memory>
 
-#include "taut/identification/force_balance.hpp"
-#include "taut/identification/form_distribution.hpp"
-#include "taut/identification/maximum_a_posteriori.hpp"
+#include "identification/force_balance.hpp"
+#include "identification/maximum_a_posteriori.hpp"
+#include "identification/processes.hpp"
 
 namespace taut {
-namespace {
-
-Identification identify_as_in_paper(const CableNet& net, const LengthModel& model,
-                                    const Survey& survey) {
-    const LengthEstimates estimates =
-        estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
-    Identification result{.method = "gp_as_in_paper"};
-    for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const int edge = net.interior_edges()[i];
-        const double mean = estimates.mean(i, 0);
-        const double std = estimates.std(i, 0);
-        result.edges.push_back({.edge = edge,
-                                .nominal = net.unstressed_lengths()(edge),
-                                .length_deviation = mean,
-                                .std = std,
-                                .lower = mean - half_interval_95 * std,
-                                .upper = mean + half_interval_95 * std});
-    }
-    result.predicted = EquilibriumSolver(net).solve(
-        with_length_deviations(net, estimates.mean.col(0)), survey.form);
-    return result;
-}
-
-}  // namespace
 
 Method method_as_in_paper(const CableNet& net, const LengthModel& model) {
     return {.name = "gp_as_in_paper",

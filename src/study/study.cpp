@@ -114,8 +114,8 @@ Study run_study(const CableNet& net, const StudySettings& settings, const Progre
                         training_samples.size(), study.validation.size()));
     }
     const Stopwatch paper_training;
-    study.model = train(net, study.data, training_samples, TrainingSettings::as_in_paper(),
-                        progress.part(0, 2));
+    study.model =
+        train(net, study.data, training_samples, TrainingSettings::paper(), progress.part(0, 2));
     const double paper_seconds = paper_training.seconds();
     const Stopwatch best_training;
     const LengthModel best = train(net, study.data, training_samples, {}, progress.part(1, 2));

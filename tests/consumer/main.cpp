@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/identification.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/model.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/cone_program.hpp"
 #include "taut/version.hpp"

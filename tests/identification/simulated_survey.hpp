@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <random>
 
 #include "taut/sampling/data_set.hpp"
@@ -39,7 +40,7 @@ inline SimulatedSurvey simulate(const CableNet& net, const LengthLaw& law, doubl
 /// Takes a target out of a survey.
 inline void hide(const CableNet& net, Survey& survey, int node) {
     std::erase(survey.surveyed, node);
-    survey.missing.push_back(node);
+    survey.missing.insert(std::ranges::upper_bound(survey.missing, node), node);
     survey.form.col(node) = net.nodes().col(node);
 }
 

@@ -21,7 +21,7 @@
 namespace taut {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double no_test = 0.0;
 
 class FormConditioning : public ::testing::Test {
 protected:
@@ -36,8 +36,8 @@ protected:
         return test::simulate(m_net, m_model.law, noise, 5).survey;
     }
 
-    [[nodiscard]] ConditionedForm condition(const Survey& survey, double threshold) const {
-        return {m_net, m_before, survey, m_model.nominal_form, survey.noise_std, threshold};
+    [[nodiscard]] ConditionedForm condition(const Survey& survey, double false_alarm_rate) const {
+        return {m_net, m_before, survey, m_model.nominal_form, false_alarm_rate};
     }
 
     const CableNet m_net = hypar(3, 4);
@@ -61,7 +61,7 @@ TEST_F(FormConditioning, BeforeASurveyIsTheLawThroughTheStaticsAndWhatTheseMiss)
 TEST_F(FormConditioning, IsGaussianConditioning) {
     Survey partial = survey(0.0003);
     test::hide(m_net, partial, m_net.free_nodes()[4]);
-    const ConditionedForm after = condition(partial, infinite);
+    const ConditionedForm after = condition(partial, no_test);
     const Eigen::Index d = m_before.mean.size();
     Eigen::VectorXd precision =
         free_coordinates(m_net, partial.noise_std).cwiseAbs2().cwiseInverse();
@@ -82,21 +82,20 @@ TEST_F(FormConditioning, TestsATargetAgainstWhatAllOthersLetExpect) {
     Survey wrong = survey(0.0003);
     const int node = m_net.free_nodes()[7];
     wrong.form(1, node) += 0.01;
-    const ConditionedForm after = condition(wrong, outlier_threshold(0.001, 12));
-    ASSERT_EQ(after.outliers().size(), 1U);
-    EXPECT_EQ(after.outliers()[0].node, node);
-    EXPECT_NEAR(after.outliers()[0].distance, 0.01, 0.002);
+    const ConditionedForm after = condition(wrong, 0.001);
+    ASSERT_EQ(after.snooping().outliers().size(), 1U);
+    EXPECT_EQ(after.snooping().outliers()[0].node, node);
+    EXPECT_NEAR(after.snooping().outliers()[0].distance, 0.01, 0.002);
 
     // The form is that of the survey without it.
     Survey without = wrong;
     test::hide(m_net, without, node);
-    const ConditionedForm expected = condition(without, infinite);
+    const ConditionedForm expected = condition(without, no_test);
     EXPECT_LT((after.mean() - expected.mean()).norm(), 1e-10);
 }
 
 // Beside a gross error sound targets stand out, too.
-TEST_F(FormConditioning, TakesBackWhatFitsOnceOthersAreLeftOut) {
-    const double threshold = outlier_threshold(0.001, 12);
+TEST_F(FormConditioning, ReadmitsWhatFitsOnceOthersAreRejected) {
     size_t found = 0;
     for (int k = 0; k < 50; ++k) {
         Survey wrong = test::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
@@ -104,13 +103,13 @@ TEST_F(FormConditioning, TakesBackWhatFitsOnceOthersAreLeftOut) {
         const int second = m_net.free_nodes()[(5 * k + 3) % 12];
         wrong.form(k % 3, first) += 0.02;
         wrong.form(k % 3, second) += 0.02;
-        const ConditionedForm after = condition(wrong, threshold);
-        for (const Outlier& outlier : after.outliers()) {
+        const ConditionedForm after = condition(wrong, 0.001);
+        for (const Outlier& outlier : after.snooping().outliers()) {
             EXPECT_TRUE(outlier.node == first || outlier.node == second) << "survey " << k;
-            EXPECT_GT(outlier.statistic, threshold);
+            EXPECT_GT(outlier.statistic, after.snooping().threshold());
         }
-        EXPECT_TRUE(after.fits()) << "survey " << k;
-        found += after.outliers().size();
+        EXPECT_FALSE(after.snooping().rejects_too_many()) << "survey " << k;
+        found += after.snooping().outliers().size();
     }
     EXPECT_GT(found, 90U);  // of 100
 }
@@ -121,9 +120,9 @@ TEST_F(FormConditioning, RaisesFalseAlarmsAsOftenAsStated) {
     double ratio = 0.0;
     for (int k = 0; k < surveys; ++k) {
         const Survey good = test::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
-        const ConditionedForm after = condition(good, outlier_threshold(0.1, 12));
-        alarms += after.outliers().empty() ? 0 : 1;
-        ratio += after.noise_ratio() / surveys;
+        const ConditionedForm after = condition(good, 0.1);
+        alarms += after.snooping().outliers().empty() ? 0 : 1;
+        ratio += after.snooping().noise_ratio() / surveys;
     }
     // 40 expected; five standard deviations about it.
     EXPECT_GT(alarms, 10);
@@ -136,8 +135,9 @@ TEST_F(FormConditioning, SaysWhereTheSurveyDoesNotFit) {
     for (size_t i = 0; i < wrong.surveyed.size(); i += 2) {
         wrong.form(static_cast<Eigen::Index>(i % 3), wrong.surveyed[i]) += 0.02;
     }
-    EXPECT_FALSE(condition(wrong, outlier_threshold(0.001, 12)).fits());
-    EXPECT_TRUE(condition(survey(0.0003), outlier_threshold(0.001, 12)).fits());
+    EXPECT_TRUE(condition(wrong, 0.001).snooping().contradicts_too_many());
+    const Survey right = survey(0.0003);
+    EXPECT_FALSE(condition(right, 0.001).snooping().contradicts_too_many());
 }
 
 TEST_F(FormConditioning, MeanFunctionsHaveTheGradientsOfTheirDifferenceQuotients) {

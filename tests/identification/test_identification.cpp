@@ -4,7 +4,8 @@
 // Guards against lengths that are not those of the surveyed net, and against more certainty than
 // there is: intervals too narrow, an edge called identified that the survey does not show.
 
-#include "taut/identification/identification.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/length_estimates.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ protected:
     explicit OnASmallNet(const LengthLaw& law = {LengthLaw::Kind::uniform, 0.002})
         : m_data(Sampler(m_net, law, 1).empty()) {
         Sampler(m_net, law, 1).extend(m_data, training + validation);
-        m_model = train(m_net, m_data, first(training), TrainingSettings::as_in_paper());
+        m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
     }
 
     /// The form of a sample as a survey without noise.
@@ -51,7 +52,7 @@ protected:
     }
 
     [[nodiscard]] Identification identify(int sample) const {
-        return identify_by_processes(m_net, m_model, survey_of(sample));
+        return taut::identify(m_net, survey_of(sample), {.model = &m_model});
     }
 
     const CableNet m_net = hypar(3, 4);
@@ -161,7 +162,7 @@ TEST_F(OnASmallNet, TheResidualsAreTheDistancesOfPredictedAndSurveyedNodes) {
 TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsUnobservedAndAsUncertainAsTheLaw) {
     constexpr int constant = 4;
     m_data.length_deviations.row(constant).setZero();
-    m_model = train(m_net, m_data, first(training), TrainingSettings::as_in_paper());
+    m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
     const Identification result = identify(training);
     for (size_t i = 0; i < result.edges.size(); ++i) {
         const IdentifiedEdge& e = result.edges[i];
@@ -181,7 +182,7 @@ TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsUnobserved) {
         m_data.length_deviations(unrelated, k) =
             draw_length_deviations(m_data.law, 2, static_cast<std::uint64_t>(k), 1)(0);
     }
-    m_model = train(m_net, m_data, first(training), TrainingSettings::as_in_paper());
+    m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
     const IdentifiedEdge edge = identify(training).edges[unrelated];
     EXPECT_EQ(edge.status, EdgeStatus::unobserved);
     EXPECT_NEAR(edge.std, m_data.law.std(), 0.15 * m_data.law.std());
@@ -192,7 +193,7 @@ TEST_F(OnASmallNet, AModelForAnotherNetIsRefusedAndBothAreNamed) {
     content.unstressed_lengths(m_net.interior_edges()[0]) += 1e-9;
     const CableNet other(content);
     try {
-        (void)identify_by_processes(other, m_model, survey_of(training));
+        (void)taut::identify(other, survey_of(training), {.model = &m_model});
         FAIL() << "not refused";
     } catch (const std::invalid_argument& error) {
         EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr(m_net.fingerprint()),
@@ -206,7 +207,7 @@ TEST_F(OnASmallNet, ASurveyThatMissesAFreeNodeIsRefusedAndTheNodeIsNamed) {
     survey.missing = {missing};
     survey.surveyed.erase(survey.surveyed.begin() + 3);
     try {
-        (void)identify_by_processes(m_net, m_model, survey);
+        (void)taut::identify(m_net, survey, {.model = &m_model});
         FAIL() << "not refused";
     } catch (const std::invalid_argument& error) {
         EXPECT_THAT(error.what(),

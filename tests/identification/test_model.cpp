@@ -3,8 +3,9 @@
 //
 // Guards against a model that learnt from the wrong samples, or that does not tell what it is for.
 
-#include "taut/identification/identification.hpp"
+#include "taut/identification/length_estimates.hpp"
 #include "taut/identification/model.hpp"
+#include "taut/identification/result.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "identification/processes.hpp"
 #include "simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/best_possible.hpp"
-#include "taut/identification/identification.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/length_estimates.hpp"
 #include "taut/sampling/sampler.hpp"
 
 namespace taut {
@@ -147,16 +149,16 @@ TEST(ProcessesOnSite, GrossErrorsAreFoundAndLeftOut) {
 
 TEST(ProcessesOnSite, AModelAsInThePaperTakesTheSurveyForExactAndWhole) {
     const CableNet net = hypar(3, 4);
-    const LengthModel model = model_of(net, uniform_law, TrainingSettings::as_in_paper());
+    const LengthModel model = model_of(net, uniform_law, TrainingSettings::paper());
     auto s = test::simulate(net, uniform_law, 0.0005, 3);
-    const Identification found = identify_by_processes(net, model, s.survey);
+    const Identification found = identify(net, s.survey, {.model = &model});
     const LengthEstimates expected =
         estimate_lengths(net, model, free_coordinates(net, s.survey.form) - model.nominal_form);
     for (size_t i = 0; i < found.edges.size(); ++i) {
         EXPECT_EQ(found.edges[i].length_deviation, expected.mean(static_cast<Eigen::Index>(i), 0));
     }
     test::hide(net, s.survey, net.free_nodes()[2]);
-    EXPECT_THROW((void)identify_by_processes(net, model, s.survey), std::invalid_argument);
+    EXPECT_THROW((void)identify(net, s.survey, {.model = &model}), SurveyError);
 }
 
 }  // namespace

@@ -14,10 +14,10 @@
 #include <random>
 #include <vector>
 
+#include "identification/maximum_a_posteriori.hpp"
 #include "identification/simulated_survey.hpp"
 #include "support/hilo_roof.hpp"
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/maximum_a_posteriori.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace {

@@ -10,10 +10,10 @@
 #include <Eigen/Dense>
 #include <set>
 
+#include "identification/maximum_a_posteriori.hpp"
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/best_possible.hpp"
-#include "taut/identification/maximum_a_posteriori.hpp"
 
 namespace {
 

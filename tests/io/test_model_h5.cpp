@@ -9,7 +9,8 @@
 
 #include "support/examples.hpp"
 #include "support/scratch.hpp"
-#include "taut/identification/identification.hpp"
+#include "taut/identification/length_estimates.hpp"
+#include "taut/identification/result.hpp"
 
 namespace taut {
 namespace {

@@ -85,7 +85,7 @@ TEST_F(SmallComparison, TrainsOnTheFirstSamplesAndSurveysTheLast) {
     ASSERT_EQ(data.not_converged(), 0);
     EXPECT_EQ(m_comparison.samples, 66);
     const LengthModel model =
-        train(m_net, data, data.converged_in(0, 40), TrainingSettings::as_in_paper());
+        train(m_net, data, data.converged_in(0, 40), TrainingSettings::paper());
     const Eigen::MatrixXd estimates =
         estimate_lengths(m_net, model, data.form_deviations.rightCols(6)).mean;
     const LengthErrors errors = length_errors(data.length_deviations.rightCols(6), estimates);

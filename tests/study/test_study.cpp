@@ -56,7 +56,7 @@ TEST_F(SmallStudy, ValidatesOnTheLastSamplesAndTrainsOnAllOthers) {
 
 TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
     const LengthModel model = train(m_study.net, m_study.data, m_study.data.converged_in(0, 48),
-                                    TrainingSettings::as_in_paper());
+                                    TrainingSettings::paper());
     const Eigen::MatrixXd validation = m_study.data.form_deviations.rightCols(12);
     const LengthEstimates estimates = estimate_lengths(m_study.net, model, validation);
     // One form at a time or all at once: sums of the BLAS in another order.

@@ -37,9 +37,8 @@ inline DataSet example_data(const CableNet& net, int count = 30) {
     return data;
 }
 
-inline LengthModel example_model(
-    const CableNet& net, const DataSet& data,
-    const TrainingSettings& settings = TrainingSettings::as_in_paper()) {
+inline LengthModel example_model(const CableNet& net, const DataSet& data,
+                                 const TrainingSettings& settings = TrainingSettings::paper()) {
     return train(net, data, data.converged_in(0, data.size()), settings);
 }
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "taut/identification/identification.hpp"
+#include "taut/estimation/edge_status.hpp"
 #include "taut/sampling/length_law.hpp"
 
 namespace taut {
@@ -15,6 +15,8 @@ namespace taut {
 /// of the edge in standard deviations and phi, Phi the standard normal density and distribution,
 ///
 ///   taut:  Phi(z) N(x; mean, std^2)       slack: phi(z) / std   for x > slack_from
+///
+/// docs/theory.md, (slack-mixture).
 struct LengthLikelihood {
     double mean = 0.0;                                     ///< [m]
     double std = std::numeric_limits<double>::infinity();  ///< [m]; infinite: it tells nothing
@@ -38,11 +40,12 @@ struct LengthPosterior {
     double slack_probability = 0.0;  ///< that the deviation exceeds slack_from
 };
 
-/// Likelihood times the density of the law itself, normalised: exactly, a mixture of truncated
-/// normal and uniform distributions. The interval holds 95 %, 2.5 % on either side, or more where
-/// it has to reach to the mean; it never leaves the bounds of a uniform law. Where the edge is
-/// rather slack than not, all that is known is that bound: the interval begins at slack_from or
-/// where it would anyway, if that is lower, and ends at the bound of a uniform law.
+/// Likelihood times the density of the law itself, normalised, docs/theory.md (posterior): exactly,
+/// a mixture of truncated normal and uniform distributions. The interval holds 95 %, 2.5 % on
+/// either side, or more where it has to reach to the mean; it never leaves the bounds of a uniform
+/// law. Where the edge is rather slack than not, all that is known is that bound: the interval
+/// begins at slack_from or where it would anyway, if that is lower, and ends at the bound of a
+/// uniform law.
 /// @throws std::invalid_argument for a mean that is not finite, or a std that is not positive
 [[nodiscard]] LengthPosterior posterior_of(const LengthLaw& law,
                                            const LengthLikelihood& likelihood);

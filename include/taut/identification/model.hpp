@@ -34,9 +34,11 @@ struct TrainingSettings {
     MeanFunction mean = MeanFunction::geometry;
     KernelMetric metric = KernelMetric::isotropic;
     gp::FitSettings fit = {};
+    /// Zero mean, isotropic kernel, and every survey taken for exact and whole: see LengthModel.
+    bool as_in_paper = false;
 
-    [[nodiscard]] static TrainingSettings as_in_paper() {
-        return {.mean = MeanFunction::zero, .metric = KernelMetric::isotropic};
+    [[nodiscard]] static TrainingSettings paper() {
+        return {.mean = MeanFunction::zero, .metric = KernelMetric::isotropic, .as_in_paper = true};
     }
 };
 
@@ -47,6 +49,9 @@ struct LengthModel {
     std::uint64_t seed = 1;
     MeanFunction mean = MeanFunction::zero;
     KernelMetric metric = KernelMetric::isotropic;
+    /// Trained for the paper's algorithm: eq. ident as it stands, which takes every survey for
+    /// exact and whole.
+    bool as_in_paper = false;
     Eigen::VectorXd nominal_form;  ///< r_I that form deviations refer to (3 n_I) [m]
     /// Of each free coordinate in the kernel's metric (3 n_I), relative to their geometric mean.
     Eigen::VectorXd input_scales;
@@ -56,12 +61,6 @@ struct LengthModel {
     gp::FittedProcesses processes;
 
     [[nodiscard]] int training_count() const { return static_cast<int>(processes.inputs.cols()); }
-
-    /// Zero mean and isotropic kernel. Such a model takes every survey for exact and whole, as the
-    /// paper does.
-    [[nodiscard]] bool as_in_paper() const {
-        return mean == MeanFunction::zero && metric == KernelMetric::isotropic;
-    }
 
     /// The form deviations it was trained on (3 n_I x n) [m].
     [[nodiscard]] Eigen::MatrixXd form_deviations() const {
@@ -73,7 +72,7 @@ struct LengthModel {
 /// @param samples which to train on; their forces must balance
 /// @param progress told of the stages of gp::estimate_input_scales() and gp::fit()
 /// @throws std::invalid_argument for a data set of another net, fewer than two samples, or an index
-///   out of range
+///   out of range, and for `as_in_paper` with another mean function or kernel than the paper's
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] LengthModel train(const CableNet& net, const DataSet& data,
                                 const std::vector<int>& samples,

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "taut/identification/identification.hpp"
+#include "taut/estimation/edge_status.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -36,6 +36,7 @@ struct SurveyProspect {
 /// @param survey which nodes, and their noise; its form is not used
 /// @throws std::invalid_argument as best_possible_variances(), and where the net has no interior
 ///   edge
+/// @throws SurveyError where the survey is exact and not whole
 [[nodiscard]] SurveyProspect survey_prospect(const CableNet& net,
                                              const Eigen::Ref<const Points>& form,
                                              const Survey& survey, const LengthLaw& law);

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "taut/identification/identification.hpp"
+#include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "taut/identification/identification.hpp"
+#include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/study/study.hpp"
 #include "taut/survey/survey.hpp"

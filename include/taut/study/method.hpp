@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "taut/identification/identification.hpp"
 #include "taut/identification/model.hpp"
+#include "taut/identification/result.hpp"
 #include "taut/sampling/length_law.hpp"
 
 namespace taut {
@@ -24,19 +24,17 @@ struct Method {
     std::function<Identification(const Survey&)> identify;
 };
 
-/// "gp_as_in_paper": eq. ident as it stands, on the surveyed form as it is: nothing is reckoned
-/// with that the paper does not, noise and slack edges neither. The predicted form may be out of
-/// balance.
-/// @param model trained as in the paper
+/// "gp_as_in_paper": what identify() does with a model trained as in the paper. The predicted form
+/// may be out of balance.
 [[nodiscard]] Method method_as_in_paper(const CableNet& net, const LengthModel& model);
 
-/// "gp": identify_by_processes().
+/// "gp": what identify() does with any other model.
 [[nodiscard]] Method method_by_processes(const CableNet& net, const LengthModel& model);
 
-/// "balance": identify_by_force_balance().
+/// "balance".
 [[nodiscard]] Method method_by_force_balance(const CableNet& net, const LengthLaw& law);
 
-/// "map": identify_by_maximum_a_posteriori().
+/// "map".
 [[nodiscard]] Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law);
 
 }  // namespace taut

@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "taut/identification/identification.hpp"
+#include "taut/identification/length_estimates.hpp"
 #include "taut/identification/model.hpp"
+#include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/sampling/sampler.hpp"

@@ -55,7 +55,27 @@ struct Survey {
     std::vector<int> missing;               ///< free nodes that were not, ascending
     std::vector<UnmatchedPoint> unmatched;  ///< in the order of the points
     std::vector<ControlResidual> control;   ///< empty where the frame was not fitted
+
+    /// Whether some surveyed coordinate has noise.
+    [[nodiscard]] bool is_noisy() const { return largest_noise_std() > 0.0; }
+    /// Whether no surveyed coordinate has noise.
+    [[nodiscard]] bool is_exact() const { return !is_noisy(); }
+    /// Whether every free node was surveyed.
+    [[nodiscard]] bool is_whole() const { return missing.empty(); }
+    /// Of the surveyed coordinates; 0 where none was surveyed [m].
+    [[nodiscard]] double largest_noise_std() const;
+    /// Root mean square over the surveyed coordinates; 0 where none was surveyed [m].
+    [[nodiscard]] double rms_noise_std() const;
 };
+
+/// @throws SurveyError for a survey of another size than the net, a node that is not free, comes
+///   twice or is neither surveyed nor missing, noise that is negative or not finite, a position
+///   that is not finite, and where no node was surveyed
+void check_survey(const CableNet& net, const Survey& survey);
+
+/// @param expected what the survey should have held, for the message: "all for ..."
+/// @throws SurveyError where a free node was not surveyed; names the first
+void require_whole(const CableNet& net, const Survey& survey, std::string_view expected);
 
 /// A rule of a survey that is broken, at a point of it.
 class SurveyError : public std::invalid_argument {

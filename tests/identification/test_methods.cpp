@@ -15,11 +15,11 @@
 #include <functional>
 #include <stdexcept>
 
+#include "identification/force_balance.hpp"
+#include "identification/maximum_a_posteriori.hpp"
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/best_possible.hpp"
-#include "taut/identification/force_balance.hpp"
-#include "taut/identification/maximum_a_posteriori.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/tensions.hpp"
@@ -56,7 +56,7 @@ int inside(const Identification& result, const Eigen::VectorXd& truth) {
 
 const CableNet net_7x7 = hypar(7, 7);
 
-TEST(Ways, AreExactWithoutNoise) {
+TEST(Methods, AreExactWithoutNoise) {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
         const SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0, seed);
         ASSERT_TRUE(s.truth.slack_edges.empty());
@@ -67,19 +67,19 @@ TEST(Ways, AreExactWithoutNoise) {
     }
 }
 
-TEST(Ways, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
-    using Way = std::function<Identification(const CableNet&, const Survey&, const LengthLaw&)>;
+TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
+    using Method = std::function<Identification(const CableNet&, const Survey&, const LengthLaw&)>;
     constexpr int surveys = 40;
     for (const LengthLaw& law : {uniform_3mm, normal_law}) {
         for (const double noise : {0.0001, 0.0005, 0.002}) {
-            for (const Way& way : {Way(map), Way(identify_by_force_balance)}) {
+            for (const Method& by : {Method(map), Method(identify_by_force_balance)}) {
                 double errors = 0.0;
                 double best = 0.0;
                 int covered = 0;
                 std::string method;
                 for (std::uint64_t seed = 0; seed < surveys; ++seed) {
                     const SimulatedSurvey s = simulate(net_7x7, law, noise, seed);
-                    const Identification result = way(net_7x7, s.survey, law);
+                    const Identification result = by(net_7x7, s.survey, law);
                     EXPECT_EQ(result.status, IdentificationStatus::converged);
                     method = result.method;
                     errors += squared_error(result, s.deviations);
@@ -192,7 +192,7 @@ TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
     EXPECT_EQ(map(net_7x7, s.survey, uniform_3mm).outliers.size(), 1U);
 }
 
-TEST(Ways, TellASlackEdgeByNoMoreThanItsLength) {
+TEST(Methods, TellASlackEdgeByNoMoreThanItsLength) {
     const LengthLaw wide{LengthLaw::Kind::uniform, 0.007};
     int slack = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -214,13 +214,13 @@ TEST(Ways, TellASlackEdgeByNoMoreThanItsLength) {
     EXPECT_GT(slack, 2);
 }
 
-TEST(Ways, RefuseSurveysThatMakeNoSense) {
+TEST(Methods, RefuseSurveysThatMakeNoSense) {
     const Survey good = simulate(net_7x7, uniform_3mm, 0.0005, 1).survey;
     const int node = good.surveyed[5];
     const auto expect_refused = [&](const Survey& bad, const std::string& told) {
-        for (const auto& way : {std::function(map), std::function(identify_by_force_balance)}) {
+        for (const auto& method : {std::function(map), std::function(identify_by_force_balance)}) {
             try {
-                (void)way(net_7x7, bad, uniform_3mm);
+                (void)method(net_7x7, bad, uniform_3mm);
                 ADD_FAILURE() << "not refused: " << told;
             } catch (const std::invalid_argument& error) {
                 EXPECT_THAT(error.what(), ::testing::HasSubstr(told));
@@ -256,7 +256,7 @@ TEST(Ways, RefuseSurveysThatMakeNoSense) {
                  std::invalid_argument);
 }
 
-TEST(Ways, TellNoNumberThatIsNotOneWhereNodesAreLoose) {
+TEST(Methods, TellNoNumberThatIsNotOneWhereNodesAreLoose) {
     // Lengths that leave whole nodes without tension.
     const CableNet net = hypar(4, 5);
     const LengthLaw wide{LengthLaw::Kind::uniform, 0.02};

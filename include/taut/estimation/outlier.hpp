@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace taut {
+
+/// A target that contradicts all others: rejected by data snooping (docs/theory.md, (snooping)).
+struct Outlier {
+    int node = 0;
+    double distance = 0.0;   ///< of the surveyed place from the one that all others tell [m]
+    double statistic = 0.0;  ///< its square in standard deviations, to be compared with threshold
+};
+
+/// Probability that a survey without gross errors loses a target by the test for them. Small: a
+/// target less can cost the edges around it all that is known of them, while gross errors worth the
+/// name stand far above any threshold.
+inline constexpr double default_false_alarm_rate = 0.001;
+
+}  // namespace taut

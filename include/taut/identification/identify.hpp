@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "taut/identification/result.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
+#include "taut/sampling/length_law.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+struct LengthModel;
+
+/// A way from a survey to lengths. docs/theory.md derives each; docs/methods.md compares them.
+enum class IdentificationMethod {
+    balance,  ///< force balance: linear in 1/l_0; needs every free node
+    map,      ///< maximum a posteriori under the statics: any subset of nodes, any noise
+    gp,       ///< Gaussian processes (eq. ident): a trained model
+};
+
+/// "balance", "map", "gp".
+[[nodiscard]] std::string_view to_string(IdentificationMethod method);
+
+/// @throws std::invalid_argument for another name
+[[nodiscard]] IdentificationMethod parse_identification_method(std::string_view name);
+
+struct IdentifyOptions {
+    /// Empty: gp where a model is given; map where the survey has noise or misses nodes; balance
+    /// else.
+    std::optional<IdentificationMethod> method;
+    /// Of the length deviations. Empty: the model's, or uniform:5mm.
+    std::optional<LengthLaw> law;
+    /// For gp; not copied. Null: one is trained now, on `training_samples` samples of the law, and
+    /// forgotten.
+    const LengthModel* model = nullptr;
+    int training_samples = 1000;
+};
+
+/// From one survey of the form to all interior edges' unstressed lengths, with standard deviations
+/// and 95 % intervals, and to the form that follows.
+///
+/// Gross errors are found by data snooping and left out, whatever the method; not by a model as in
+/// the paper, which takes the survey as it is. A survey without noise is held to that: where no
+/// lengths of the law give its form to rounding errors, the status is `survey_not_exact`.
+///
+/// @param survey of the net's free nodes: read_survey(), match_to_nodes(), or made by hand
+/// @param progress of the training, where a model has to be trained
+/// @return status and message tell whether it may be relied on; misuse throws
+/// @throws std::invalid_argument for a law that the net does not bear (check_law()), a model of
+///   another net (both fingerprints are named) or law, a model for another method than gp
+/// @throws SurveyError as check_survey(), and where a free node was not surveyed though the survey
+///   is exact, or the method (balance, a model as in the paper) needs all
+/// @throws std::runtime_error where the statics are singular at the surveyed form
+/// @throws Interrupted
+[[nodiscard]] Identification identify(const CableNet& net, const Survey& survey,
+                                      const IdentifyOptions& options = {},
+                                      const Progress& progress = {});
+
+/// Whether a model may be used for a net and, where it is given, a law.
+/// @throws std::invalid_argument as identify()
+void check_model(const CableNet& net, const LengthModel& model,
+                 const std::optional<LengthLaw>& law = {});
+
+}  // namespace taut

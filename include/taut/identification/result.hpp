@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "taut/estimation/edge_status.hpp"
+#include "taut/estimation/outlier.hpp"
+#include "taut/sampling/length_law.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// How an identification ended.
+enum class IdentificationStatus {
+    converged,
+    iteration_limit,      ///< lengths and form still moved
+    survey_does_not_fit,  ///< so many targets contradict the rest that it is not they who are
+                          ///< wrong, or no positive lengths give the form
+    survey_not_exact,     ///< taken for exact, but no lengths of the law give its form
+    no_equilibrium,       ///< the identified lengths find none: there is no predicted form
+};
+
+/// "converged", "iteration limit", "survey does not fit", "survey not exact", "no equilibrium".
+[[nodiscard]] std::string_view to_string(IdentificationStatus status);
+
+/// What is known of one interior edge's unstressed length after a survey.
+struct IdentifiedEdge {
+    int edge = 0;
+    double nominal = 0.0;           ///< unstressed length as designed [m]
+    double length_deviation = 0.0;  ///< estimate of true minus nominal [m]
+    double std = 0.0;               ///< standard deviation of the estimate [m]
+    double lower = 0.0;             ///< 95 % interval of the length deviation [m]
+    double upper = 0.0;
+    EdgeStatus status = EdgeStatus::identified;
+};
+
+/// The outcome of an identification, by whatever method. Only where the status is `converged` may
+/// lengths and form be relied on; else `message` says what was found, and `edges` and `predicted`
+/// are what the search ended with, or empty.
+struct Identification {
+    std::string method;         ///< "gp", "balance", "map"
+    std::string method_reason;  ///< why this method, in words
+    std::string how;            ///< what was done, in words: the method, its law, its training
+    LengthLaw law;              ///< of the length deviations, as reckoned with
+    IdentificationStatus status = IdentificationStatus::converged;
+    std::string message;                ///< why it did not converge, and what may help; else empty
+    std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order
+    Equilibrium predicted;              ///< of the net with the identified lengths
+    /// |predicted - surveyed| at the surveyed free nodes, in the order of Survey::surveyed [m]
+    Eigen::VectorXd residuals;
+
+    // Of data snooping; as here where the survey is exact or taken for it.
+    std::vector<Outlier> outliers;  ///< the worst first
+    double outlier_threshold = 0.0;
+    /// Root mean square of the residuals over what the stated noise lets expect; about 1 where the
+    /// noise is stated right. 0 where it was not computed.
+    double noise_ratio = 0.0;
+};
+
+/// The residuals of the targets that were not left out.
+[[nodiscard]] Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey);
+
+}  // namespace taut

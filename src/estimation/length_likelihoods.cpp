@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/length_likelihoods.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+
+std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
+                                                 const LinearisedStatics& statics,
+                                                 const Observations& observations,
+                                                 const Iterate& fitted) {
+    const Eigen::VectorXd variances = statics.length_variances();
+    const Eigen::VectorXd extension_variances = statics.extension_variances();
+    const Eigen::VectorXd lengths = edge_lengths(net, fitted.form);
+    std::vector<LengthLikelihood> result;
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const int edge = net.interior_edges()[i];
+        // At loose nodes the variances can be lost in rounding errors: then nothing is told.
+        const bool is_told = variances(i) > 0.0;
+        LengthLikelihood likelihood =
+            is_told ? without_prior(observations.mean(i), std::sqrt(observations.variance(i)),
+                                    fitted.deviations(i), std::sqrt(variances(i)))  // (likelihood)
+                    : LengthLikelihood();
+        likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
+        if (statics.slack()[edge]) {
+            likelihood.extension = -std::numeric_limits<double>::infinity();
+        } else {
+            const double extension = likelihood.slack_from - fitted.deviations(i);
+            likelihood.extension =
+                extension_variances(i) > 0.0
+                    ? extension / std::sqrt(extension_variances(i))
+                    : std::copysign(std::numeric_limits<double>::infinity(), extension);
+        }
+        result.push_back(likelihood);
+    }
+    return result;
+}
+
+}  // namespace taut

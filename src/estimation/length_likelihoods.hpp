@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/estimation/length_posterior.hpp"
+
+namespace taut {
+
+/// What a fit tells of each interior edge (m_I), without what was known of its length before.
+/// docs/theory.md, (likelihood)
+/// @param observations with the prior that the fit was made with
+/// @param fitted form and lengths under the statics, linearised and inverted there
+[[nodiscard]] std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
+                                                               const LinearisedStatics& statics,
+                                                               const Observations& observations,
+                                                               const Iterate& fitted);
+
+}  // namespace taut

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "estimation/data_snooping.hpp"
+#include "estimation/gauss_newton.hpp"
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+struct SurveyFitSettings {
+    int max_iterations = 50;                             ///< Gauss-Newton steps of each fit
+    double false_alarm_rate = default_false_alarm_rate;  ///< of data snooping; 0: none
+    /// Standard deviation of the normal prior of the lengths, in those of the law. 1: maximum a
+    /// posteriori; much more: all but the maximum of the likelihood.
+    double prior_width = 1.0;
+};
+
+/// Fits form and lengths to a survey under the statics: the maximum a posteriori estimate (map) of
+/// docs/theory.md, with its slack set, gross errors rejected by data snooping, and the covariance
+/// linearised at the result. Three loops, from the inside: Gauss-Newton steps at one slack set
+/// (gauss_newton()), the slack set that the fitted form shows, the targets that are rejected. A
+/// survey for which these do not settle is fitted by continuation over the noise.
+class SurveyFit {
+public:
+    /// Keeps references to net, survey and law. Not copied: its parts refer to each other.
+    /// @throws std::invalid_argument for settings out of range
+    /// @throws SurveyError as check_survey()
+    SurveyFit(const CableNet& net, const Survey& survey, const LengthLaw& law,
+              const SurveyFitSettings& settings = {});
+    SurveyFit(const SurveyFit&) = delete;
+    SurveyFit& operator=(const SurveyFit&) = delete;
+
+    /// Once. After it, the parts below are those of the result.
+    /// @return the result; not converged where lengths and form still moved
+    /// @throws std::runtime_error as gauss_newton()
+    [[nodiscard]] GaussNewtonResult run();
+
+    /// Whether so many targets contradict the others that it is not they who are wrong.
+    [[nodiscard]] bool contradicts_too_many() const { return m_contradicts_too_many; }
+    [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
+    /// Linearised and inverted at the result.
+    [[nodiscard]] const LinearisedStatics& statics() const { return m_statics; }
+    /// The targets in use and the prior.
+    [[nodiscard]] Observations observations() const { return observations(1.0); }
+
+private:
+    [[nodiscard]] Observations observations(double inflation) const;
+    void evaluate(const GaussNewtonResult& fitted, double inflation);
+    [[nodiscard]] GaussNewtonResult fit(const Iterate& start, std::vector<bool> slack,
+                                        double inflation);
+    [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, std::vector<bool> slack,
+                                                  double inflation);
+    [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, double inflation);
+    [[nodiscard]] GaussNewtonResult from_coarse_to_fine();
+    [[nodiscard]] double first_inflation() const;
+
+    const CableNet& m_net;
+    const Survey& m_survey;
+    const LengthLaw& m_law;
+    SurveyFitSettings m_settings;
+    Points m_noise;
+    double m_tolerance;
+    LinearisedStatics m_statics;
+    DataSnooping m_snooping;
+    bool m_contradicts_too_many = false;
+};
+
+}  // namespace taut

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/completion.hpp"
+
+#include <fmt/core.h>
+
+#include "taut/net/units.hpp"
+
+namespace taut {
+
+void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
+                   bool contradicts_too_many) {
+    result.outliers = snooping.outliers();
+    result.outlier_threshold = snooping.is_active() ? snooping.threshold() : 0.0;
+    result.noise_ratio = snooping.noise_ratio();
+    if (contradicts_too_many) {
+        result.status = IdentificationStatus::survey_does_not_fit;
+        result.message = fmt::format(
+            "{} of {} targets contradict the others: are net, frame, law and noise ({}) right?",
+            result.outliers.size(), survey.surveyed.size(),
+            format_length(survey.largest_noise_std()));
+    }
+}
+
+void complete(Identification& result, const CableNet& net, const Survey& survey,
+              const LengthLaw& law, const std::vector<LengthLikelihood>& likelihoods,
+              const Points& start) {
+    result.law = law;
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const int edge = net.interior_edges()[i];
+        const LengthPosterior posterior = posterior_of(law, likelihoods[i]);
+        result.edges.push_back({.edge = edge,
+                                .nominal = net.unstressed_lengths()(edge),
+                                .length_deviation = posterior.mean,
+                                .std = posterior.std,
+                                .lower = posterior.lower,
+                                .upper = posterior.upper,
+                                .status = status_of(law, posterior)});
+    }
+    predict_form(result, net, survey, start);
+}
+
+void predict_form(Identification& result, const CableNet& net, const Survey& survey,
+                  const Points& start) {
+    Eigen::VectorXd lengths = net.unstressed_lengths();
+    for (const IdentifiedEdge& e : result.edges) {
+        lengths(e.edge) += e.length_deviation;
+        if (!(lengths(e.edge) > 0.0)) {
+            result.status = IdentificationStatus::survey_does_not_fit;
+            result.message = fmt::format(
+                "the survey gives edge '{}' the unstressed length {:.4g} m: is it of this net, in "
+                "its frame, and is its noise told?",
+                net.edge_id(e.edge), lengths(e.edge));
+            return;
+        }
+    }
+    result.predicted = EquilibriumSolver(net).solve(lengths, start);
+    const Eigen::MatrixXd differences =
+        (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);
+    result.residuals = differences.colwise().norm().transpose();
+    if (!result.predicted.balanced() && result.status == IdentificationStatus::converged) {
+        result.status = IdentificationStatus::no_equilibrium;
+        result.message = fmt::format(
+            "the identified lengths find no equilibrium: {:.4g} N out of balance after {} "
+            "iterations",
+            result.predicted.out_of_balance, result.predicted.iterations);
+    }
+}
+
+}  // namespace taut

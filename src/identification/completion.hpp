@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "estimation/data_snooping.hpp"
+#include "taut/estimation/length_posterior.hpp"
+#include "taut/identification/result.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// Takes over what data snooping found at the end of a search.
+/// @param contradicts_too_many as DataSnooping::contradicts_too_many(): the status says so
+void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
+                   bool contradicts_too_many);
+
+/// Fills the edges of a result from their likelihoods (m_I) and the law, docs/theory.md
+/// (posterior), and predicts the form.
+/// @param start of the search for the predicted form (3 x n) [m]
+void complete(Identification& result, const CableNet& net, const Survey& survey,
+              const LengthLaw& law, const std::vector<LengthLikelihood>& likelihoods,
+              const Points& start);
+
+/// Predicts the form of a result's edges, from a start, and compares it with the survey. Where
+/// their lengths find no equilibrium, status and message say so.
+void predict_form(Identification& result, const CableNet& net, const Survey& survey,
+                  const Points& start);
+
+}  // namespace taut

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/identification/identify.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "identification/exact_balance.hpp"
+#include "identification/force_balance.hpp"
+#include "identification/maximum_a_posteriori.hpp"
+#include "identification/processes.hpp"
+#include "taut/identification/model.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::array methods{IdentificationMethod::balance, IdentificationMethod::map,
+                             IdentificationMethod::gp};
+
+struct Choice {
+    IdentificationMethod method = IdentificationMethod::balance;
+    std::string reason;
+};
+
+/// The method that was asked for, or the one that suits what is there.
+Choice choose_method(const Survey& survey, const IdentifyOptions& options) {
+    if (options.method) {
+        return {.method = *options.method, .reason = "asked for by --method"};
+    }
+    if (options.model != nullptr) {
+        return {.method = IdentificationMethod::gp, .reason = "a model is given"};
+    }
+    if (!survey.is_whole()) {
+        return {.method = IdentificationMethod::map,
+                .reason = fmt::format("{} free nodes were not surveyed", survey.missing.size())};
+    }
+    if (survey.is_noisy()) {
+        return {.method = IdentificationMethod::map, .reason = "the survey has noise"};
+    }
+    return {.method = IdentificationMethod::balance,
+            .reason = "all free nodes were surveyed, and no noise is told"};
+}
+
+/// What a survey must be, whatever the method.
+void check_survey_for(const CableNet& net, const Survey& survey, IdentificationMethod method) {
+    check_survey(net, survey);
+    if (method == IdentificationMethod::balance) {
+        require_whole(net, survey, "all for --method balance");
+    }
+    if (survey.is_exact()) {
+        require_whole(net, survey, "all, or their noise (--noise, or sx, sy, sz in the file)");
+    }
+}
+
+/// A model for the net and the law, on samples drawn now.
+LengthModel trained_model(const CableNet& net, const LengthLaw& law, int samples,
+                          const Progress& progress) {
+    const Sampler sampler(net, law, /*seed=*/1);
+    const DataSet data = draw_samples(sampler, samples, progress);
+    return train(net, data, data.converged_in(0, data.size()), {}, progress);
+}
+
+std::string how_text(const LengthModel& model, bool is_given, const Survey& survey) {
+    std::string text = fmt::format(
+        "Gaussian processes trained on {} samples of {}{}", model.training_count(),
+        model.law.to_string(), is_given ? "" : " (no --model was given, so they were drawn now)");
+    if (model.as_in_paper && survey.is_noisy()) {
+        text +=
+            "\n  as in the paper, which takes the survey for exact: its noise is not in their "
+            "intervals";
+    }
+    return text;
+}
+
+Identification identify_by_model(const CableNet& net, const Survey& survey,
+                                 const LengthModel& model) {
+    if (survey.is_exact()) {
+        // No process tells whether a form is that of any lengths: the balance does.
+        Identification balance = identify_by_exact_balance(net, survey, model.law);
+        if (balance.status != IdentificationStatus::converged) {
+            return balance;
+        }
+    }
+    return model.as_in_paper ? identify_as_in_paper(net, model, survey)
+                             : identify_by_processes(net, model, survey);
+}
+
+}  // namespace
+
+std::string_view to_string(IdentificationMethod method) {
+    switch (method) {
+        case IdentificationMethod::balance:
+            return "balance";
+        case IdentificationMethod::map:
+            return "map";
+        case IdentificationMethod::gp:
+            return "gp";
+    }
+    return "unknown";
+}
+
+IdentificationMethod parse_identification_method(std::string_view name) {
+    for (const IdentificationMethod method : methods) {
+        if (name == to_string(method)) {
+            return method;
+        }
+    }
+    throw std::invalid_argument(
+        fmt::format("no method is called '{}', expected gp, balance or map", name));
+}
+
+void check_model(const CableNet& net, const LengthModel& model,
+                 const std::optional<LengthLaw>& law) {
+    if (model.net_fingerprint != net.fingerprint()) {
+        throw std::invalid_argument(fmt::format("was trained for the net {}, expected {} ('{}')",
+                                                model.net_fingerprint, net.fingerprint(),
+                                                net.name()));
+    }
+    if (law && model.law != *law) {
+        throw std::invalid_argument(fmt::format("was trained for the law {}, expected {}",
+                                                model.law.to_string(), law->to_string()));
+    }
+}
+
+Identification identify(const CableNet& net, const Survey& survey, const IdentifyOptions& options,
+                        const Progress& progress) {
+    const LengthLaw law =
+        options.law.value_or(options.model != nullptr ? options.model->law : LengthLaw());
+    check_law(net, law);
+    const auto [method, reason] = choose_method(survey, options);
+    check_survey_for(net, survey, method);
+    if (options.model != nullptr) {
+        if (method != IdentificationMethod::gp) {
+            throw std::invalid_argument(
+                fmt::format("--model is for --method gp, not for {}", to_string(method)));
+        }
+        check_model(net, *options.model, options.law);
+    }
+    Identification result;
+    switch (method) {
+        case IdentificationMethod::balance:
+            result = identify_by_force_balance(net, survey, law);
+            result.how =
+                fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
+            break;
+        case IdentificationMethod::map:
+            result = identify_by_maximum_a_posteriori(net, survey, law);
+            result.how =
+                fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string());
+            break;
+        case IdentificationMethod::gp: {
+            std::optional<LengthModel> own;
+            if (options.model == nullptr) {
+                own = trained_model(net, law, options.training_samples, progress);
+            }
+            const LengthModel& model = own ? *own : *options.model;
+            result = identify_by_model(net, survey, model);
+            result.how = how_text(model, !own, survey);
+            break;
+        }
+    }
+    result.method = to_string(method);
+    result.method_reason = reason;
+    return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/identification/length_estimates.hpp"
+
+#include "identification/mean_function.hpp"
+
+namespace taut {
+
+LengthEstimates estimate_lengths(const CableNet& net, const LengthModel& model,
+                                 const Eigen::Ref<const Eigen::MatrixXd>& form_deviations) {
+    gp::Prediction prediction =
+        model.processes.predict(model.input_scales.asDiagonal() * form_deviations);
+    const Eigen::MatrixXd means = mean_values(net, model.mean, model.nominal_form, form_deviations);
+    for (Eigen::Index i = 0; i < prediction.std.rows(); ++i) {
+        const gp::Process& process = model.processes.processes[i];
+        if (process.status != gp::FitStatus::fitted) {
+            prediction.std.row(i).setConstant(model.law.std());
+            continue;
+        }
+        const double noise = process.hyperparameters.noise_std;
+        prediction.mean.row(i) += means.row(i);
+        prediction.std.row(i) = (prediction.std.row(i).array().square() + noise * noise).sqrt();
+    }
+    return {.mean = std::move(prediction.mean), .std = std::move(prediction.std)};
+}
+
+}  // namespace taut

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/identification/result.hpp"
+
+#include <algorithm>
+
+namespace taut {
+
+std::string_view to_string(IdentificationStatus status) {
+    switch (status) {
+        case IdentificationStatus::converged:
+            return "converged";
+        case IdentificationStatus::iteration_limit:
+            return "iteration limit";
+        case IdentificationStatus::survey_does_not_fit:
+            return "survey does not fit";
+        case IdentificationStatus::survey_not_exact:
+            return "survey not exact";
+        case IdentificationStatus::no_equilibrium:
+            return "no equilibrium";
+    }
+    return "unknown";
+}
+
+Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey) {
+    std::vector<int> in_use;
+    for (int i = 0; i < static_cast<int>(result.residuals.size()); ++i) {
+        if (std::ranges::find(result.outliers, survey.surveyed[i], &Outlier::node) ==
+            result.outliers.end()) {
+            in_use.push_back(i);
+        }
+    }
+    return result.residuals(in_use);
+}
+
+}  // namespace taut

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/io/read_survey.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <utility>
+
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/io/survey_csv.hpp"
+#include "taut/io/target_list.hpp"
+#include "taut/statics/tensions.hpp"
+#include "taut/survey/planned_survey.hpp"
+#include "taut/survey/registration.hpp"
+
+namespace taut {
+namespace {
+
+/// Does something with the points of a file; rules of surveys that are broken are told with its
+/// name.
+template <class Action>
+auto with_points_of(const std::filesystem::path& file, const Action& action) {
+    try {
+        return action();
+    } catch (const SurveyError& error) {
+        throw InputError(file.string(), error.line() > 0 ? std::to_string(error.line()) : "",
+                         error.what());
+    }
+}
+
+void check(const ReadSurveyOptions& options) {
+    if (!(options.noise_std >= 0.0 && std::isfinite(options.noise_std))) {
+        throw std::invalid_argument(fmt::format(
+            "noise_std is {}, expected a standard deviation of at least 0", options.noise_std));
+    }
+}
+
+/// What no survey of the net can be: noise that hides which node a target is on is most likely
+/// told in another unit.
+void check_matched(const CableNet& net, const Survey& survey) {
+    if (survey.surveyed.empty()) {
+        throw SurveyError(0, "holds no free node of the net");
+    }
+    const double noise = survey.largest_noise_std();
+    const double length = edge_lengths(net, net.nodes()).mean();
+    if (noise > length) {
+        throw SurveyError(
+            0,
+            fmt::format("noise of {:.4g} mm, expected less than the mean edge length, {:.4g} mm: "
+                        "is it told in another unit?",
+                        1e3 * noise, 1e3 * length));
+    }
+}
+
+bool is_frame_fitted(const CableNet& net, const std::vector<ControlPoint>& control,
+                     const ReadSurveyOptions& options) {
+    constexpr size_t needed = 3;
+    return !options.control.empty() || options.frame == SurveyFrame::supports ||
+           (options.frame == SurveyFrame::automatic && control.size() >= needed &&
+            !in_frame_of_net(net, control));
+}
+
+}  // namespace
+
+Survey read_survey(const CableNet& net, const std::filesystem::path& file,
+                   const ReadSurveyOptions& options) {
+    check(options);
+    std::vector<SurveyPoint> points = read_survey_points(file);
+    const std::vector<ControlPoint> control = with_points_of(options.control, [&] {
+        return options.control.empty()
+                   ? support_control_points(net, points)
+                   : split_off_control_points(net, read_survey_points(options.control), points);
+    });
+    return with_points_of(file, [&] {
+        std::vector<ControlResidual> residuals;
+        if (is_frame_fitted(net, control, options)) {
+            Registration registration = register_rigidly(control);
+            points = moved(std::move(points), registration.motion);
+            residuals = std::move(registration.residuals);
+        }
+        Survey survey = match_to_nodes(net, points, options.noise_std);
+        check_matched(net, survey);
+        survey.control = std::move(residuals);
+        return survey;
+    });
+}
+
+Survey read_planned_survey(const CableNet& net, const std::filesystem::path& file,
+                           const ReadSurveyOptions& options) {
+    check(options);
+    const auto targets = file.extension() == ".pts"
+                             ? std::nullopt
+                             : parse_target_list(read_file(file), file.string());
+    if (!targets) {
+        return read_survey(net, file, options);
+    }
+    if (!options.control.empty() || options.frame == SurveyFrame::supports) {
+        throw InputError(file.string(), "",
+                         "names nodes alone, expected their places to fit a frame to");
+    }
+    return with_points_of(file, [&] {
+        Survey survey = planned_survey(net, *targets, options.noise_std);
+        check_matched(net, survey);
+        return survey;
+    });
+}
+
+Points read_form(const CableNet& net, const std::filesystem::path& file) {
+    return with_points_of(file, [&] {
+        Survey survey = match_to_nodes(net, read_survey_points(file));
+        require_whole(net, survey, "all");
+        return std::move(survey.form);
+    });
+}
+
+}  // namespace taut

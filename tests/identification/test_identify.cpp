@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a confident answer where the survey is not what it was taken for, or the options
+// contradict each other: what a user of the library gets must be what the program tells.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/model.hpp"
+#include "taut/sampling/sampler.hpp"
+
+namespace {
+
+using namespace taut;
+using ::testing::HasSubstr;
+
+constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.002};
+
+class Identify : public ::testing::Test {
+protected:
+    static LengthModel model_of(const CableNet& net, const TrainingSettings& settings) {
+        const Sampler sampler(net, law, 1);
+        const DataSet data = draw_samples(sampler, 80);
+        return train(net, data, data.converged_in(0, 80), settings);
+    }
+
+    /// Half a millimetre of noise that nobody tells.
+    [[nodiscard]] Survey marked_exact() const {
+        Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+        survey.noise_std.setZero();
+        return survey;
+    }
+
+    void expect_misuse(const Survey& survey, const IdentifyOptions& options,
+                       const std::string& told) const {
+        try {
+            (void)identify(m_net, survey, options);
+            FAIL() << "not refused: " << told;
+        } catch (const std::invalid_argument& error) {
+            EXPECT_THAT(error.what(), HasSubstr(told));
+        }
+    }
+
+    const CableNet m_net = hypar(5, 5);
+};
+
+TEST_F(Identify, ChoosesTheMethodThatSuitsTheSurveyAndSaysWhy) {
+    const Survey exact = test::simulate(m_net, law, 0.0, 3).survey;
+    Survey noisy = test::simulate(m_net, law, 0.0005, 3).survey;
+    const Identification balance = identify(m_net, exact, {.law = law});
+    EXPECT_EQ(balance.method, "balance");
+    EXPECT_THAT(balance.method_reason, HasSubstr("no noise is told"));
+    EXPECT_EQ(identify(m_net, noisy, {.law = law}).method, "map");
+    test::hide(m_net, noisy, m_net.free_nodes()[2]);
+    const Identification map = identify(m_net, noisy, {.law = law});
+    EXPECT_EQ(map.method, "map");
+    EXPECT_THAT(map.method_reason, HasSubstr("1 free nodes were not surveyed"));
+    const LengthModel model = model_of(m_net, {});
+    const Identification gp = identify(m_net, noisy, {.model = &model});
+    EXPECT_EQ(gp.method, "gp");
+    EXPECT_EQ(gp.law, law);
+}
+
+TEST_F(Identify, SaysSoWhereASurveyMarkedExactIsNot) {
+    const LengthModel model = model_of(m_net, {});
+    const LengthModel paper = model_of(m_net, TrainingSettings::paper());
+    for (const IdentifyOptions& options :
+         {IdentifyOptions{.method = IdentificationMethod::balance, .law = law},
+          IdentifyOptions{.method = IdentificationMethod::map, .law = law},
+          IdentifyOptions{.model = &model}, IdentifyOptions{.model = &paper}}) {
+        const Identification found = identify(m_net, marked_exact(), options);
+        EXPECT_EQ(found.status, IdentificationStatus::survey_not_exact) << found.method;
+        EXPECT_THAT(found.message, HasSubstr("is taken for exact"));
+    }
+}
+
+TEST_F(Identify, RefusesAnExactSurveyThatMissesNodes) {
+    Survey exact = test::simulate(m_net, law, 0.0, 3).survey;
+    test::hide(m_net, exact, m_net.free_nodes()[2]);
+    expect_misuse(exact, {.law = law}, "expected all, or their noise");
+    expect_misuse(exact, {.method = IdentificationMethod::balance, .law = law},
+                  "expected all for --method balance");
+}
+
+TEST_F(Identify, RefusesLawsThatAreNoneByName) {
+    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    for (const double scale :
+         {0.0, -0.001, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        for (const auto method :
+             {IdentificationMethod::balance, IdentificationMethod::map, IdentificationMethod::gp}) {
+            expect_misuse(survey, {.method = method, .law = LengthLaw{.scale = scale}}, "scale");
+        }
+    }
+}
+
+TEST_F(Identify, RefusesAModelThatIsNotForThis) {
+    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    const LengthModel model = model_of(m_net, {});
+    expect_misuse(survey, {.law = LengthLaw{.scale = 0.003}, .model = &model},
+                  "was trained for the law uniform:2mm, expected uniform:3mm");
+    expect_misuse(survey, {.method = IdentificationMethod::map, .model = &model}, "not for map");
+    EXPECT_THROW((void)identify(hypar(5, 6), survey, {.model = &model}), std::invalid_argument);
+}
+
+TEST_F(Identify, TrainsAModelWhereNoneIsGivenAndStopsWhereAsked) {
+    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    const IdentifyOptions options{
+        .method = IdentificationMethod::gp, .law = law, .training_samples = 60};
+    const Identification found = identify(m_net, survey, options);
+    EXPECT_EQ(found.status, IdentificationStatus::converged);
+    EXPECT_THAT(found.how, HasSubstr("trained on 60 samples of uniform:2mm"));
+    EXPECT_THROW((void)identify(m_net, survey, options, {.stop_requested = [] { return true; }}),
+                 Interrupted);
+}
+
+// A target 26 mm off, told to a method that looked at no residual.
+TEST_F(Identify, FindsAGrossErrorWhateverTheMethod) {
+    Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    const int wrong = m_net.free_nodes()[7];
+    survey.form(2, wrong) += 0.026;
+    const LengthModel model = model_of(m_net, {});
+    for (const IdentifyOptions& options :
+         {IdentifyOptions{.method = IdentificationMethod::balance, .law = law},
+          IdentifyOptions{.method = IdentificationMethod::map, .law = law},
+          IdentifyOptions{.model = &model}}) {
+        const Identification found = identify(m_net, survey, options);
+        ASSERT_EQ(found.outliers.size(), 1U) << found.method;
+        EXPECT_EQ(found.outliers.front().node, wrong) << found.method;
+        EXPECT_GT(found.noise_ratio, 0.5) << found.method;
+        EXPECT_LT(found.noise_ratio, 1.5) << found.method;
+    }
+}
+
+}  // namespace
