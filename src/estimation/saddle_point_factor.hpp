@@ -3,10 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <utility>
 #include <vector>
 
-#include "numerics/supernodes.hpp"
+#include "estimation/saddle_point_layout.hpp"
+#include "numerics/supernodal_factor.hpp"
 #include "statics/local_net.hpp"
 
 namespace taut {
@@ -25,10 +25,6 @@ namespace taut {
 /// that a length is eliminated both its ends have told of it. (Eliminating the lengths first, for
 /// the smaller matrix [S H; H -B P^-1 B'], loses them: it subtracts large variances from each
 /// other.)
-///
-/// The method is multifrontal: a dense matrix a supernode that takes the updates of its children.
-/// Supernodes are eliminated in panels of some nodes; each is a dense pivot, of which the inverse
-/// is kept.
 class SaddlePointFactor {
 public:
     /// @param interior one flag an edge of the net: whether its length is unknown
@@ -61,44 +57,26 @@ public:
         /// edge; 0 for known lengths.
         Eigen::VectorXd extensions;
     };
-    /// The diagonal of the inverse, after factorize(): S and P being inverse covariances, the
-    /// covariances under H r + B d = c. By Takahashi's recursion over the dense matrices.
+    /// Entries of the inverse, after factorize(): S and P being inverse covariances, the
+    /// covariances under H r + B d = c. With Z the inverse over the unknowns of an edge (s, t) and
+    /// u the direction of its block of B, the variance of its extension is
+    ///
+    ///   w' Z w,   w = (-u at place s, u at place t, -1 at the length)
     [[nodiscard]] Covariance covariance() const;
 
 private:
-    /// A supernode, where its panels begin among its pivots (and the end), and their factor.
-    struct Front {
-        Supernode supernode;
-        std::vector<int> panels;
-        /// The columns of the pivots: for each panel the inverse of its pivot on the diagonal, and
-        /// below it L.
-        Eigen::MatrixXd factor;
-    };
-    /// Fronts first .. end.
-    struct Branch {
-        int first = 0;
-        int end = 0;
-    };
-    void find_branches();
-    void assemble(const Supernode& supernode, Eigen::MatrixXd& matrix) const;
-    [[nodiscard]] bool eliminate(int front, std::vector<Eigen::MatrixXd>& matrices);
-    void invert(int front, std::vector<Eigen::MatrixXd>& inverses, Covariance& result) const;
-    void read_covariance(const Supernode& supernode, const Eigen::MatrixXd& inverse,
+    using Places = SupernodalFactor::Places;
+
+    void assemble(int node, const Places& places, Eigen::MatrixXd& front) const;
+    void read_covariance(int node, const Places& places, const Eigen::MatrixXd& inverse,
                          Covariance& result) const;
-    [[nodiscard]] double extension_variance(int edge, int node, const Supernode& supernode,
+    [[nodiscard]] double extension_variance(int edge, int node, const Places& places,
                                             const Eigen::MatrixXd& inverse) const;
-    [[nodiscard]] bool is_unknown(int edge) const { return m_unknown_of_edge[edge] >= 0; }
     [[nodiscard]] Eigen::VectorXd gather(const Vector& vector) const;
     [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns) const;
 
-    const LocalNet& m_net;
-    std::vector<std::vector<int>> m_edges_of_node;  ///< free nodes
-    std::vector<int> m_unknown_of_node;             ///< the first of six
-    std::vector<int> m_unknown_of_edge;             ///< -1 for a known length
-    std::vector<Front> m_fronts;                    ///< children before parents, depth first
-    std::vector<Branch> m_branches;                 ///< subtrees that are independent of each other
-    std::vector<int> m_trunk;                       ///< all other fronts, children before parents
-    int m_unknowns = 0;
+    SaddlePointLayout m_layout;
+    SupernodalFactor m_factor;
 };
 
 }  // namespace taut

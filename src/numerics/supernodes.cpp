@@ -11,11 +11,6 @@
 namespace taut {
 namespace {
 
-template <typename T>
-auto& element(T& values, int i) {
-    return values[i];
-}
-
 /// Entries of the factor's lower triangle in the columns of a supernode.
 std::int64_t entries_of(const Supernode& node) {
     const auto p = static_cast<std::int64_t>(node.size);
@@ -33,25 +28,25 @@ std::vector<Supernode> elimination_tree(const std::vector<int>& sizes,
     std::vector<Supernode> nodes(sizes.size());
     std::vector<int> block_of;
     for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
-        Supernode& node = element(nodes, j);
+        Supernode& node = nodes[j];
         node.blocks = {j};
         node.begin = static_cast<int>(block_of.size());
-        node.size = element(sizes, j);
+        node.size = sizes[j];
         block_of.resize(block_of.size() + static_cast<size_t>(node.size), j);
     }
     for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
-        Supernode& node = element(nodes, j);
-        node.rows = std::move(element(couplings, j));
+        Supernode& node = nodes[j];
+        node.rows = std::move(couplings[j]);
         for (const int child : node.children) {
-            std::ranges::copy_if(element(nodes, child).rows, std::back_inserter(node.rows),
+            std::ranges::copy_if(nodes[child].rows, std::back_inserter(node.rows),
                                  [&](int row) { return row >= node.begin + node.size; });
         }
         std::ranges::sort(node.rows);
         const auto doubled = std::ranges::unique(node.rows);
         node.rows.erase(doubled.begin(), doubled.end());
         if (!node.rows.empty()) {
-            node.parent = element(block_of, node.rows.front());
-            element(nodes, node.parent).children.push_back(j);
+            node.parent = block_of[node.rows.front()];
+            nodes[node.parent].children.push_back(j);
         }
     }
     return nodes;
@@ -62,16 +57,15 @@ void amalgamate(std::vector<Supernode>& nodes) {
     std::vector<std::int64_t> nonzeros(nodes.size());
     std::ranges::transform(nodes, nonzeros.begin(), entries_of);
     for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
-        Supernode& node = element(nodes, j);
+        Supernode& node = nodes[j];
         // Those with the most rows add the fewest zeros.
         std::vector<int> candidates = std::exchange(node.children, {});
-        std::ranges::sort(candidates, std::greater{}, [&](int child) {
-            return std::pair(element(nodes, child).rows.size(), child);
-        });
+        std::ranges::sort(candidates, std::greater{},
+                          [&](int child) { return std::pair(nodes[child].rows.size(), child); });
         for (const int c : candidates) {
-            Supernode& child = element(nodes, c);
+            Supernode& child = nodes[c];
             node.size += child.size;
-            const std::int64_t both = element(nonzeros, j) + element(nonzeros, c);
+            const std::int64_t both = nonzeros[j] + nonzeros[c];
             const double zeros =
                 1.0 - static_cast<double>(both) / static_cast<double>(entries_of(node));
             if (zeros > tolerated_zeros(node.size)) {
@@ -79,14 +73,14 @@ void amalgamate(std::vector<Supernode>& nodes) {
                 node.children.push_back(c);
                 continue;
             }
-            element(nonzeros, j) = both;
+            nonzeros[j] = both;
             node.blocks.insert(node.blocks.end(), child.blocks.begin(), child.blocks.end());
             node.children.insert(node.children.end(), child.children.begin(), child.children.end());
             child = {};
         }
         std::ranges::sort(node.blocks);
         for (const int child : node.children) {
-            element(nodes, child).parent = j;
+            nodes[child].parent = j;
         }
     }
 }
@@ -95,7 +89,7 @@ void amalgamate(std::vector<Supernode>& nodes) {
 std::vector<int> depth_first(const std::vector<Supernode>& nodes) {
     std::vector<int> stack;
     for (int j = static_cast<int>(nodes.size()) - 1; j >= 0; --j) {
-        if (element(nodes, j).parent < 0 && !element(nodes, j).blocks.empty()) {
+        if (nodes[j].parent < 0 && !nodes[j].blocks.empty()) {
             stack.push_back(j);
         }
     }
@@ -104,8 +98,7 @@ std::vector<int> depth_first(const std::vector<Supernode>& nodes) {
         const int j = stack.back();
         stack.pop_back();
         sequence.push_back(j);
-        stack.insert(stack.end(), element(nodes, j).children.begin(),
-                     element(nodes, j).children.end());
+        stack.insert(stack.end(), nodes[j].children.begin(), nodes[j].children.end());
     }
     std::ranges::reverse(sequence);
     return sequence;
@@ -132,28 +125,28 @@ SupernodeTree supernode_tree(const std::vector<int>& sizes,
                        .number = std::vector<int>(std::accumulate(sizes.begin(), sizes.end(), 0))};
     int next = 0;
     for (const int j : sequence) {
-        element(place, j) = static_cast<int>(tree.supernodes.size());
-        Supernode& node = tree.supernodes.emplace_back(std::move(element(nodes, j)));
+        place[j] = static_cast<int>(tree.supernodes.size());
+        Supernode& node = tree.supernodes.emplace_back(std::move(nodes[j]));
         node.begin = next;
         for (const int block : node.blocks) {
-            for (int k = 0; k < element(sizes, block); ++k) {
-                element(tree.number, element(first_of, block) + k) = next++;
+            for (int k = 0; k < sizes[block]; ++k) {
+                tree.number[first_of[block] + k] = next++;
             }
         }
     }
     for (Supernode& node : tree.supernodes) {
         for (int& child : node.children) {
-            child = element(place, child);
+            child = place[child];
         }
-        node.parent = node.parent < 0 ? -1 : element(place, node.parent);
+        node.parent = node.parent < 0 ? -1 : place[node.parent];
         for (int& row : node.rows) {
-            row = element(tree.number, row);
+            row = tree.number[row];
         }
         std::ranges::sort(node.rows);
     }
     for (Supernode& node : tree.supernodes) {
         for (const int row : node.rows) {
-            node.rows_in_parent.push_back(element(tree.supernodes, node.parent).place_of(row));
+            node.rows_in_parent.push_back(tree.supernodes[node.parent].place_of(row));
         }
     }
     return tree;

@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "taut/design/builtin_nets.hpp"
 #include "taut/threads.hpp"
@@ -110,6 +111,11 @@ protected:
         }
     }
 
+    [[nodiscard]] std::vector<Supernode> supernodes() const {
+        const SaddlePointLayout layout(m_local, m_interior);
+        return supernode_tree(layout.sizes, layout.couplings()).supernodes;
+    }
+
     const CableNet m_net;
     const LocalNet m_local = number_for_elimination(m_net);
     const int n = m_local.free_count;
@@ -134,12 +140,17 @@ protected:
 /// Large enough for supernodes of several panels and for branches.
 class OnALargerHypar : public OnANet {
 protected:
-    OnALargerHypar() : OnANet(hypar(14, 14)) {}
+    OnALargerHypar() : OnANet(hypar(14, 14)) {
+        EXPECT_GE(std::ranges::max(supernodes(), {}, &Supernode::size).size, 64);
+        EXPECT_GE(branches_of(supernodes()).branches.size(), 2U);
+    }
 };
 
 class OnAHyparOfManyBranches : public OnANet {
 protected:
-    OnAHyparOfManyBranches() : OnANet(hypar(30, 30)) {}
+    OnAHyparOfManyBranches() : OnANet(hypar(30, 30)) {
+        EXPECT_GE(branches_of(supernodes()).branches.size(), 8U);
+    }
 };
 
 TEST_F(OnAHypar, TheSolutionIsThatOfTheDenseMatrix) {
