@@ -38,7 +38,7 @@ def main():
         return json.loads((folder / name).read_text())
 
     rows = {}
-    for name in ("statics", "learning", "identification"):
+    for name in ("statics", "learning", "identification", "factorisation"):
         rows |= medians(folder / f"{name}.json")
     study = load("reproduce.json")
     whole = load("reproduce_process.json")
@@ -75,6 +75,35 @@ def main():
         return (
             "| real HiLo net (800 free nodes, docs/real-nets.md), +-5 mm, from the nominal form | "
             f"{ms('solve_hilo')} | {steps('solve_hilo')} |\n"
+        )
+
+    def factorisation_rows():
+        """Table rows of each factorisation beside its peers; none of a peer that was not built."""
+        works = {
+            "stiffness": "stiffness, factor and one solution",
+            "saddle_point": "saddle-point matrix, factor and one solution",
+            "covariance": "the same, entries of the inverse after the factor",
+        }
+        peers = {
+            "taut": "taut",
+            "supernodal": "taut, by the factor of the saddle-point matrix",
+            "eigen_ldlt": "Eigen SimplicialLDLT",
+            "eigen_lu": "Eigen SparseLU",
+            "mumps": "MUMPS",
+        }
+
+        def cell(work, peer, side):
+            own = rows[f"{work}_taut/{side}"][0]
+            ratio = "" if peer == "taut" else f" ({rows[f'{work}_{peer}/{side}'][0] / own:.2g})"
+            return f" {ms(f'{work}_{peer}/{side}')}{ratio} |"
+
+        return "".join(
+            f"| {title} | {peers[peer]} |"
+            + "".join(cell(work, peer, side) for side in (0, 30, 100))
+            + "\n"
+            for work, title in works.items()
+            for peer in peers
+            if f"{work}_{peer}/0" in rows
         )
 
     def report_rows():
@@ -129,6 +158,13 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 `taut identify` on an exact survey of `hypar:300x300` (179,400 interior edges), from file to file:
 {large_identified['seconds']:.0f} s and {large_identified['peak_kib'] / 2**20:.1f} GiB.
 
+## Factorisations, one core
+
+`bench_factorisation`, the symbolic work done before. In brackets: times the time of taut.
+
+| work | by | built-in net | `hypar:30x30` | `hypar:100x100` |
+|---|---|---|---|---|
+{factorisation_rows()}
 ## Reports
 
 From opening the file in a browser of its own until the page answers, and a frame while the net is orbited:

@@ -17,6 +17,9 @@ for name in statics learning; do
     build/release/benchmarks/bench_$name --benchmark_repetitions=3 \
         --benchmark_out="$out/$name.json" --benchmark_out_format=json
 done
+build/release/benchmarks/bench_factorisation --benchmark_filter='/(0|30|100)$' \
+    --benchmark_repetitions=3 --benchmark_out="$out/factorisation.json" \
+    --benchmark_out_format=json
 # map_of_hypar/158, 50,000 edges, takes minutes: by hand.
 build/release/benchmarks/bench_identification --benchmark_filter='^(balance|map)/|map_of_hypar/30' \
     --benchmark_repetitions=3 --benchmark_out="$out/identification.json" \

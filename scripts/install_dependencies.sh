@@ -14,7 +14,7 @@ set -euo pipefail
 build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev
     libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
-bench=(time libbenchmark-dev python3-sklearn python3-h5py python3-scipy)
+bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy)
 lint=(clang-format-19 clang-tidy-19)
 # libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they tell.
 fuzz=(clang-19 libclang-rt-19-dev llvm-19)

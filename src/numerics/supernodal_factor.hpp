@@ -28,7 +28,8 @@ namespace taut {
 /// eliminated block by block.
 ///
 /// Branches of the tree, and parts of large products, are worked on in parallel; results are the
-/// same for any number of threads.
+/// same for any number of threads. What it is measured against:
+/// benchmarks/bench_factorisation.cpp.
 class SupernodalFactor {
 public:
     /// @param sizes of the blocks, in the order of elimination; the unknowns are numbered block by
