@@ -55,6 +55,20 @@ double parse_quantity(std::string_view text, const std::array<Unit, Count>& unit
     throw std::invalid_argument(fmt::format("'{}' is no {}", text, is_no));
 }
 
+/// @param tolerance of the length that is read back, in parts of it
+std::string shortest_text(double metres, double tolerance) {
+    // The product is rounded: of 63.7 / 1000 it is 63.70000000000001, and both read back alike.
+    for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+        const std::string text = fmt::format("{:.{}e}", metres * 1000.0, digits - 1);
+        double millimetres = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), millimetres);
+        if (std::abs(millimetres / 1000.0 - metres) <= tolerance * std::abs(metres)) {
+            return fmt::format("{}mm", millimetres);
+        }
+    }
+    return fmt::format("{}m", metres);
+}
+
 }  // namespace
 
 double parse_length(std::string_view text) {
@@ -74,16 +88,12 @@ double parse_stress(std::string_view text) {
 }
 
 std::string format_length(double metres) {
-    // The product is rounded: of 63.7 / 1000 it is 63.70000000000001, and both read back alike.
-    for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
-        const std::string text = fmt::format("{:.{}e}", metres * 1000.0, digits - 1);
-        double millimetres = 0.0;
-        std::from_chars(text.data(), text.data() + text.size(), millimetres);
-        if (millimetres / 1000.0 == metres) {
-            return fmt::format("{}mm", millimetres);
-        }
-    }
-    return fmt::format("{}m", metres);
+    constexpr double rounding = 1e-12;
+    return shortest_text(metres, rounding);
+}
+
+std::string format_length_exactly(double metres) {
+    return shortest_text(metres, 0.0);
 }
 
 }  // namespace taut

@@ -91,7 +91,7 @@ double LengthLaw::draw(double u) const {
 std::string LengthLaw::to_string() const {
     for (const auto& [name, named_kind] : names) {
         if (named_kind == kind) {
-            return fmt::format("{}:{}", name, format_length(scale));
+            return fmt::format("{}:{}", name, format_length_exactly(scale));
         }
     }
     return {};

@@ -13,9 +13,13 @@ namespace taut {
 /// @throws std::invalid_argument for anything else, naming the text
 [[nodiscard]] double parse_length(std::string_view text);
 
-/// "5mm": the shortest number of millimetres that parse_length() reads back to the last bit, or of
-/// metres where there is none.
+/// "5mm", for people: the shortest number of millimetres that parse_length() reads back to a part
+/// in 10^12, so that rounding errors of a length are not told with it; of metres where there is
+/// none.
 [[nodiscard]] std::string format_length(double metres);
+
+/// The same, but read back to the last bit: for a file that keeps a length as text.
+[[nodiscard]] std::string format_length_exactly(double metres);
 
 /// A force written with its unit, "200kN", "0.2 MN", "50 N", or as a bare number of newtons.
 /// @return [N]
