@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "taut/net/cable_net.hpp"
 
@@ -13,5 +14,14 @@ namespace taut {
 /// unstressed length as designed, and by how much the built one differs; in metres.
 /// @throws std::invalid_argument where the interior edges of the two nets are not the same
 [[nodiscard]] std::string lengths_to_csv(const CableNet& nominal, const CableNet& built);
+
+/// Unstressed lengths of all edges (m) out of such a text, its rows in any order; adjustable edges
+/// have those of the net [m].
+/// @param file_name for messages
+/// @throws InputError at a line for another header, a number that is not finite, an edge that is no
+///   interior edge of the net or comes twice, a nominal length other than the net's, and a built
+///   length that is not positive; of the file as a whole where an interior edge is missing
+[[nodiscard]] Eigen::VectorXd parse_lengths(const CableNet& nominal, std::string_view text,
+                                            const std::string& file_name);
 
 }  // namespace taut
