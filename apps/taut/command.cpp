@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "command.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 
 #include "taut/files/file.hpp"
 
@@ -66,6 +69,13 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
     };
     command.add_option_function<std::string>("--seed", parse, "Seed of the draws")
         ->default_str(std::to_string(seed));
+}
+
+void warn(const std::string& file, const std::vector<std::string>& warnings) {
+    for (std::string line : warnings) {
+        std::ranges::replace(line, '\n', ' ');  // of a name
+        fmt::print(stderr, "taut: warning: {}: {}\n", file, line);
+    }
 }
 
 std::string to_text(const nlohmann::ordered_json& document) {

@@ -52,6 +52,9 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
 /// --seed: a whole number from 0 to 2^64 - 1.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 
+/// Each warning on a line of standard error, "taut: warning: net.json: ...".
+void warn(const std::string& file, const std::vector<std::string>& warnings);
+
 /// A document as it is printed; bytes that are no UTF-8, as a file's name may hold, are replaced.
 std::string to_text(const nlohmann::ordered_json& document);
 

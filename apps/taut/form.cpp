@@ -11,8 +11,9 @@
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/built_net.hpp"
 #include "taut/statics/cone_program.hpp"
-#include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/imbalance.hpp"
+#include "taut/statics/plausibility.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut::app {
@@ -88,15 +89,13 @@ Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
     if (!s.solved()) {
         throw NumericalFailure(fmt::format("{}: no equilibrium: {}", options.net, text));
     }
-    const Eigen::VectorXd forces = out_of_balance_forces(net, lengths, s.form);
-    const Eigen::VectorXd tension = tensions(net, lengths, s.form);
-    const auto taut_count = static_cast<double>((tension.array() > 0.0).count());
+    const Imbalance balance = imbalance(net, lengths, s.form);
     return {.form = s.form,
             .status = std::string(to_string(s.status)),
             .text = text,
             .iterations = s.iterations,
-            .out_of_balance = forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff(),
-            .mean_tension = taut_count > 0.0 ? tension.sum() / taut_count : 0.0,
+            .out_of_balance = balance.largest,
+            .mean_tension = balance.mean_tension,
             .slack_edges = slack_edges(net, lengths, s.form),
             .certificate = certify(net, lengths, s.form, s.edge_forces),
             .details = {{"form", to_string(cone_form)},
@@ -108,7 +107,7 @@ Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
 }
 
 nlohmann::ordered_json to_json(const FormOptions& options, const CableNet& net, const Found& found,
-                               double move) {
+                               double move, const std::vector<std::string>& warnings) {
     nlohmann::ordered_json document{{"format", "taut-form"},
                                     {"version", 1},
                                     {"net", counts_json(net)},
@@ -118,7 +117,8 @@ nlohmann::ordered_json to_json(const FormOptions& options, const CableNet& net, 
                                     {"out_of_balance", found.out_of_balance},
                                     {"mean_tension", found.mean_tension},
                                     {"largest_move", move},
-                                    {"slack_edges", found.slack_edges}};
+                                    {"slack_edges", found.slack_edges},
+                                    {"warnings", warnings}};
     add_certificate(document, found.certificate);
     if (!found.details.is_null()) {
         document["cone_program"] = found.details;
@@ -135,6 +135,8 @@ void run(const FormOptions& options) {
     const CableNet nominal = read_net(options.net).net;
     const CableNet net = net_of(options, nominal);
     check_outputs({options.output, options.lengths}, {options.net});
+    const std::vector<std::string> warnings = unit_warnings(nominal);
+    warn(options.net, warnings);
     const Found found = options.solver == "socp" ? find_by_cone_program(options, net)
                                                  : find_by_newton(options, net);
     std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -147,7 +149,7 @@ void run(const FormOptions& options) {
     write_files(files);
     const double move = (found.form - net.nodes()).colwise().norm().maxCoeff();
     if (options.json) {
-        fmt::print("{}\n", to_text(to_json(options, net, found, move)));
+        fmt::print("{}\n", to_text(to_json(options, net, found, move, warnings)));
         return;
     }
     fmt::print("{}\n{}\n{}\n", counts_text(net), found.text, certificate_text(found.certificate));

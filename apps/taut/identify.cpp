@@ -170,6 +170,7 @@ void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
     const std::optional<LengthLaw> law = law_of(net, options);
     const Survey survey = read_survey(net, options.survey, options.reading());
+    warn(options.survey, survey.warnings);
     const std::optional<LengthModel> model = model_of(net, options, law);
     check_outputs({options.output}, {options.net, options.survey, options.model, options.control});
     IdentifyOptions settings{.law = law, .model = model ? &*model : nullptr};

@@ -131,7 +131,6 @@ void print(const ImportOptions& options, const ImportedNet& imported) {
     print("read", it.read);
     print("left out", it.left_out);
     print("assumed", it.assumed);
-    print("warning", it.warnings);
     fmt::print("loads     {}: sum {:.4g}, {:.4g}, {:.4g} N, largest horizontal part {:.3g} N\n",
                options.loads, it.load_sum.x(), it.load_sum.y(), it.load_sum.z(),
                it.largest_horizontal_load);
@@ -155,6 +154,7 @@ void run(const ImportOptions& options) {
         imported.report.read.front() += ", by its content";
     }
     write_file(options.output, net_to_json(imported.net));
+    warn(options.file, imported.report.warnings);
     if (options.json) {
         fmt::print("{}\n", to_text(to_json(options, imported)));
     } else {

@@ -9,10 +9,11 @@
 #include "prospect.hpp"
 #include "taut/identification/identifiability.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/statics/energy.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/equilibrium_matrix.hpp"
 #include "taut/statics/form_sensitivity.hpp"
+#include "taut/statics/imbalance.hpp"
+#include "taut/statics/plausibility.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut::app {
@@ -59,13 +60,14 @@ struct Inspection {
     Range unstressed_lengths;      ///< [m]
     Range tensions;                ///< at the given nodes [N]
     Range strains;                 ///< likewise
-    double out_of_balance;         ///< at the given nodes, largest nodal force [N]
+    Imbalance imbalance;           ///< at the given nodes
     std::vector<int> slack_edges;  ///< at the given nodes
     Eigen::Vector3d load;          ///< sum over the free nodes [N]
     Equilibrium equilibrium;
     EnergyCertificate certificate;  ///< of the equilibrium
     double move;                    ///< largest distance of a given node from its equilibrium [m]
     Analysis analysis;              ///< of the equilibrium
+    std::vector<std::string> warnings;
 };
 
 Analysis analyse(const CableNet& net, const Equilibrium& equilibrium) {
@@ -96,7 +98,6 @@ Analysis analyse(const CableNet& net, const Equilibrium& equilibrium) {
 Inspection inspect(const CableNet& net) {
     const Eigen::VectorXd& unstressed = net.unstressed_lengths();
     const Eigen::VectorXd lengths = edge_lengths(net, net.nodes());
-    const Eigen::VectorXd forces = out_of_balance_forces(net, unstressed, net.nodes());
     const Eigen::VectorXd edge_tensions = tensions(net, unstressed, net.nodes());
     Equilibrium equilibrium = solve_equilibrium(net);
     Analysis analysis = analyse(net, equilibrium);
@@ -108,13 +109,14 @@ Inspection inspect(const CableNet& net) {
             .unstressed_lengths = range_of(unstressed),
             .tensions = range_of(edge_tensions),
             .strains = range_of(edge_tensions.cwiseQuotient(net.axial_stiffness())),
-            .out_of_balance = forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff(),
+            .imbalance = imbalance(net, unstressed, net.nodes()),
             .slack_edges = slack_edges(net, unstressed, net.nodes()),
             .load = net.loads()(Eigen::all, net.free_nodes()).rowwise().sum(),
             .equilibrium = std::move(equilibrium),
             .certificate = certificate,
             .move = move,
-            .analysis = std::move(analysis)};
+            .analysis = std::move(analysis),
+            .warnings = unit_warnings(net)};
 }
 
 nlohmann::ordered_json to_json(const Eigen::Vector3d& v) {
@@ -168,7 +170,8 @@ nlohmann::ordered_json to_json(const CableNet& net, const Inspection& it) {
         {"tensions", to_json(it.tensions)},
         {"strains", to_json(it.strains)},
         {"load", to_json(it.load)},
-        {"out_of_balance", it.out_of_balance},
+        {"out_of_balance", it.imbalance.largest},
+        {"warnings", it.warnings},
         {"slack_edges", it.slack_edges},
         {"equilibrium", equilibrium}};
     add_analysis(document, it.analysis);
@@ -216,13 +219,8 @@ void print(const CableNet& net, const Inspection& it) {
     line("unstressed length", "m", it.unstressed_lengths, 1.0);
     line("tension", "kN", it.tensions, 1e-3);
     line("strain", "%", it.strains, 100.0);
-    fmt::print("  largest out-of-balance force: {:.4g} N\n", it.out_of_balance);
+    fmt::print("  largest out-of-balance force: {:.4g} N\n", it.imbalance.largest);
     fmt::print("  slack edges: {}\n", edges_text(net, it.slack_edges));
-    constexpr double longest_mean = 30.0;  // m, of edges: longer ones are most likely told in mm
-    if (it.lengths.mean > longest_mean) {
-        fmt::print("  warning: edges of {:.4g} m in the mean: is the file in metres?\n",
-                   it.lengths.mean);
-    }
     fmt::print("\n");
     fmt::print("in equilibrium: {}\n", equilibrium_text(it.equilibrium));
     fmt::print("  {}\n", certificate_text(it.certificate));
@@ -236,6 +234,7 @@ void run(const InspectOptions& options) {
     const CableNet net = read_net(options.net).net;
     const LengthLaw law = parse_length_law(options.law);
     const Inspection inspection = inspect(net);
+    warn(options.net, inspection.warnings);
     std::optional<Prospect> prospect;
     if (!options.survey.empty()) {
         prospect = prospect_of(net, inspection.equilibrium, options, law, options.net);

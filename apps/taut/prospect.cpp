@@ -14,6 +14,7 @@ namespace taut::app {
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
                      const LengthLaw& law, const std::string& net_file) {
     Survey survey = read_planned_survey(net, options.survey, options.reading());
+    warn(options.survey, survey.warnings);
     if (!nominal.balanced()) {
         throw NumericalFailure(
             fmt::format("{}: no equilibrium: {}", net_file, equilibrium_text(nominal)));
@@ -44,6 +45,7 @@ nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
             {"identified", lengths.count(EdgeStatus::identified)},
             {"slack", lengths.count(EdgeStatus::slack)},
             {"unobserved", lengths.count(EdgeStatus::unobserved)},
+            {"warnings", prospect.survey.warnings},
             {"edges", edges}};
 }
 

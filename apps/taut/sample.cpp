@@ -16,6 +16,7 @@
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/sampler.hpp"
+#include "taut/statics/plausibility.hpp"
 
 namespace taut::app {
 namespace {
@@ -95,8 +96,8 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
     }
 }
 
-void tell(const SampleOptions& options, const CableNet& net, const DataSet& data,
-          int resumed_from) {
+void tell(const SampleOptions& options, const CableNet& net, const DataSet& data, int resumed_from,
+          const std::vector<std::string>& warnings) {
     if (options.json) {
         const nlohmann::ordered_json document{{"format", "taut-sampling"},
                                               {"version", 1},
@@ -107,6 +108,7 @@ void tell(const SampleOptions& options, const CableNet& net, const DataSet& data
                                               {"resumed_from", resumed_from},
                                               {"with_slack", data.with_slack()},
                                               {"not_converged", data.not_converged()},
+                                              {"warnings", warnings},
                                               {"output", options.output}};
         fmt::print("{}\n", to_text(document));
         return;
@@ -137,10 +139,12 @@ void run(const SampleOptions& options) {
     }
     const int resumed_from = data.size();
     check_outputs({options.output}, {options.net});
+    const std::vector<std::string> warnings = unit_warnings(net.net);
+    warn(options.net, warnings);
     draw(options, net, sampler, data);
     write_data_set(options.output, data, net);
     std::filesystem::remove(options.partial());
-    tell(options, net.net, data, resumed_from);
+    tell(options, net.net, data, resumed_from, warnings);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/survey_csv.hpp"
+#include "taut/survey/noise_check.hpp"
 #include "taut/survey/simulation.hpp"
 
 namespace taut::app {
@@ -45,10 +46,13 @@ void run(SurveySimulationOptions options) {
     simulation.dropped_part = parse_part(options.drop);
     simulation.random_frame = options.frame == "random";
     const CableNet net = read_net(options.net).net;
+    refuse_absurd_noise(net, simulation.noise_std);
+    const std::vector<std::string> warnings = noise_warnings(net, simulation.noise_std);
     const Points form = read_form(net, options.form);
     check_outputs({options.output}, {options.net, options.form});
     const std::vector<SurveyPoint> points = simulate_survey(net, form, simulation);
     write_file(options.output, survey_to_csv(points));
+    warn("--noise", warnings);
     const auto free_points = points.size() - net.supports().size();
     if (options.json) {
         fmt::print("{}\n", to_text({{"format", "taut-survey-simulation"},
@@ -60,6 +64,7 @@ void run(SurveySimulationOptions options) {
                                     {"named", !simulation.shuffled},
                                     {"frame", options.frame},
                                     {"seed", simulation.seed},
+                                    {"warnings", warnings},
                                     {"output", options.output}}));
         return;
     }

@@ -20,8 +20,6 @@ namespace {
 constexpr double consistent_within = 1e-2;
 /// A cable that is stretched further than this is not one, or a unit is wrong.
 constexpr double largest_strain = 0.10;
-/// No steel cable bears this much; a net of another material may.
-constexpr double absurd_strain = 0.05;
 
 /// All that the file says of one edge's forces, and l_0 if it is stored.
 struct Stored {
@@ -114,7 +112,7 @@ bool takes_stored_lengths(const Stored& stored, double force_unit, ImportReport&
     return false;
 }
 
-/// Tells or refuses strains that no cable has.
+/// Refuses strains that no cable has, and tells of slack edges.
 void check_strains(const ImportedStructure& structure, const Stored& stored,
                    const Eigen::VectorXd& unstressed, ImportReport& report) {
     const Eigen::ArrayXd strains = stored.lengths.array() / unstressed.array() - 1.0;
@@ -129,12 +127,6 @@ void check_strains(const ImportedStructure& structure, const Stored& stored,
                 fmt::format("has a strain of {:.3g} %, expected at most {:.3g} %: check the units "
                             "(--force-unit, --young, --diameter, --axial-stiffness)",
                             100.0 * strains(worst), 100.0 * largest_strain));
-    }
-    if (largest > absurd_strain) {
-        report.warnings.push_back(
-            fmt::format("edge {} has a strain of {:.3g} %, more than a cable of steel bears: check "
-                        "the units",
-                        edge.id, 100.0 * strains(worst)));
     }
     if (const auto slack = (strains <= 0.0).count(); slack > 0 && stored.unstressed) {
         report.warnings.push_back(fmt::format("{} edges are slack in the given form", slack));

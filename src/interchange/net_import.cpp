@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "interchange/import_lengths.hpp"
@@ -13,6 +14,8 @@
 #include "interchange/import_selection.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/statics/energy.hpp"
+#include "taut/statics/imbalance.hpp"
+#include "taut/statics/plausibility.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -124,17 +127,14 @@ void describe(const CableNet& net, ImportReport& report) {
     const Points loads = net.loads()(Eigen::all, net.free_nodes());
     report.load_sum = loads.rowwise().sum();
     report.largest_horizontal_load = loads.topRows(2).colwise().norm().maxCoeff();
-    const Eigen::VectorXd forces =
-        out_of_balance_forces(net, net.unstressed_lengths(), net.nodes());
-    report.largest_out_of_balance =
-        forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff();
-    const Eigen::VectorXd edge_tensions = tensions(net, net.unstressed_lengths(), net.nodes());
-    const auto taut_count = (edge_tensions.array() > 0.0).count();
-    report.mean_tension = taut_count == 0 ? 0.0 : edge_tensions.sum() / double(taut_count);
+    const Imbalance found = imbalance(net, net.unstressed_lengths(), net.nodes());
+    report.largest_out_of_balance = found.largest;
+    report.mean_tension = found.mean_tension;
     const Eigen::ArrayXd strains =
         edge_lengths(net, net.nodes()).array() / net.unstressed_lengths().array() - 1.0;
     report.least_strain = strains.minCoeff();
     report.largest_strain = strains.maxCoeff();
+    std::ranges::move(unit_warnings(net), std::back_inserter(report.warnings));
 }
 
 }  // namespace

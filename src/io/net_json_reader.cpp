@@ -10,6 +10,7 @@
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/statics/plausibility.hpp"
 
 namespace taut {
 namespace {
@@ -144,7 +145,13 @@ NetFile parse_net(std::string_view text, const std::string& file_name) {
 }
 
 NetFile read_net(const std::filesystem::path& path) {
-    return parse_net(read_file(path), path.string());
+    NetFile file = parse_net(read_file(path), path.string());
+    try {
+        refuse_impossible_units(file.net);
+    } catch (const NetError& error) {
+        throw InputError(path.string(), "/" + error.field(), error.problem());
+    }
+    return file;
 }
 
 }  // namespace taut

@@ -4,14 +4,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/io/target_list.hpp"
-#include "taut/statics/tensions.hpp"
+#include "taut/survey/measured_scale.hpp"
+#include "taut/survey/noise_check.hpp"
 #include "taut/survey/planned_survey.hpp"
 #include "taut/survey/registration.hpp"
 
@@ -37,21 +40,12 @@ void check(const ReadSurveyOptions& options) {
     }
 }
 
-/// What no survey of the net can be: noise that hides which node a target is on is most likely
-/// told in another unit.
+/// What no survey of the net can be.
 void check_matched(const CableNet& net, const Survey& survey) {
     if (survey.surveyed.empty()) {
         throw SurveyError(0, "holds no free node of the net");
     }
-    const double noise = survey.largest_noise_std();
-    const double length = edge_lengths(net, net.nodes()).mean();
-    if (noise > length) {
-        throw SurveyError(
-            0,
-            fmt::format("noise of {:.4g} mm, expected less than the mean edge length, {:.4g} mm: "
-                        "is it told in another unit?",
-                        1e3 * noise, 1e3 * length));
-    }
+    refuse_absurd_noise(net, survey.largest_noise_std());
 }
 
 bool is_frame_fitted(const CableNet& net, const std::vector<ControlPoint>& control,
@@ -83,6 +77,7 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
         Survey survey = match_to_nodes(net, points, options.noise_std);
         check_matched(net, survey);
         survey.control = std::move(residuals);
+        std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;
     });
 }

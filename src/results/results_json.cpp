@@ -237,6 +237,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     document["survey"]["missing_nodes"] = survey.missing;
     document["survey"]["unmatched"] = unmatched_json(net, survey);
     document["survey"]["control"] = control_json(survey);
+    document["survey"]["warnings"] = survey.warnings;
     document["cable_net"] = net_json(net);
     document["tension"] = tension_json(net, identification);
     return to_text(document);

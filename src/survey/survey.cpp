@@ -9,6 +9,7 @@
 
 #include "survey/match_by_place.hpp"
 #include "survey/mean_edge_length.hpp"
+#include "taut/survey/noise_check.hpp"
 
 namespace taut {
 namespace {
@@ -53,6 +54,10 @@ public:
         }
         std::ranges::stable_sort(m_survey.unmatched, {},
                                  [](const UnmatchedPoint& p) { return p.point.line; });
+        if (!m_survey.surveyed.empty()) {
+            m_survey.warnings =
+                noise_warnings(m_net, m_survey.noise_std(Eigen::all, m_survey.surveyed).maxCoeff());
+        }
         return std::move(m_survey);
     }
 

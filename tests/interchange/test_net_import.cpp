@@ -78,7 +78,7 @@ TEST(ImportNet, TakesForcesOverLengthsWhereThereAreNoForceDensities) {
 }
 
 TEST(ImportNet, TakesStoredLengthsThatAgreeWithTheForcesAndFindsTheUnitByThem) {
-    const ImportedNet imported = import(with_stored_lengths());
+    const ImportedNet imported = import(with_stored_lengths(), {.loads = Loads::balance});
     EXPECT_EQ(imported.net.unstressed_lengths()(0), 1.5 / (1.0 + 4500.0 / EA));
     EXPECT_THAT(imported.report.assumed, Contains(HasSubstr("forces of the file are in kN")));
     EXPECT_THAT(imported.report.read, Contains(HasSubstr("the file's l0")));
@@ -153,6 +153,20 @@ TEST(ImportNet, RefusesStrainsThatNoCableHas) {
     file["dea"] = {{"EA", 1e3}, {"l0", 1500.0}};
     file["edgedata"].erase("(4, 0)");
     EXPECT_THAT(error(file), HasSubstr("has a strain of -99.9 %"));
+}
+
+TEST(ImportNet, WarnsOfForcesThatAreMostLikelyInAnotherUnit) {
+    EXPECT_THAT(import(old_compas_mesh(), {.loads = Loads::balance}).report.warnings,
+                Contains(HasSubstr("--force-unit kN")));
+    EXPECT_THAT(
+        import(old_compas_mesh(), {.force_unit = 1e3, .loads = Loads::balance}).report.warnings,
+        testing::IsEmpty());
+}
+
+TEST(ImportNet, WarnsOfAFormThatItsLoadsDoNotHold) {
+    EXPECT_THAT(
+        import(old_compas_mesh(), {.force_unit = 1e3, .loads = Loads::none}).report.warnings,
+        Contains(HasSubstr("--loads balance")));
 }
 
 TEST(ImportNet, RefusesWhatGivesNoStiffness) {

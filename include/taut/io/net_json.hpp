@@ -31,7 +31,8 @@ struct NetFile {
 ///   for what is missing, of another type, or breaks a rule of CableNet
 [[nodiscard]] NetFile parse_net(std::string_view text, const std::string& file_name);
 
-/// @throws InputError as parse_net() and read_file()
+/// @throws InputError as parse_net() and read_file(), and for units that cannot be meant, as
+///   refuse_impossible_units()
 [[nodiscard]] NetFile read_net(const std::filesystem::path& path);
 
 /// The net as parse_net() reads it, numbers to the last bit: one node or edge a line.

@@ -55,6 +55,7 @@ struct Survey {
     std::vector<int> missing;               ///< free nodes that were not, ascending
     std::vector<UnmatchedPoint> unmatched;  ///< in the order of the points
     std::vector<ControlResidual> control;   ///< empty where the frame was not fitted
+    std::vector<std::string> warnings;  ///< what is most likely told in another unit, a line each
 
     /// Whether some surveyed coordinate has noise.
     [[nodiscard]] bool is_noisy() const { return largest_noise_std() > 0.0; }

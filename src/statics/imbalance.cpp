@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/statics/imbalance.hpp"
+
+#include <limits>
+
+#include "taut/statics/energy.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+
+double Imbalance::share() const {
+    if (largest == 0.0) {
+        return 0.0;
+    }
+    return mean_tension > 0.0 ? largest / mean_tension : std::numeric_limits<double>::infinity();
+}
+
+Imbalance imbalance(const CableNet& net,
+                    const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                    const Eigen::Ref<const Points>& form) {
+    const Eigen::VectorXd forces = out_of_balance_forces(net, unstressed_lengths, form);
+    const Eigen::VectorXd tension = tensions(net, unstressed_lengths, form);
+    const auto taut_count = static_cast<double>((tension.array() > 0.0).count());
+    return {.largest = forces.reshaped(3, net.free_node_count()).colwise().norm().maxCoeff(),
+            .mean_tension = taut_count > 0.0 ? tension.sum() / taut_count : 0.0};
+}
+
+}  // namespace taut

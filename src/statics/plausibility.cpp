@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/statics/plausibility.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "taut/statics/imbalance.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double longest_mean_edge = 30.0;  ///< m
+/// Of the taut edges in the mean. Steel that is barely tight is stretched by some 1e-5.
+constexpr double least_mean_strain = 1e-6;
+/// No steel cable bears this much; a net of another material may.
+constexpr double absurd_strain = 0.05;
+constexpr double largest_imbalance = 0.1;  ///< of the mean tension
+
+/// A factor between lengths and edges that no elongation and no slack explains.
+constexpr double impossible_ratio = 100.0;
+
+Eigen::ArrayXd strains_of(const CableNet& net) {
+    return edge_lengths(net, net.nodes()).array() / net.unstressed_lengths().array() - 1.0;
+}
+
+void add_strain_warnings(const CableNet& net, std::vector<std::string>& warnings) {
+    const Eigen::ArrayXd strains = strains_of(net);
+    const auto taut_count = static_cast<double>((strains > 0.0).count());
+    const double mean = taut_count > 0.0 ? strains.max(0.0).sum() / taut_count : 0.0;
+    if (mean > 0.0 && mean < least_mean_strain) {
+        warnings.push_back(
+            fmt::format("strains of {:.2g} % in the mean, hardly any tension: are its forces in kN "
+                        "(taut import --force-unit kN), or is axial_stiffness not in N?",
+                        100.0 * mean));
+    }
+    Eigen::Index worst = 0;
+    if (strains.maxCoeff(&worst) > absurd_strain) {
+        warnings.push_back(fmt::format(
+            "edge {} has a strain of {:.3g} %, more than a cable of steel bears: are its forces in "
+            "N (taut import --force-unit N), or is axial_stiffness not in N?",
+            net.edge_id(static_cast<int>(worst)), 100.0 * strains(worst)));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> unit_warnings(const CableNet& net) {
+    std::vector<std::string> warnings;
+    if (const double mean = edge_lengths(net, net.nodes()).mean(); mean > longest_mean_edge) {
+        warnings.push_back(
+            fmt::format("edges of {:.4g} m in the mean: are its coordinates in mm? taut takes "
+                        "metres, scale the file by 0.001",
+                        mean));
+    }
+    add_strain_warnings(net, warnings);
+    const Imbalance found = imbalance(net, net.unstressed_lengths(), net.nodes());
+    if (found.mean_tension > 0.0 && found.share() > largest_imbalance) {
+        warnings.push_back(fmt::format(
+            "its nodes are {:.2g} N out of balance ({:.1g} of the mean tension): are loads left "
+            "out (taut import --loads balance), or told in another unit (--force-unit)?",
+            found.largest, found.share()));
+    }
+    return warnings;
+}
+
+void refuse_impossible_units(const CableNet& net) {
+    Eigen::ArrayXd ratios =
+        net.unstressed_lengths().array() / edge_lengths(net, net.nodes()).array();
+    const auto middle = ratios.begin() + ratios.size() / 2;
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    if (*middle > impossible_ratio || *middle < 1.0 / impossible_ratio) {
+        throw NetError("unstressed_lengths", {},
+                       fmt::format("are {:.3g} times the lengths of their edges in the median, "
+                                   "expected about 1: are nodes and lengths both in metres?",
+                                   *middle));
+    }
+}
+
+}  // namespace taut

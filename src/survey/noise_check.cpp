@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/survey/noise_check.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "survey/mean_edge_length.hpp"
+#include "taut/net/units.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double plausible_part = 0.02;   ///< of the mean edge length
+constexpr double plausible_noise = 0.05;  ///< [m]
+
+}  // namespace
+
+std::vector<std::string> noise_warnings(const CableNet& net, double noise_std) {
+    const double length = mean_edge_length(net);
+    if (noise_std <= std::min(plausible_noise, plausible_part * length)) {
+        return {};
+    }
+    return {
+        fmt::format("noise of {} on edges of {:.4g} mm in the mean: is {} meant? A number "
+                    "without unit is in metres",
+                    format_length(noise_std), 1e3 * length, format_length(1e-3 * noise_std))};
+}
+
+void refuse_absurd_noise(const CableNet& net, double noise_std) {
+    const double length = mean_edge_length(net);
+    if (noise_std > length) {
+        throw SurveyError(
+            0,
+            fmt::format("noise of {}, expected less than the mean edge length, {:.4g} mm: is {} "
+                        "meant? A number without unit is in metres",
+                        format_length(noise_std), 1e3 * length, format_length(1e-3 * noise_std)));
+    }
+}
+
+}  // namespace taut
