@@ -6,23 +6,52 @@
 #include "net_summary.hpp"
 #include "survey_input.hpp"
 #include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/interchange/compas_json.hpp"
 #include "taut/interchange/form_vtk.hpp"
 #include "taut/interchange/net_csv.hpp"
 #include "taut/interchange/obj.hpp"
+#include "taut/io/lengths_csv.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/results/net_or_result.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/imbalance.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut::app {
 namespace {
 
 struct ExportOptions : CommonOptions {
-    std::string net;
+    std::string net;  ///< or a result of identify
     std::string form;
+    std::string lengths;
     std::string format;
     std::string output;
 };
+
+/// What goes out: a net with its lengths in a form, and where both come from.
+struct Exported {
+    NetOrResult source;  ///< its net at the form
+    std::string lengths;
+    std::string form;
+    Imbalance balance;
+    std::vector<int> slack;
+    std::vector<std::string> warnings;
+
+    [[nodiscard]] const CableNet& net() const { return source.file.net; }
+};
+
+CableNet changed(const CableNet& net, const Eigen::VectorXd& lengths, const Points& form,
+                 const std::string& file) {
+    CableNetData data = net.data();
+    data.unstressed_lengths = lengths;
+    data.nodes = form;
+    try {
+        return CableNet(std::move(data));
+    } catch (const NetError& error) {
+        throw InputError(file, "", error.what());
+    }
+}
 
 Points equilibrium_form(const CableNet& net, const std::string& path) {
     Equilibrium equilibrium = solve_equilibrium(net);
@@ -31,6 +60,45 @@ Points equilibrium_form(const CableNet& net, const std::string& path) {
             fmt::format("{}: no equilibrium: {}", path, equilibrium_text(equilibrium)));
     }
     return std::move(equilibrium.form);
+}
+
+/// Lengths and form of two nets tell tensions that neither has.
+void warn_of_imbalance(Exported& exported) {
+    constexpr double balanced = 0.01;  // of the mean tension: it may be rounded to 0.01 mm, say
+    if (exported.balance.share() > balanced) {
+        exported.warnings.push_back(fmt::format(
+            "with the lengths of {} it is {}: its tensions are of no net. Name the lengths of this "
+            "form by --lengths, or export the result of identify",
+            exported.lengths,
+            balance_text(exported.balance.largest, exported.balance.mean_tension)));
+    }
+}
+
+Exported gather(const ExportOptions& options) {
+    Exported it{.source = read_net_or_result(options.net), .lengths = options.net, .form = {}};
+    CableNet& net = it.source.file.net;
+    if (!options.lengths.empty()) {
+        if (it.source.is_identified) {
+            throw std::invalid_argument(fmt::format(
+                "--lengths is for a net; {} is a result, which holds its own", options.net));
+        }
+        net = changed(net, parse_lengths(net, read_file(options.lengths), options.lengths),
+                      net.nodes(), options.lengths);
+        it.lengths = options.lengths;
+    }
+    if (!options.form.empty()) {
+        it.form = options.form;
+        net = changed(net, net.unstressed_lengths(), read_form(net, options.form), options.form);
+    } else if (it.source.is_identified) {
+        it.form = "predicted";
+    } else {
+        it.form = "equilibrium";
+        net = changed(net, net.unstressed_lengths(), equilibrium_form(net, it.lengths), it.lengths);
+    }
+    it.balance = imbalance(net, net.unstressed_lengths(), net.nodes());
+    it.slack = slack_edges(net, net.unstressed_lengths(), net.nodes());
+    warn_of_imbalance(it);
+    return it;
 }
 
 /// The files that the format takes.
@@ -44,41 +112,66 @@ std::vector<std::string> output_files(const ExportOptions& options) {
     return {nodes.string(), edges.string()};
 }
 
-void write(const std::vector<std::string>& files, const std::string& format, const CableNet& net,
-           const Points& form) {
+void write(const std::vector<std::string>& files, const std::string& format, const NetFile& file) {
+    const CableNet& net = file.net;
+    const Points& form = net.nodes();
     if (format == "csv") {
         NetCsv csv = form_to_net_csv(net, form);
         write_files({{files[0], std::move(csv.nodes)}, {files[1], std::move(csv.edges)}});
     } else {
-        write_file(files[0], format == "compas" ? form_to_compas(net, form)
-                             : format == "obj"  ? form_to_obj(net, form)
-                                                : form_to_vtk(net, form));
+        write_file(files[0], format == "net"      ? net_to_json(net, file.unknown_keys)
+                             : format == "compas" ? form_to_compas(net, form)
+                             : format == "obj"    ? form_to_obj(net, form)
+                                                  : form_to_vtk(net, form));
+    }
+}
+
+nlohmann::ordered_json to_json(const ExportOptions& options, const Exported& it,
+                               const std::vector<std::string>& files) {
+    return {
+        {"format", "taut-export"},
+        {"version", 1},
+        {"net", counts_json(it.net())},
+        {"lengths", it.lengths},
+        {"form", it.form},
+        {"to", options.format},
+        {"slack_edges", it.slack},
+        {"lengths_not_known", {{"slack", it.source.slack}, {"unobserved", it.source.unobserved}}},
+        {"out_of_balance", it.balance.largest},
+        {"mean_tension", it.balance.mean_tension},
+        {"warnings", it.warnings},
+        {"files", files}};
+}
+
+void print(const Exported& it, const std::vector<std::string>& files) {
+    const CableNet& net = it.net();
+    fmt::print("{}\nlengths: {}\n", counts_text(net), it.lengths);
+    if (it.source.is_identified) {
+        fmt::print("  not known, the estimate stands for them: {} slack, {} unobserved of {}\n",
+                   it.source.slack.size(), it.source.unobserved.size(), net.interior_edge_count());
+    }
+    fmt::print("form: {}\n  {}\nslack edges: {}\n",
+               it.form == "equilibrium" ? "equilibrium of the net"
+               : it.form == "predicted" ? "as the result predicts it"
+                                        : it.form,
+               balance_text(it.balance.largest, it.balance.mean_tension),
+               edges_text(net, it.slack));
+    for (const std::string& file : files) {
+        fmt::print("written to {}\n", file);
     }
 }
 
 void run(const ExportOptions& options) {
     const auto threads = options.limit_threads();
-    const CableNet net = read_net(options.net).net;
+    const Exported exported = gather(options);
     const std::vector<std::string> files = output_files(options);
-    check_outputs(files, {options.net, options.form});
-    const bool is_given = !options.form.empty();
-    const Points form =
-        is_given ? read_form(net, options.form) : equilibrium_form(net, options.net);
-    write(files, options.format, net, form);
-    const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
+    check_outputs(files, {options.net, options.form, options.lengths});
+    write(files, options.format, exported.source.file);
+    warn(exported.form, exported.warnings);
     if (options.json) {
-        const nlohmann::ordered_json document{
-            {"format", "taut-export"}, {"version", 1},
-            {"net", counts_json(net)}, {"form", is_given ? options.form : "equilibrium"},
-            {"to", options.format},    {"slack_edges", slack},
-            {"files", files}};
-        fmt::print("{}\n", to_text(document));
-        return;
-    }
-    fmt::print("{}\nform: {}\nslack edges: {}\n", counts_text(net),
-               is_given ? options.form : "equilibrium of the net", edges_text(net, slack));
-    for (const std::string& file : files) {
-        fmt::print("written to {}\n", file);
+        fmt::print("{}\n", to_text(to_json(options, exported, files)));
+    } else {
+        print(exported, files);
     }
 }
 
@@ -86,17 +179,26 @@ void run(const ExportOptions& options) {
 
 void add_export(CLI::App& program) {
     auto options = std::make_shared<ExportOptions>();
-    CLI::App& command =
-        add_command(program, "export", "Write a net and its form for another program",
-                    "  taut export net.json --to vtk -o net.vtk\n"
-                    "  taut export net.json form.csv --to compas -o graph.json",
-                    *options);
-    command.add_option("NET", options->net, "Net file")->required();
+    CLI::App& command = add_command(
+        program, "export", "Write a net and its form for another program, or as built",
+        "  taut export net.json --to vtk -o net.vtk\n"
+        "  taut export net.json built.csv --lengths truth.csv --to compas -o graph.json\n"
+        "  taut export result.json --to net -o built.json     (the net as identify found it)",
+        *options);
+    command
+        .add_option("NET", options->net,
+                    "Net file, or a result of identify: the net with the identified lengths, in "
+                    "the predicted form")
+        ->required();
     command.add_option("FORM", options->form,
                        "Form file (id,x,y,z; default: the equilibrium of the net)");
-    command.add_option("--to", options->format, "Format; csv writes a second file, ..._edges")
+    command.add_option("--lengths", options->lengths,
+                       "Lengths of the form, as taut form --lengths writes them (default: NET's)");
+    command
+        .add_option("--to", options->format,
+                    "Format: net is taut's own; csv writes a second file, ..._edges")
         ->required()
-        ->check(CLI::IsMember({"compas", "obj", "csv", "vtk"}));
+        ->check(CLI::IsMember({"net", "compas", "obj", "csv", "vtk"}));
     add_output_option(command, options->output, "File to write");
     command.callback([options] { run(*options); });
 }

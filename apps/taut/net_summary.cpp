@@ -22,13 +22,16 @@ nlohmann::ordered_json counts_json(const CableNet& net) {
 }
 
 std::string equilibrium_text(const Equilibrium& equilibrium) {
-    std::string text = fmt::format("{} after {} iterations, {:.2g} N out of balance",
-                                   to_string(equilibrium.status), equilibrium.iterations,
-                                   equilibrium.out_of_balance);
-    if (equilibrium.mean_tension > 0.0) {
+    return fmt::format("{} after {} iterations, {}", to_string(equilibrium.status),
+                       equilibrium.iterations,
+                       balance_text(equilibrium.out_of_balance, equilibrium.mean_tension));
+}
+
+std::string balance_text(double out_of_balance, double mean_tension) {
+    std::string text = fmt::format("{:.2g} N out of balance", out_of_balance);
+    if (mean_tension > 0.0) {
         text += fmt::format(" ({:.1g} of the mean tension, {:.4g} N)",
-                            equilibrium.out_of_balance / equilibrium.mean_tension,
-                            equilibrium.mean_tension);
+                            out_of_balance / mean_tension, mean_tension);
     }
     return text;
 }

@@ -20,6 +20,9 @@ namespace taut::app {
 /// "converged after 4 iterations, 3e-09 N out of balance (7e-13 of the mean tension, 4466 N)"
 [[nodiscard]] std::string equilibrium_text(const Equilibrium& equilibrium);
 
+/// "3e-09 N out of balance (7e-13 of the mean tension, 4466 N)"
+[[nodiscard]] std::string balance_text(double out_of_balance, double mean_tension);
+
 /// "energy 5804 J, above the lowest by at most 5e-23 J (8e-27 of the elastic energy)"
 [[nodiscard]] std::string certificate_text(const EnergyCertificate& certificate);
 

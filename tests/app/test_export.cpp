@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a form that goes out with lengths of another net, and so with tensions of none.
+
+#include "app/program.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+using nlohmann::json;
+using testing::HasSubstr;
+
+class Export : public ProgramTest {
+protected:
+    Export() {
+        write("net.json", net_to_json(hypar(3, 4), R"({"colour": "red"})"));
+        must_run({"form", "net.json", "--law", "uniform:5mm", "--seed", "7", "-o", "built.csv",
+                  "--lengths", "truth.csv"});
+    }
+
+    void identify(std::vector<std::string> survey, std::vector<std::string> options = {}) const {
+        survey.insert(survey.begin(), {"survey", "net.json", "built.csv", "-o", "survey.csv"});
+        must_run(survey);
+        options.insert(options.begin(),
+                       {"identify", "net.json", "survey.csv", "-o", "result.json"});
+        must_run(options);
+    }
+
+    [[nodiscard]] CableNet net(const std::string& file) const {
+        return parse_net(read(file), file).net;
+    }
+
+    /// Of the net as built.
+    [[nodiscard]] Eigen::VectorXd true_lengths() const {
+        const std::vector<double> deviations = true_deviations();
+        return with_length_deviations(
+            hypar(3, 4), Eigen::Map<const Eigen::VectorXd>(deviations.data(), deviations.size()));
+    }
+};
+
+TEST_F(Export, WarnsOfAFormThatTheLengthsDoNotBalance) {
+    const Outcome told = run({"export", "net.json", "built.csv", "--to", "vtk", "-o", "net.vtk"});
+    EXPECT_EQ(told.exit_code, 0);
+    EXPECT_THAT(told.err, testing::StartsWith("taut: warning: built.csv: with the lengths of "
+                                              "net.json it is "));
+    EXPECT_THAT(told.err, AllOf(HasSubstr(" N out of balance ("),
+                                HasSubstr(" of the mean tension, "), HasSubstr("--lengths")));
+    EXPECT_THAT(told.out, HasSubstr(" N out of balance ("));
+    const Outcome as_json =
+        run({"export", "net.json", "built.csv", "--to", "vtk", "-o", "net.vtk", "--json"});
+    const json document = json::parse(as_json.out);
+    EXPECT_GT(document["out_of_balance"], 0.01 * document["mean_tension"].get<double>());
+    EXPECT_EQ(document["warnings"].size(), 1U);
+}
+
+TEST_F(Export, TakesTheLengthsOfTheForm) {
+    for (const std::string format : {"csv", "vtk", "compas", "obj", "net"}) {
+        must_run({"export", "net.json", "built.csv", "--lengths", "truth.csv", "--to", format, "-o",
+                  "out." + format});
+    }
+    const CableNet built = net("out.net");
+    EXPECT_LT((built.unstressed_lengths() - true_lengths()).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_EQ(json::parse(read("out.net"))["colour"], "red");
+    must_run({"import", "out.csv", "--edges", "out_edges.csv", "-o", "again.json"});
+    EXPECT_LT((tensions(net("again.json"), net("again.json").unstressed_lengths(),
+                        net("again.json").nodes()) -
+               tensions(built, built.unstressed_lengths(), built.nodes()))
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-6);
+}
+
+TEST_F(Export, FindsTheEquilibriumOfTheLengthsWhereNoFormIsGiven) {
+    const json document = json::parse(must_run({"export", "net.json", "--lengths", "truth.csv",
+                                                "--to", "net", "-o", "built.json", "--json"}));
+    EXPECT_EQ(document["form"], "equilibrium");
+    EXPECT_EQ(document["lengths"], "truth.csv");
+    EXPECT_LT(document["out_of_balance"], 1e-6 * document["mean_tension"].get<double>());
+    must_run({"export", "net.json", "built.csv", "--lengths", "truth.csv", "--to", "net", "-o",
+              "given.json"});
+    EXPECT_LT((net("built.json").nodes() - net("given.json").nodes()).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST_F(Export, GivesTheNetAsAnIdentificationFoundIt) {
+    identify({});
+    for (const std::string format : {"net", "compas", "csv", "vtk", "obj"}) {
+        must_run({"export", "result.json", "--to", format, "-o", "out." + format});
+    }
+    const CableNet built = net("out.net");
+    EXPECT_LT((built.unstressed_lengths() - true_lengths()).cwiseAbs().maxCoeff(), 1e-9);
+    must_run({"export", "net.json", "built.csv", "--lengths", "truth.csv", "--to", "net", "-o",
+              "truth.json"});
+    EXPECT_LT((built.nodes() - net("truth.json").nodes()).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_EQ(built.name(), net("net.json").name());
+    // What it is now is what it would become: the net is in equilibrium as it stands.
+    const json form = json::parse(must_run({"form", "out.net", "--json"}));
+    EXPECT_LT(form["largest_move"], 1e-9);
+}
+
+TEST_F(Export, CountsTheLengthsThatTheSurveyDoesNotTell) {
+    identify({});
+    json result = json::parse(read("result.json"));
+    result["edges"][0]["status"] = "slack";
+    result["edges"][1]["status"] = "unobserved";
+    result["edges"][2]["status"] = "unobserved";
+    write("result.json", result.dump());
+    EXPECT_THAT(must_run({"export", "result.json", "--to", "net", "-o", "built.json"}),
+                HasSubstr("not known, the estimate stands for them: 1 slack, 2 unobserved of 17"));
+    const json document = json::parse(
+        must_run({"export", "result.json", "--to", "net", "-o", "built.json", "--json"}));
+    EXPECT_EQ(document["lengths_not_known"]["slack"].size(), 1U);
+    EXPECT_EQ(document["lengths_not_known"]["unobserved"].size(), 2U);
+}
+
+TEST_F(Export, RefusesWhatIsNoBuiltNetInOneLineAndTouchesNoFile) {
+    identify({});
+    write("study.json", R"({"format": "taut-study", "version": 1})");
+    write("comparison.json", R"({"format": "taut-comparison", "version": 1})");
+    write("short.csv", "edge,nominal,length_deviation\n");
+    write("old", "an earlier outcome\n");
+    const Files before = files();
+    const auto refused = [&](std::vector<std::string> arguments, const std::string& told) {
+        arguments.insert(arguments.begin(), "export");
+        arguments.insert(arguments.end(), {"--to", "net", "-o", "old"});
+        expect_error(run(arguments), 2, told);
+    };
+    refused({"study.json"}, "study.json:/format: is 'taut-study', expected \"taut-net\"");
+    refused({"comparison.json"}, "comparison.json:/format: is 'taut-comparison'");
+    refused({"result.json", "--lengths", "truth.csv"}, "result.json is a result");
+    refused({"net.json", "--lengths", "short.csv"}, "short.csv: holds no length of edge");
+    refused({"net.json", "--lengths", "built.csv"}, "built.csv:1: does not start with the header");
+    refused({"net.json", "--lengths", "nothing.csv"}, "nothing.csv");
+    expect_error(
+        run({"export", "net.json", "--lengths", "truth.csv", "--to", "net", "-o", "truth.csv"}), 2,
+        "truth.csv: is an input");
+    EXPECT_EQ(files(), before);
+}
+
+}  // namespace

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a result that goes out with the design's lengths, or with those of its slack edges
+// taken for known.
+
+#include "taut/results/net_or_result.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/errors.hpp"
+#include "support/scratch.hpp"
+#include "support/studies.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+json identification() {
+    return json::parse(test::made_up_identification(hypar(2, 3)).json);
+}
+
+NetOrResult parse(const json& document) {
+    return parse_net_or_result(document.dump(), "result.json");
+}
+
+TEST(NetOrResult, OfAnIdentificationHasItsLengthsAndItsForm) {
+    json document = identification();
+    document["form"][0] = {0.125, 0.25, 0.5};
+    const CableNet designed = hypar(2, 3);
+    const NetOrResult read = parse(document);
+    const CableNet& net = read.file.net;
+    EXPECT_TRUE(read.is_identified);
+    EXPECT_EQ(net.nodes().col(0), Eigen::Vector3d(0.125, 0.25, 0.5));
+    EXPECT_EQ(net.nodes().col(1), designed.nodes().col(1));
+    for (const int edge : designed.interior_edges()) {
+        EXPECT_NEAR(net.unstressed_lengths()(edge),
+                    designed.unstressed_lengths()(edge) + 0.004 * std::sin(1.0 + edge), 1e-15);
+    }
+    for (const int edge : designed.adjustable_edges()) {
+        EXPECT_EQ(net.unstressed_lengths()(edge), designed.unstressed_lengths()(edge));
+    }
+}
+
+TEST(NetOrResult, TellsWhichLengthsTheSurveyDoesNot) {
+    json document = identification();
+    document["edges"][3]["status"] = "unobserved";
+    const NetOrResult read = parse(document);
+    const std::vector<int>& interior = read.file.net.interior_edges();
+    EXPECT_THAT(read.slack, ElementsAre(interior[0]));
+    EXPECT_THAT(read.unobserved, ElementsAre(interior[3]));
+}
+
+TEST(NetOrResult, KeepsWhatElseTheNetHolds) {
+    CableNetData data = hypar(2, 3).data();
+    data.name = "roof";
+    data.loads = Points::Constant(3, data.nodes.cols(), -2.0);
+    for (int node = 0; node < data.nodes.cols(); ++node) {
+        data.node_ids.push_back("N" + std::to_string(node));
+    }
+    json document = json::parse(test::made_up_identification(CableNet(std::move(data))).json);
+    document["cable_net"]["colour"] = "red";
+    const NetOrResult read = parse(document);
+    EXPECT_EQ(read.file.net.name(), "roof");
+    EXPECT_EQ(read.file.net.loads()(0, 0), -2.0);
+    EXPECT_EQ(read.file.net.node_id(2), "N2");
+    EXPECT_EQ(json::parse(read.file.unknown_keys), json({{"colour", "red"}}));
+}
+
+TEST(NetOrResult, OfANetIsTheNet) {
+    const NetOrResult read =
+        parse_net_or_result(net_to_json(hypar(2, 3), R"({"colour": "red"})"), "net.json");
+    EXPECT_FALSE(read.is_identified);
+    EXPECT_THAT(read.slack, IsEmpty());
+    EXPECT_EQ(read.file.net.fingerprint(), hypar(2, 3).fingerprint());
+    EXPECT_EQ(json::parse(read.file.unknown_keys), json({{"colour", "red"}}));
+}
+
+TEST(NetOrResult, RefusesAResultThatIsNotOfOneBuiltNet) {
+    for (const std::string& text :
+         {test::saved(test::made_up_study(hypar(2, 3))).json, test::made_up_comparison().json}) {
+        EXPECT_THAT(test::input_error_of([&] { return parse_net_or_result(text, "r.json"); }),
+                    AllOf(HasSubstr("r.json:/format: is 'taut-"),
+                          HasSubstr(R"(expected "taut-net", or "taut-identification")")));
+    }
+}
+
+TEST(NetOrResult, RefusesWhatNeitherReaderTakes) {
+    const auto error = [](const std::string& text) {
+        return test::input_error_of([&] { return parse_net_or_result(text, "x.json"); });
+    };
+    EXPECT_THAT(error("[]"), HasSubstr("x.json: is"));
+    EXPECT_THAT(error(R"({"format": 3})"), HasSubstr("x.json:/format"));
+    EXPECT_THAT(error(R"({"format": "taut-plan"})"), HasSubstr("expected \"taut-net\""));
+    EXPECT_THAT(error(R"({"format": "taut-identification"})"), HasSubstr("/version: is missing"));
+    json document = identification();
+    document["edges"][0]["length_deviation"] = -9.0;
+    EXPECT_THAT(error(document.dump()), HasSubstr("expected a positive and finite number"));
+}
+
+TEST(NetOrResult, RefusesUnitsThatCannotBeMeant) {
+    const test::ScratchDirectory folder;
+    CableNetData data = hypar(2, 3).data();
+    data.unstressed_lengths *= 1000.0;
+    std::ofstream(folder / "net.json") << net_to_json(CableNet(std::move(data)));
+    EXPECT_THAT(test::input_error_of([&] { return read_net_or_result(folder / "net.json"); }),
+                HasSubstr("times the lengths of their edges"));
+    EXPECT_THAT(test::input_error_of([&] { return read_net(folder / "net.json"); }),
+                HasSubstr("net.json:/unstressed_lengths: are 9"));
+}
+
+}  // namespace
+}  // namespace taut
