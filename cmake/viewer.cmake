@@ -4,7 +4,8 @@
 # The report's viewer: TypeScript, bundled into one page, which becomes a source of the library.
 # Without Node.js the library is whole but for report_html().
 set(TAUT_VIEWER_CPP ${PROJECT_BINARY_DIR}/viewer/viewer_page.cpp)
-set(embed ${CMAKE_COMMAND} -DOUTPUT=${TAUT_VIEWER_CPP})
+set(embed ${CMAKE_COMMAND} -DOUTPUT=${TAUT_VIEWER_CPP} -DHEADER=report/viewer_page.hpp
+    -DFUNCTION=taut::report::viewer_page)
 set(embed_script ${PROJECT_SOURCE_DIR}/cmake/embed.cmake)
 set(viewer_dir ${PROJECT_SOURCE_DIR}/viewer)
 
@@ -13,7 +14,7 @@ if(TAUT_BUILD_VIEWER)
     set(viewer_sources build.mjs page.html style.css package.json
         src/charts.ts src/colours.ts src/csv.ts src/details.ts src/dom.ts src/edge_lines.ts
         src/format.ts src/inspector.ts src/legend.ts src/main.ts src/model.ts src/net_controls.ts
-        src/net_section.ts src/picking.ts src/result.ts src/selection.ts src/summary.ts
+        src/net_section.ts src/picking.ts src/result.ts src/result_schema.ts src/selection.ts src/summary.ts
         src/table.ts src/tables.ts src/view.ts)
     list(TRANSFORM viewer_sources PREPEND ${viewer_dir}/)
     # What only type checks and tests need is left out, unless there are tests.

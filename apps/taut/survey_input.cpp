@@ -62,10 +62,10 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
                                 options.noise, other);
         }
     }
-    if (!survey.control.empty()) {
+    if (survey.frame) {
+        std::vector<ControlResidual> worst = survey.frame->residuals;
         text += fmt::format("  moved into the net's frame by {} control points, {:.3g} mm RMS\n",
-                            survey.control.size(), 1e3 * root_mean_square(survey.control));
-        std::vector<ControlResidual> worst = survey.control;
+                            worst.size(), 1e3 * root_mean_square(worst));
         std::ranges::sort(worst, std::greater{},
                           [](const ControlResidual& r) { return r.residual.norm(); });
         constexpr size_t shown = 3;

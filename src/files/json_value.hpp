@@ -17,6 +17,8 @@ public:
         : m_value(&value), m_file_name(&file_name), m_pointer(std::move(pointer)) {}
 
     [[noreturn]] void fail(const std::string& what) const;
+    /// "is the text 'x', expected a number".
+    [[noreturn]] void fail_type(const std::string& expected) const;
     [[nodiscard]] const std::string& pointer() const { return m_pointer; }
     /// @param pointer to the culprit, from here
     [[noreturn]] void fail_below(const std::string& pointer, const std::string& what) const;
@@ -44,8 +46,6 @@ public:
     [[nodiscard]] JsonValue require(const std::string& key, const std::string& expected) const;
 
 private:
-    [[noreturn]] void fail_type(const std::string& expected) const;
-
     const nlohmann::json* m_value;
     const std::string* m_file_name;
     std::string m_pointer;

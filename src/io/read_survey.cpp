@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "taut/files/file.hpp"
@@ -68,15 +69,14 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
                    : split_off_control_points(net, read_survey_points(options.control), points);
     });
     return with_points_of(file, [&] {
-        std::vector<ControlResidual> residuals;
+        std::optional<Registration> frame;
         if (is_frame_fitted(net, control, options)) {
-            Registration registration = register_rigidly(control);
-            points = moved(std::move(points), registration.motion);
-            residuals = std::move(registration.residuals);
+            frame = register_rigidly(control);
+            points = moved(std::move(points), frame->motion);
         }
         Survey survey = match_to_nodes(net, points, options.noise_std);
         check_matched(net, survey);
-        survey.control = std::move(residuals);
+        survey.frame = std::move(frame);
         std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;
     });

@@ -40,6 +40,7 @@ constexpr std::array rules{
     Rule{".std", "stroke", "#d55e00", "#f58231", "stroke-width:1.2"},
     Rule{".faint", "stroke", "#b9c0c7", "#4a525a", "stroke-width:.8"},
     Rule{".slack", "stroke", "#d55e00", "#f58231", "stroke-width:2.4"},
+    Rule{".marked", "stroke", "#d55e00", "#f58231", "stroke-width:2.4"},
     Rule{".unobserved", "stroke", "#999", "#8a8a8a", "stroke-width:2.4"},
     Rule{".bar", "fill", "#7fb0d0", "#3f7ba3", "stroke:none"},
     Rule{".series0", "stroke", "#0072b2", "#56b4e9", "stroke-width:1.8"},

@@ -23,7 +23,12 @@ constexpr std::array kinds{Kind{EdgeStatus::identified, "predicted"},
                            Kind{EdgeStatus::slack, "slack"},
                            Kind{EdgeStatus::unobserved, "unobserved"}};
 
-/// The edges of a status: their intervals, with a dot at the estimate.
+bool is_slack(const IdentifiedEdge& edge) {
+    return edge.status == EdgeStatus::slack;
+}
+
+/// The edges of a status: their intervals, with a dot at the estimate. Of a slack edge only
+/// the lower bound is known: the dot is there.
 void draw_intervals(SvgBody& svg, const Axes& axes, const IdentificationResult& result,
                     const std::vector<int>& edges, const Kind& kind) {
     PathData intervals;
@@ -33,7 +38,7 @@ void draw_intervals(SvgBody& svg, const Axes& axes, const IdentificationResult& 
         if (edge.status == kind.status) {
             intervals.move_to(axes(i + 1, 1e3 * edge.lower));
             intervals.line_to(axes(i + 1, 1e3 * edge.upper));
-            dots.dot(axes(i + 1, 1e3 * edge.length_deviation));
+            dots.dot(axes(i + 1, 1e3 * (is_slack(edge) ? edge.lower : edge.length_deviation)));
         }
     }
     const double width = std::clamp(80.0 / std::sqrt(static_cast<double>(edges.size())), 2.6, 5.0) *
@@ -44,12 +49,23 @@ void draw_intervals(SvgBody& svg, const Axes& axes, const IdentificationResult& 
 
 std::string caption(const IdentificationResult& result) {
     const auto count = static_cast<int>(result.edges.size());
-    const auto widest = std::ranges::max_element(
-        result.edges, {}, [](const IdentifiedEdge& e) { return e.upper - e.lower; });
-    std::string text = fmt::format(
-        "Identified length less nominal length of {}, with the interval that holds the true "
-        "deviation with 95 % probability; the widest goes {} mm to both sides.",
-        counted(count, "interior edge"), millimetres(0.5 * (widest->upper - widest->lower)));
+    const auto slack = static_cast<int>(std::ranges::count_if(result.edges, is_slack));
+    std::string text;
+    if (slack < count) {
+        double widest = 0.0;
+        for (const IdentifiedEdge& edge : result.edges) {
+            widest = std::max(widest, is_slack(edge) ? 0.0 : edge.upper - edge.lower);
+        }
+        text = fmt::format(
+            "Identified length less nominal length of {}{}, with the interval that holds the true "
+            "deviation with 95 % probability; the widest goes {} mm to both sides.",
+            counted(count - slack, "interior edge"), slack > 0 ? " in tension" : "",
+            millimetres(0.5 * widest));
+    }
+    if (slack > 0) {
+        text += fmt::format("{}Of {} only a lower bound is known, marked by a dot.",
+                            text.empty() ? "" : " ", counted(slack, "slack edge"));
+    }
     if (const std::string drawn = thinning_words(count, most_edges, "edge"); !drawn.empty()) {
         text += fmt::format(" So that the page stays small, only {} are drawn.", drawn);
     }
@@ -73,7 +89,10 @@ Figure length_interval_figure(const IdentificationResult& result) {
         {.style = "link", .words = "95 % interval", .mark = Mark::dash}};
     for (const Kind& kind : kinds) {
         if (std::ranges::count(result.edges, kind.status, &IdentifiedEdge::status) > 0) {
-            legend.push_back({.style = kind.style, .words = std::string(to_string(kind.status))});
+            legend.push_back({.style = kind.style,
+                              .words = kind.status == EdgeStatus::slack
+                                           ? "slack: at least"
+                                           : std::string(to_string(kind.status))});
         }
     }
     draw_legend(svg, {axes.x.from, edge_legend_y}, legend);

@@ -58,7 +58,12 @@ Drawing node_map_drawing(const CableNet& net, const Points& form, const NodeMap&
     const std::vector<int>& adjustable = net.adjustable_edges();
     edges.insert(edges.end(), adjustable.begin(), adjustable.end());
     svg.path("faint", edges_path(net, edges, places));
-    draw_values(svg, map, places, dot_width(net, places), colours);
+    const double width = dot_width(net, places);
+    draw_values(svg, map, places, width, colours);
+    if (!map.marked.empty()) {
+        svg.path("marked", dots_path(map.marked, places),
+                 fmt::format("style=\"stroke-width:{:.1f}\"", width));
+    }
     colours.draw(svg, {axes.x.to, axes.y.to}, axes.y.from - axes.y.to);
     return {.name = map.name,
             .title = map.title,

@@ -15,11 +15,11 @@
 namespace taut::report {
 namespace {
 
-/// All standardised residuals, coordinate by coordinate.
+/// The standardised residuals of the targets in use, coordinate by coordinate.
 std::vector<double> standardised(const IdentificationResult& result) {
     std::vector<double> values;
     for (const auto& residual : result.residuals) {
-        if (residual.standardised) {
+        if (residual.is_in_use && residual.standardised) {
             values.insert(values.end(), residual.standardised->begin(),
                           residual.standardised->end());
         }
@@ -50,29 +50,49 @@ PathData normal_curve(const Axes& axes, double count, double bin_width) {
     return path;
 }
 
+int left_out_count(const IdentificationResult& result) {
+    return static_cast<int>(
+        std::ranges::count(result.residuals, false, &IdentificationResult::Residual::is_in_use));
+}
+
 }  // namespace
 
 Figure residual_map_figure(const IdentificationResult& result) {
     Figure figure{.heading = "Predicted against surveyed form"};
     NodeMap map{.name = "residual_map",
                 .title = "Distance between surveyed and predicted nodes, in plan",
-                .heading = "surveyed to predicted [mm]",
-                .values = Eigen::VectorXd(static_cast<Eigen::Index>(result.residuals.size()))};
+                .heading = "surveyed to predicted [mm]"};
+    std::vector<double> in_use;
+    double farthest_left_out = 0.0;
     for (const auto& residual : result.residuals) {
-        map.values(static_cast<Eigen::Index>(map.nodes.size())) =
-            1e3 * residual.surveyed_less_predicted.norm();
-        map.nodes.push_back(residual.node);
+        const double distance = 1e3 * residual.surveyed_less_predicted.norm();
+        if (residual.is_in_use) {
+            map.nodes.push_back(residual.node);
+            in_use.push_back(distance);
+        } else {
+            map.marked.push_back(residual.node);
+            farthest_left_out = std::max(farthest_left_out, distance);
+        }
     }
-    if (map.nodes.empty()) {
+    if (in_use.empty()) {
         return figure;
     }
+    map.values = Eigen::VectorXd::Map(in_use.data(), static_cast<Eigen::Index>(in_use.size()));
     map.largest = map.values.maxCoeff();
     figure.drawings = {node_map_drawing(result.net, result.form, map)};
+    const double rms = std::sqrt(map.values.squaredNorm() / static_cast<double>(in_use.size()));
     figure.caption = fmt::format(
         "Distance between the surveyed place of {} and the form that the identified lengths give: "
-        "{} mm in the mean, at most {} mm.{}",
-        counted(static_cast<int>(map.nodes.size()), "node"), number_text(map.values.mean()),
-        number_text(map.largest), thinning_note(result.net));
+        "{} mm RMS, at most {} mm.",
+        counted(static_cast<int>(in_use.size()), "node"), number_text(rms),
+        number_text(map.largest));
+    if (const int count = left_out_count(result); count > 0) {
+        figure.caption += fmt::format(
+            " Not among them, marked in orange: {} left out for gross errors, up to "
+            "{} mm away.",
+            counted(count, "target"), number_text(farthest_left_out));
+    }
+    figure.caption += thinning_note(result.net);
     return figure;
 }
 
@@ -82,7 +102,7 @@ Figure residual_histogram_figure(const IdentificationResult& result) {
     if (values.empty()) {
         return figure;
     }
-    // Wide enough for the normal law; blunders far outside are counted in the last bins.
+    // Wide enough for the normal law; what lies far outside is counted in the last bins.
     constexpr double reach = 5.0;
     constexpr int bins = 40;
     const std::vector<double> counts = histogram(values, reach, bins);
@@ -117,10 +137,14 @@ Figure residual_histogram_figure(const IdentificationResult& result) {
     figure.caption = fmt::format(
         "Surveyed less predicted coordinate over the stated standard deviation of the survey, for "
         "{}. A fit follows part of the noise: where survey and net are as assumed, the bars stand "
-        "somewhat inside the normal law, and its tails tell of gross errors. {} beyond three "
-        "standard deviations. What lies beyond ±5 is counted in the last bins.",
+        "somewhat inside the normal law. {} beyond three standard deviations. What lies beyond ±5 "
+        "is counted in the last bins.",
         counted(static_cast<int>(values.size()), "coordinate"),
         beyond == 1 ? "1 lies" : fmt::format("{} lie", beyond));
+    if (const int count = left_out_count(result); count > 0) {
+        figure.caption +=
+            fmt::format(" Not among them: {} left out for gross errors.", counted(count, "target"));
+    }
     return figure;
 }
 

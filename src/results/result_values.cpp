@@ -8,30 +8,13 @@
 
 namespace taut {
 
-JsonValue require_object(const JsonValue& parent, const std::string& key) {
-    JsonValue value = parent.require(key, "an object");
-    value.require_object("an object");
-    return value;
-}
-
-void require_numbers(const JsonValue& object, std::initializer_list<const char*> keys) {
-    for (const char* key : keys) {
-        static_cast<void>(object.require(key, "a number").number());
-    }
-}
-
-int require_count(const JsonValue& parent, const std::string& key) {
-    const JsonValue value = parent.require(key, "a count");
-    const int count = value.integer();
-    if (count < 0) {
-        value.fail(fmt::format("is {}, expected a count of at least 0", count));
-    }
-    return count;
+JsonValue member(const JsonValue& parent, const std::string& key) {
+    return parent.require(key, "what the schema says");
 }
 
 Eigen::VectorXd require_list(const JsonValue& parent, const std::string& key, Eigen::Index size,
                              const std::string& what) {
-    const JsonValue list = parent.require(key, "a list of numbers");
+    const JsonValue list = member(parent, key);
     list.require_array(size, fmt::format("{}: {}", what, size));
     Eigen::VectorXd numbers(size);
     for (Eigen::Index i = 0; i < size; ++i) {
@@ -41,13 +24,12 @@ Eigen::VectorXd require_list(const JsonValue& parent, const std::string& key, Ei
 }
 
 Points require_form(const JsonValue& parent, const std::string& key, const CableNet& net) {
-    const JsonValue list = parent.require(key, "a list of points [x, y, z]");
+    const JsonValue list = member(parent, key);
     const auto count = static_cast<size_t>(net.node_count());
     list.require_array(count, fmt::format("a point [x, y, z] for each node: {}", count));
     Points points(3, net.node_count());
     for (size_t i = 0; i < count; ++i) {
         const JsonValue point = list.at(i);
-        point.require_array(3, "three numbers [x, y, z]");
         for (size_t k = 0; k < 3; ++k) {
             points(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) =
                 point.at(k).number();
@@ -65,8 +47,8 @@ int read_node(const JsonValue& value, const CableNet& net) {
 }
 
 CableNet require_net(const JsonValue& root) {
-    CableNet net = read_net_value(require_object(root, "cable_net"));
-    const JsonValue counts = require_object(root, "net");
+    CableNet net = read_net_value(member(root, "cable_net"));
+    const JsonValue counts = member(root, "net");
     if (const auto fingerprint = counts.find("fingerprint");
         fingerprint && fingerprint->text() != net.fingerprint()) {
         fingerprint->fail(fmt::format("is {}, expected {}, that of /cable_net", fingerprint->text(),

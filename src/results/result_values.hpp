@@ -2,25 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <initializer_list>
 #include <string>
-#include <vector>
 
 #include "files/json_value.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
 
-// Pieces of a result, read strictly. All throw InputError at the offending value.
+// Pieces of a result that the schema accepts. All throw InputError at the value that breaks a
+// rule which no schema tells.
 
-/// Member of an object that must be an object itself.
-[[nodiscard]] JsonValue require_object(const JsonValue& parent, const std::string& key);
-
-/// An object that holds a number under each of the keys.
-void require_numbers(const JsonValue& object, std::initializer_list<const char*> keys);
-
-/// A member that counts something: whole, not negative.
-[[nodiscard]] int require_count(const JsonValue& parent, const std::string& key);
+/// Member of an object that the schema says it has.
+[[nodiscard]] JsonValue member(const JsonValue& parent, const std::string& key);
 
 /// A member that lists so many numbers. @param what they are, "a number for each edge" say
 [[nodiscard]] Eigen::VectorXd require_list(const JsonValue& parent, const std::string& key,

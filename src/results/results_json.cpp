@@ -123,14 +123,32 @@ Json unmatched_json(const CableNet& net, const Survey& survey) {
     return points;
 }
 
+Json to_json(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
 /// Residuals of the control points that the survey's frame was fitted to.
-Json control_json(const Survey& survey) {
+Json control_json(const Registration& frame) {
     Json points = Json::array();
-    for (const auto& [id, residual] : survey.control) {
+    for (const auto& [id, residual] : frame.residuals) {
         points.push_back(
             {{"id", id}, {"dx", residual.x()}, {"dy", residual.y()}, {"dz", residual.z()}});
     }
     return points;
+}
+
+Json frame_json(const Registration& frame) {
+    const RigidMotion& motion = frame.motion;
+    Json rotation = Json::array();
+    for (const Eigen::Vector3d row : motion.rotation.rowwise()) {
+        rotation.push_back(to_json(row));
+    }
+    return {
+        {"rotation", rotation},
+        {"from", to_json(motion.from)},
+        {"to", to_json(motion.to)},
+        {"fit", {{"rms", root_mean_square(frame.residuals)}, {"count", frame.residuals.size()}}},
+        {"control", control_json(frame)}};
 }
 
 /// Of all edges, in the predicted form with the identified lengths.
@@ -218,10 +236,12 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                   {"method", identification.method},
                   {"method_reason", identification.method_reason},
                   {"status", to_string(identification.status)},
+                  {"law", identification.law.to_string()},
                   {"noise", noise},
                   {"net_fingerprint", net.fingerprint()},
                   {"edges", edges},
                   {"form", form},
+                  {"frame", survey.frame ? frame_json(*survey.frame) : Json()},
                   {"survey",
                    {{"used", survey.surveyed.size()},
                     {"missing", survey.missing.size()},
@@ -236,7 +256,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     document["survey"]["residuals"] = residuals_json(survey, identification.predicted.form);
     document["survey"]["missing_nodes"] = survey.missing;
     document["survey"]["unmatched"] = unmatched_json(net, survey);
-    document["survey"]["control"] = control_json(survey);
+    document["survey"]["control"] = survey.frame ? control_json(*survey.frame) : Json::array();
     document["survey"]["warnings"] = survey.warnings;
     document["cable_net"] = net_json(net);
     document["tension"] = tension_json(net, identification);

@@ -173,7 +173,7 @@ TEST(IdentificationFigures, AreNamedAsPromisedAndLeaveOutWhatIsNotThere) {
 
 TEST(IdentificationFigures, TellASlackEdgeFromAnIdentifiedOne) {
     const auto figures = figures_of(test::made_up_identification(hypar(5, 6)));
-    EXPECT_THAT(figures.at("length_intervals.svg"), HasSubstr(">slack<"));
+    EXPECT_THAT(figures.at("length_intervals.svg"), HasSubstr(">slack: at least<"));
     EXPECT_THAT(figures.at("length_intervals.svg"), HasSubstr(">identified<"));
     EXPECT_THAT(figures.at("length_intervals.svg"), Not(HasSubstr(">unobserved<")));
 }
@@ -188,6 +188,43 @@ TEST(IdentificationFigures, CountEveryStandardisedResidual) {
     ASSERT_EQ(figure.drawings.size(), 1U);
     EXPECT_THAT(figure.caption, HasSubstr("90 coordinates"));
     EXPECT_THAT(figure.caption, HasSubstr("30 lie beyond three"));
+}
+
+TEST(IdentificationFigures, MeasureTheTargetsInUseAlone) {
+    ResultFile result = test::made_up_identification(hypar(5, 6));
+    auto& content = std::get<IdentificationResult>(result.content);
+    for (auto& residual : content.residuals) {
+        residual.surveyed_less_predicted = {0.0, 3e-3, 4e-3};
+        residual.standardised = Eigen::Vector3d(0.0, 3.1, 4.0);
+    }
+    content.residuals[7].surveyed_less_predicted = {0.0, 0.0, 49.1e-3};
+    content.residuals[7].is_in_use = false;
+    const report::Figure map = report::residual_map_figure(content);
+    EXPECT_THAT(map.caption, HasSubstr("of 29 nodes"));
+    EXPECT_THAT(map.caption, HasSubstr("5.00 mm RMS, at most 5.00 mm."));
+    EXPECT_THAT(map.caption, HasSubstr("1 target left out for gross errors, up to 49.1 mm away."));
+    EXPECT_THAT(map.drawings.front().body, HasSubstr("class=\"marked\""));
+    EXPECT_THAT(map.drawings.front().body, Not(HasSubstr(">40<"))) << "on the colour scale";
+    const report::Figure histogram = report::residual_histogram_figure(content);
+    EXPECT_THAT(histogram.caption, HasSubstr("87 coordinates"));
+    EXPECT_THAT(histogram.caption, HasSubstr("58 lie beyond three"));
+    EXPECT_THAT(histogram.caption, HasSubstr("Not among them: 1 target left out"));
+}
+
+TEST(IdentificationFigures, ShowOfASlackEdgeItsBoundAndNoEstimate) {
+    ResultFile result = test::made_up_identification(hypar(5, 6));
+    auto& content = std::get<IdentificationResult>(result.content);
+    IdentifiedEdge& slack = content.edges.front();
+    slack.lower = 1e-3;
+    slack.upper = 9e-3;
+    slack.length_deviation = 8e-3;
+    const std::string before = report::length_interval_figure(content).drawings.front().body;
+    slack.length_deviation = 2e-3;
+    const report::Figure figure = report::length_interval_figure(content);
+    EXPECT_EQ(figure.drawings.front().body, before);
+    EXPECT_THAT(figure.caption, HasSubstr("of 48 interior edges in tension"));
+    EXPECT_THAT(figure.caption, HasSubstr("the widest goes 0.200 mm"));
+    EXPECT_THAT(figure.caption, HasSubstr("Of 1 slack edge only a lower bound is known"));
 }
 
 TEST(ComparisonFigures, DrawEachMethodAndTheBestPossible) {

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "results/schema_check.hpp"
 #include "support/errors.hpp"
 #include "support/studies.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -66,6 +67,79 @@ TEST(ResultFile, OfAnIdentificationMayLackWhatOnlySomeMethodsTell) {
     EXPECT_NO_THROW(static_cast<void>(parse_result(result.dump(), "result.json")));
 }
 
+TEST(ResultFile, OfAnOlderTautLacksLawAndFrame) {
+    json result = good("identification");
+    result.erase("law");
+    result.erase("frame");
+    result["survey"].erase("control");
+    EXPECT_NO_THROW(static_cast<void>(parse_result(result.dump(), "result.json")));
+}
+
+TEST(ResultFile, TellsTargetsThatWereLeftOutFromThoseInUse) {
+    json result = good("identification");
+    const int node = result["survey"]["residuals"][2]["node"];
+    result["survey"]["outliers"] = {{{"node", node}, {"distance", 0.05}, {"statistic", 90.0}}};
+    const ResultFile file = parse_result(result.dump(), "result.json");
+    for (const auto& residual : std::get<IdentificationResult>(file.content).residuals) {
+        EXPECT_EQ(residual.is_in_use, residual.node != node);
+    }
+}
+
+/// Calls with each object of a document and the rule of the schema that it keeps to.
+template <class Action>
+void for_each_object(const json& value, const json& rule_or_reference,
+                     const json::json_pointer& pointer, const Action& action) {
+    static const json definitions = json::parse(result_schema())["definitions"];
+    json rule = rule_or_reference;
+    while (rule.contains("$ref")) {
+        rule = definitions.at(json::json_pointer(rule["$ref"].get<std::string>().substr(1)).back());
+    }
+    if (rule.contains("anyOf") && value.is_object()) {
+        return for_each_object(value, rule["anyOf"][0], pointer, action);
+    }
+    if (value.is_object()) {
+        action(rule, pointer);
+        for (const auto& [key, member] : value.items()) {
+            const json& others = rule.value("additionalProperties", json());
+            const json of_member = rule.value("properties", json::object()).value(key, others);
+            if (!of_member.is_null()) {
+                for_each_object(member, of_member, pointer / key, action);
+            }
+        }
+    } else if (value.is_array() && !value.empty()) {
+        for_each_object(value.front(), rule.value("items", json()), pointer / 0, action);
+    }
+}
+
+TEST(ResultFile, LacksNoKeyThatTheSchemaRequiresAndMayLackAllOthers) {
+    int required = 0;
+    int optional = 0;
+    for (const std::string kind : {"study", "identification", "comparison"}) {
+        const json whole = good(kind);
+        for_each_object(
+            whole, {{"$ref", "#/definitions/" + kind}}, json::json_pointer(),
+            [&](const json& rule, const json::json_pointer& pointer) {
+                const json keys = rule.value("required", json::array());
+                for (const auto& [key, value] : whole.at(pointer).items()) {
+                    json result = whole;
+                    result.at(pointer).erase(key);
+                    const auto parse = [&] { return parse_result(result.dump(), "r.json"); };
+                    if (std::ranges::find(keys, json(key)) != keys.end()) {
+                        ++required;
+                        EXPECT_THAT(input_error_of(parse),
+                                    ::testing::StartsWith("r.json:" + (pointer / key).to_string() +
+                                                          ": is missing, expected "));
+                    } else if (rule.contains("properties")) {
+                        ++optional;
+                        EXPECT_NO_THROW(static_cast<void>(parse())) << pointer / key;
+                    }
+                }
+            });
+    }
+    EXPECT_GT(required, 60);
+    EXPECT_GT(optional, 40);
+}
+
 TEST(ResultFile, ThatIsCutShortAnywhereIsRefused) {
     const std::string text = good("identification").dump();
     for (size_t size = 0; size < text.size(); size += 97) {
@@ -73,6 +147,11 @@ TEST(ResultFile, ThatIsCutShortAnywhereIsRefused) {
             return parse_result(text.substr(0, size), "result.json");
         })) << size;
     }
+}
+
+json without_last(json list) {
+    list.erase(list.size() - 1);
+    return list;
 }
 
 struct Damage {
@@ -140,20 +219,41 @@ INSTANTIATE_TEST_SUITE_P(
                "/methods/gp_as_in_paper/mse: is missing"},
         Damage{"WithoutValidation", "study", "/samples/validation", 0, "/samples/validation"},
         Damage{"WithANegativeCount", "study", "/samples/total", -1, "/samples/total: is -1"},
+        Damage{"WithACountBeyondAllReason", "study", "/samples/total", 3'000'000'000,
+               "/samples/total: is 3000000000, expected at most 2147483647"},
         Damage{"WithANumberForADate", "study", "/date", 5, "/date: is 5, expected text"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Identification, DamagedResult,
     ::testing::Values(
-        Damage{"WithoutEdges", "identification", "/edges", json::array(), "/edges: is empty"},
+        Damage{"WithoutEdges", "identification", "/edges", json::array(),
+               "/edges: has 0 entries, expected one for each interior edge: 7"},
+        Damage{"WithoutAnEdge", "identification", "/edges",
+               without_last(good("identification")["edges"]),
+               "/edges: has 6 entries, expected one for each interior edge: 7"},
+        Damage{"WithNegativeNoise", "identification", "/noise", -1e-3,
+               "/noise: is -0.001, expected at least 0"},
+        Damage{"WithNegativeNoiseOfTheSurvey", "identification", "/survey/noise", -1e-3,
+               "/survey/noise: is -0.001, expected at least 0"},
+        Damage{"WithANegativeCount", "identification", "/survey/used", -1,
+               "/survey/used: is -1, expected at least 0"},
+        Damage{"WithANegativeCountOfTheNet", "identification", "/net/free_nodes", -3,
+               "/net/free_nodes: is -3, expected at least 0"},
+        Damage{"WithAFlatRotation", "identification", "/frame",
+               json::parse(R"({"rotation": [[1, 0, 0]], "from": [0, 0, 0], "to": [0, 0, 0],
+                               "fit": {"rms": 0, "count": 0}, "control": []})"),
+               "/frame/rotation: has 1 entries, expected 3"},
+        Damage{"WithTextForAFrame", "identification", "/frame", "net",
+               "/frame: is the text 'net', expected an object, or null"},
         Damage{"WithAnEdgeBeyondTheNet", "identification", "/edges/0/edge", 1000,
                "/edges/0/edge: is 1000, expected an interior edge"},
         Damage{"WithAnEdgeTwice", "identification", "/edges/1", good("identification")["edges"][0],
                "/edges/1: is the edge"},
         Damage{"WithAnUnknownStatus", "identification", "/edges/0/status", "broken",
                "/edges/0/status: is 'broken'"},
-        Damage{"WithANegativeStd", "identification", "/edges/0/std", -1.0, "/edges/0: has the"},
+        Damage{"WithANegativeStd", "identification", "/edges/0/std", -1.0,
+               "/edges/0/std: is -1.0, expected at least 0"},
         Damage{"WithAReversedInterval", "identification", "/edges/0/lower", 1.0, "/edges/0: has"},
         Damage{"WithANullDeviation", "identification", "/edges/0/length_deviation", nullptr,
                "/edges/0/length_deviation: is null"},
@@ -172,6 +272,8 @@ INSTANTIATE_TEST_SUITE_P(
     Comparison, DamagedResult,
     ::testing::Values(
         Damage{"WithoutRows", "comparison", "/rows", json::array(), "/rows: is empty"},
+        Damage{"WithNegativeNoise", "comparison", "/rows/0/noise", -1e-3,
+               "/rows/0/noise: is -0.001, expected at least 0"},
         Damage{"WithoutNoise", "comparison", "/rows/0/noise", gone, "/rows/0/noise: is missing"},
         Damage{"WithANumberForAMethod", "comparison", "/rows/0/method", 1,
                "/rows/0/method: is 1, expected text"},

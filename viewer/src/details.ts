@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 
 import { h, section } from "./dom";
-import { fixed, millimetres, number, percent, short } from "./format";
+import { counted, fixed, millimetres, number, percent, rootMeanSquare, short } from "./format";
 import type { Model } from "./model";
-import { type Comparison, type FormErrorSummary, type Identification, type Method, methodsOf, type Result, type Study } from "./result";
+import {
+  type Comparison, controlOf, type FormErrorSummary, type Identification, isSlack, lengthOf, type Method, methodsOf, type Result, type Study,
+} from "./result";
 import type { Selection } from "./selection";
-import { Table } from "./table";
+import { type Column, Table } from "./table";
 
 function plainTable(caption: string, head: (string | HTMLElement)[], rows: (string | number)[][], classes: string[] = []): HTMLElement {
   const cells = (row: (string | number)[]): HTMLElement[] =>
@@ -51,29 +53,69 @@ export function paperSection(study: Study): HTMLElement {
         : "The paper's net is another one: it has 300 free nodes and 536 interior edges."));
 }
 
+/** One of the things to look at: its name, what stands beside it, and what tells more of it. */
+interface Entry {
+  index: number;
+  text?: string;
+  detail?: string;
+}
+
 /** What in a survey needs a look: told by name, each a button that shows it. */
 export function listsSection(result: Identification, model: Model, selection: Selection): HTMLElement {
   const most = 200;
-  const list = (heading: string, of: "edge" | "node", items: { index: number; text?: string }[], none: string): HTMLElement => {
+  const list = (heading: string, of: "edge" | "node", items: Entry[], none: string, note = ""): HTMLElement => {
     const name = (index: number): string => (of === "edge" ? model.edgeId(index) : model.nodeId(index));
-    const entries = items.slice(0, most).map(({ index, text }) =>
-      h("li", {}, h("button", { type: "button", class: "chip", onclick: () => selection.select({ of, index }) }, name(index), text ? h("small", {}, ` ${text}`) : null)));
+    const entries = items.slice(0, most).map(({ index, text, detail }) =>
+      h("li", {}, h("button", { type: "button", class: "chip", title: detail, onclick: () => selection.select({ of, index }) }, name(index), text ? h("small", {}, ` ${text}`) : null)));
     return h("div", { class: "list" },
       h("h3", {}, heading, h("span", { class: "count" }, String(items.length))),
       items.length === 0 ? h("p", { class: "quiet" }, none) : h("ul", {}, ...entries),
+      items.length > 0 && note ? h("p", { class: "quiet" }, note) : null,
       items.length > most ? h("p", { class: "quiet" }, `and ${items.length - most} more, in the table`) : null);
   };
   const { survey, edges } = result;
-  const ofStatus = (status: string) => edges.filter((e) => e.status === status).map((e) => ({ index: e.edge }));
-  const unmatched = (survey.unmatched ?? []).map((u) => (typeof u === "object" && u !== null && "id" in u ? String(u.id) : typeof u === "object" ? JSON.stringify(u) : String(u)));
+  const slack = edges.filter(isSlack).sort((a, b) => b.lower - a.lower)
+    .map((e): Entry => ({ index: e.edge, text: `≥ ${millimetres(e.lower)} mm`, detail: "its length deviation is at least this" }));
+  const unobserved = edges.filter((e) => e.status === "unobserved").map((e) => ({ index: e.edge }));
+  const gross = survey.outliers.map(({ node, distance, statistic }): Entry => ({
+    index: node,
+    ...(distance === undefined ? {} : { text: `${millimetres(distance)} mm` }),
+    ...(statistic === undefined ? {} : { detail: `${number(statistic)} is its square in standard deviations${survey.outlier_threshold ? `, left out above ${number(survey.outlier_threshold)}` : ""}` }),
+  }));
+  const unmatched = (survey.unmatched ?? []).map((u) => u.id);
   return section("lists", "To look at", h("div", { class: "lists" },
-    list("Slack edges", "edge", ofStatus("slack"), "None: every cable whose length was asked for carries tension."),
-    list("Unobserved edges", "edge", ofStatus("unobserved"), "None: the survey tells about every cable."),
-    list("Suspected blunders", "node", survey.outliers.map((o) => ({ index: o.node, ...(o.statistic == null ? {} : { text: fixed(o.statistic, 1) }) })), "None: no surveyed point contradicts the net."),
+    list("Slack edges", "edge", slack, "None: every cable whose length was asked for carries tension.",
+      "No more is known than that the length deviation is at least this. They are in no statistic of the deviations."),
+    list("Unobserved edges", "edge", unobserved, "None: the survey tells about every cable."),
+    list("Gross errors", "node", gross, "None: no surveyed point contradicts the net.", "Targets left out, with their distance from where all others tell."),
     list("Hidden nodes", "node", (survey.missing_nodes ?? []).map((index) => ({ index })), survey.missing > 0 ? `${survey.missing}, which the result does not name.` : "None: every free node was surveyed."),
     h("div", { class: "list" }, h("h3", {}, "Unmatched targets", h("span", { class: "count" }, String(unmatched.length))),
       unmatched.length === 0 ? h("p", { class: "quiet" }, "None: every target fits a node.")
         : h("ul", {}, ...unmatched.slice(0, most).map((text) => h("li", { class: "chip" }, text))))));
+}
+
+/** The fit of the survey's frame to its control points; null where it was given in the net's. */
+export function frameSection(result: Identification): HTMLElement | null {
+  const control = controlOf(result);
+  if (control.length === 0) return null;
+  const distances = control.map(lengthOf);
+  const worst = distances.indexOf(Math.max(...distances));
+  const { frame } = result;
+  const turn = frame ? Math.acos(Math.min(1, Math.max(-1, (frame.rotation[0][0] + frame.rotation[1][1] + frame.rotation[2][2] - 1) / 2))) : NaN;
+  const place = (point: number[]): string => `(${point.map((x) => fixed(x, 3)).join(", ")}) m`;
+  const table = new Table({
+    caption: "Residuals of the control points", rowCount: control.length, fileName: "control.csv", firstColumn: 4,
+    columns: [
+      { label: "control point", value: (row) => control[row]!.id },
+      ...(["dx", "dy", "dz"] as const).map((key): Column => ({ label: key, unit: "mm", decimals: 3, value: (row) => 1e3 * control[row]![key] })),
+      { label: "distance", unit: "mm", decimals: 3, value: (row) => 1e3 * distances[row]! },
+    ],
+  });
+  return section("frame", "Frame of the survey",
+    h("p", {}, `A rigid motion, without scale, brings the survey into the net's frame. It was fitted to ${counted(control.length, "control point")}, which it brings to their known places within ` +
+      `${millimetres(rootMeanSquare(distances))} mm (RMS), at most ${millimetres(distances[worst])} mm (${control[worst]!.id}).` +
+      (frame ? ` It turns by ${fixed((180 / Math.PI) * turn, 3)}° and takes ${place(frame.from)} to ${place(frame.to)}.` : "")),
+    table.element);
 }
 
 export function comparisonSection(comparison: Comparison): HTMLElement {
@@ -114,7 +156,7 @@ export function settingsSection(result: Result): HTMLElement {
   add("net", result.net.name);
   add("net fingerprint", result.net.fingerprint);
   add("law of the length deviations", result.law);
-  add("seed", result.seed);
+  if (result.format !== "taut-identification") add("seed", result.seed);
   if (result.format === "taut-study") {
     const { samples, seconds } = result;
     add("samples drawn", samples.total);
@@ -123,7 +165,7 @@ export function settingsSection(result: Result): HTMLElement {
     add("with slack edges", samples.with_slack);
     add("not converged", samples.not_converged);
     add("identified forms not converged", result.forms_not_converged);
-    for (const stage of ["sampling", "training", "identification", "total"]) add(stage === "total" ? "time in all" : `time, ${stage}`, `${number(seconds[stage])} s`);
+    for (const stage of ["sampling", "training", "identification", "total"] as const) add(stage === "total" ? "time in all" : `time, ${stage}`, `${number(seconds[stage])} s`);
   }
   if (result.format === "taut-comparison" && result.samples) {
     add("samples drawn", result.samples.total);
@@ -134,6 +176,9 @@ export function settingsSection(result: Result): HTMLElement {
   }
   if (result.format === "taut-identification") {
     add("method", result.method);
+    add("noise of a coordinate, as stated", result.noise === undefined ? "" : `${short(1e3 * result.noise)} mm`);
+    add("residuals over what the noise lets expect", result.survey.noise_ratio ? number(result.survey.noise_ratio) : "");
+    if (result.frame === null) add("frame of the survey", "the net's");
     add("surveyed free nodes", result.survey.used);
     add("hidden free nodes", result.survey.missing);
   }

@@ -36,3 +36,6 @@ export function counted(count: number, noun: string): string {
   const text = count < 10_000 ? String(count) : count.toLocaleString("en").replaceAll(",", "\u202f");
   return `${text} ${noun}${count === 1 ? "" : "s"}`;
 }
+
+/** NaN of none. */
+export const rootMeanSquare = (values: number[]): number => Math.sqrt(values.reduce((sum, v) => sum + v * v, 0) / values.length);

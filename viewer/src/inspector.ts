@@ -34,7 +34,7 @@ function rows(model: Model, item: Item): [string, string][] {
     ];
   }
   const [x, y, z] = model.form.subarray(3 * item.index, 3 * item.index + 3);
-  return [["place x, y, z", `${fixed(x!, 3)}, ${fixed(y!, 3)}, ${fixed(z!, 3)} m`], ...own];
+  return [["place x, y, z", `${fixed(x!, 3)}, ${fixed(y!, 3)}, ${fixed(z!, 3)} m`], ...own, ...(model.remarks.get(item.index) ?? [])];
 }
 
 /** All that the result tells of the edge or node that is selected. */

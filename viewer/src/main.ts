@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import { linkCharts } from "./charts";
-import { comparisonSection, listsSection, paperSection, settingsSection } from "./details";
+import { comparisonSection, frameSection, listsSection, paperSection, settingsSection } from "./details";
 import { byId, h } from "./dom";
 import { type Model, modelOfIdentification, modelOfStudy } from "./model";
 import { netSection } from "./net_section";
@@ -34,7 +34,10 @@ async function show(result: Result): Promise<void> {
     figures.before(net.element);
     linkCharts(model, selection);
     if (result.format === "taut-study") main.append(paperSection(result));
-    if (result.format === "taut-identification") figures.before(listsSection(result, model, selection));
+    if (result.format === "taut-identification") {
+      const frame = frameSection(result);
+      figures.before(listsSection(result, model, selection), ...(frame ? [frame] : []));
+    }
     main.append(tablesSection(model, selection, { edge: "identified", node: isStudy ? "form_identified" : "form_predicted" }));
   } else if (result.format === "taut-comparison") {
     main.append(comparisonSection(result));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 import { palette, type Rgb } from "./colours";
-import type { EdgeStatus, Identification, NetFile, Study } from "./result";
+import { number } from "./format";
+import { type EdgeStatus, type Identification, isSlack, lengthOf, type NetFile, type Study } from "./result";
 
 /** A number for each edge or node, in the unit it is shown in; NaN where there is none. */
 export interface Quantity {
@@ -45,6 +46,8 @@ export interface Model {
   quantities: Quantity[];
   displacements: Displacement[];
   unstressed: number[];
+  /** What else is told of a node when it is selected: name and text. */
+  remarks: Map<number, [string, string][]>;
   nodeId(node: number): string;
   edgeId(edge: number): string;
 }
@@ -103,6 +106,7 @@ function netOf(net: NetFile, form: [number, number, number][]): Model {
     ],
     displacements: [],
     unstressed: net.unstressed_lengths,
+    remarks: new Map(),
     nodeId: (node) => net.node_ids?.[node] ?? String(node),
     edgeId: (edge) => net.edge_ids?.[edge] ?? String(edge),
   };
@@ -165,31 +169,50 @@ export function modelOfIdentification(result: Identification): Model {
   const net = result.cable_net;
   const model = netOf(net, result.form);
   model.charted = result.edges.map((e) => e.edge);
-  const of = (key: "length_deviation" | "std" | "lower" | "upper"): Float64Array =>
-    spread(model.edgeCount, model.charted, result.edges.map((e) => e[key]));
+  type Key = "length_deviation" | "std" | "lower" | "upper";
+  const of = (key: Key, edges = result.edges): Float64Array =>
+    spread(model.edgeCount, edges.map((e) => e.edge), edges.map((e) => e[key]));
+  const tense = result.edges.filter((e) => !isSlack(e));
+  const slack = result.edges.filter(isSlack);
   const statusOf = new Map(result.edges.map((e) => [e.edge, e.status]));
   const fromNominal = difference(result.form, net.nodes);
   model.quantities.push(
     statusQuantity(model, (e) => statusOf.get(e) ?? "unobserved"),
     quantity({
-      key: "identified", label: "length deviation, identified", head: "deviation", unit: "mm", of: "edge", kind: "diverging", decimals: 3, values: of("length_deviation"),
-      interval: { lower: of("lower"), upper: of("upper") },
+      key: "identified", label: "length deviation, identified", head: "deviation", unit: "mm", of: "edge", kind: "diverging", decimals: 3, scale: "deviation",
+      values: of("length_deviation", tense), interval: { lower: of("lower", tense), upper: of("upper", tense) },
     }),
+    ...(slack.length > 0 ? [quantity({
+      key: "bound", label: "length deviation of a slack edge, at least", head: "slack: at least", unit: "mm", of: "edge", kind: "diverging", decimals: 3, scale: "deviation",
+      values: of("lower", slack),
+    })] : []),
     quantity({ key: "std", label: "standard deviation of the identified length", head: "std", unit: "mm", of: "edge", kind: "sequential", decimals: 3, values: of("std") }),
     ...(result.tension ? tensionAndStrain(net, result.tension, ", predicted", "") : []),
     quantity({ key: "form_predicted", label: "form deviation, predicted − nominal", unit: "mm", of: "node", kind: "sequential", decimals: 3, values: distances(fromNominal, model.isSupport) }),
   );
   model.displacements = [{ label: "predicted form, from nominal", base: flat(net.nodes), vectors: fromNominal }];
 
-  const residuals = result.survey.residuals ?? [];
+  const { residuals = [], outliers, outlier_threshold } = result.survey;
+  if (outliers.length > 0) {
+    const distance = outliers.map((o) => o.distance ?? NaN);
+    model.quantities.push(quantity({
+      key: "outlier", label: "gross error, from where all others tell", head: "gross error", unit: "mm", of: "node", kind: "sequential", decimals: 3,
+      values: spread(model.nodeCount, outliers.map((o) => o.node), distance),
+    }));
+  }
+  for (const { node, statistic } of outliers) {
+    if (statistic === undefined) continue;
+    const threshold = outlier_threshold ? `; left out above ${number(outlier_threshold)}` : "";
+    model.remarks.set(node, [["gross error, square in standard deviations", `${number(statistic)}${threshold}`]]);
+  }
   if (residuals.length > 0) {
     const vectors = new Float32Array(3 * model.nodeCount);
     const values = new Float64Array(model.nodeCount).fill(NaN);
-    for (const { node, dx, dy, dz } of residuals) {
-      vectors.set([dx, dy, dz], 3 * node);
-      values[node] = 1e3 * Math.hypot(dx, dy, dz);
+    for (const residual of residuals) {
+      vectors.set([residual.dx, residual.dy, residual.dz], 3 * residual.node);
+      if (!outliers.some((o) => o.node === residual.node)) values[residual.node] = 1e3 * lengthOf(residual);
     }
-    model.quantities.push(quantity({ key: "residual", label: "surveyed − predicted", unit: "mm", of: "node", kind: "sequential", decimals: 3, values }));
+    model.quantities.push(quantity({ key: "residual", label: `surveyed − predicted${outliers.length > 0 ? ", targets in use" : ""}`, unit: "mm", of: "node", kind: "sequential", decimals: 3, values }));
     model.displacements.push({ label: "surveyed form, from predicted", base: model.form, vectors });
   }
   return model;

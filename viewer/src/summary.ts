@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 import { h } from "./dom";
-import { counted, millimetres, number, percent, short } from "./format";
-import { type Comparison, type ComparisonRow, type Counts, type Identification, methodsOf, type Result, type Study } from "./result";
+import { counted, millimetres, number, percent, rootMeanSquare, short } from "./format";
+import {
+  type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isSlack, lengthOf, methodsOf, type Result, type Study,
+} from "./result";
 
 /** What the top of the page says: a title, what was done, three sentences, some numbers. */
 interface Summary {
@@ -74,47 +76,85 @@ const methodNames: Record<string, string> = {
 };
 
 function warnings(result: Identification): string {
-  const slack = result.edges.filter((e) => e.status === "slack").length;
+  const slack = result.edges.filter(isSlack).length;
   const unobserved = result.edges.filter((e) => e.status === "unobserved").length;
   const { outliers, missing, unmatched = [] } = result.survey;
   const found = [
-    slack && `${counted(slack, "slack cable")}, whose length shows in nothing`,
+    slack && `${counted(slack, "slack cable")}, of which only a lower bound of the length is known`,
     unobserved && `${counted(unobserved, "cable")} that the survey does not tell about`,
-    outliers.length && counted(outliers.length, "suspected blunder"),
+    outliers.length && counted(outliers.length, "gross error"),
     missing && counted(missing, "node") + " not surveyed",
     unmatched.length && counted(unmatched.length, "target") + " that fit no node",
   ].filter(Boolean);
   return found.length > 0
     ? `To look at: ${found.join("; ")}.`
-    : "No cable is slack, every cable is observed, and the survey shows no blunder and no hidden node.";
+    : "No cable is slack, every cable is observed, and the survey shows no gross error and no hidden node.";
+}
+
+/** Median half width of the 95 % intervals [m]. */
+function medianHalfWidth(edges: IdentifiedEdge[]): number {
+  const halves = edges.map((e) => (e.upper - e.lower) / 2).sort((a, b) => a - b);
+  return halves[Math.floor(halves.length / 2)] ?? NaN;
+}
+
+/** The cable that deviates most, of those that are not slack. */
+function longestWords(result: Identification, tense: IdentifiedEdge[]): string {
+  if (tense.length === 0) return "";
+  const longest = tense.reduce((a, b) => (Math.abs(b.length_deviation) > Math.abs(a.length_deviation) ? b : a));
+  const id = result.cable_net.edge_ids?.[longest.edge] ?? String(longest.edge);
+  const among = tense.length < result.edges.length ? "of those that are not slack, " : "";
+  return `; ${among}the cable ${id} deviates most: ${millimetres(Math.abs(longest.length_deviation))} mm ${longest.length_deviation >= 0 ? "longer" : "shorter"} than designed`;
+}
+
+/** How far the model's form is from the survey, and over which targets: the figure tells the same. */
+function fitWords({ survey }: Identification): string {
+  const left = new Set(survey.outliers.map((o) => o.node));
+  const away = (survey.residuals ?? []).filter((r) => left.has(r.node)).map(lengthOf);
+  const over = left.size === 0 ? "" : `, over the ${counted(survey.used - left.size, "target")} in use`;
+  const apart = away.length === 0 ? "" : `; the ${away.length} left out for gross errors ${away.length === 1 ? "is" : "are up to"} ${millimetres(Math.max(...away))} mm away`;
+  return `With these lengths the model's form lies ${millimetres(survey.rms_residual)} mm (RMS) from the surveyed one, at most ${millimetres(survey.max_residual)} mm${over}${apart}.` +
+    ratioWords(survey.noise_ratio);
+}
+
+/** The bounds beyond which the stated noise is doubtful are those of `taut identify`. */
+function ratioWords(ratio = 0): string {
+  if (!(ratio > 0)) return "";
+  const doubt = ratio > 1.3 ? ": the noise stated seems too small, and so all intervals" : ratio < 0.7 ? ": the noise stated seems too large, and so all intervals" : "";
+  return ` The survey's residuals are ${number(ratio)} times what its noise lets expect${doubt}.`;
+}
+
+function frameWords(result: Identification): string {
+  const control = controlOf(result);
+  return control.length > 0
+    ? ` It was moved into the net's frame by ${counted(control.length, "control point")}, which fit to ${millimetres(rootMeanSquare(control.map(lengthOf)))} mm (RMS).`
+    : "";
 }
 
 function ofIdentification(result: Identification): Summary {
   const { edges, survey } = result;
-  const longest = edges.reduce((a, b) => (Math.abs(b.length_deviation) > Math.abs(a.length_deviation) ? b : a));
-  const halves = edges.map((e) => (e.upper - e.lower) / 2).sort((a, b) => a - b);
-  const median = halves[Math.floor(halves.length / 2)]!;
-  const identified = edges.filter((e) => e.status === "identified").length;
-  const id = result.cable_net.edge_ids?.[longest.edge] ?? String(longest.edge);
-  const rms = Math.sqrt(edges.reduce((sum, e) => sum + e.length_deviation ** 2, 0) / edges.length);
-  const noise = result.noise == null ? "" : ` The survey's noise was taken as ${typeof result.noise === "number" ? `${short(1e3 * result.noise)} mm` : result.noise} a coordinate.`;
+  const tense = edges.filter((e) => !isSlack(e));
+  const identified = edges.filter((e) => e.status === "identified");
+  const median = `±${millimetres(medianHalfWidth(identified))}`;
+  const noise = result.noise === undefined ? "" : ` The survey's noise was taken as ${short(1e3 * result.noise)} mm a coordinate.`;
+  const law = result.law ? `, for cables made too long or too short ${lawWords(result.law)}` : "";
+  const notSlack = tense.length < edges.length ? ", slack cables apart" : "";
   return {
     title: "How long each cable is, from one survey",
     done:
-      `One survey of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed. ` +
-      `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}.${noise}`,
+      `One survey of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed.${frameWords(result)} ` +
+      `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}${law}.${noise}`,
     sentences: [
-      `${identified} of ${counted(edges.length, "interior cable")} are identified, to ±${millimetres(median)} mm (95 %, median); ` +
-        `the cable ${id} deviates most: ${millimetres(Math.abs(longest.length_deviation))} mm ${longest.length_deviation >= 0 ? "longer" : "shorter"} than designed.`,
-      `With these lengths the model's form lies ${millimetres(survey.rms_residual)} mm (RMS) from the surveyed one, at most ${millimetres(survey.max_residual)} mm.`,
+      `${identified.length} of ${counted(edges.length, "interior cable")} are identified${identified.length > 0 ? `, to ${median} mm (95 %, median)` : ""}${longestWords(result, tense)}.`,
+      fitWords(result),
       warnings(result),
     ],
     figures: [
-      { value: `${identified} / ${edges.length}`, unit: "", label: "cables identified" },
-      { value: millimetres(rms), unit: "mm", label: "length deviation, RMS" },
-      { value: `±${millimetres(median)}`, unit: "mm", label: "95 % interval, median" },
+      { value: `${identified.length} / ${edges.length}`, unit: "", label: "cables identified" },
+      { value: millimetres(rootMeanSquare(tense.map((e) => e.length_deviation))), unit: "mm", label: `length deviation, RMS${notSlack}` },
+      { value: median, unit: "mm", label: "95 % interval, median of the identified" },
       { value: millimetres(survey.rms_residual), unit: "mm", label: "predicted to surveyed, RMS" },
-      { value: String(survey.outliers.length), unit: "", label: "suspected blunders" },
+      ...(survey.noise_ratio ? [{ value: number(survey.noise_ratio), unit: "", label: "residuals, over what the noise lets expect" }] : []),
+      { value: String(survey.outliers.length), unit: "", label: "gross errors, left out" },
     ],
   };
 }

@@ -264,8 +264,93 @@ test("troubles of a survey are listed and lead to their place", async () => {
   assert.equal(await inspected(page), `Edge ${result.edges[0].edge}`);
   assert.equal(await inspectedValue(page, "status"), "slack");
   assert.equal(await page.locator("[data-figure=residual_histogram]").count(), 1);
-  assert.match(await page.textContent(".sentences"), /1 slack cable.*1 suspected blunder.*2 nodes not surveyed/s);
+  assert.match(await page.textContent(".sentences"), /1 slack cable.*1 gross error.*2 nodes not surveyed/s);
   await close(page);
+});
+
+test("a gross error is told in mm, its statistic where more is asked of it", async () => {
+  const page = await open(reports.troubled.page);
+  const chip = page.locator("#lists .list:nth-child(3) .chip");
+  assert.equal(await chip.textContent(), "8 51.2 mm");
+  assert.match(await chip.getAttribute("title"), /5\.25.*left out above 4\.50/);
+  await chip.click();
+  assert.equal(await inspectedValue(page, "gross error, from where all others tell"), "51.200 mm");
+  assert.equal(await inspectedValue(page, "gross error, square in standard deviations"), "5.25; left out above 4.50");
+  await close(page);
+});
+
+test("headline and caption tell the same distances, over the same targets", async () => {
+  for (const { page: path, result } of [reports.troubled, reports.moved]) {
+    const page = await open(path);
+    const left = new Set(result.survey.outliers.map((o) => o.node));
+    const distances = result.survey.residuals.filter((r) => !left.has(r.node)).map((r) => 1e3 * Math.hypot(r.dx, r.dy, r.dz));
+    const most = Math.max(...distances);
+    const rms = Math.sqrt(distances.reduce((sum, d) => sum + d * d, 0) / distances.length);
+    const caption = await page.textContent("figure:has([data-figure=residual_map]) figcaption");
+    const [, ofCaption, mostOfCaption] = /give: ([^ ]+) mm RMS, at most ([^ ]+) mm\./.exec(caption);
+    assert.ok(Math.abs(plainNumber(ofCaption) - rms) <= 0.006 * rms, caption);
+    assert.ok(Math.abs(plainNumber(mostOfCaption) - most) <= 0.006 * most, caption);
+    const headline = await page.textContent(".sentences li:nth-child(2)");
+    if (left.size > 0) {
+      assert.match(headline, /over the \d+ targets in use; the 1 left out for gross errors is 50\.0 mm away/);
+      assert.match(caption, /1 target left out for gross errors, up to 50\.0 mm away/);
+    } else {
+      const [, inHeadline, mostInHeadline] = /lies ([^ ]+) mm \(RMS\).* at most ([^ ]+) mm\./.exec(headline);
+      assert.deepEqual([inHeadline, mostInHeadline], [ofCaption, mostOfCaption]);
+    }
+    await close(page);
+  }
+});
+
+test("slack edges stand apart with their bound, and in no statistic of deviations", async () => {
+  const { page: path, result } = reports.troubled;
+  const page = await open(path);
+  const slack = result.edges[0].edge;
+  assert.equal(await page.textContent("#lists .list:nth-child(1) .chip"), `${slack} ≥ 63.2 mm`);
+  assert.match(await page.textContent("#lists .list:nth-child(1)"), /in no statistic of the deviations/);
+  const tense = result.edges.filter((e) => e.status !== "slack");
+  const largest = Math.max(...tense.map((e) => Math.abs(1e3 * e.length_deviation)));
+  const headline = await page.textContent(".sentences li:nth-child(1)");
+  const [, told] = /of those that are not slack, the cable \S+ deviates most: ([^ ]+) mm/.exec(headline);
+  assert.ok(Math.abs(plainNumber(told) - largest) <= 0.006 * largest, headline);
+  const card = page.locator(".card", { hasText: "length deviation, RMS, slack cables apart" });
+  const rms = 1e3 * Math.sqrt(tense.reduce((sum, e) => sum + e.length_deviation ** 2, 0) / tense.length);
+  assert.ok(Math.abs(plainNumber(await card.locator(".value").textContent()) - rms) <= 0.006 * rms);
+  assert.notEqual(await page.textContent("#tables tr[data-row] td"), String(slack), "the slack edge is ranked among the largest deviations");
+  await page.click("#lists .list:nth-child(1) .chip");
+  assert.equal(await inspectedValue(page, "length deviation of a slack edge, at least"), "63.200 mm");
+  assert.equal(await inspectedValue(page, "length deviation, identified"), undefined);
+  assert.match(await page.textContent("[data-figure=length_intervals]"), /slack: at least/);
+  await close(page);
+});
+
+test("law, noise ratio, frame and control residuals are shown", async () => {
+  const { page: path, result } = reports.moved;
+  assert.equal(result.law, "uniform:2mm");
+  const page = await open(path);
+  const top = await page.textContent("header");
+  assert.match(top, /anywhere within ±2 mm/);
+  const ratio = plainNumber(/residuals are ([\d.]+) times what its noise lets expect/.exec(top)[1]);
+  assert.ok(Math.abs(ratio - result.survey.noise_ratio) <= 0.006 * ratio);
+  assert.match(await page.textContent("#settings"), /law of the length deviationsuniform:2mm/);
+  const { fit, control } = result.frame;
+  assert.equal(fit.count, control.length);
+  assert.ok(top.includes(`moved into the net's frame by ${fit.count} control points`));
+  const told = await page.textContent("#frame p");
+  const [, rms, most, id] = /within ([^ ]+) mm \(RMS\), at most ([^ ]+) mm \((\S+)\)/.exec(told);
+  assert.ok(Math.abs(plainNumber(rms) - 1e3 * fit.rms) <= 0.006 * 1e3 * fit.rms, told);
+  const distances = control.map((c) => 1e3 * Math.hypot(c.dx, c.dy, c.dz));
+  assert.ok(Math.abs(plainNumber(most) - Math.max(...distances)) <= 0.006 * Math.max(...distances));
+  assert.equal(id, control[distances.indexOf(Math.max(...distances))].id);
+  const [file] = await Promise.all([page.waitForEvent("download"), page.click("#frame .csv")]);
+  const [, ...rows] = parse(readFileSync(await file.path(), "utf8"));
+  assert.equal(rows.length, fit.count);
+  assert.equal(Number(rows[0][4]), Math.max(...distances));
+  await close(page);
+  const troubled = await open(reports.troubled.page);
+  assert.match(await troubled.textContent(".sentences"), /1\.47 times what its noise lets expect: the noise stated seems too small/);
+  assert.match(await troubled.textContent("#settings"), /frame of the surveythe net's/);
+  await close(troubled);
 });
 
 test("what a result does not tell is said, not left empty", async () => {

@@ -3,19 +3,25 @@
 //
 // Makes results of every kind with the program, and reports of them, in a temporary folder.
 
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 const program = process.env.TAUT_PROGRAM;
+/** What the program says to words that it refuses; null where it takes them. */
+export function refusalOf(...words) {
+  const { status, stderr } = spawnSync(program, words, { cwd: folder, encoding: "utf8" });
+  return status === 0 ? null : stderr;
+}
+
 export const folder = mkdtempSync(join(tmpdir(), "taut-viewer-"));
 
 function taut(...words) {
   return execFileSync(program, words, { cwd: folder, encoding: "utf8" });
 }
 
-function write(name, result) {
+export function write(name, result) {
   writeFileSync(join(folder, `${name}.json`), JSON.stringify(result));
 }
 
@@ -25,16 +31,17 @@ function report(name) {
   return { page: join(folder, `${name}.html`), result: JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8")) };
 }
 
-/** What a survey with troubles gives: blunders, hidden nodes, slack edges, targets of no node. */
+/** What a survey with troubles gives: gross errors, hidden nodes, slack edges, targets of no node. */
 function troubled(identification) {
   const result = structuredClone(identification);
   result.survey.residuals.forEach((r, i) => (r.standardised = [Math.sin(i), Math.cos(3 * i), Math.sin(7 * i)]));
   Object.assign(result.survey, {
-    outliers: [{ node: 8, id: "8", statistic: 5.25 }],
+    outliers: [{ node: 8, id: "8", distance: 0.0512, statistic: 5.25 }], outlier_threshold: 4.5, noise_ratio: 1.47,
     missing: 2, missing_nodes: [9, 10],
-    unmatched: ["T-900", { id: "<b>T-901</b>" }],
+    unmatched: [{ id: "T-900" }, { id: "<b>T-901</b>" }],
   });
-  result.edges[0].status = "slack";
+  Object.assign(result.survey.residuals.find((r) => r.node === 8), { dx: 0, dy: 0.03, dz: 0.04 });
+  Object.assign(result.edges[0], { status: "slack", length_deviation: 0.08, lower: 0.0632, upper: 0.1 });
   result.edges[1].status = "unobserved";
   return result;
 }
@@ -57,13 +64,15 @@ export function makeReports() {
   taut(...run, "--samples", "30", "--validation", "1", "-o", "one");
   taut("form", "net.json", "-o", "survey.csv");
   taut("identify", "net.json", "survey.csv", "--model", "study/model.h5", "-o", "plain.json", "--quiet");
+  taut("survey", "net.json", "survey.csv", "--noise", "0.2mm", "--frame", "random", "--seed", "3", "-o", "moved.csv");
+  taut("identify", "net.json", "moved.csv", "--noise", "0.2mm", "--law", "uniform:2mm", "-o", "moved.json", "--quiet");
   const plain = JSON.parse(readFileSync(join(folder, "plain.json"), "utf8"));
   const bare = structuredClone(plain);
   for (const key of ["residuals", "missing_nodes"]) delete bare.survey[key];
-  for (const key of ["tension", "date", "command", "program"]) delete bare[key];
+  for (const key of ["tension", "date", "command", "program", "law", "frame"]) delete bare[key];
   write("bare", bare);
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
   taut("compare", "net.json", "-o", "comparison", "--law", "uniform:2mm", "--noise", "0,0.1mm,0.5mm", "--training", "30,60", "--surveys", "4", "--quiet");
-  return Object.fromEntries(["study/results", "one/results", "plain", "bare", "troubled", "hostile", "comparison/comparison"].map((name) => [name.split("/")[0], report(name)]));
+  return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison"].map((name) => [name.split("/")[0], report(name)]));
 }

@@ -41,6 +41,7 @@ struct IdentificationResult {
         int node = 0;
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]
         std::optional<Eigen::Vector3d> standardised;  ///< in standard deviations
+        bool is_in_use = true;  ///< false for a target that was left out for a gross error
     };
     std::vector<Residual> residuals;
 };
@@ -66,7 +67,9 @@ struct ResultFile {
 };
 
 /// Reads a result in one of the formats "taut-study", "taut-identification" and "taut-comparison",
-/// version 1. All that a report shows is checked: kinds, sizes, indices, finite numbers.
+/// version 1. It must keep to their schema (result.schema.json, installed beside the library), and
+/// to what a schema cannot tell: sizes and indices those of the net, one edge for each interior
+/// one.
 /// @param file_name for messages
 /// @throws InputError at a line and column for what is no JSON, and at a JSON pointer for what is
 ///   missing, of another type or size, or breaks a rule

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/survey/frame.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -17,27 +18,6 @@ struct ControlPoint {
     Eigen::Vector3d measured;  ///< [m]
     int line = 0;              ///< of the survey's file, for messages
 };
-
-/// A rotation and a translation, x -> R (x - from) + to. Kept with two centres, so that coordinates
-/// of a national grid (10^6 m) lose nothing.
-struct RigidMotion {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< [m]
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< [m]
-
-    [[nodiscard]] Eigen::Vector3d operator()(const Eigen::Vector3d& x) const {
-        return rotation * (x - from) + to;
-    }
-};
-
-/// A rigid motion fitted to control points.
-struct Registration {
-    RigidMotion motion;                      ///< from the instrument's frame to the net's
-    std::vector<ControlResidual> residuals;  ///< of the points it was fitted to, in their order
-};
-
-/// Root of the mean squared length of residuals; 0 where there are none [m].
-[[nodiscard]] double root_mean_square(const std::vector<ControlResidual>& residuals);
 
 /// The rigid motion, without scale, that moves the measured places nearest to the known ones in
 /// the sense of least squares (Kabsch 1976; Umeyama 1991).

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
+#include "taut/survey/frame.hpp"
 
 namespace taut {
 
@@ -39,12 +40,6 @@ struct UnmatchedPoint {
     UnmatchedReason reason = UnmatchedReason::far_from_every_node;
 };
 
-/// How far a control point lies from its known place after the fit of the survey's frame.
-struct ControlResidual {
-    std::string id;
-    Eigen::Vector3d residual;  ///< measured, moved, less known [m]
-};
-
 /// A survey brought to the nodes of a net.
 struct Survey {
     Points form;  ///< 3 x n: surveyed where it was, nominal elsewhere [m]
@@ -54,7 +49,7 @@ struct Survey {
     std::vector<int> surveyed;              ///< free nodes that were measured, ascending
     std::vector<int> missing;               ///< free nodes that were not, ascending
     std::vector<UnmatchedPoint> unmatched;  ///< in the order of the points
-    std::vector<ControlResidual> control;   ///< empty where the frame was not fitted
+    std::optional<Registration> frame;      ///< empty where it was given in the net's
     std::vector<std::string> warnings;  ///< what is most likely told in another unit, a line each
 
     /// Whether some surveyed coordinate has noise.

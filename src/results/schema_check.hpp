@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "files/json_value.hpp"
+
+namespace taut {
+
+/// result.schema.json: the JSON Schema of all saved results.
+[[nodiscard]] std::string_view result_schema();
+
+/// Checks a value against a definition of the schema, with the keywords that the schema uses.
+/// @param definition "study", "identification" or "comparison"
+/// @throws InputError at the first value that the schema refuses
+void check_against_schema(const JsonValue& value, const std::string& definition);
+
+}  // namespace taut

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a result that does not tell what it was reckoned with: the law of the lengths, and
+// the frame that the survey was moved into.
+
+#include "taut/results/results_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/force_balance.hpp"
+#include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/results/result_file.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+
+/// A survey of the net as designed.
+Survey whole_survey(const CableNet& net, double noise) {
+    const Points form = EquilibriumSolver(net).solve(net.unstressed_lengths(), net.nodes()).form;
+    return {.form = form,
+            .noise_std = Points::Constant(3, net.node_count(), noise),
+            .surveyed = net.free_nodes()};
+}
+
+json written(const CableNet& net, const Survey& survey, const Identification& identification) {
+    const std::string text = identification_to_json(net, survey, identification);
+    EXPECT_NO_THROW(static_cast<void>(parse_result(text, "result.json")));
+    return json::parse(text);
+}
+
+TEST(IdentificationJson, TellsTheLawOfEachMethod) {
+    const CableNet net = hypar(3, 4);
+    const LengthLaw law = parse_length_law("normal:2mm");
+    for (const double noise : {0.0, 1e-4}) {
+        const Survey survey = whole_survey(net, noise);
+        for (const Identification& result : {identify_by_force_balance(net, survey, law),
+                                             identify_by_maximum_a_posteriori(net, survey, law)}) {
+            EXPECT_EQ(written(net, survey, result)["law"], "normal:2mm") << result.method << noise;
+        }
+    }
+}
+
+TEST(IdentificationJson, TellsTheFrameThatTheSurveyWasMovedInto) {
+    const CableNet net = hypar(3, 4);
+    Survey survey = whole_survey(net, 1e-4);
+    const Identification result =
+        identify_by_maximum_a_posteriori(net, survey, parse_length_law("uniform:5mm"));
+    EXPECT_TRUE(written(net, survey, result)["frame"].is_null());
+    EXPECT_TRUE(written(net, survey, result)["survey"]["control"].empty());
+
+    Registration frame;
+    frame.motion.rotation =
+        Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    frame.motion.from = {1e6, 2e6, 400.0};
+    frame.motion.to = {1.0, 2.0, 3.0};
+    frame.residuals = {{.id = "P1", .residual = {3e-3, 0.0, 4e-3}},
+                       {.id = "P2", .residual = {0.0, 0.0, 1e-3}}};
+    survey.frame = frame;
+    const json document = written(net, survey, result);
+    const json& told = document["frame"];
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(told["from"][i], frame.motion.from(i));
+        EXPECT_EQ(told["to"][i], frame.motion.to(i));
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_EQ(told["rotation"][i][k], frame.motion.rotation(i, k));
+        }
+    }
+    EXPECT_EQ(told["fit"]["count"], 2);
+    EXPECT_NEAR(told["fit"]["rms"].get<double>(), std::sqrt(26e-6 / 2.0), 1e-12);
+    EXPECT_EQ(told["control"][0], (json{{"id", "P1"}, {"dx", 3e-3}, {"dy", 0.0}, {"dz", 4e-3}}));
+    EXPECT_EQ(told["control"], document["survey"]["control"]);
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Made by types.mjs from src/results/result.schema.json: change that, then `npm run types`.
+
+/**
+ * A saved result of taut, version 1. All numbers are in SI units. Keys that are not named here may stand beside those that are.
+ */
+export type Result = Study | Identification | Comparison;
+export type Count = number;
+export type SizeOrNull = number | null;
+export type Size = number;
+/**
+ * @minItems 3
+ * @maxItems 3
+ */
+export type Point = [number, number, number];
+export type Points = Point[];
+export type Index = number;
+export type Indices = Index[];
+/**
+ * @minItems 2
+ * @maxItems 2
+ */
+export type Pair = [Index, Index];
+export type Numbers = number[];
+export type Texts = string[];
+export type EdgeStatus = "identified" | "slack" | "unobserved";
+export type CountOrNull = number | null;
+
+/**
+ * Of taut reproduce. Lists over edges are in the order of the interior edges, lists over nodes in that of the free nodes, forms and tensions those of all nodes and edges.
+ */
+export interface Study {
+  format: "taut-study";
+  version: 1;
+  program?: string;
+  date?: string;
+  command?: string;
+  law?: string;
+  seed?: number;
+  net: Counts;
+  samples: {
+    total: Count;
+    training: Count;
+    validation: Count;
+    with_slack: Count;
+    not_converged: Count;
+  };
+  methods: {
+    [k: string]: Method;
+  };
+  form_error: FormErrors;
+  form_error_mean_over_validation?: FormErrors;
+  forms_not_converged?: Count;
+  paper?: {
+    mse: Size;
+    mrse: Size;
+    form_error: FormErrors;
+  };
+  seconds: Seconds;
+  cable_net: NetFile;
+  nominal_form: Points;
+  /**
+   * The first validation sample.
+   */
+  sample: {
+    index?: Index;
+    true: Numbers;
+    identified: Numbers;
+    std: Numbers;
+    true_form: Points;
+    identified_form: Points;
+    true_tension: Numbers;
+    identified_tension: Numbers;
+    form_error: {
+      nominal: Numbers;
+      identified: Numbers;
+    };
+  };
+  /**
+   * True less identified lengths over the validation samples.
+   */
+  errors: {
+    mean: Numbers;
+    std: Numbers;
+    all?: Numbers[];
+  };
+}
+export interface Counts {
+  name?: string;
+  free_nodes?: Count;
+  supports?: Count;
+  interior_edges?: Count;
+  adjustable_edges?: Count;
+  fingerprint?: string;
+}
+/**
+ * The numbers of the lengths are null where the method failed throughout.
+ */
+export interface Method {
+  surveys?: Count;
+  failed?: Count;
+  first_failure?: string;
+  mse: SizeOrNull;
+  mse_of_taut_edges?: SizeOrNull;
+  mrse: SizeOrNull;
+  error_mean_max_abs: SizeOrNull;
+  error_std_mean: SizeOrNull;
+  coverage_95?: SizeOrNull;
+  form_error?: FormErrorSummary | null;
+  forms_not_converged?: Count;
+  training_seconds?: Size;
+  seconds?: Size;
+}
+/**
+ * Distances between two forms over the free nodes [m].
+ */
+export interface FormErrorSummary {
+  max: Size;
+  min: Size;
+  mean: Size;
+  rmse: Size;
+}
+export interface FormErrors {
+  nominal: FormErrorSummary;
+  identified: FormErrorSummary;
+}
+export interface Seconds {
+  sampling: Size;
+  training: Size;
+  identification: Size;
+  total: Size;
+}
+/**
+ * A net in taut's own format; its reader checks it further.
+ */
+export interface NetFile {
+  format: "taut-net";
+  version: 1;
+  name?: string;
+  nodes: Points;
+  supports: Indices;
+  edges: Pair[];
+  axial_stiffness: number | Numbers;
+  unstressed_lengths: Numbers;
+  adjustable: Indices;
+  loads?: Points;
+  node_ids?: Texts;
+  edge_ids?: Texts;
+}
+/**
+ * Of taut identify.
+ */
+export interface Identification {
+  format: "taut-identification";
+  version: 1;
+  program?: string;
+  date?: string;
+  command?: string;
+  method: string;
+  method_reason?: string;
+  status?: string;
+  /**
+   * Of the length deviations, as reckoned with: "uniform:5mm".
+   */
+  law?: string;
+  /**
+   * Root mean square of the stated standard deviations [m].
+   */
+  noise?: number;
+  net_fingerprint?: string;
+  net: Counts;
+  edges: IdentifiedEdge[];
+  form: Points;
+  tension?: Numbers;
+  /**
+   * How the survey was brought into the net's frame; null where it was given in it.
+   */
+  frame?: Frame | null;
+  survey: Survey;
+  cable_net: NetFile;
+}
+export interface IdentifiedEdge {
+  edge: Index;
+  id?: string;
+  nodes?: Pair;
+  /**
+   * Unstressed length as designed [m].
+   */
+  nominal: number;
+  /**
+   * Estimate of true less nominal [m].
+   */
+  length_deviation: number;
+  /**
+   * Standard deviation of the estimate [m].
+   */
+  std: number;
+  /**
+   * 95 % interval of the deviation; all that is known of a slack edge [m].
+   */
+  lower: number;
+  upper: number;
+  status: EdgeStatus;
+}
+/**
+ * The rigid motion x -> rotation (x - from) + to from the instrument's frame to the net's.
+ */
+export interface Frame {
+  /**
+   * Rows of the matrix.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  rotation: [Point, Point, Point];
+  from: Point;
+  to: Point;
+  fit: {
+    /**
+     * Of the lengths of the control points' residuals [m].
+     */
+    rms: number;
+    count: Count;
+  };
+  control: ControlResidual[];
+}
+/**
+ * Measured, moved into the net's frame, less known [m].
+ */
+export interface ControlResidual {
+  id: string;
+  dx: number;
+  dy: number;
+  dz: number;
+}
+export interface Survey {
+  used: Count;
+  missing: Count;
+  noise?: Size;
+  /**
+   * Residuals over what the noise lets expect; 0 where not computed.
+   */
+  noise_ratio?: number;
+  outliers: Outlier[];
+  outlier_threshold?: number;
+  /**
+   * Of the targets that were not left out [m].
+   */
+  rms_residual: number;
+  max_residual: number;
+  residuals?: Residual[];
+  missing_nodes?: Indices;
+  unmatched?: Unmatched[];
+  /**
+   * As in frame, for readers that do not know it.
+   */
+  control?: ControlResidual[];
+}
+/**
+ * A target left out for a gross error.
+ */
+export interface Outlier {
+  node: Index;
+  id?: string;
+  /**
+   * Of the surveyed place from the one that all others tell [m].
+   */
+  distance?: number;
+  /**
+   * Its square in standard deviations, to be compared with outlier_threshold.
+   */
+  statistic?: number;
+}
+/**
+ * Surveyed less predicted [m].
+ */
+export interface Residual {
+  node: Index;
+  dx: number;
+  dy: number;
+  dz: number;
+  standardised?: Point | null;
+}
+/**
+ * A target that was put on no node.
+ */
+export interface Unmatched {
+  id: string;
+  line?: Count;
+  reason?: string;
+  /**
+   * Name of a node.
+   */
+  nearest?: string;
+  distance?: Size;
+}
+/**
+ * Of taut compare.
+ */
+export interface Comparison {
+  format: "taut-comparison";
+  version: 1;
+  program?: string;
+  date?: string;
+  command?: string;
+  law?: string;
+  seed?: number;
+  net: Counts;
+  common_noise?: Size;
+  common_training_samples?: CountOrNull;
+  samples?: {
+    total: Count;
+    not_converged: Count;
+    surveyed: Count;
+    surveyed_with_slack: Count;
+  };
+  seconds?: Seconds;
+  /**
+   * @minItems 1
+   */
+  rows: [ComparisonRow, ...ComparisonRow[]];
+}
+/**
+ * One method at one noise, training size and part of hidden nodes. What the method does not have is null.
+ */
+export interface ComparisonRow {
+  method: string;
+  /**
+   * Standard deviation of a surveyed coordinate [m].
+   */
+  noise: number;
+  hidden_fraction?: SizeOrNull;
+  training_samples?: CountOrNull;
+  surveys?: CountOrNull;
+  failed?: CountOrNull;
+  first_failure?: string | null;
+  mse?: SizeOrNull;
+  best_possible_mse?: SizeOrNull;
+  mse_of_taut_edges?: SizeOrNull;
+  best_possible_mse_of_taut_edges?: SizeOrNull;
+  mrse?: SizeOrNull;
+  form_error?: SizeOrNull;
+  forms_not_converged?: CountOrNull;
+  coverage?: SizeOrNull;
+  training_seconds?: SizeOrNull;
+  seconds?: SizeOrNull;
+}
