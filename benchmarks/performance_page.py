@@ -145,7 +145,7 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 
 ## Identification, built-in net, standard deviations included
 
-| way | survey's noise | time |
+| method | survey's noise | time |
 |---|---|---|
 | force balance | none | {ms('balance/0')} |
 | force balance | 0.5 mm | {ms('balance/5')} |

@@ -99,6 +99,24 @@ def check(root):
     return problems
 
 
+def check_table(root):
+    """Whether docs/architecture.md shows the same rooms in the same order, each with what it may
+    include, and whether each includes only rooms above it."""
+    problems = []
+    rows = re.findall(r"^\| `(\w+)` \|.*\| ([\w, ]*)\|$",
+                      (root / "docs/architecture.md").read_text(encoding="utf-8"), re.MULTILINE)
+    shown = {room: [name.strip() for name in names.split(",") if name.strip()] for room, names in rows}
+    if list(shown) != list(MAY_INCLUDE):
+        problems.append(f"docs/architecture.md: rooms {list(shown)}, expected {list(MAY_INCLUDE)}")
+    for room, names in MAY_INCLUDE.items():
+        if shown.get(room, names) != names:
+            problems.append(f"docs/architecture.md: '{room}' includes {shown[room]}, expected {names}")
+        above = list(MAY_INCLUDE)[:list(MAY_INCLUDE).index(room)]
+        problems += [f"check_rooms.py: '{room}' may include '{name}', which is not above it"
+                     for name in names if name not in above]
+    return problems
+
+
 def self_test():
     """Puts right and wrong includes into a throw-away tree; only the wrong ones may be named."""
     cases = [
@@ -141,7 +159,7 @@ def main():
         print(__doc__, file=sys.stderr)
         return 2
     root = Path(__file__).resolve().parent.parent
-    problems = self_test() if sys.argv[1:] else check(root)
+    problems = self_test() if sys.argv[1:] else check(root) + check_table(root)
     print("\n".join(problems), end="\n" if problems else "")
     return 1 if problems else 0
 

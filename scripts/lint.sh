@@ -51,6 +51,7 @@ clang_tidy() {
 step "licence lines" check_licence_lines
 step "rooms" /usr/bin/python3 scripts/check_rooms.py
 step "rooms, self-test" /usr/bin/python3 scripts/check_rooms.py --self-test
+step "theory" /usr/bin/python3 scripts/check_theory.py
 step "format" clang-format-19 --dry-run --Werror "${sources[@]}"
 step "names and bugs" clang_tidy
 exit $status

@@ -131,7 +131,7 @@ void add_compare(CLI::App& program) {
     auto options = std::make_shared<CompareOptions>();
     CLI::App& command = add_command(
         program, "compare",
-        "Compare the ways of identification with each other and with the best possible.\n"
+        "Compare the methods of identification with each other and with the best possible.\n"
         "Along three axes, not over all combinations: the noise of the survey, at 950 training\n"
         "samples (or the most, where 950 is none of them); the training samples, at noise 0 and\n"
         "0.5 mm (or the largest); the part of hidden nodes, at 950 samples and 0.5 mm.",

@@ -28,7 +28,7 @@ LengthEstimates estimates_of(const std::vector<std::optional<Identification>>& i
     return estimates;
 }
 
-/// Fills all that the study tells of the paper's way alone.
+/// Fills all that the study tells of the method of the paper alone.
 void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vector<Trial>& trials,
                       const Points& nominal_form) {
     const MethodResult& result = evaluation.result;
@@ -59,7 +59,7 @@ void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vec
     }
 }
 
-/// Tries all ways on exact surveys of the validation samples.
+/// Tries all methods on exact surveys of the validation samples.
 void try_methods(Study& study, const LengthModel& best, double paper_seconds, double best_seconds,
                  const Points& nominal_form, const Progress& progress) {
     const CableNet& net = study.net;

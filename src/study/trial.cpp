@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// Supports are known, and no way of identification uses their targets.
+/// Supports are known, and no method of identification uses their targets.
 std::vector<SurveyPoint> without_supports(std::vector<SurveyPoint> points, const CableNet& net) {
     std::unordered_set<std::string> names;
     for (const int node : net.supports()) {

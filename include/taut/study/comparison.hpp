@@ -13,7 +13,7 @@
 
 namespace taut {
 
-/// Over what the ways of identification are compared. Not over all combinations, but along three
+/// Over what the methods of identification are compared. Not over all combinations, but along three
 /// axes: noise, at common_training() samples; training samples, without noise (if that is one of
 /// the noises) and at common_noise(); hidden nodes, at both common ones. Only the third hides
 /// nodes.
@@ -21,7 +21,7 @@ struct ComparisonSettings {
     std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
     std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is there anyway
-    int surveys = 50;  ///< of samples that no model was trained on; the same for all ways
+    int surveys = 50;  ///< of samples that no model was trained on; the same for all methods
     LengthLaw law;
     std::uint64_t seed = 1;
 
@@ -46,7 +46,7 @@ struct ComparisonRow {
     std::optional<BestPossible> best_possible;
 };
 
-/// The ways of identification beside each other on one net.
+/// The methods of identification beside each other on one net.
 struct Comparison {
     CableNet net;
     ComparisonSettings settings;  ///< its lists ascending, without repetitions

@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// A way of identification, ready to be tried on surveys of one net. It refers to the net and the
+/// A method of identification, ready to be tried on surveys of one net. It refers to the net and the
 /// model that it was made with.
 struct Method {
     std::string name;

@@ -40,7 +40,7 @@ struct Study {
     DataSet data;
     LengthModel model;            ///< as in the paper
     std::vector<int> validation;  ///< indices of the validation samples, those that converged
-    /// Every way of identification on exact surveys of the validation samples: "gp_as_in_paper",
+    /// Every method of identification on exact surveys of the validation samples: "gp_as_in_paper",
     /// "gp", "balance", "map". All below is of the first, the paper's.
     std::vector<MethodResult> methods;
     LengthEstimates estimates;  ///< of the validation samples (m_I x n_v) [m]
@@ -61,9 +61,9 @@ struct Study {
 
 /// Runs the experiment: draws the data set (Algorithm 2), trains on all samples but the validation
 /// samples (Algorithm 1), identifies these (eq. ident) and compares with the truth; then does the
-/// same by the other ways of identification.
+/// same by the other methods.
 /// @throws std::invalid_argument as StudySettings::check() and Sampler
-/// @throws std::runtime_error where too few samples converge, or the paper's way fails on one
+/// @throws std::runtime_error where too few samples converge, or the method of the paper fails on one
 /// @param progress told of the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] Study run_study(const CableNet& net, const StudySettings& settings,
