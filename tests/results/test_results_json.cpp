@@ -12,8 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "taut/design/builtin_nets.hpp"
-#include "taut/identification/force_balance.hpp"
-#include "taut/identification/maximum_a_posteriori.hpp"
+#include "taut/identification/identify.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -41,8 +40,8 @@ TEST(IdentificationJson, TellsTheLawOfEachMethod) {
     const LengthLaw law = parse_length_law("normal:2mm");
     for (const double noise : {0.0, 1e-4}) {
         const Survey survey = whole_survey(net, noise);
-        for (const Identification& result : {identify_by_force_balance(net, survey, law),
-                                             identify_by_maximum_a_posteriori(net, survey, law)}) {
+        for (const auto method : {IdentificationMethod::balance, IdentificationMethod::map}) {
+            const Identification result = identify(net, survey, {.method = method, .law = law});
             EXPECT_EQ(written(net, survey, result)["law"], "normal:2mm") << result.method << noise;
         }
     }
@@ -51,8 +50,7 @@ TEST(IdentificationJson, TellsTheLawOfEachMethod) {
 TEST(IdentificationJson, TellsTheFrameThatTheSurveyWasMovedInto) {
     const CableNet net = hypar(3, 4);
     Survey survey = whole_survey(net, 1e-4);
-    const Identification result =
-        identify_by_maximum_a_posteriori(net, survey, parse_length_law("uniform:5mm"));
+    const Identification result = identify(net, survey, {.law = parse_length_law("uniform:5mm")});
     EXPECT_TRUE(written(net, survey, result)["frame"].is_null());
     EXPECT_TRUE(written(net, survey, result)["survey"]["control"].empty());
 

@@ -17,6 +17,7 @@
 #include <tuple>
 
 #include "taut/design/builtin_nets.hpp"
+#include "taut/identification/length_estimates.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/threads.hpp"
 
