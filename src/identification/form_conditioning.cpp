@@ -6,32 +6,10 @@
 #include <cmath>
 
 #include "estimation/observations.hpp"
+#include "numerics/shrunk_covariance.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
-namespace {
-
-/// The covariance of centred samples (d x n) with its entries off the diagonal times 1 - a, where
-/// a = sum Var(s_ij) / sum s_ij^2 over these entries is their part that is chance.
-Eigen::MatrixXd shrunk_covariance(const Eigen::MatrixXd& centred) {
-    const auto n = static_cast<double>(centred.cols());
-    const Eigen::MatrixXd mean_product = product(centred, centred.transpose()) / n;
-    const Eigen::MatrixXd squares = centred.cwiseAbs2();
-    // Of the products w = e_i e_j: sum (w - mean w)^2 = sum w^2 - n (mean w)^2.
-    const Eigen::MatrixXd spread =
-        product(squares, squares.transpose()) - n * mean_product.cwiseAbs2();
-    const double unbiased = n / std::max(1.0, n - 1.0);
-    const double chance =
-        std::pow(unbiased, 3) / (n * n) * (spread.sum() - spread.diagonal().sum());
-    const double all =
-        unbiased * unbiased * (mean_product.squaredNorm() - mean_product.diagonal().squaredNorm());
-    const double part = all > 0.0 ? std::clamp(chance / all, 0.0, 1.0) : 1.0;
-    Eigen::MatrixXd result = (1.0 - part) * unbiased * mean_product;
-    result.diagonal() = unbiased * mean_product.diagonal();
-    return result;
-}
-
-}  // namespace
 
 FormDistribution form_before_survey(const CableNet& net, const LengthModel& model) {
     const Eigen::MatrixXd J = FormSensitivity(net, net.unstressed_lengths(),

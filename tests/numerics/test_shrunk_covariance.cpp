@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a covariance that takes chance for knowledge, or knowledge for chance: shrinkage
+// that is off, or too strong by a power of the number of samples.
+#include "numerics/shrunk_covariance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace taut {
+namespace {
+
+using Json = nlohmann::json;
+
+Eigen::MatrixXd matrix_of(const Json& rows) {
+    Eigen::MatrixXd result(std::ssize(rows), std::ssize(rows.at(0)));
+    for (Eigen::Index i = 0; i < result.rows(); ++i) {
+        const auto row = rows.at(i).get<std::vector<double>>();
+        result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), std::ssize(row));
+    }
+    return result;
+}
+
+Eigen::MatrixXd centred(const Eigen::MatrixXd& samples) {
+    return samples.colwise() - samples.rowwise().mean();
+}
+
+// From tests/data/make_shrinkage_reference.py, which writes the paper's equations out in fractions.
+TEST(ShrunkCovariance, IsThatOfTheEquationsWrittenOut) {
+    std::ifstream stream(TAUT_TEST_DATA_DIR "/shrinkage_reference.json");
+    const Json reference = Json::parse(stream);
+    double least = 1.0;
+    double most = 0.0;
+    for (const Json& one : reference.at("cases")) {
+        const Eigen::MatrixXd expected = matrix_of(one.at("covariance"));
+        const Eigen::MatrixXd found = shrunk_covariance(centred(matrix_of(one.at("samples"))));
+        EXPECT_LT((found - expected).norm(), 1e-12 * expected.norm()) << one.at("name");
+        least = std::min(least, one.at("part").get<double>());
+        most = std::max(most, one.at("part").get<double>());
+    }
+    EXPECT_LT(least, 0.1);
+    EXPECT_EQ(most, 1.0);
+}
+
+TEST(ShrunkCovariance, OfTwoCoordinatesIsThatFoundByHand) {
+    // Three samples; products of the two coordinates 1, 0 and 2, of mean 1: s_12 = 3/2. Var(s_12)
+    // = 3/8 (0 + 1 + 1) = 3/4, so a = (3/4) / (9/4) = 1/3 and what is left is 1.
+    const Eigen::MatrixXd samples{{-1.0, -1.0, 2.0}, {-1.0, 0.0, 1.0}};
+    const Eigen::MatrixXd expected{{3.0, 1.0}, {1.0, 1.0}};
+    EXPECT_TRUE(shrunk_covariance(samples).isApprox(expected, 1e-14));
+}
+
+TEST(ShrunkCovariance, OfUncorrelatedOrConstantCoordinatesIsDiagonal) {
+    const Eigen::MatrixXd crossed{{1.0, 1.0, -1.0, -1.0}, {2.0, -2.0, 2.0, -2.0}};
+    const Eigen::MatrixXd expected{{4.0 / 3.0, 0.0}, {0.0, 16.0 / 3.0}};
+    EXPECT_TRUE(shrunk_covariance(crossed).isApprox(expected, 1e-14));
+    EXPECT_TRUE(shrunk_covariance(Eigen::MatrixXd::Zero(3, 4)).isZero(0.0));
+}
+
+}  // namespace
+}  // namespace taut
