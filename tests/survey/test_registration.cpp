@@ -156,6 +156,22 @@ TEST(Moved, TurnsStandardDeviations) {
     EXPECT_TRUE(points[0].noise_std->isApprox(Eigen::Vector3d(2, 1, 3)));
 }
 
+// The covariance R diag(1, 4, 9) R' of a turn by 30 degrees about z, where cos^2 = 3/4: variances
+// add up with squared cosines, and deviations with none.
+TEST(Moved, AddsUpVariancesUnderAnyTurn) {
+    RigidMotion turn;
+    turn.rotation = Eigen::AngleAxisd(std::numbers::pi / 6, Eigen::Vector3d::UnitZ());
+    const auto points = moved({{.id = "A", .noise_std = Eigen::Vector3d(1, 2, 3)}}, turn);
+    const Eigen::Vector3d variances = points[0].noise_std->cwiseAbs2();
+    EXPECT_TRUE(variances.isApprox(Eigen::Vector3d(7.0 / 4.0, 13.0 / 4.0, 9.0), 1e-14));
+}
+
+TEST(Moved, LeavesNoiseThatIsAlikeInAllDirectionsAsItIs) {
+    const auto points =
+        moved({{.id = "A", .noise_std = Eigen::Vector3d(2, 2, 2)}}, some_motion({9, 8, 7}));
+    EXPECT_TRUE(points[0].noise_std->isApprox(Eigen::Vector3d(2, 2, 2), 1e-14));
+}
+
 TEST(SupportControlPoints, AreTheNamedSupportsOnly) {
     const CableNet net = hypar(3, 3);
     const int support = net.supports().front();
