@@ -32,9 +32,14 @@ constexpr double smallest_imbalance = 1e-6;
 /// to do: a net that is slack all over, say.
 constexpr double balanced = 1e-9;
 
-/// The smallest x > 0 with a x^2 + 2 b x + c = 0, for c < 0; infinity where there is none.
+/// The smallest x > 0 with a x^2 + 2 b x + c = 0, for c < 0; infinity where there is none. For b <
+/// 0 in the form that adds: b + sqrt(b^2 - a c) is all cancelled where c is small.
 double first_root(double a, double b, double c) {
     const double discriminant = b * b - a * c;
+    if (b < 0.0) {
+        return a > 0.0 ? (std::sqrt(discriminant) - b) / a
+                       : std::numeric_limits<double>::infinity();
+    }
     const double sum = b + std::sqrt(std::max(0.0, discriminant));
     return discriminant >= 0.0 && sum > 0.0 ? -c / sum : std::numeric_limits<double>::infinity();
 }
