@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a line search that takes steps which do not lower the energy, or hardly do.
+#include "statics/line_search.hpp"
+
+#include <gtest/gtest.h>
+
+namespace taut {
+namespace {
+
+/// A node hangs on a support by an edge of l_0 = 1 m and c = EA/l_0 = 100 kN/m with a weight of
+/// 1 kN: at rest it is stretched by 10 mm. Along the edge the energy is c u^2 / 2, with u the way
+/// from there. From u the step D towards rest changes it by (1 - D / (2 u)) times the slope: that
+/// is the part of the decrease that the slope promises.
+class HangingNode : public ::testing::Test {
+protected:
+    static constexpr double stiffness = 100e3;
+    static constexpr double away = 0.005;
+
+    HangingNode() {
+        m_state.form().col(0).z() = -(1.01 + away);
+        m_state.set_unstressed_lengths(m_local, Eigen::VectorXd::Constant(1, 1.0));
+        m_state.update(m_local);
+        m_trial.set_unstressed_lengths(m_local, Eigen::VectorXd::Constant(1, 1.0));
+    }
+
+    /// With a whole step that keeps such a part of the promised decrease.
+    LineSearchStep search(double part) {
+        return search_line(m_local, m_state, Eigen::Vector3d(0.0, 0.0, 2.0 * away * (1.0 - part)),
+                           m_trial);
+    }
+
+    static LocalNet hanging_node() {
+        CableNetData data;
+        data.nodes = Points::Zero(3, 2);
+        data.nodes(2, 0) = -1.0;
+        data.supports = {1};
+        data.edges = {{0, 1}};
+        data.axial_stiffness.setConstant(1, stiffness);
+        data.unstressed_lengths.setConstant(1, 1.0);
+        data.loads = Points::Zero(3, 2);
+        data.loads(2, 0) = -1000.0;
+        return number_naturally(CableNet(std::move(data)));
+    }
+
+    const LocalNet m_local = hanging_node();
+    NetState m_state{m_local};
+    NetState m_trial{m_local};
+};
+
+TEST_F(HangingNode, IsTakenAllTheWayWhereTheEnergyFallsByEnough) {
+    for (const double part : {2e-4, 0.1, 0.5, 0.9}) {
+        const LineSearchStep step = search(part);
+        EXPECT_TRUE(step.accepted);
+        EXPECT_EQ(step.length, 1.0) << part;
+        const double rest = 2.0 * away * (1.0 - part) - away;
+        const double expected = 0.5 * stiffness * (away * away - rest * rest);
+        EXPECT_NEAR(step.energy_decrease, expected, 1e-11) << part;
+    }
+}
+
+TEST_F(HangingNode, IsNotTakenWhereTheEnergyRisesHoweverLittle) {
+    for (const double part : {-0.5e-4, -1e-6}) {
+        const LineSearchStep step = search(part);
+        EXPECT_TRUE(step.accepted);
+        // The secant of a parabola's slope leads to its bottom.
+        EXPECT_NEAR(step.length, 0.5 / (1.0 - part), 1e-9) << part;
+        EXPECT_NEAR(step.energy_decrease, 0.5 * stiffness * away * away, 1e-9) << part;
+        EXPECT_NEAR(m_trial.form()(2, 0), -1.01, 1e-9);
+    }
+}
+
+TEST_F(HangingNode, IsNotTakenWhereTheEnergyFallsByLessThanATenThousandthOfWhatTheSlopePromises) {
+    EXPECT_LT(search(0.5e-4).length, 0.6);
+}
+
+}  // namespace
+}  // namespace taut
