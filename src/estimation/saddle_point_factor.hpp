@@ -76,6 +76,9 @@ public:
     ///   w' Z w,   w = (-u at place s, u at place t, -1 at the length)
     [[nodiscard]] Covariance covariance() const;
 
+    /// Subtrees that are worked on in parallel.
+    [[nodiscard]] int parallel_branches() const { return static_cast<int>(m_branches.size()); }
+
 private:
     using Places = SupernodalFactor::Places;
 
