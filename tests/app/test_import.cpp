@@ -7,6 +7,7 @@
 #include "app/program.hpp"
 #include "support/foreign_nets.hpp"
 #include "support/real_data.hpp"
+#include "support/steel_roof.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/io/net_json.hpp"
 
@@ -103,6 +104,19 @@ TEST_F(Import, ExportsAFormThatIsGiven) {
                 HasSubstr("form: form.csv"));
     must_run({"export", "hypar.json", "--to", "obj", "-o", "found.obj"});
     EXPECT_EQ(read("given.obj"), read("found.obj"));
+}
+
+TEST_F(Import, MakesASteelRoofReadyForEverythingElse) {
+    write("roof.json", steel_roof_compas().dump());
+    const json document = json::parse(
+        must_run({"import", "roof.json", "--young", "205GPa", "--diameter", "size", "--force-unit",
+                  "kN", "--loads", "balance", "-o", "net.json", "--json"}));
+    EXPECT_EQ(document["net"]["free_nodes"], 300);
+    EXPECT_EQ(document["net"]["interior_edges"], 536);
+    EXPECT_EQ(document["net"]["adjustable_edges"], 128);
+    EXPECT_LT(document["out_of_balance"], 1e-9 * document["mean_tension"].get<double>());
+    const json form = json::parse(must_run({"form", "net.json", "--json"}));
+    EXPECT_LT(form["largest_move"], 1e-9);
 }
 
 TEST_F(Import, MakesHiloReadyForEverythingElse) {
