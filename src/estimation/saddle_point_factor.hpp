@@ -12,7 +12,8 @@
 namespace taut {
 
 /// The symmetric matrix of a least squares problem in places r and length deviations d under
-/// linearised statics H r + B d = c with multipliers lambda, and its factor:
+/// linearised statics H r + B d = c with multipliers lambda, docs/theory.md (normal), and its
+/// factor:
 ///
 ///   [ S    H ] r        S: weights of places, one a coordinate, 0 or more
 ///   [    P B'] d        P: weights of lengths, one an interior edge, positive
@@ -69,15 +70,13 @@ public:
         /// edge; 0 for known lengths.
         Eigen::VectorXd extensions;
     };
-    /// Entries of the inverse, after factorize(): S and P being inverse covariances, the
-    /// covariances under H r + B d = c. With Z the inverse over the unknowns of an edge (s, t) and
-    /// u the direction of its block of B, the variance of its extension is
+    /// Entries of the inverse, after factorize(), docs/theory.md (covariance): S and P being
+    /// inverse covariances, the covariances under H r + B d = c. With Z the inverse over the
+    /// unknowns of an edge (s, t) and u the direction of its block of B, the variance of its
+    /// extension is
     ///
     ///   w' Z w,   w = (-u at place s, u at place t, -1 at the length)
     [[nodiscard]] Covariance covariance() const;
-
-    /// Subtrees that are worked on in parallel.
-    [[nodiscard]] int parallel_branches() const { return static_cast<int>(m_branches.size()); }
 
 private:
     using Places = SupernodalFactor::Places;

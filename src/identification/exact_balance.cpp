@@ -4,12 +4,11 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 
+#include "estimation/balance_equations.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
@@ -33,102 +32,13 @@ constexpr double widest_part_of_bound = 3.0;
 /// that are not.
 constexpr double rounding_of_form = 1e-5;
 
-/// The balance of a known form: linear in y, with 1/l_0 = (1 + y) / nominal.
-class Balance {
-public:
-    Balance(const CableNet& net, const Points& form, const std::vector<bool>& slack)
-        : m_forces(Eigen::VectorXd::Zero(Eigen::Index{3} * net.free_node_count())),
-          m_matrix(m_forces.size(), net.interior_edge_count()) {
-        Eigen::VectorXd node_stiffness = m_forces;
-        Points forces = -net.loads();
-        std::vector<Eigen::Triplet<double>> entries;
-        int interior = 0;
-        for (int e = 0; e < net.edge_count(); ++e) {
-            const auto [s, t] = net.edges()[e];
-            const bool is_interior =
-                interior < net.interior_edge_count() && net.interior_edges()[interior] == e;
-            const int column = is_interior ? interior++ : -1;
-            if (slack[e]) {
-                continue;
-            }
-            const Eigen::Vector3d vector = form.col(s) - form.col(t);
-            const double axial = net.axial_stiffness()(e) / net.unstressed_lengths()(e);
-            const Eigen::Vector3d force =
-                axial * (1.0 - net.unstressed_lengths()(e) / vector.norm()) * vector;
-            forces.col(s) += force;
-            forces.col(t) -= force;
-            for (const auto& [node, sign] : {std::pair{s, 1.0}, std::pair{t, -1.0}}) {
-                const int row = 3 * net.free_index(node);
-                if (row >= 0) {
-                    node_stiffness.segment<3>(row).array() += axial;
-                    for (int k = 0; is_interior && k < 3; ++k) {
-                        entries.emplace_back(row + k, column, sign * axial * vector(k));
-                    }
-                }
-            }
-        }
-        m_matrix.setFromTriplets(entries.begin(), entries.end());
-        // Forces in terms of the move of their node, so that soft parts count as much as stiff
-        // ones.
-        const Eigen::VectorXd scale = node_stiffness.cwiseMax(1e-300).cwiseInverse();
-        m_forces = scale.cwiseProduct(free_coordinates(net, forces));
-        m_matrix = scale.asDiagonal() * m_matrix;
-        Eigen::SparseMatrix<double> normal = m_matrix.transpose() * m_matrix;
-        // Lengths that the forces do not show stay nominal.
-        constexpr double smallest_part = 1e-13;
-        m_shift = smallest_part * normal.diagonal().maxCoeff();
-        for (Eigen::Index i = 0; i < normal.cols(); ++i) {
-            normal.coeffRef(i, i) += m_shift;
-        }
-        m_factor.compute(normal);
-    }
-
-    /// y of least squares, by the normal equations and refinements, which bring back the digits
-    /// that they lose.
-    [[nodiscard]] Eigen::VectorXd solve() const {
-        Eigen::VectorXd y = Eigen::VectorXd::Zero(m_matrix.cols());
-        constexpr int passes = 3;
-        for (int pass = 0; pass < passes; ++pass) {
-            y -= m_factor.solve(m_matrix.transpose() * (m_forces + m_matrix * y));
-        }
-        return y;
-    }
-
-    /// Edges that have a part in a free state of self-stress, or are slack: the balance holds
-    /// whatever their share of it. Each pass of inverse iteration takes most of what is not in the
-    /// null space out of a vector that has a part in all of it.
-    [[nodiscard]] std::vector<bool> undetermined() const {
-        constexpr int passes = 4;
-        constexpr double smallest_share = 1e-6;
-        std::mt19937 random(1);
-        Eigen::VectorXd share = Eigen::VectorXd::NullaryExpr(m_matrix.cols(), [&] {
-            return std::uniform_real_distribution<double>(0.5, 1.0)(random) *
-                   (random() % 2 == 0 ? 1.0 : -1.0);
-        });
-        for (int pass = 0; pass < passes; ++pass) {
-            share = m_shift * m_factor.solve(share).eval();
-        }
-        std::vector<bool> result;
-        for (const double s : share) {
-            result.push_back(std::abs(s) > smallest_share);
-        }
-        return result;
-    }
-
-private:
-    Eigen::VectorXd m_forces;  ///< at y = 0
-    Eigen::SparseMatrix<double> m_matrix;
-    double m_shift = 0.0;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  ///< of the normal equations
-};
-
 /// Length deviations (m_I) from y; an edge that balances with no positive length is told.
 struct BalancedDeviations {
     Eigen::VectorXd deviations;
     int impossible_edge = -1;
 };
 
-BalancedDeviations balanced_deviations(const CableNet& net, const Balance& balance) {
+BalancedDeviations balanced_deviations(const CableNet& net, const BalanceEquations& balance) {
     const Eigen::VectorXd y = balance.solve();
     BalancedDeviations result{.deviations = Eigen::VectorXd(y.size())};
     for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -153,7 +63,7 @@ public:
           m_balanced({.form = survey.form, .deviations = {}}),
           m_statics(net) {
         m_statics.set_slack(slack_by_form(net, m_balanced, law));
-        const Balance balance(net, m_balanced.form, m_statics.slack());
+        const BalanceEquations balance(net, m_balanced.form, m_statics.slack());
         const BalancedDeviations balanced = balanced_deviations(net, balance);
         m_balanced.deviations = balanced.deviations;
         m_impossible_edge = balanced.impossible_edge;
@@ -215,30 +125,66 @@ private:
     int m_impossible_edge = -1;
 };
 
-}  // namespace
-
-Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
-                                         const LengthLaw& law) {
-    ExactForm exact(net, survey, law);
-    Identification result{.method = "balance", .law = law};
-    if (const int edge = exact.impossible_edge(); edge >= 0) {
-        result.status = IdentificationStatus::survey_does_not_fit;
-        result.message = fmt::format(
-            "the forces at the surveyed form balance with no positive length of edge '{}': is the "
-            "survey exact?",
-            net.edge_id(edge));
-        return result;
+/// @param edge that balances with no positive length; -1: none
+/// @return whether there is one
+bool tell_impossible_edge(Identification& result, const CableNet& net, int edge) {
+    if (edge < 0) {
+        return false;
     }
-    complete(result, net, survey, law, exact.likelihoods(law), exact.form());
+    result.status = IdentificationStatus::survey_does_not_fit;
+    result.message = fmt::format(
+        "the forces at the surveyed form balance with no positive length of edge '{}': is the "
+        "survey exact?",
+        net.edge_id(edge));
+    return true;
+}
+
+/// Whether the predicted form is the surveyed one.
+void tell_exactness(Identification& result, const CableNet& net, const LengthLaw& law) {
+    if (result.status != IdentificationStatus::converged) {
+        return;
+    }
     const double miss = std::sqrt(result.residuals.cwiseAbs2().mean());
-    if (result.status == IdentificationStatus::converged &&
-        miss > rounding_of_form * edge_lengths(net, net.nodes()).mean()) {
+    if (miss > rounding_of_form * edge_lengths(net, net.nodes()).mean()) {
         result.status = IdentificationStatus::survey_not_exact;
         result.message = fmt::format(
             "is taken for exact, but no lengths of the law {} give its form: those found miss it "
             "by {:.3g} mm RMS. Tell its noise, or another law",
             law.to_string(), 1e3 * miss);
     }
+}
+
+}  // namespace
+
+Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
+                                         const LengthLaw& law) {
+    ExactForm exact(net, survey, law);
+    Identification result{.method = "balance", .law = law};
+    if (tell_impossible_edge(result, net, exact.impossible_edge())) {
+        return result;
+    }
+    complete(result, net, survey, law, exact.likelihoods(law), exact.form());
+    tell_exactness(result, net, law);
+    return result;
+}
+
+Identification check_exactness(const CableNet& net, const Survey& survey, const LengthLaw& law) {
+    const Iterate surveyed{.form = survey.form, .deviations = {}};
+    const BalancedDeviations balanced = balanced_deviations(
+        net, BalanceEquations(net, survey.form, slack_by_form(net, surveyed, law)));
+    Identification result{.law = law};
+    if (tell_impossible_edge(result, net, balanced.impossible_edge)) {
+        return result;
+    }
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const double deviation = std::clamp(balanced.deviations(i), -law.reach(), law.reach());
+        const int edge = net.interior_edges()[i];
+        result.edges.push_back({.edge = edge,
+                                .nominal = net.unstressed_lengths()(edge),
+                                .length_deviation = deviation});
+    }
+    predict_form(result, net, survey, survey.form);
+    tell_exactness(result, net, law);
     return result;
 }
 

@@ -16,4 +16,10 @@ namespace taut {
 [[nodiscard]] Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
                                                        const LengthLaw& law);
 
+/// The same question of exactness alone, without what the form tells of single lengths: whether
+/// lengths within the law's reach give it. For methods that cannot tell.
+/// @return status and message; edges and predicted form are those of the balance
+[[nodiscard]] Identification check_exactness(const CableNet& net, const Survey& survey,
+                                             const LengthLaw& law);
+
 }  // namespace taut

@@ -80,7 +80,7 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
                                  const LengthModel& model) {
     if (survey.is_exact()) {
         // No process tells whether a form is that of any lengths: the balance does.
-        Identification balance = identify_by_exact_balance(net, survey, model.law);
+        Identification balance = check_exactness(net, survey, model.law);
         if (balance.status != IdentificationStatus::converged) {
             return balance;
         }

@@ -68,7 +68,7 @@ public:
     using Reader = std::function<void(int block, const Places&, const Eigen::MatrixXd& inverse)>;
 
     /// Shows every block its part of Z = A^-1, after factorize(). From the last front to the first
-    /// (K. Takahashi, J. Fagan & M.-S. Chen, Formation of a sparse bus impedance matrix and its
+    /// (K. Takahashi, J. Fagan & M.-S. Chin, Formation of a sparse bus impedance matrix and its
     /// application to short circuit study, PICA 1973; A. M. Erisman & W. F. Tinney, On computing
     /// certain elements of the inverse of a sparse matrix, CACM 18 (1975) 177-179), for pivots p of
     /// a panel and all later unknowns q of the front:

@@ -112,7 +112,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-model", 2, 7, net);
+    expect_attributes(*found, "taut-model", 2, 8, net);
     EXPECT_EQ((*found)["attributes"]["mean_function"], "zero");
     EXPECT_EQ((*found)["attributes"]["kernel_metric"], "isotropic");
     expect_numbers(*found, "input_scales", model.input_scales, "1");

@@ -52,7 +52,7 @@ TEST(UnitWarnings, TellOfForcesInKilonewtonsTakenForNewtons) {
 }
 
 TEST(UnitWarnings, TakeNoAccountOfSlackEdgesInTheMeanStrain) {
-    CableNetData data = test::cross_data(1.2e-6);
+    CableNetData data = test::cross_data(1.2e-5);
     data.unstressed_lengths.tail(2).setConstant(1.5);
     EXPECT_THAT(warnings_of(std::move(data)), IsEmpty());
 }

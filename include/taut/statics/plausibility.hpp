@@ -12,7 +12,7 @@ namespace taut {
 /// What about a net, at its nominal form, is most likely told in another unit: a line each, with
 /// the likely slip and what mends it. A sound net gives none.
 /// - edges longer than 30 m in the mean: coordinates in mm;
-/// - strains below 1e-6 in the mean of the taut edges: forces in kN taken for N, or an axial
+/// - strains below 8e-6 in the mean of the taut edges: forces in kN taken for N, or an axial
 ///   stiffness a thousand times too large;
 /// - a strain beyond 5 %: the other way around;
 /// - nodes out of balance by more than a tenth of the mean tension: loads left out, or in another

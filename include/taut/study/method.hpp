@@ -12,8 +12,8 @@
 
 namespace taut {
 
-/// A method of identification, ready to be tried on surveys of one net. It refers to the net and the
-/// model that it was made with.
+/// A method of identification, ready to be tried on surveys of one net. It refers to the net and
+/// the model that it was made with.
 struct Method {
     std::string name;
     std::optional<int> training_samples;  ///< what it learnt from; empty: it learns from none

@@ -63,7 +63,8 @@ struct Study {
 /// samples (Algorithm 1), identifies these (eq. ident) and compares with the truth; then does the
 /// same by the other methods.
 /// @throws std::invalid_argument as StudySettings::check() and Sampler
-/// @throws std::runtime_error where too few samples converge, or the method of the paper fails on one
+/// @throws std::runtime_error where too few samples converge, or the method of the paper fails on
+/// one
 /// @param progress told of the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] Study run_study(const CableNet& net, const StudySettings& settings,

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// The balance of a known form, docs/theory.md (balance): h = 0 (eq. hq) is linear in y, with
+/// 1/l_0 = (1 + y) / nominal of the interior edges. Solved by sparse least squares, each node's
+/// forces in terms of its move, so that soft parts count as much as stiff ones. Lengths that the
+/// forces do not show stay nominal.
+class BalanceEquations {
+public:
+    /// @param form 3 x n [m]
+    /// @param slack edges (m) that carry nothing
+    BalanceEquations(const CableNet& net, const Points& form, const std::vector<bool>& slack);
+
+    /// y of least squares (m_I), by the normal equations and refinements, which bring back the
+    /// digits that they lose.
+    [[nodiscard]] Eigen::VectorXd solve() const;
+
+    /// Edges (m_I) that have a part in a free state of self-stress, or are slack: the balance holds
+    /// whatever their share of it. Each pass of inverse iteration takes most of what is not in the
+    /// null space out of a vector that has a part in all of it.
+    [[nodiscard]] std::vector<bool> undetermined() const;
+
+private:
+    Eigen::VectorXd m_forces;  ///< at y = 0
+    Eigen::SparseMatrix<double> m_matrix;
+    double m_shift = 0.0;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  ///< of the normal equations
+};
+
+}  // namespace taut
