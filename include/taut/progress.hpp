@@ -18,9 +18,9 @@ public:
 struct Progress {
     /// The stage ("sampling", "training", "identification"), steps done and steps in all. Called
     /// from one thread at a time. Fewer steps than announced may be needed. May throw to give up.
-    std::function<void(std::string_view stage, int done, int total)> tell = {};
+    std::function<void(std::string_view stage, int done, int total)> tell;
     /// Whether to give up. Called from any thread.
-    std::function<bool()> stop_requested = {};
+    std::function<bool()> stop_requested;
 
     [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
 

@@ -25,7 +25,11 @@ constexpr int most_revisions = 100;
 constexpr double largest_misfit_at_first = 0.3;
 constexpr double continuation_factor = 0.3;
 
-SurveyFitSettings checked(const SurveyFitSettings& settings) {
+/// @return the settings, once all is checked that a fit is made of
+SurveyFitSettings checked(const CableNet& net, const Survey& survey, const LengthLaw& law,
+                          const SurveyFitSettings& settings) {
+    check_survey(net, survey);
+    law.check();
     if (settings.max_iterations < 1) {
         throw std::invalid_argument(
             fmt::format("max_iterations is {}, expected at least 1", settings.max_iterations));
@@ -37,24 +41,14 @@ SurveyFitSettings checked(const SurveyFitSettings& settings) {
     return settings;
 }
 
-const LengthLaw& checked(const LengthLaw& law) {
-    law.check();
-    return law;
-}
-
-const Survey& checked(const CableNet& net, const Survey& survey) {
-    check_survey(net, survey);
-    return survey;
-}
-
 }  // namespace
 
 SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const LengthLaw& law,
                      const SurveyFitSettings& settings)
     : m_net(net),
-      m_survey(checked(net, survey)),
-      m_law(checked(law)),
-      m_settings(checked(settings)),
+      m_survey(survey),
+      m_law(law),
+      m_settings(checked(net, survey, law, settings)),
       m_noise(with_noise_floor(net, survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net),

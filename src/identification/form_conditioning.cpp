@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "estimation/observations.hpp"
 #include "numerics/shrunk_covariance.hpp"
@@ -24,12 +25,12 @@ FormDistribution form_before_survey(const CableNet& net, const LengthModel& mode
 }
 
 ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& before,
-                                 const Survey& survey, const Eigen::VectorXd& nominal_form,
+                                 const Survey& survey, Eigen::VectorXd nominal_form,
                                  double false_alarm_rate)
     : m_net(net),
       m_before(before),
       m_survey(survey),
-      m_nominal_form(nominal_form),
+      m_nominal_form(std::move(nominal_form)),
       m_noise(with_noise_floor(net, survey)),
       m_free_noise(free_coordinates(net, m_noise)),
       m_snooping(net, survey, m_noise, false_alarm_rate) {

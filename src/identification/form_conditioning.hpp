@@ -36,7 +36,7 @@ public:
     /// Keeps references to all but the nominal form. Not copied: its parts refer to each other.
     /// @param nominal_form that deviations refer to (3 n_I) [m]
     ConditionedForm(const CableNet& net, const FormDistribution& before, const Survey& survey,
-                    const Eigen::VectorXd& nominal_form, double false_alarm_rate);
+                    Eigen::VectorXd nominal_form, double false_alarm_rate);
     ConditionedForm(const ConditionedForm&) = delete;
     ConditionedForm& operator=(const ConditionedForm&) = delete;
 
