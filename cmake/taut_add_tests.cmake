@@ -16,7 +16,7 @@ function(taut_add_tests room)
     target_link_libraries(${target} PRIVATE
         taut::taut taut_warnings
         GTest::gmock_main rapidcheck rapidcheck_gtest
-        nlohmann_json::nlohmann_json fmt::fmt
+        nlohmann_json::nlohmann_json ${TAUT_FMT}
         PkgConfig::TAUT_HDF5)
     # Tests are compiled far longer than they run: little optimisation, and what all of them read once.
     target_compile_options(${target} PRIVATE -O1)
