@@ -83,6 +83,50 @@ std::vector<std::string> read_texts(const std::optional<JsonValue>& list) {
     return texts;
 }
 
+std::vector<TensionLaw> read_tension_laws(const std::optional<JsonValue>& list) {
+    std::vector<TensionLaw> laws(list ? list->array_size("an array of tension laws") : 0);
+    for (size_t i = 0; i < laws.size(); ++i) {
+        const JsonValue law = list->at(i);
+        law.require_object(R"(an object with "strain" and "tension")");
+        const auto name = law.find("name");
+        laws[i] = {.name = name ? name->text() : "",
+                   .strain = read_numbers(law.require("strain", "an array of numbers")),
+                   .tension = read_numbers(law.require("tension", "an array of numbers [N]"))};
+    }
+    return laws;
+}
+
+/// An index or null for each edge.
+std::vector<int> read_law_indices(const std::optional<JsonValue>& list) {
+    std::vector<int> indices(list ? list->array_size("an array of indices or null") : 0, -1);
+    for (size_t e = 0; e < indices.size(); ++e) {
+        if (const JsonValue value = list->at(e); !value.json().is_null()) {
+            indices[e] = value.integer();
+            if (indices[e] < 0) {
+                value.fail(
+                    fmt::format("is {}, expected the index of a tension law, or null", indices[e]));
+            }
+        }
+    }
+    return indices;
+}
+
+std::map<std::string, std::vector<int>> read_groups(const std::optional<JsonValue>& object) {
+    std::map<std::string, std::vector<int>> groups;
+    if (object) {
+        object->require_object("an object of lists of edges");
+        for (const auto& [name, edges] : object->json().items()) {
+            groups[name] = read_indices(object->require(name, "an array of edges"));
+        }
+    }
+    return groups;
+}
+
+/// A number for each edge, or one for all; none where the key is not there.
+Eigen::VectorXd read_rates(const std::optional<JsonValue>& value, size_t edges) {
+    return value ? read_numbers_or_one(*value, edges) : Eigen::VectorXd();
+}
+
 /// The file's name without its ending. Bytes that are not UTF-8, which a file's name may hold but a
 /// JSON text may not, are replaced.
 std::string default_name(const std::string& file_name) {
@@ -109,6 +153,11 @@ CableNetData read_data(const JsonValue& root) {
     data.loads = loads ? read_points(*loads) : Points(3, 0);
     data.node_ids = read_texts(root.find("node_ids"));
     data.edge_ids = read_texts(root.find("edge_ids"));
+    data.tension_laws = read_tension_laws(root.find("tension_laws"));
+    data.tension_law = read_law_indices(root.find("tension_law"));
+    data.groups = read_groups(root.find("groups"));
+    data.mass = read_rates(root.find("mass"), data.edges.size());
+    data.expansion = read_rates(root.find("expansion"), data.edges.size());
     return data;
 }
 

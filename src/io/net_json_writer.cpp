@@ -85,6 +85,37 @@ bool has_loads(const Points& loads) {
         .any();
 }
 
+/// One number where all are alike.
+std::string one_or_all(const Eigen::VectorXd& numbers) {
+    return (numbers.array() == numbers(0)).all() ? number_text(numbers(0))
+                                                 : wrapped(numbers, number_text);
+}
+
+std::string groups_text(const std::map<std::string, std::vector<int>>& groups) {
+    std::string result = "{";
+    for (const auto& [name, edges] : groups) {
+        result += fmt::format("{}\n    {}: {}", result.size() == 1 ? "" : ",", text_text(name),
+                              indices_text(edges));
+    }
+    return result + "\n  }";
+}
+
+std::string numbers_text(const Eigen::VectorXd& numbers) {
+    std::string result;
+    for (const double number : numbers) {
+        result += (result.empty() ? "" : ", ") + number_text(number);
+    }
+    return "[" + result + "]";
+}
+
+std::string tension_laws_text(const std::vector<TensionLaw>& laws) {
+    return one_a_line(static_cast<Eigen::Index>(laws.size()), [&laws](Eigen::Index i) {
+        return fmt::format(R"({{"name": {}, "strain": {}, "tension": {}}})",
+                           text_text(laws[i].name), numbers_text(laws[i].strain),
+                           numbers_text(laws[i].tension));
+    });
+}
+
 json parse_unknown_keys(const std::string& text) {
     const json keys = [&text] {
         try {
@@ -120,10 +151,7 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
     add("nodes", points_text(data.nodes));
     add("supports", indices_text(data.supports));
     add("edges", edges_text(data.edges));
-    const Eigen::VectorXd& stiffness = data.axial_stiffness;
-    add("axial_stiffness", (stiffness.array() == stiffness(0)).all()
-                               ? number_text(stiffness(0))
-                               : wrapped(stiffness, number_text));
+    add("axial_stiffness", one_or_all(data.axial_stiffness));
     add("unstressed_lengths", wrapped(data.unstressed_lengths, number_text));
     add("adjustable", indices_text(data.adjustable));
     if (has_loads(data.loads)) {
@@ -133,6 +161,23 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
          {std::pair{"node_ids", &data.node_ids}, std::pair{"edge_ids", &data.edge_ids}}) {
         if (!ids->empty()) {
             add(key, wrapped(*ids, text_text));
+        }
+    }
+    if (!data.tension_laws.empty()) {
+        add("tension_laws", tension_laws_text(data.tension_laws));
+    }
+    if (!net.is_linear()) {
+        add("tension_law", wrapped(data.tension_law, [](int law) {
+                return law < 0 ? std::string("null") : std::to_string(law);
+            }));
+    }
+    if (!data.groups.empty()) {
+        add("groups", groups_text(data.groups));
+    }
+    for (const auto& [key, rates] :
+         {std::pair{"mass", &data.mass}, std::pair{"expansion", &data.expansion}}) {
+        if (rates->size() > 0) {
+            add(key, one_or_all(*rates));
         }
     }
     for (const auto& [key, value] : unknown.items()) {

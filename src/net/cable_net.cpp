@@ -28,6 +28,29 @@ std::string place_of(const std::string& field, const std::vector<int>& index) {
     return place;
 }
 
+/// Sets EA of the edges with a law, after what that needs is checked.
+void take_stiffness_of_laws(CableNetData& data) {
+    validate_tension_laws(data);
+    if (std::ranges::all_of(data.tension_law, [](int law) { return law < 0; })) {
+        data.tension_law.clear();
+    }
+    for (size_t e = 0; e < data.tension_law.size(); ++e) {
+        if (const int law = data.tension_law[e]; law >= 0) {
+            data.axial_stiffness(static_cast<Eigen::Index>(e)) = data.tension_laws[law].steepest();
+        }
+    }
+}
+
+Points with_self_weight(const CableNetData& data) {
+    Points loads = data.loads;
+    for (Eigen::Index e = 0; e < data.mass.size(); ++e) {
+        for (const int node : data.edges[e]) {
+            loads(2, node) -= 0.5 * gravity * data.mass(e) * data.unstressed_lengths(e);
+        }
+    }
+    return loads;
+}
+
 }  // namespace
 
 NetError::NetError(std::string field, std::vector<int> index, std::string problem)
@@ -52,8 +75,10 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
     if (m_data.loads.cols() == 0) {
         m_data.loads = Points::Zero(3, m_data.nodes.cols());
     }
+    take_stiffness_of_laws(m_data);
     validate(m_data);
     std::ranges::sort(m_data.adjustable);
+    m_loads = with_self_weight(m_data);
 
     m_free_index.assign(node_count(), 0);
     for (const int support : m_data.supports) {

@@ -43,6 +43,16 @@ std::string compute_fingerprint(const CableNetData& data) {
     hash.add_list(data.unstressed_lengths);
     hash.add_list(data.adjustable);
     hash.add_list(data.loads);
+    if (!data.tension_law.empty()) {
+        hash.add_list(data.tension_law);
+        for (const TensionLaw& law : data.tension_laws) {
+            hash.add_list(law.strain);
+            hash.add_list(law.tension);
+        }
+    }
+    if (data.mass.size() > 0) {
+        hash.add_list(data.mass);
+    }
     return fmt::format("{:016x}", hash.value());
 }
 

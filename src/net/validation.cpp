@@ -182,7 +182,64 @@ void check_ids(const std::string& field, const std::vector<std::string>& ids) {
     }
 }
 
+void check_groups(const CableNetData& data) {
+    for (const auto& [name, edges] : data.groups) {
+        if (name.empty()) {
+            throw NetError("groups", {}, "holds a group without a name");
+        }
+        if (edges.empty()) {
+            throw NetError("groups", {}, fmt::format("holds no edges in the group '{}'", name));
+        }
+        try {
+            check_indices("groups", edges, static_cast<int>(data.edges.size()), "edge");
+        } catch (const NetError& error) {
+            throw NetError("groups", {},
+                           fmt::format("'{}'[{}]: {}", name, error.index()[0], error.problem()));
+        }
+    }
+}
+
+/// One number an edge, or none.
+void check_rates(const std::string& field, const Eigen::VectorXd& values, size_t edges,
+                 double least) {
+    if (values.size() == 0) {
+        return;
+    }
+    check_entry_count(field, values.size(), static_cast<Eigen::Index>(edges), "edge");
+    for (int e = 0; e < values.size(); ++e) {
+        if (!std::isfinite(values(e)) || values(e) < least ||
+            std::abs(values(e)) > largest_magnitude) {
+            throw NetError(field, {e},
+                           fmt::format("is {}, expected a finite number{}", values(e),
+                                       least == 0.0 ? " of at least 0" : ""));
+        }
+    }
+}
+
 }  // namespace
+
+void validate_tension_laws(const CableNetData& data) {
+    for (int i = 0; i < std::ssize(data.tension_laws); ++i) {
+        if (const std::string problem = problem_of(data.tension_laws[i]); !problem.empty()) {
+            throw NetError("tension_laws", {i}, problem);
+        }
+    }
+    if (data.tension_law.empty()) {
+        return;
+    }
+    const auto count = static_cast<int>(data.tension_laws.size());
+    check_entry_count("tension_law", static_cast<Eigen::Index>(data.tension_law.size()),
+                      static_cast<Eigen::Index>(data.edges.size()), "edge");
+    check_entry_count("axial_stiffness", data.axial_stiffness.size(),
+                      static_cast<Eigen::Index>(data.edges.size()), "edge");
+    for (int e = 0; e < std::ssize(data.tension_law); ++e) {
+        if (const int law = data.tension_law[e]; law < -1 || law >= count) {
+            throw NetError(
+                "tension_law", {e},
+                fmt::format("is {}, expected the index of one of the {} tension laws", law, count));
+        }
+    }
+}
 
 void validate(const CableNetData& data) {
     check_sizes(data);
@@ -200,6 +257,10 @@ void validate(const CableNetData& data) {
     check_connected(data, is_support);
     check_ids("node_ids", data.node_ids);
     check_ids("edge_ids", data.edge_ids);
+    check_groups(data);
+    check_rates("mass", data.mass, data.edges.size(), 0.0);
+    check_rates("expansion", data.expansion, data.edges.size(),
+                std::numeric_limits<double>::lowest());
 }
 
 }  // namespace taut

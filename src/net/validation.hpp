@@ -6,7 +6,11 @@
 
 namespace taut {
 
-/// Checks every rule that CableNet promises. @throws NetError at the first that is broken.
+/// Checks the tension laws, and that `tension_law` and `axial_stiffness` have an entry an edge
+/// where there are any. @throws NetError
+void validate_tension_laws(const CableNetData& data);
+
+/// Checks every other rule that CableNet promises. @throws NetError at the first that is broken.
 void validate(const CableNetData& data);
 
 }  // namespace taut

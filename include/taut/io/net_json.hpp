@@ -21,10 +21,14 @@ struct NetFile {
 ///   {"format": "taut-net", "version": 1, "name": text, "nodes": [[x, y, z]...] [m],
 ///    "supports": [node...], "edges": [[s, t]...], "axial_stiffness": [N...] or one number [N],
 ///    "unstressed_lengths": [m...], "adjustable": [edge...], "loads": [[x, y, z]...] [N],
-///    "node_ids": [text...], "edge_ids": [text...]}
+///    "node_ids": [text...], "edge_ids": [text...],
+///    "tension_laws": [{"name": text, "strain": [0, ...], "tension": [0, ...] [N]}...],
+///    "tension_law": [index or null, one an edge], "groups": {name: [edge...]},
+///    "mass": [kg/m...] or one number, "expansion": [1/K...] or one number}
 /// Optional are name (default: the file's, without its ending), adjustable (default: the edges at a
-/// support), loads, node_ids and edge_ids. Other keys are kept. An index is written without
-/// fraction or exponent.
+/// support), loads, node_ids, edge_ids and all behind them. An edge with a tension law
+/// makes no use of its axial_stiffness. Other keys are kept. An index is written without fraction
+/// or exponent.
 /// @param file_name for messages, and for the net's default name
 /// @throws InputError at a line and column for what is no JSON (RFC 8259, UTF-8, no key twice in an
 ///   object, no number beyond the range of a double, at most 64 levels deep), and at a JSON pointer

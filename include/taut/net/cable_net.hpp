@@ -5,10 +5,13 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "taut/net/tension_law.hpp"
 
 namespace taut {
 
@@ -44,12 +47,17 @@ struct CableNetData {
     Points nodes;                        ///< 3 x n, the nominal form [m]
     std::vector<int> supports;           ///< nodes on the rigid frame
     std::vector<Edge> edges;             ///< m pairs of nodes
-    Eigen::VectorXd axial_stiffness;     ///< m, EA > 0 [N]
+    Eigen::VectorXd axial_stiffness;     ///< m, EA > 0; see CableNet::axial_stiffness() [N]
     Eigen::VectorXd unstressed_lengths;  ///< m, l_0 > 0 [m]
     std::vector<int> adjustable;         ///< edges with a turnbuckle: length known and set
     Points loads;                        ///< 3 x n external forces [N]; 3 x 0 means none
     std::vector<std::string> node_ids;   ///< n names, or none
     std::vector<std::string> edge_ids;   ///< m names, or none
+    std::vector<TensionLaw> tension_laws = {};
+    std::vector<int> tension_law = {};  ///< m indices of tension_laws, -1: linear by EA; or none
+    std::map<std::string, std::vector<int>> groups = {};  ///< named lists of edges
+    Eigen::VectorXd mass = {};       ///< m, of a metre of unstressed length; or none [kg/m]
+    Eigen::VectorXd expansion = {};  ///< m, thermal strain by temperature; or none [1/K]
 };
 
 /// The edges with at least one support as an end: the default of CableNetData::adjustable.
@@ -66,18 +74,29 @@ public:
     ///   range or listed twice, a self-loop, a duplicate edge, an edge between two supports, a free
     ///   node without edges or in a part of the net without support, a stiffness or unstressed
     ///   length that is not positive and finite, an edge of zero length, a coordinate or load that
-    ///   is not finite, no free node, names that are empty or doubled.
+    ///   is not finite, no free node, names that are empty or doubled; a tension law that does not
+    ///   start at (0, 0), falls, is flat at its start or end, or whose strains do not ascend; a
+    ///   group without name or edges; a mass that is negative, an expansion that is not finite.
     explicit CableNet(CableNetData data);
 
     [[nodiscard]] const std::string& name() const { return m_data.name; }
     [[nodiscard]] const Points& nodes() const { return m_data.nodes; }
     [[nodiscard]] const std::vector<Edge>& edges() const { return m_data.edges; }
+    /// EA; of an edge with a tension law the greatest slope of that, whatever the data told [N].
     [[nodiscard]] const Eigen::VectorXd& axial_stiffness() const { return m_data.axial_stiffness; }
+    /// The law of an edge; null where its tension is linear, EA (l/l_0 - 1).
+    [[nodiscard]] const TensionLaw* tension_law(int edge) const {
+        return m_data.tension_law.empty() || m_data.tension_law[edge] < 0
+                   ? nullptr
+                   : &m_data.tension_laws[m_data.tension_law[edge]];
+    }
+    [[nodiscard]] bool is_linear() const { return m_data.tension_law.empty(); }
     [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const {
         return m_data.unstressed_lengths;
     }
-    /// 3 x n; zero where no load acts [N].
-    [[nodiscard]] const Points& loads() const { return m_data.loads; }
+    /// 3 x n; those of the data, and where that tells masses the self-weight of the edges, half of
+    /// an edge's nominal one at either end in -z [N].
+    [[nodiscard]] const Points& loads() const { return m_loads; }
     /// Everything that the net was made from, defaults filled in.
     [[nodiscard]] const CableNetData& data() const { return m_data; }
 
@@ -102,17 +121,22 @@ public:
     /// The edge's name, or its index as text where the net names no edges.
     [[nodiscard]] std::string edge_id(int edge) const;
 
-    /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges and
-    /// loads: two nets with the same fingerprint behave alike, whatever their names.
+    /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges,
+    /// loads, tension laws and masses: two nets with the same fingerprint behave alike, whatever
+    /// their names.
     [[nodiscard]] const std::string& fingerprint() const { return m_fingerprint; }
 
 private:
     CableNetData m_data;
+    Points m_loads;
     std::vector<int> m_free_nodes;
     std::vector<int> m_free_index;
     std::vector<int> m_interior;
     std::string m_fingerprint;
 };
+
+/// Acceleration by gravity, standard value [m/s2].
+inline constexpr double gravity = 9.80665;
 
 /// r_I, the 3 n_I coordinates x1, y1, z1, x2, ... of the free nodes, out of all nodes' (3 x n) [m].
 /// @throws std::invalid_argument for a wrong number of points

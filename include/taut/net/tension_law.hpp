@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace taut {
+
+/// The tension of an edge over its strain l/l_0 - 1: straight between points, the first of which is
+/// (0, 0), and on with the last slope behind the last. It rises from the start and at the end and
+/// never falls in between, so that the energy of a net stays convex. A flat part is a
+/// constructional stretch. Below strain 0 an edge is slack; the first slope goes on there as
+/// pressure for whoever needs a smooth law.
+struct TensionLaw {
+    std::string name;
+    Eigen::VectorXd strain;   ///< k >= 2, ascending from 0 [-]
+    Eigen::VectorXd tension;  ///< k, from 0 [N]
+
+    /// The law near a strain.
+    struct Tangent {
+        double tension;  ///< [N]
+        double slope;    ///< dT/d strain, at a corner that behind it [N]
+    };
+    [[nodiscard]] Tangent at(double strain_there) const;
+
+    /// The least strain with this tension.
+    [[nodiscard]] double strain_at(double tension_there) const;
+
+    /// The same, but where the law is flat at this tension (to a millionth) the middle of the flat
+    /// part: any of its strains may be the one.
+    [[nodiscard]] double middle_strain_at(double tension_there) const;
+
+    /// The greatest slope [N].
+    [[nodiscard]] double steepest() const;
+
+    /// Integral of the tension from strain a to b [N]: the trapezoid less corner_energy(), which is
+    /// exact also where a and b almost agree.
+    [[nodiscard]] double energy_between(double a, double b) const;
+
+    /// What the corners from strain a to b take off the trapezoid under the law [N].
+    [[nodiscard]] double corner_energy(double a, double b) const;
+
+private:
+    /// The part of the law, from point i to i + 1, that holds at a strain.
+    [[nodiscard]] Eigen::Index part_of(double strain_there) const;
+    [[nodiscard]] double slope_of(Eigen::Index part) const;
+};
+
+/// The first rule that a law breaks, "falls from ...", or nothing.
+[[nodiscard]] std::string problem_of(const TensionLaw& law);
+
+}  // namespace taut

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/net/tension_law.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace taut {
+namespace {
+
+/// So that no product in the energy overflows.
+constexpr double largest_magnitude = 1e50;
+
+/// A slope over less is rounding errors of the strain.
+constexpr double smallest_strain_step = 1e-12;
+
+bool is_magnitude(double value) {
+    return std::abs(value) <= largest_magnitude;  // not so for what is no number
+}
+
+/// The rule that the law breaks from its point k - 1 to k.
+std::string problem_at(const TensionLaw& law, Eigen::Index k) {
+    if (!(law.strain(k) - law.strain(k - 1) > smallest_strain_step)) {
+        return fmt::format(
+            "goes from strain {} to {} at point {}, expected it to ascend by more than {:g}",
+            law.strain(k - 1), law.strain(k), k, smallest_strain_step);
+    }
+    if (law.tension(k) < law.tension(k - 1)) {
+        return fmt::format("falls from {} to {} at point {}, expected that it never falls",
+                           law.tension(k - 1), law.tension(k), k);
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string problem_of(const TensionLaw& law) {
+    const Eigen::Index count = law.strain.size();
+    if (law.tension.size() != count || count < 2) {
+        return fmt::format("has {} strains and {} tensions, expected as many, and two at least",
+                           count, law.tension.size());
+    }
+    for (Eigen::Index k = 0; k < count; ++k) {
+        if (!is_magnitude(law.strain(k)) || !is_magnitude(law.tension(k))) {
+            return fmt::format("has ({}, {}) at point {}, expected finite numbers of at most {:g}",
+                               law.strain(k), law.tension(k), k, largest_magnitude);
+        }
+    }
+    if (law.strain(0) != 0.0 || law.tension(0) != 0.0) {
+        return fmt::format("starts at ({}, {}), expected (0, 0)", law.strain(0), law.tension(0));
+    }
+    for (Eigen::Index k = 1; k < count; ++k) {
+        if (std::string problem = problem_at(law, k); !problem.empty()) {
+            return problem;
+        }
+    }
+    if (law.tension(1) == 0.0) {
+        return "is flat at its start, expected it to rise: an edge that is slack at first has a "
+               "larger unstressed length";
+    }
+    if (law.tension(count - 1) == law.tension(count - 2)) {
+        return "ends flat, expected it to rise, since its last slope goes on: give it a last point "
+               "beyond what the cable ever reaches";
+    }
+    return "";
+}
+
+Eigen::Index TensionLaw::part_of(double strain_there) const {
+    Eigen::Index part = 0;
+    while (part + 2 < strain.size() && strain_there >= strain(part + 1)) {
+        ++part;
+    }
+    return part;
+}
+
+double TensionLaw::slope_of(Eigen::Index part) const {
+    return (tension(part + 1) - tension(part)) / (strain(part + 1) - strain(part));
+}
+
+TensionLaw::Tangent TensionLaw::at(double strain_there) const {
+    const Eigen::Index part = part_of(strain_there);
+    const double slope = slope_of(part);
+    return {.tension = tension(part) + slope * (strain_there - strain(part)), .slope = slope};
+}
+
+double TensionLaw::strain_at(double tension_there) const {
+    Eigen::Index part = 0;
+    while (part + 2 < tension.size() && tension_there > tension(part + 1)) {
+        ++part;
+    }
+    return strain(part) + (tension_there - tension(part)) / slope_of(part);
+}
+
+double TensionLaw::middle_strain_at(double tension_there) const {
+    constexpr double rounding = 1e-6;
+    for (Eigen::Index part = 1; part + 1 < tension.size(); ++part) {
+        if (tension(part) == tension(part + 1) &&
+            std::abs(tension_there - tension(part)) <= rounding * tension(part)) {
+            return 0.5 * (strain(part) + strain(part + 1));
+        }
+    }
+    return strain_at(tension_there);
+}
+
+double TensionLaw::steepest() const {
+    double slope = 0.0;
+    for (Eigen::Index part = 0; part + 1 < strain.size(); ++part) {
+        slope = std::max(slope, slope_of(part));
+    }
+    return slope;
+}
+
+double TensionLaw::energy_between(double a, double b) const {
+    return 0.5 * (at(a).tension + at(b).tension) * (b - a) - corner_energy(a, b);
+}
+
+double TensionLaw::corner_energy(double a, double b) const {
+    double energy = 0.0;
+    const auto [low, high] = std::minmax(a, b);
+    for (Eigen::Index corner = 1; corner + 1 < strain.size(); ++corner) {
+        if (low < strain(corner) && strain(corner) < high) {
+            const double bend = slope_of(corner) - slope_of(corner - 1);
+            energy += 0.5 * bend * (b - strain(corner)) * (strain(corner) - a);
+        }
+    }
+    return a < b ? energy : -energy;
+}
+
+}  // namespace taut

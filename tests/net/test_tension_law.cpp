@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against tensions, strains and energies of a law that do not belong to each other: the form
+// would then be no equilibrium, and lengths follow from tensions that nobody has.
+#include "taut/net/tension_law.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+
+#include "support/random_laws.hpp"
+#include "support/small_nets.hpp"
+
+namespace taut {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// 50 kN up to 1 permille, flat up to 2, then 100 kN.
+TensionLaw law() {
+    return {.name = "strand",
+            .strain = Eigen::VectorXd{{0.0, 0.001, 0.002, 0.003}},
+            .tension = Eigen::VectorXd{{0.0, 50.0, 50.0, 150.0}}};
+}
+
+TEST(TensionLaw, IsStraightBetweenItsPointsAndGoesOnBehindThem) {
+    EXPECT_DOUBLE_EQ(law().at(0.0005).tension, 25.0);
+    EXPECT_DOUBLE_EQ(law().at(0.0005).slope, 50e3);
+    EXPECT_DOUBLE_EQ(law().at(0.0015).tension, 50.0);
+    EXPECT_DOUBLE_EQ(law().at(0.0015).slope, 0.0);
+    EXPECT_NEAR(law().at(0.005).tension, 350.0, 1e-10);
+    EXPECT_NEAR(law().at(0.005).slope, 100e3, 1e-6);
+    EXPECT_DOUBLE_EQ(law().at(-0.001).tension, -50.0);
+    EXPECT_NEAR(law().steepest(), 100e3, 1e-6);
+}
+
+TEST(TensionLaw, GivesTheLeastStrainOfATensionAndTheMiddleOfAFlatPart) {
+    EXPECT_NEAR(law().strain_at(50.0), 0.001, 1e-15);
+    EXPECT_NEAR(law().middle_strain_at(50.0), 0.0015, 1e-15);
+    EXPECT_NEAR(law().middle_strain_at(50.0 * (1.0 + 1e-9)), 0.0015, 1e-15);
+    EXPECT_NEAR(law().middle_strain_at(51.0), law().strain_at(51.0), 1e-15);
+}
+
+RC_GTEST_PROP(TensionLaw, TensionAndStrainAreInverseWhereItRises, ()) {
+    test::Random random = test::any_random();
+    const TensionLaw it = test::random_law(random, 1e5);
+    const double strain = test::uniform(random, 0.0, 0.1);
+    if (it.at(strain).slope > 0.0) {
+        RC_ASSERT(std::abs(it.strain_at(it.at(strain).tension) - strain) < 1e-12);
+    }
+}
+
+RC_GTEST_PROP(TensionLaw, EnergyIsTheIntegralOfTheTension, ()) {
+    test::Random random = test::any_random();
+    const TensionLaw it = test::random_law(random, 1e5);
+    const double a = test::uniform(random, 0.0, 0.08);
+    const double b = test::uniform(random, 0.0, 0.08);
+    // The midpoint rule is exact on all pieces but those with a corner in them.
+    constexpr int pieces = 4000;
+    double sum = 0.0;
+    for (int i = 0; i < pieces; ++i) {
+        sum += it.at(a + (b - a) * (i + 0.5) / pieces).tension * (b - a) / pieces;
+    }
+    RC_ASSERT(std::abs(it.energy_between(a, b) - sum) < 1e-3);
+    RC_ASSERT(std::abs(it.energy_between(a, b) + it.energy_between(b, a)) < 1e-9);
+    RC_ASSERT(std::abs(it.energy_between(0.0, a) + it.energy_between(a, b) -
+                       it.energy_between(0.0, b)) < 1e-9);
+}
+
+TEST(TensionLaw, EnergyKeepsItsDigitsWhereStrainsAlmostAgree) {
+    const double difference = law().energy_between(0.0025, 0.0025 + 1e-12);
+    EXPECT_NEAR(difference / 1e-12, 100.0, 0.02);  // 1e-12 itself is rounded
+    EXPECT_GT(difference, 0.0);
+}
+
+TEST(TensionLaw, TellsTheFirstRuleThatItBreaks) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const auto problem = [](std::initializer_list<double> strain,
+                            std::initializer_list<double> tension) {
+        return problem_of({.name = "",
+                           .strain = Eigen::Map<const Eigen::VectorXd>(
+                               strain.begin(), static_cast<Eigen::Index>(strain.size())),
+                           .tension = Eigen::Map<const Eigen::VectorXd>(
+                               tension.begin(), static_cast<Eigen::Index>(tension.size()))});
+    };
+    EXPECT_EQ(problem({0.0, 0.01}, {0.0, 5.0}), "");
+    EXPECT_EQ(problem({0.0, 0.01, 0.02, 0.03}, {0.0, 5.0, 5.0, 6.0}), "");
+    EXPECT_THAT(problem({0.0}, {0.0}), HasSubstr("two at least"));
+    EXPECT_THAT(problem({0.0, 0.01}, {0.0, 5.0, 6.0}), HasSubstr("2 strains and 3 tensions"));
+    EXPECT_THAT(problem({0.0, 0.01}, {1.0, 5.0}), HasSubstr("starts at (0, 1)"));
+    EXPECT_THAT(problem({0.001, 0.01}, {0.0, 5.0}), HasSubstr("starts at (0.001, 0)"));
+    EXPECT_THAT(problem({0.0, 0.01, 0.02}, {0.0, 5.0, 4.0}), HasSubstr("falls from 5 to 4"));
+    EXPECT_THAT(problem({0.0, 0.01, 0.01}, {0.0, 5.0, 6.0}), HasSubstr("ascend"));
+    EXPECT_THAT(problem({0.0, 0.01, 0.02}, {0.0, 0.0, 6.0}), HasSubstr("flat at its start"));
+    EXPECT_THAT(problem({0.0, 0.01, 0.02}, {0.0, 6.0, 6.0}), HasSubstr("ends flat"));
+    EXPECT_THAT(problem({0.0, none}, {0.0, 6.0}), HasSubstr("finite"));
+    EXPECT_THAT(problem({0.0, 0.1}, {0.0, 1e60}), HasSubstr("at most 1e+50"));
+}
+
+TEST(TensionLaw, OfANetIsRefusedWithItsPlace) {
+    const auto message = [](const auto& change) -> std::string {
+        CableNetData data = test::two_node_net_data();
+        data.tension_laws = {law()};
+        data.tension_law = {-1, 0, -1, 0, -1};
+        change(data);
+        try {
+            const CableNet net(std::move(data));
+        } catch (const NetError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message([](CableNetData&) {}), "");
+    EXPECT_THAT(message([](CableNetData& d) { d.tension_laws[0].tension(3) = 10.0; }),
+                HasSubstr("tension_laws[0]: falls"));
+    EXPECT_THAT(message([](CableNetData& d) { d.tension_law[3] = 1; }),
+                HasSubstr("tension_law[3]: is 1, expected the index of one of the 1 tension laws"));
+    EXPECT_THAT(message([](CableNetData& d) { d.tension_law.pop_back(); }),
+                HasSubstr("tension_law: has 4 entries, expected 5"));
+}
+
+TEST(TensionLaw, GivesItsEdgeTheGreatestSlopeAsAxialStiffness) {
+    CableNetData data = test::two_node_net_data();
+    const Eigen::VectorXd told = data.axial_stiffness;
+    data.tension_laws = {law()};
+    data.tension_law = {-1, 0, -1, -1, -1};
+    const CableNet net(data);
+    EXPECT_NEAR(net.axial_stiffness()(1), 100e3, 1e-6);
+    EXPECT_EQ(net.axial_stiffness()(0), told(0));
+    EXPECT_EQ(net.tension_law(0), nullptr);
+    ASSERT_NE(net.tension_law(1), nullptr);
+    EXPECT_EQ(net.tension_law(1)->name, "strand");
+    EXPECT_FALSE(net.is_linear());
+    data.tension_law[1] = -1;
+    EXPECT_TRUE(CableNet(data).is_linear());
+}
+
+TEST(TensionLaw, IsPartOfTheFingerprint) {
+    CableNetData data = test::two_node_net_data();
+    data.axial_stiffness.setConstant(100e3);
+    const std::string linear = CableNet(data).fingerprint();
+    data.tension_laws = {law()};
+    EXPECT_EQ(CableNet(data).fingerprint(), linear) << "a law that no edge has";
+    data.tension_law = {0, -1, -1, -1, -1};
+    const std::string with_law = CableNet(data).fingerprint();
+    EXPECT_NE(with_law, linear);
+    data.tension_laws[0].tension(1) = data.tension_laws[0].tension(2) = 40.0;
+    EXPECT_NE(CableNet(data).fingerprint(), with_law);
+    data.tension_laws[0].name = "another";
+    EXPECT_EQ(CableNet(data).fingerprint().size(), with_law.size());
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "support/random_nets.hpp"
+#include "taut/net/tension_law.hpp"
+
+/// Random piecewise linear tension laws.
+namespace taut::test {
+
+/// Of 2 to 4 straight parts, of which some in the middle may be flat; slopes of 0.2 to 2 times the
+/// axial stiffness, corners at strains up to 0.06.
+inline TensionLaw random_law(Random& random, double axial_stiffness) {
+    const int parts = uniform_int(random, 2, 4);
+    TensionLaw law{.name = "random",
+                   .strain = Eigen::VectorXd::Zero(parts + 1),
+                   .tension = Eigen::VectorXd::Zero(parts + 1)};
+    for (int k = 1; k <= parts; ++k) {
+        const bool is_flat = k > 1 && k < parts && uniform_int(random, 0, 2) == 0;
+        const double slope = is_flat ? 0.0 : axial_stiffness * uniform(random, 0.2, 2.0);
+        const double width = uniform(random, 0.002, 0.02);
+        law.strain(k) = law.strain(k - 1) + width;
+        law.tension(k) = law.tension(k - 1) + slope * width;
+    }
+    return law;
+}
+
+/// The net with a law of its own for most edges.
+inline CableNetData with_random_laws(Random& random, CableNetData data) {
+    for (Eigen::Index e = 0; e < data.axial_stiffness.size(); ++e) {
+        const bool is_linear = uniform_int(random, 0, 3) == 0;
+        data.tension_law.push_back(is_linear ? -1 : static_cast<int>(data.tension_laws.size()));
+        if (!is_linear) {
+            data.tension_laws.push_back(random_law(random, data.axial_stiffness(e)));
+        }
+    }
+    return data;
+}
+
+/// The net with laws that say what its axial stiffnesses say, by several points on a line.
+inline CableNetData with_straight_laws(CableNetData data) {
+    for (const double stiffness : data.axial_stiffness) {
+        const Eigen::VectorXd strain{{0.0, 0.001, 0.004, 0.01, 0.02}};
+        data.tension_law.push_back(static_cast<int>(data.tension_laws.size()));
+        data.tension_laws.push_back(
+            {.name = "straight", .strain = strain, .tension = stiffness * strain});
+    }
+    return data;
+}
+
+}  // namespace taut::test
