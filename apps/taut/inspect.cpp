@@ -103,20 +103,21 @@ Inspection inspect(const CableNet& net) {
     Analysis analysis = analyse(net, equilibrium);
     const EnergyCertificate certificate = certify(net, unstressed, equilibrium.form);
     const double move = (equilibrium.form - net.nodes()).colwise().norm().maxCoeff();
-    return {.lower = net.nodes().rowwise().minCoeff(),
-            .upper = net.nodes().rowwise().maxCoeff(),
-            .lengths = range_of(lengths),
-            .unstressed_lengths = range_of(unstressed),
-            .tensions = range_of(edge_tensions),
-            .strains = range_of(edge_tensions.cwiseQuotient(net.axial_stiffness())),
-            .imbalance = imbalance(net, unstressed, net.nodes()),
-            .slack_edges = slack_edges(net, unstressed, net.nodes()),
-            .load = net.loads()(Eigen::all, net.free_nodes()).rowwise().sum(),
-            .equilibrium = std::move(equilibrium),
-            .certificate = certificate,
-            .move = move,
-            .analysis = std::move(analysis),
-            .warnings = unit_warnings(net)};
+    return {
+        .lower = net.nodes().rowwise().minCoeff(),
+        .upper = net.nodes().rowwise().maxCoeff(),
+        .lengths = range_of(lengths),
+        .unstressed_lengths = range_of(unstressed),
+        .tensions = range_of(edge_tensions),
+        .strains = range_of((lengths.array() / unstressed.array() - 1.0).cwiseMax(0.0).matrix()),
+        .imbalance = imbalance(net, unstressed, net.nodes()),
+        .slack_edges = slack_edges(net, unstressed, net.nodes()),
+        .load = net.loads()(Eigen::all, net.free_nodes()).rowwise().sum(),
+        .equilibrium = std::move(equilibrium),
+        .certificate = certificate,
+        .move = move,
+        .analysis = std::move(analysis),
+        .warnings = unit_warnings(net)};
 }
 
 nlohmann::ordered_json to_json(const Eigen::Vector3d& v) {

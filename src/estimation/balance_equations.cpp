@@ -7,6 +7,18 @@
 #include <utility>
 
 namespace taut {
+namespace {
+
+/// T / l of an edge with its nominal unstressed length [N/m].
+double nominal_force_density(const CableNet& net, int edge, double length) {
+    const double nominal = net.unstressed_lengths()(edge);
+    if (const TensionLaw* law = net.tension_law(edge); law != nullptr) {
+        return law->at(length / nominal - 1.0).tension / length;
+    }
+    return net.axial_stiffness()(edge) / nominal * (1.0 - nominal / length);
+}
+
+}  // namespace
 
 BalanceEquations::BalanceEquations(const CableNet& net, const Points& form,
                                    const std::vector<bool>& slack)
@@ -26,8 +38,7 @@ BalanceEquations::BalanceEquations(const CableNet& net, const Points& form,
         }
         const Eigen::Vector3d vector = form.col(s) - form.col(t);
         const double axial = net.axial_stiffness()(e) / net.unstressed_lengths()(e);
-        const Eigen::Vector3d force =
-            axial * (1.0 - net.unstressed_lengths()(e) / vector.norm()) * vector;
+        const Eigen::Vector3d force = nominal_force_density(net, e, vector.norm()) * vector;
         forces.col(s) += force;
         forces.col(t) -= force;
         for (const auto& [node, sign] : {std::pair{s, 1.0}, std::pair{t, -1.0}}) {
@@ -63,6 +74,17 @@ Eigen::VectorXd BalanceEquations::solve() const {
         y -= m_factor.solve(m_matrix.transpose() * (m_forces + m_matrix * y));
     }
     return y;
+}
+
+double unstressed_length_from(const CableNet& net, int edge, double length, double y) {
+    const double nominal = net.unstressed_lengths()(edge);
+    const TensionLaw* law = net.tension_law(edge);
+    if (law == nullptr) {
+        return nominal / (1.0 + y);
+    }
+    const double density =
+        nominal_force_density(net, edge, length) + net.axial_stiffness()(edge) / nominal * y;
+    return length / (1.0 + law->middle_strain_at(density * length));
 }
 
 std::vector<bool> BalanceEquations::undetermined() const {

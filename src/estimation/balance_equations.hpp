@@ -11,10 +11,11 @@
 
 namespace taut {
 
-/// The balance of a known form, docs/theory.md (balance): h = 0 (eq. hq) is linear in y, with
-/// 1/l_0 = (1 + y) / nominal of the interior edges. Solved by sparse least squares, each node's
-/// forces in terms of its move, so that soft parts count as much as stiff ones. Lengths that the
-/// forces do not show stay nominal.
+/// The balance of a known form, docs/theory.md (balance): h = 0 (eq. hq) is linear in the tensions,
+/// and so in y, with T / l = T / l at the nominal length + EA / nominal y of the interior edges.
+/// Where the edge is linear this is 1/l_0 = (1 + y) / nominal. Solved by sparse least squares, each
+/// node's forces in terms of its move, so that soft parts count as much as stiff ones. Lengths that
+/// the forces do not show stay nominal.
 class BalanceEquations {
 public:
     /// @param form 3 x n [m]
@@ -36,5 +37,9 @@ private:
     double m_shift = 0.0;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  ///< of the normal equations
 };
+
+/// l_0 of an edge from its y [m]; not positive where no positive length has that tension. Where its
+/// law is flat there, the middle of those that have it.
+[[nodiscard]] double unstressed_length_from(const CableNet& net, int edge, double length, double y);
 
 }  // namespace taut

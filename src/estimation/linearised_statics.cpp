@@ -46,8 +46,13 @@ LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& i
     const Eigen::Vector3d vector = iterate.form.col(s) - iterate.form.col(t);
     const double length = vector.norm();
     const Eigen::Vector3d u = vector / length;
-    const double axial = m_net.axial_stiffness()(edge) / unstressed;
-    const double across = axial * (1.0 - unstressed / length);  // T / l
+    double axial = m_net.axial_stiffness()(edge) / unstressed;
+    double across = axial * (1.0 - unstressed / length);  // T / l
+    if (const TensionLaw* law = m_net.tension_law(edge); law != nullptr) {
+        const auto [tension, slope] = law->at(length / unstressed - 1.0);
+        axial = slope / unstressed;
+        across = tension / length;
+    }
     return {
         .force = across * vector,
         .stiffness = (axial - across) * u * u.transpose() + across * Eigen::Matrix3d::Identity(),

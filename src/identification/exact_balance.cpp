@@ -38,16 +38,19 @@ struct BalancedDeviations {
     int impossible_edge = -1;
 };
 
-BalancedDeviations balanced_deviations(const CableNet& net, const BalanceEquations& balance) {
+BalancedDeviations balanced_deviations(const CableNet& net, const Points& form,
+                                       const BalanceEquations& balance) {
     const Eigen::VectorXd y = balance.solve();
+    const Eigen::VectorXd lengths = edge_lengths(net, form);
     BalancedDeviations result{.deviations = Eigen::VectorXd(y.size())};
     for (Eigen::Index i = 0; i < y.size(); ++i) {
         const int edge = net.interior_edges()[i];
-        if (!(1.0 + y(i) > 0.0)) {
+        const double unstressed = unstressed_length_from(net, edge, lengths(edge), y(i));
+        if (!(unstressed > 0.0 && std::isfinite(unstressed))) {
             result.impossible_edge = edge;
             return result;
         }
-        result.deviations(i) = -net.unstressed_lengths()(edge) * y(i) / (1.0 + y(i));
+        result.deviations(i) = unstressed - net.unstressed_lengths()(edge);
     }
     return result;
 }
@@ -64,7 +67,7 @@ public:
           m_statics(net) {
         m_statics.set_slack(slack_by_form(net, m_balanced, law));
         const BalanceEquations balance(net, m_balanced.form, m_statics.slack());
-        const BalancedDeviations balanced = balanced_deviations(net, balance);
+        const BalancedDeviations balanced = balanced_deviations(net, m_balanced.form, balance);
         m_balanced.deviations = balanced.deviations;
         m_impossible_edge = balanced.impossible_edge;
         m_undetermined = balance.undetermined();
@@ -171,7 +174,7 @@ Identification identify_by_exact_balance(const CableNet& net, const Survey& surv
 Identification check_exactness(const CableNet& net, const Survey& survey, const LengthLaw& law) {
     const Iterate surveyed{.form = survey.form, .deviations = {}};
     const BalancedDeviations balanced = balanced_deviations(
-        net, BalanceEquations(net, survey.form, slack_by_form(net, surveyed, law)));
+        net, survey.form, BalanceEquations(net, survey.form, slack_by_form(net, surveyed, law)));
     Identification result{.law = law};
     if (tell_impossible_edge(result, net, balanced.impossible_edge)) {
         return result;

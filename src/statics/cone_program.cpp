@@ -3,6 +3,8 @@
 #include "taut/statics/cone_program.hpp"
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "statics/arguments.hpp"
 #include "statics/conic_solver.hpp"
@@ -28,10 +30,46 @@ Units units_for(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& un
     return {.length = unstressed_lengths.mean(), .force = force};
 }
 
+/// A straight part of an edge's law in units of the program: up to a width w of extension the
+/// tension grows from T_0 with stiffness c. An edge's extension is the sum of those of its parts;
+/// since the tension never falls, least energy takes them in their order.
+struct Part {
+    int edge;
+    double tension;  ///< T_0 at its start
+    double axial;    ///< c; 0 where the law is flat
+    double width;    ///< infinite for the last one
+    /// Of its variable: sqrt(c), so that its square is twice the energy that c stores.
+    [[nodiscard]] double scale() const { return axial > 0.0 ? std::sqrt(axial) : 1.0; }
+};
+
+std::vector<Part> parts_of(const CableNet& net,
+                           const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                           const Units& units) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<Part> parts;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const double unstressed = unstressed_lengths(e);
+        const TensionLaw* law = net.tension_law(e);
+        if (law == nullptr) {
+            const double axial = net.axial_stiffness()(e) / unstressed;
+            parts.push_back({e, 0.0, axial * units.length / units.force, infinity});
+            continue;
+        }
+        const Eigen::Index last = law->strain.size() - 2;
+        for (Eigen::Index k = 0; k <= last; ++k) {
+            const double width = (law->strain(k + 1) - law->strain(k)) * unstressed / units.length;
+            const double rise = (law->tension(k + 1) - law->tension(k)) / units.force;
+            parts.push_back(
+                {e, law->tension(k) / units.force, rise / width, k == last ? infinity : width});
+        }
+    }
+    return parts;
+}
+
 /// The program of one net. Variables: displacements x of the free nodes from the net's nodes
-/// (3 n_I), w (m), and in the paper's form v. Rows: w >= 0 (m); for each edge the cone
-/// (l_0 + w / sqrt(c), r_s - r_t) with c = EA/l_0 (4 each); in the paper's form the cone
-/// (1 + v, 2w, 1 - v).
+/// (3 n_I), w (one a part of an edge's law), and in the paper's form v. Rows: w >= 0; w at most the
+/// width of its part, where that is finite; for each edge the cone (l_0 + sum w / sqrt(c), r_s -
+/// r_t) with c = EA/l_0 of each part (4 each); in the paper's form the cone (1 + v, 2w, 1 - v).
 class Assembly {
 public:
     Assembly(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
@@ -39,87 +77,116 @@ public:
         : m_net(net),
           m_unstressed_lengths(unstressed_lengths),
           m_units(units),
+          m_parts(parts_of(net, unstressed_lengths, units)),
           m_coordinates(3 * net.free_node_count()),
           m_edges(net.edge_count()) {
-        m_program.b.setZero(5 * m_edges + (form == ConeForm::paper ? m_edges + 2 : 0));
         add_objective(form);
-        add_nonnegative();
-        for (int e = 0; e < m_edges; ++e) {
-            add_edge_cone(e);
-        }
+        add_bounds();
+        m_first_cone = m_rows;
+        add_edge_cones();
         if (form == ConeForm::paper) {
             add_large_cone();
         }
+        m_program.b = Eigen::Map<const Eigen::VectorXd>(m_b.data(), m_rows);
         m_program.A.resize(m_program.b.size(), m_program.q.size());
         m_program.A.setFromTriplets(m_entries.begin(), m_entries.end());
     }
 
     [[nodiscard]] const ConicProgram& program() const { return m_program; }
     /// Where the multiplier of r_s - r_t of an edge stands in z.
-    [[nodiscard]] int vector_row(int edge) const { return m_edges + 4 * edge + 1; }
+    [[nodiscard]] int vector_row(int edge) const { return m_first_cone + 4 * edge + 1; }
 
 private:
+    [[nodiscard]] int part_count() const { return static_cast<int>(m_parts.size()); }
+
     void add_objective(ConeForm form) {
-        const int variables = m_coordinates + m_edges + (form == ConeForm::paper ? 1 : 0);
+        const int variables = m_coordinates + part_count() + (form == ConeForm::paper ? 1 : 0);
         m_program.q.setZero(variables);
         for (int i = 0; i < m_net.free_node_count(); ++i) {
             const int node = m_net.free_nodes()[i];
             m_program.q.segment<3>(Eigen::Index{3} * i) = -m_net.loads().col(node) / m_units.force;
         }
         m_program.P.resize(variables, variables);
+        for (int k = 0; k < part_count(); ++k) {
+            const Part& part = m_parts[k];
+            m_program.q(m_coordinates + k) = part.tension / part.scale();
+            if (form == ConeForm::quadratic && part.axial > 0.0) {
+                m_program.P.insert(m_coordinates + k, m_coordinates + k) = 1.0;
+            }
+        }
         if (form == ConeForm::paper) {
             m_program.q(variables - 1) = 0.5;
-            return;
-        }
-        for (int e = 0; e < m_edges; ++e) {
-            m_program.P.insert(m_coordinates + e, m_coordinates + e) = 1.0;
         }
         m_program.P.makeCompressed();
     }
 
-    void add_nonnegative() {
-        add_cone(Cone::Kind::nonnegative, m_edges);
+    void add_bounds() {
+        const int row = add_cone(Cone::Kind::nonnegative, part_count());
+        for (int k = 0; k < part_count(); ++k) {
+            m_entries.emplace_back(row + k, m_coordinates + k, -1.0);
+        }
+        std::vector<int> bounded;
+        for (int k = 0; k < part_count(); ++k) {
+            if (std::isfinite(m_parts[k].width)) {
+                bounded.push_back(k);
+            }
+        }
+        if (bounded.empty()) {
+            return;
+        }
+        int next = add_cone(Cone::Kind::nonnegative, static_cast<int>(bounded.size()));
+        for (const int k : bounded) {
+            m_b[next] = m_parts[k].width * m_parts[k].scale();
+            m_entries.emplace_back(next++, m_coordinates + k, 1.0);
+        }
+    }
+
+    void add_edge_cones() {
         for (int e = 0; e < m_edges; ++e) {
-            m_entries.emplace_back(e, m_coordinates + e, -1.0);
+            const int row = add_cone(Cone::Kind::second_order, 4);
+            m_b[row] = m_unstressed_lengths(e) / m_units.length;
+            const auto [s, t] = m_net.edges()[e];
+            for (int k = 0; k < 3; ++k) {
+                m_b[row + 1 + k] = (m_net.nodes()(k, s) - m_net.nodes()(k, t)) / m_units.length;
+                if (const int i = m_net.free_index(s); i >= 0) {
+                    m_entries.emplace_back(row + 1 + k, 3 * i + k, -1.0);
+                }
+                if (const int j = m_net.free_index(t); j >= 0) {
+                    m_entries.emplace_back(row + 1 + k, 3 * j + k, 1.0);
+                }
+            }
+        }
+        for (int k = 0; k < part_count(); ++k) {
+            m_entries.emplace_back(m_first_cone + 4 * m_parts[k].edge, m_coordinates + k,
+                                   -1.0 / m_parts[k].scale());
         }
     }
 
-    void add_edge_cone(int e) {
-        const int row = add_cone(Cone::Kind::second_order, 4);
-        const double unstressed = m_unstressed_lengths(e);
-        const double axial =
-            m_net.axial_stiffness()(e) / unstressed * m_units.length / m_units.force;
-        m_program.b(row) = unstressed / m_units.length;
-        m_entries.emplace_back(row, m_coordinates + e, -1.0 / std::sqrt(axial));
-        const auto [s, t] = m_net.edges()[e];
-        m_program.b.segment<3>(row + 1) =
-            (m_net.nodes().col(s) - m_net.nodes().col(t)) / m_units.length;
-        for (int k = 0; k < 3; ++k) {
-            if (const int i = m_net.free_index(s); i >= 0) {
-                m_entries.emplace_back(row + 1 + k, 3 * i + k, -1.0);
-            }
-            if (const int j = m_net.free_index(t); j >= 0) {
-                m_entries.emplace_back(row + 1 + k, 3 * j + k, 1.0);
-            }
-        }
-    }
-
+    /// Holds the parts that store energy: v >= w'w.
     void add_large_cone() {
-        const int row = add_cone(Cone::Kind::second_order, m_edges + 2);
-        const int v = m_coordinates + m_edges;
-        m_program.b(row) = 1.0;
-        m_entries.emplace_back(row, v, -1.0);
-        for (int e = 0; e < m_edges; ++e) {
-            m_entries.emplace_back(row + 1 + e, m_coordinates + e, -2.0);
+        std::vector<int> storing;
+        for (int k = 0; k < part_count(); ++k) {
+            if (m_parts[k].axial > 0.0) {
+                storing.push_back(k);
+            }
         }
-        m_program.b(row + 1 + m_edges) = 1.0;
-        m_entries.emplace_back(row + 1 + m_edges, v, 1.0);
+        const auto count = static_cast<int>(storing.size());
+        const int row = add_cone(Cone::Kind::second_order, count + 2);
+        const int v = m_coordinates + part_count();
+        m_b[row] = 1.0;
+        m_entries.emplace_back(row, v, -1.0);
+        for (int i = 0; i < count; ++i) {
+            m_entries.emplace_back(row + 1 + i, m_coordinates + storing[i], -2.0);
+        }
+        m_b[row + 1 + count] = 1.0;
+        m_entries.emplace_back(row + 1 + count, v, 1.0);
     }
 
     /// Takes the next rows for a cone and returns the first.
     int add_cone(Cone::Kind kind, int dimension) {
         const int row = m_rows;
         m_rows += dimension;
+        m_b.resize(m_rows, 0.0);
         m_program.cones.push_back({.kind = kind, .dimension = dimension});
         return row;
     }
@@ -127,9 +194,12 @@ private:
     const CableNet& m_net;
     Eigen::Ref<const Eigen::VectorXd> m_unstressed_lengths;
     Units m_units;
+    std::vector<Part> m_parts;
     int m_coordinates;
     int m_edges;
     int m_rows = 0;  ///< taken so far
+    int m_first_cone = 0;
+    std::vector<double> m_b;
     ConicProgram m_program;
     std::vector<Eigen::Triplet<double>> m_entries;
 };

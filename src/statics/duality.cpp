@@ -69,6 +69,31 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
     }
 }
 
+/// What phi(e) + phi*(T) exceeds T e by, of an edge whose tension is to be T where its extension is
+/// e and its tension T_e; phi* is the conjugate. With c = EA/l_0 it is (T - T_e)^2 / (2c); of a law
+/// the area between it and T, from e to the extension that it has at T.
+double misfit_energy(const EdgeState& state, double unstressed_length, const TensionLaw* law,
+                     double tension) {
+    const double misfit = tension - state.tension;
+    if (law == nullptr) {
+        return misfit * misfit / (2.0 * state.axial);
+    }
+    const double strain = state.extension / unstressed_length;
+    const double wanted = law->strain_at(tension);
+    return std::max(0.0, unstressed_length * (0.5 * misfit * (wanted - strain) +
+                                              law->corner_energy(strain, wanted)));
+}
+
+/// phi*(f) - T l_0 of an edge, T^2 / (2c) where it is linear [J].
+double complementary_energy(double tension, double unstressed_length, double axial_stiffness,
+                            const TensionLaw* law) {
+    if (law == nullptr) {
+        return tension * tension * unstressed_length / (2.0 * axial_stiffness);
+    }
+    const double strain = law->strain_at(tension);
+    return unstressed_length * (tension * strain - law->energy_between(0.0, strain));
+}
+
 /// An edge's part of V - D. Of an edge with d = r_s - r_t, l = |d|, c = EA/l_0 and extension
 /// e = max(0, l - l_0), V has phi(d) = c e^2 / 2, whose convex conjugate is
 ///
@@ -80,17 +105,18 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
 ///
 ///   (T - c e)^2 / (2c)  +  T max(0, l_0 - l)  +  (T l - f . d)
 ///
-/// each term at least 0. The last one, with the cross product f x d, is |f x d|^2 / (T l + f . d)
-/// where f and d point the same way: no difference of nearly equal numbers.
-double gap_of(const EdgeState& state, double unstressed_length, const Eigen::Vector3d& force) {
+/// each term at least 0; with a tension law the first is misfit_energy(). The last one, with the
+/// cross product f x d, is |f x d|^2 / (T l + f . d) where f and d point the same way: no
+/// difference of nearly equal numbers.
+double gap_of(const EdgeState& state, double unstressed_length, const TensionLaw* law,
+              const Eigen::Vector3d& force) {
     const double tension = force.norm();
-    const double misfit = tension - state.tension();
     const Eigen::Vector3d vector = state.length * state.direction;
     const double work = force.dot(vector);
     const double product = tension * state.length;
     const double across =
         work > 0.0 ? force.cross(vector).squaredNorm() / (product + work) : product - work;
-    return misfit * misfit / (2.0 * state.axial) +
+    return misfit_energy(state, unstressed_length, law, tension) +
            tension * std::max(0.0, unstressed_length - state.length) + across;
 }
 
@@ -98,10 +124,13 @@ EnergyCertificate certify_states(const CableNet& net,
                                  const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                  const Eigen::Ref<const Points>& form,
                                  const std::vector<EdgeState>& states, Points forces) {
-    Eigen::VectorXd stiffness(net.edge_count());
-    std::ranges::transform(states, stiffness.begin(), [](const EdgeState& state) {
-        return state.taut() ? state.axial : slack_share * state.axial;
-    });
+    Eigen::VectorXd stiffness =
+        slack_share * net.axial_stiffness().cwiseQuotient(unstressed_lengths);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (states[e].taut()) {
+            stiffness(e) = std::max(stiffness(e), states[e].axial);
+        }
+    }
     balance(net, stiffness, forces);
 
     EnergyCertificate result{.energy = energy(net, unstressed_lengths, form)};
@@ -109,9 +138,11 @@ EnergyCertificate certify_states(const CableNet& net,
     double complementary = 0.0;
     for (int e = 0; e < net.edge_count(); ++e) {
         const EdgeState& state = states[e];
-        elastic += state.energy();
-        complementary += forces.col(e).squaredNorm() / (2.0 * state.axial);
-        result.duality_gap += gap_of(state, unstressed_lengths(e), forces.col(e));
+        const TensionLaw* law = net.tension_law(e);
+        elastic += energy_of(state, unstressed_lengths(e), law);
+        complementary += complementary_energy(forces.col(e).norm(), unstressed_lengths(e),
+                                              net.axial_stiffness()(e), law);
+        result.duality_gap += gap_of(state, unstressed_lengths(e), law, forces.col(e));
     }
     result.complementary_energy = result.energy - result.duality_gap;
     const double negligible =
@@ -129,7 +160,7 @@ EnergyCertificate certify(const CableNet& net,
     Points forces(3, net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
         const EdgeState& state = states[e];
-        forces.col(e) = state.tension() * state.direction;
+        forces.col(e) = state.tension * state.direction;
     }
     return certify_states(net, unstressed_lengths, form, states, std::move(forces));
 }

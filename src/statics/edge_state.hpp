@@ -16,23 +16,51 @@ struct EdgeState {
     Eigen::Vector3d direction;  ///< u = (r_s - r_t) / l; zero where both ends meet
     double length;              ///< l [m]
     double extension;           ///< max(0, l - l_0) [m]
-    double axial;               ///< EA / l_0, stiffness along the edge [N/m]
+    double axial;               ///< dT/dl, stiffness along the edge, EA / l_0; also if slack [N/m]
+    double tension;             ///< T [N]
 
     [[nodiscard]] bool taut() const { return extension > 0.0; }
-    [[nodiscard]] double tension() const { return axial * extension; }
-    [[nodiscard]] double energy() const { return 0.5 * axial * extension * extension; }
     /// T / l, stiffness across the edge [N/m].
-    [[nodiscard]] double force_density() const { return taut() ? tension() / length : 0.0; }
+    [[nodiscard]] double force_density() const { return taut() ? tension / length : 0.0; }
 };
 
+/// @param law null: linear, with the axial stiffness
 inline EdgeState edge_state(const Eigen::Vector3d& source, const Eigen::Vector3d& target,
-                            double axial_stiffness, double unstressed_length) {
+                            double axial_stiffness, double unstressed_length,
+                            const TensionLaw* law) {
     const Eigen::Vector3d vector = source - target;
     const double length = vector.norm();
-    return {.direction = length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(),
-            .length = length,
-            .extension = std::max(0.0, length - unstressed_length),
-            .axial = axial_stiffness / unstressed_length};
+    const double extension = std::max(0.0, length - unstressed_length);
+    EdgeState state{
+        .direction = length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(),
+        .length = length,
+        .extension = extension,
+        .axial = axial_stiffness / unstressed_length,
+        .tension = axial_stiffness / unstressed_length * extension};
+    if (law != nullptr) {
+        const auto [tension, slope] = law->at(extension / unstressed_length);
+        state.axial = slope / unstressed_length;
+        state.tension = tension;
+    }
+    return state;
+}
+
+/// What an edge stores on the way from one extension to another, exact also where they almost
+/// agree [J].
+inline double energy_between(const EdgeState& from, const EdgeState& to, double unstressed_length,
+                             const TensionLaw* law) {
+    if (law == nullptr) {
+        return 0.5 * to.axial * (to.extension - from.extension) * (to.extension + from.extension);
+    }
+    return unstressed_length * law->energy_between(from.extension / unstressed_length,
+                                                   to.extension / unstressed_length);
+}
+
+/// 1/2 EA/l_0 (l - l_0)^2, or the integral of the law [J].
+inline double energy_of(const EdgeState& state, double unstressed_length, const TensionLaw* law) {
+    return law == nullptr
+               ? 0.5 * state.axial * state.extension * state.extension
+               : unstressed_length * law->energy_between(0.0, state.extension / unstressed_length);
 }
 
 /// The states of all edges of a net at a form (3 x n) [m].
@@ -46,8 +74,8 @@ inline std::vector<EdgeState> edge_states(
     states.reserve(net.edges().size());
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
-        states.push_back(
-            edge_state(form.col(s), form.col(t), net.axial_stiffness()(e), unstressed_lengths(e)));
+        states.push_back(edge_state(form.col(s), form.col(t), net.axial_stiffness()(e),
+                                    unstressed_lengths(e), net.tension_law(e)));
     }
     return states;
 }

@@ -10,8 +10,9 @@ namespace taut {
 double energy(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
               const Eigen::Ref<const Points>& form) {
     double total = 0.0;
-    for (const EdgeState& state : edge_states(net, unstressed_lengths, form)) {
-        total += state.energy();
+    const auto states = edge_states(net, unstressed_lengths, form);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        total += energy_of(states[e], unstressed_lengths(e), net.tension_law(e));
     }
     for (const int node : net.free_nodes()) {
         total -= net.loads().col(node).dot(form.col(node));
@@ -26,7 +27,7 @@ Eigen::VectorXd out_of_balance_forces(const CableNet& net,
     const auto states = edge_states(net, unstressed_lengths, form);
     for (size_t e = 0; e < states.size(); ++e) {
         const auto [s, t] = net.edges()[e];
-        const Eigen::Vector3d force = states[e].tension() * states[e].direction;
+        const Eigen::Vector3d force = states[e].tension * states[e].direction;
         forces.col(s) += force;
         forces.col(t) -= force;
     }

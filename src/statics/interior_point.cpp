@@ -22,7 +22,7 @@ constexpr double shortest_step = 0.1;
 constexpr int most_fruitless_steps = 4;
 constexpr double wider = 10.0;
 
-/// The path ends where sum T s is this part of sum T^2 l_0/EA, twice the energy of the edges (or
+/// The path ends where sum T s is this part of sum T e, twice the energy of linear edges (or
 /// where the play, weighted by the tensions, is a rounding error of the coordinates), and the
 /// largest imbalance of the tensions this part of their mean.
 constexpr double smallest_gap = 1e-9;
@@ -49,13 +49,40 @@ double stretch(const NetState& state, size_t edge) {
     return state.edges()[edge].length - state.unstressed_lengths()(static_cast<Eigen::Index>(edge));
 }
 
-/// Mean over the edges of EA/l_0 (l - l_0)^2, slack ones included [N m].
+/// Mean over the edges of T (l - l_0), slack ones included with the pressure that they would bear
+/// [N m].
 double mean_stretch_energy(const NetState& state) {
     double sum = 0.0;
     for (size_t e = 0; e < state.edges().size(); ++e) {
-        sum += state.edges()[e].axial * stretch(state, e) * stretch(state, e);
+        const EdgeState& edge = state.edges()[e];
+        sum += edge.taut() ? edge.tension * edge.extension
+                           : edge.axial * stretch(state, e) * stretch(state, e);
     }
     return sum / static_cast<double>(state.edges().size());
+}
+
+/// The play s > 0 with T s = mu where T = a + b s.
+double play_of(double a, double b, double mu) {
+    const double root = std::sqrt(a * a + 4.0 * b * mu);
+    return a > 0.0 ? 2.0 * mu / (root + a) : (root - a) / (2.0 * b);
+}
+
+/// The play s > 0 of an edge of a given length with T s = mu, T at the elongation l - l_0 + s. Both
+/// grow, so that the part of the law in which it lies is the first at whose end T s exceeds mu.
+double play_on_path(const TensionLaw* law, const EdgeState& edge, double unstressed, double mu) {
+    const double stretch = edge.length - unstressed;
+    if (law == nullptr) {
+        return play_of(edge.axial * stretch, edge.axial, mu);
+    }
+    Eigen::Index end = 1;
+    while (end + 1 < law->strain.size() &&
+           law->tension(end) * std::max(0.0, law->strain(end) * unstressed - stretch) < mu) {
+        ++end;
+    }
+    const double begin = law->strain(end - 1);
+    const double axial =
+        (law->tension(end) - law->tension(end - 1)) / (law->strain(end) - begin) / unstressed;
+    return play_of(law->tension(end - 1) + axial * (stretch - begin * unstressed), axial, mu);
 }
 
 /// Adds a force along every edge to its ends: that of the source.
@@ -109,14 +136,30 @@ int InteriorPoint::run(const LocalNet& net, Stiffness& stiffness, NetState& stat
     return steps;
 }
 
+/// Tension and stiffness of an edge at its elongation.
+void InteriorPoint::follow_law(const LocalNet& net, const NetState& state, size_t edge) {
+    PathEdge& e = m_edges[edge];
+    if (const TensionLaw* law = net.law(edge); law != nullptr) {
+        const double unstressed = state.unstressed_lengths()(static_cast<Eigen::Index>(edge));
+        const auto [tension, slope] = law->at(e.elongation / unstressed);
+        e.tension = tension;
+        e.axial = slope / unstressed;
+    } else {
+        e.axial = state.edges()[edge].axial;
+        e.tension = e.axial * e.elongation;
+    }
+}
+
 /// On the path at this form: the tension of an edge is that of its law with a corner rounded by mu.
 void InteriorPoint::start_on_path(const LocalNet& net, const NetState& state, double mu) {
     for (size_t e = 0; e < m_edges.size(); ++e) {
-        const double mu_by_axial = mu / state.edges()[e].axial;
-        const double half = 0.5 * stretch(state, e);
-        const double root = std::sqrt(half * half + mu_by_axial);
-        m_edges[e].play = half > 0.0 ? mu_by_axial / (root + half) : root - half;
-        m_edges[e].tension = mu / m_edges[e].play;
+        const double unstressed = state.unstressed_lengths()(static_cast<Eigen::Index>(e));
+        m_edges[e].play = play_on_path(net.law(e), state.edges()[e], unstressed, mu);
+        m_edges[e].elongation = stretch(state, e) + m_edges[e].play;
+        if (net.law(e) == nullptr) {
+            m_edges[e].elongation = mu / m_edges[e].play / state.edges()[e].axial;
+        }
+        follow_law(net, state, e);
     }
     update_imbalance(net, state);
 }
@@ -138,7 +181,7 @@ bool InteriorPoint::arrived(const LocalNet& net, const NetState& state) const {
     double tension = 0.0;
     for (size_t e = 0; e < m_edges.size(); ++e) {
         gap += m_edges[e].tension * m_edges[e].play;
-        energy += m_edges[e].tension * m_edges[e].tension / state.edges()[e].axial;
+        energy += m_edges[e].tension * m_edges[e].elongation;
         tension += m_edges[e].tension;
     }
     const double largest = m_imbalance.reshaped(3, net.free_count).colwise().norm().maxCoeff();
@@ -148,12 +191,13 @@ bool InteriorPoint::arrived(const LocalNet& net, const NetState& state) const {
 
 bool InteriorPoint::factorize(const LocalNet& net, Stiffness& stiffness, const NetState& state) {
     for (size_t e = 0; e < m_edges.size(); ++e) {
-        const auto& [tension, play, wanted, tension_rate, difference] = m_edges[e];
-        const double along = tension / (play + tension / state.edges()[e].axial);
-        m_springs[e] = {.direction = state.edges()[e].direction,
-                        .length = state.edges()[e].length,
-                        .extension = tension / along,
-                        .axial = along};
+        const PathEdge& edge = m_edges[e];
+        m_springs[e] = {
+            .direction = state.edges()[e].direction,
+            .length = state.edges()[e].length,
+            .extension = edge.elongation,
+            .axial = edge.axial * edge.tension / (edge.axial * edge.play + edge.tension),
+            .tension = edge.tension};
     }
     stiffness.matrix.assemble(net, m_springs);
     return stiffness.factorize();
@@ -173,20 +217,23 @@ void InteriorPoint::correct(const NetState& state) {
         PathEdge& edge = m_edges[e];
         const double lengthening = at.direction.dot(edge.difference);
         const double turned = (at.length * at.direction + edge.difference).norm() - at.length;
-        edge.wanted -= edge.tension_rate * (edge.tension_rate / at.axial - lengthening) -
+        edge.wanted -= edge.axial * edge.elongation_rate * (edge.elongation_rate - lengthening) -
                        edge.tension * (turned - lengthening);
     }
 }
 
-/// Solves dT s + T ds = wanted and h(r + dr, T + dT) = 0, both to first order.
+/// Solves dT s + T ds = wanted and h(r + dr, T + dT) = 0, both to first order: with dT = c de and
+/// ds = de - dl, de = (wanted + T dl) / (c s + T).
 void InteriorPoint::find_direction(const LocalNet& net, const Stiffness& stiffness,
                                    const NetState& state) {
-    const auto fixed_part = [&](size_t e) {
-        const PathEdge& edge = m_edges[e];
-        return edge.wanted / (edge.play + edge.tension / state.edges()[e].axial);
+    const auto product_rate = [&](size_t e) {  // d(T s)/de
+        return m_edges[e].axial * m_edges[e].play + m_edges[e].tension;
     };
     m_direction = -m_imbalance;
-    add_forces(net, state, [&](size_t e) { return -fixed_part(e); }, m_direction);
+    add_forces(
+        net, state,
+        [&](size_t e) { return -m_edges[e].axial * m_edges[e].wanted / product_rate(e); },
+        m_direction);
     stiffness.factor.solve(m_direction);
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const auto [s, t] = net.edges[e];
@@ -198,24 +245,24 @@ void InteriorPoint::find_direction(const LocalNet& net, const Stiffness& stiffne
         if (t < net.free_count) {
             edge.difference -= m_direction.segment<3>(Eigen::Index{3} * t);
         }
-        edge.tension_rate =
-            fixed_part(e) + m_springs[e].axial * m_springs[e].direction.dot(edge.difference);
+        const double lengthening = m_springs[e].direction.dot(edge.difference);
+        edge.elongation_rate = (edge.wanted + edge.tension * lengthening) / product_rate(e);
     }
 }
 
-/// At most 1, and no edge loses more of its tension or play than part_kept leaves. The play along
-/// the direction is l_0 + (T + a dT) l_0/EA - |l u + a d|.
+/// At most 1, and no edge loses more of its elongation or play than part_kept leaves. The play
+/// along the direction is l_0 + e + a de - |l u + a d|.
 double InteriorPoint::longest_step(const NetState& state) const {
     double step = 1.0;
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const EdgeState& at = state.edges()[e];
         const PathEdge& edge = m_edges[e];
-        if (edge.tension_rate < 0.0) {
-            step = std::min(step, (part_kept - 1.0) * edge.tension / edge.tension_rate);
+        const double rate = edge.elongation_rate;
+        if (rate < 0.0) {
+            step = std::min(step, (part_kept - 1.0) * edge.elongation / rate);
         }
         // |l u + a d| = l + reach + a rate
         const double reach = (1.0 - part_kept) * edge.play;
-        const double rate = edge.tension_rate / at.axial;
         step = std::min(step, first_root(edge.difference.squaredNorm() - rate * rate,
                                          at.length * at.direction.dot(edge.difference) -
                                              (at.length + reach) * rate,
@@ -233,15 +280,15 @@ double InteriorPoint::mean_product() const {
     return sum / static_cast<double>(m_edges.size());
 }
 
-/// mu, a step along the direction.
+/// mu, a step along the direction, by the slopes at its start.
 double InteriorPoint::mean_product_after(double step, const NetState& state) const {
     double sum = 0.0;
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const EdgeState& at = state.edges()[e];
         const PathEdge& edge = m_edges[e];
         const double length = (at.length * at.direction + step * edge.difference).norm();
-        sum += (edge.tension + step * edge.tension_rate) *
-               (edge.play + step * edge.tension_rate / at.axial - (length - at.length));
+        sum += (edge.tension + step * edge.axial * edge.elongation_rate) *
+               (edge.play + step * edge.elongation_rate - (length - at.length));
     }
     return sum / static_cast<double>(m_edges.size());
 }
@@ -251,9 +298,10 @@ void InteriorPoint::move(double step, const LocalNet& net, NetState& state) {
     state.update(net);
     for (size_t e = 0; e < m_edges.size(); ++e) {
         PathEdge& edge = m_edges[e];
-        edge.tension += step * edge.tension_rate;
+        edge.elongation += step * edge.elongation_rate;
+        follow_law(net, state, e);
         // where nothing but rounding errors is left of the play, those stand for it
-        edge.play = std::max(edge.tension / state.edges()[e].axial - stretch(state, e),
+        edge.play = std::max(edge.elongation - stretch(state, e),
                              std::numeric_limits<double>::epsilon() * state.edges()[e].length);
     }
     update_imbalance(net, state);

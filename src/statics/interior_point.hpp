@@ -12,14 +12,15 @@ namespace taut {
 
 /// A primal-dual interior-point method for eq. SOCP. There an edge either is slack or stretches:
 ///
-///   T >= 0,   s = l_0 + T l_0/EA - l(r) >= 0,   T s = 0,   and the forces T balance the loads.
+///   T >= 0,   s = l_0 + e - l(r) >= 0,   T s = 0,   and the forces T balance the loads,
 ///
+/// with the elongation e that the edge's law has at T: T l_0/EA where it is linear.
 /// This follows the path T s = mu of all edges towards mu = 0 by predictor and corrector (S.
 /// Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2 (1992)
 /// 575-601); the corrector holds the curvature of l(r) in s, too. Each step solves with the
-/// stiffness of the net, in which an edge counts T / (s + T l_0/EA) along and T / l across. How
-/// many edges go slack hardly matters here, while Newton's method on the energy spends steps on
-/// each few of them. It comes only as near to the equilibrium as mu to zero.
+/// stiffness of the net, in which an edge counts c T / (c s + T) along, c = dT/de, and T / l
+/// across. How many edges go slack hardly matters here, while Newton's method on the energy spends
+/// steps on each few of them. It comes only as near to the equilibrium as mu to zero.
 class InteriorPoint {
 public:
     explicit InteriorPoint(const LocalNet& net);
@@ -31,13 +32,16 @@ public:
 
 private:
     struct PathEdge {
-        double tension;              ///< T > 0 [N]
+        double elongation;           ///< e > 0 [m]
+        double tension;              ///< T > 0, of the law at e [N]
+        double axial;                ///< c = dT/de [N/m]
         double play;                 ///< s > 0 [m]
         double wanted;               ///< change of T s that the direction aims at [N m]
-        double tension_rate;         ///< dT along the direction [N]
+        double elongation_rate;      ///< de along the direction [m]
         Eigen::Vector3d difference;  ///< of the direction at source and target [m]
     };
 
+    void follow_law(const LocalNet& net, const NetState& state, size_t edge);
     void start_on_path(const LocalNet& net, const NetState& state, double mu);
     void update_imbalance(const LocalNet& net, const NetState& state);
     [[nodiscard]] bool arrived(const LocalNet& net, const NetState& state) const;

@@ -31,6 +31,8 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
         local.edges.push_back({local_of[s], local_of[t]});
     }
     local.axial_stiffness = net.axial_stiffness();
+    local.laws = net.data().tension_laws;
+    local.law_of_edge = net.data().tension_law;
     local.origin = origin_of(net);
     local.supports = net.nodes()(Eigen::all, net.supports());
     local.nodes.resize(3, net.node_count());

@@ -16,12 +16,19 @@ struct LocalNet {
     std::vector<int> node_of;         ///< local index -> node of the net
     std::vector<Edge> edges;          ///< in local indices, order of the net's edges
     Eigen::VectorXd axial_stiffness;  ///< m [N]
+    std::vector<TensionLaw> laws;     ///< of the net
+    std::vector<int> law_of_edge;     ///< m indices of laws, -1: linear; none where all are
     Eigen::VectorXd loads;            ///< 3 free_count [N]
     /// Subtracted from all coordinates: the middle of the supports, where the net lies so far from
     /// zero (a national grid) that its coordinates' rounding errors would be felt; else zero [m].
     Eigen::Vector3d origin;
     Eigen::Matrix3Xd nodes;  ///< 3 x n, nominal coordinates less origin [m]
     Points supports;         ///< 3 x n_B, the net's own coordinates of the supports [m]
+
+    /// Null: linear.
+    [[nodiscard]] const TensionLaw* law(size_t edge) const {
+        return law_of_edge.empty() || law_of_edge[edge] < 0 ? nullptr : &laws[law_of_edge[edge]];
+    }
 
     /// Coordinates of all nodes from the net's numbering to this one; supports from the net.
     void gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const;

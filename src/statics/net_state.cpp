@@ -42,12 +42,12 @@ void NetState::update(const LocalNet& net) {
         const auto [s, t] = net.edges[e];
         const auto edge = static_cast<Eigen::Index>(e);
         m_edges[e] = edge_state(m_form.col(s), m_form.col(t), net.axial_stiffness(edge),
-                                m_unstressed_lengths(edge));
+                                m_unstressed_lengths(edge), net.law(e));
         if (!m_edges[e].taut()) {
             ++m_slack_count;
             continue;
         }
-        const double tension = m_edges[e].tension();
+        const double tension = m_edges[e].tension;
         m_tension_sum += tension;
         const Eigen::Vector3d force = tension * m_edges[e].direction;
         if (s < net.free_count) {
@@ -80,7 +80,7 @@ double NetState::mean_tension() const {
 
 double NetState::stretch_energy() const {
     return std::transform_reduce(m_edges.begin(), m_edges.end(), 0.0, std::plus<>(),
-                                 [](const EdgeState& e) { return e.energy(); });
+                                 [](const EdgeState& e) { return 0.5 * e.tension * e.extension; });
 }
 
 double NetState::imbalance(const LocalNet& net, double relative_tolerance) const {
@@ -104,9 +104,9 @@ double NetState::imbalance(const LocalNet& net, double relative_tolerance) const
 double NetState::energy_above(const NetState& other, const LocalNet& net) const {
     double difference = 0.0;
     for (size_t e = 0; e < m_edges.size(); ++e) {
-        const EdgeState& a = m_edges[e];
-        const EdgeState& b = other.m_edges[e];
-        difference += 0.5 * a.axial * (a.extension - b.extension) * (a.extension + b.extension);
+        difference +=
+            energy_between(other.m_edges[e], m_edges[e],
+                           m_unstressed_lengths(static_cast<Eigen::Index>(e)), net.law(e));
     }
     const Eigen::Index n = net.loads.size();
     difference -= net.loads.dot(m_form.reshaped().head(n) - other.m_form.reshaped().head(n));

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::vector<int> slack_edges() const;
     /// Over the taut edges; 0 where all are slack [N].
     [[nodiscard]] double mean_tension() const;
-    /// Sum over the edges of 1/2 EA/l_0 (l - l_0)^2, without the loads [J].
+    /// Sum over the edges of 1/2 T (l - l_0), without the loads: what linear edges store [J].
     [[nodiscard]] double stretch_energy() const;
     /// Largest force h_s, in units of what counts as balanced at its node: the tolerance times the
     /// mean tension (where all edges are slack, times the mean load), and what rounding errors of

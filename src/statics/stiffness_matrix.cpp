@@ -44,7 +44,8 @@ void StiffnessMatrix::assemble(const LocalNet& net, const std::vector<EdgeState>
         }
         for (const int node : net.edges[e]) {
             if (node < net.free_count) {
-                m_axial_at_nodes(node) += state.axial;
+                // where a tension law is flat, T / l is all the stiffness that there is
+                m_axial_at_nodes(node) += std::max(state.axial, state.force_density());
                 m_diagonal[node] += stiffness;
             }
         }

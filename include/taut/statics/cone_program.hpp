@@ -20,6 +20,10 @@
 /// to some 1e-8 m where the paper's is off by up to 1e-6 m, since the large cone couples all edges
 /// and loses digits near its boundary.
 ///
+/// An edge with a piecewise linear tension law has a w for each straight part, with the part's own
+/// stiffness and start T_0 (T_0 times its extension is added to the objective), no larger than its
+/// width, and the sum of all in place of w / sqrt(EA/l_0).
+///
 /// Both have the equilibrium as their optimum and its energy V as their value: at the optimum v =
 /// w'w, and edges that are not taut have w = 0. EquilibriumSolver finds the same faster; this one
 /// shares no code with it, needs no start, and so is its check.
