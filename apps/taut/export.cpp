@@ -74,6 +74,15 @@ void warn_of_imbalance(Exported& exported) {
     }
 }
 
+/// Other programs know no tension laws.
+void warn_of_laws(const ExportOptions& options, Exported& exported) {
+    if (!exported.source.file.net.is_linear() && options.format != "net") {
+        exported.warnings.emplace_back(
+            "its piecewise linear tension laws stay behind: EA of these edges is their tension over "
+            "strain in this form");
+    }
+}
+
 Exported gather(const ExportOptions& options) {
     Exported it{.source = read_net_or_result(options.net), .lengths = options.net, .form = {}};
     CableNet& net = it.source.file.net;
@@ -98,6 +107,7 @@ Exported gather(const ExportOptions& options) {
     it.balance = imbalance(net, net.unstressed_lengths(), net.nodes());
     it.slack = slack_edges(net, net.unstressed_lengths(), net.nodes());
     warn_of_imbalance(it);
+    warn_of_laws(options, it);
     return it;
 }
 

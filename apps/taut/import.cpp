@@ -25,6 +25,7 @@ struct ImportOptions : CommonOptions {
     std::string supports;
     std::string axial_stiffness;
     std::string young;
+    std::string stress_strain;
     std::string diameter;
     std::string force_unit;
     std::string loads = "file";
@@ -72,6 +73,10 @@ ImportSettings settings_of(const ImportOptions& options) {
     }
     if (!options.young.empty()) {
         settings.young = parse_stress(options.young);
+    }
+    if (!options.stress_strain.empty()) {
+        settings.stress_strain =
+            parse_stress_strain(read_file(options.stress_strain), options.stress_strain);
     }
     if (!options.diameter.empty()) {
         // A bare number is in mm, as cables are named.
@@ -146,7 +151,8 @@ void print(const ImportOptions& options, const ImportedNet& imported) {
 void run(const ImportOptions& options) {
     const ImportSettings settings = settings_of(options);
     const bool is_file = options.supports != "boundary";
-    check_outputs({options.output}, {options.file, options.edges, is_file ? options.supports : ""});
+    check_outputs({options.output}, {options.file, options.edges, options.stress_strain,
+                                     is_file ? options.supports : ""});
     ImportedStructure structure = read_structure(options);
     add_supports(options.supports, structure);
     ImportedNet imported = import_net(structure, settings);
@@ -188,6 +194,9 @@ void add_import(CLI::App& program) {
                        "EA of all edges, as 200kN (a bare number is in N)");
     command.add_option("--young", options->young,
                        "Young's modulus of all edges, as 205GPa (a bare number is in Pa)");
+    command.add_option("--stress-strain", options->stress_strain,
+                       "CSV table strain,stress (stress in Pa) of a piecewise linear law, with "
+                       "--diameter or the radii of FILE");
     command.add_option("--diameter", options->diameter,
                        "Diameter of all edges in mm, or the name of the attribute that gives it");
     command

@@ -62,7 +62,7 @@ std::string form_to_vtk(const CableNet& net, const Points& form) {
     result += numbers("force_density", values.force_densities);
     result += numbers("length", values.lengths);
     result += numbers("unstressed_length", net.unstressed_lengths());
-    result += numbers("axial_stiffness", net.axial_stiffness());
+    result += numbers("axial_stiffness", values.axial_stiffness);
     result += scalars("is_slack", "int", m, [&](int e) { return int{values.is_slack(e)}; });
     result += scalars("is_adjustable", "int", m, [&](int e) { return int{adjustable[e]}; });
     result += fmt::format("POINT_DATA {}\n", n);

@@ -50,12 +50,26 @@ Eigen::VectorXd tensions_in(const Stored& stored, double force_unit) {
     return force_unit * stored.forces.force_densities.cwiseProduct(stored.lengths);
 }
 
-/// Whether EA max(0, l / l_0 - 1) are the tensions that q gives.
+/// Whether the laws of the edges, EA max(0, l / l_0 - 1) say, give the tensions that q gives.
 bool is_consistent(const Stored& stored, double force_unit) {
     const Eigen::VectorXd expected = tensions_in(stored, force_unit);
-    const Eigen::ArrayXd strains = stored.lengths.array() / stored.unstressed->array() - 1.0;
-    const Eigen::ArrayXd found = stiffness_in(stored, force_unit).array() * strains.max(0.0);
-    return (found - expected.array()).abs().maxCoeff() <= consistent_within * expected.mean();
+    double largest = 0.0;
+    for (Eigen::Index e = 0; e < expected.size(); ++e) {
+        const double strain = std::max(0.0, stored.lengths(e) / (*stored.unstressed)(e)-1.0);
+        largest = std::max(largest,
+                           std::abs(stored.stiffness.tension(e, strain, force_unit) - expected(e)));
+    }
+    return largest <= consistent_within * expected.mean();
+}
+
+/// l / (1 + strain at T)
+Eigen::VectorXd lengths_from_tensions(const Stored& stored, const Eigen::VectorXd& tensions,
+                                      double force_unit) {
+    Eigen::VectorXd result(tensions.size());
+    for (Eigen::Index e = 0; e < tensions.size(); ++e) {
+        result(e) = stored.lengths(e) / (1.0 + stored.stiffness.strain(e, tensions(e), force_unit));
+    }
+    return result;
 }
 
 std::string unit_text(double force_unit) {
@@ -107,8 +121,9 @@ bool takes_stored_lengths(const Stored& stored, double force_unit, ImportReport&
                                            stored.forces.source);
         return true;
     }
-    report.warnings.push_back(fmt::format(
-        "l0 does not agree with {} and the axial stiffness: it is not used", stored.forces.source));
+    report.warnings.push_back(
+        fmt::format("l0 does not agree with {} and the {}: it is not used", stored.forces.source,
+                    stored.stiffness.laws.empty() ? "axial stiffness" : "tension laws"));
     return false;
 }
 
@@ -141,6 +156,8 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
     const double force_unit = force_unit_of(stored, structure, settings, report);
     report.read.push_back("axial stiffness: " + stored.stiffness.source);
     ImportedLengths result{.axial_stiffness = stiffness_in(stored, force_unit),
+                           .tension_laws = stored.stiffness.laws,
+                           .tension_law = stored.stiffness.law_of_edge,
                            .unstressed = {},
                            .force_unit = force_unit};
     const Eigen::VectorXd tensions = tensions_in(stored, force_unit);
@@ -163,10 +180,13 @@ ImportedLengths import_lengths(const ImportedStructure& structure, const ImportS
             "the file gives no forces: unstressed lengths are the lengths, no edge is in tension");
         result.unstressed = stored.lengths;
     } else {
-        report.read.push_back(fmt::format("unstressed lengths: l / (1 + T/EA), tensions T by {}",
+        report.read.push_back(fmt::format("unstressed lengths: l / (1 + {}), tensions T by {}",
+                                          stored.stiffness.laws.empty() ? "T/EA" : "strain at T",
                                           stored.forces.source == "q" ? "q l" : "f"));
         result.unstressed =
-            unstressed_lengths_for(stored.lengths, tensions, result.axial_stiffness);
+            stored.stiffness.laws.empty()
+                ? unstressed_lengths_for(stored.lengths, tensions, result.axial_stiffness)
+                : lengths_from_tensions(stored, tensions, force_unit);
     }
     check_strains(structure, stored, result.unstressed, report);
     return result;

@@ -10,9 +10,11 @@ namespace taut {
 
 /// What makes edges of the lines of a structure.
 struct ImportedLengths {
-    Eigen::VectorXd axial_stiffness;  ///< [N]
-    Eigen::VectorXd unstressed;       ///< [m]
-    double force_unit = 1.0;          ///< [N]
+    Eigen::VectorXd axial_stiffness;       ///< [N]
+    std::vector<TensionLaw> tension_laws;  ///< as in CableNetData
+    std::vector<int> tension_law;
+    Eigen::VectorXd unstressed;  ///< [m]
+    double force_unit = 1.0;     ///< [N]
 };
 
 /// Axial stiffnesses, the file's unit of force and unstressed lengths. Tells in the report what was

@@ -36,7 +36,12 @@ void check(const ImportSettings& settings) {
         throw std::invalid_argument(
             "an axial stiffness and Young's modulus or a diameter: expected one or the other");
     }
-    if (settings.young.has_value() != has_diameter) {
+    if (settings.stress_strain && (settings.young || settings.axial_stiffness)) {
+        throw std::invalid_argument(
+            "a table of stress over strain and an axial stiffness or Young's modulus: expected one "
+            "of them");
+    }
+    if (!settings.stress_strain && settings.young.has_value() != has_diameter) {
         throw std::invalid_argument(
             "Young's modulus and the diameter give the axial stiffness together: expected both");
     }
@@ -65,17 +70,15 @@ std::string diameters_text(const Eigen::VectorXd& diameters) {
     return text;
 }
 
-ImportedStiffness from_young(const ImportedStructure& structure, const ImportSettings& settings) {
+/// Diameters of the edges, and how they came about.
+struct Diameters {
+    Eigen::VectorXd values;  ///< [m]
+    std::string source;
+};
+
+Diameters diameters_by_attribute(const ImportedStructure& structure, const std::string& name) {
     const auto m = static_cast<Eigen::Index>(structure.edges.size());
-    const std::string young = fmt::format("{:.6g} GPa", *settings.young / 1e9);
-    if (settings.diameter) {
-        const Eigen::ArrayXd radii = Eigen::ArrayXd::Constant(m, *settings.diameter / 2);
-        return {.values = stiffness(Eigen::ArrayXd::Constant(m, *settings.young), radii),
-                .source = fmt::format("Young's modulus {}, diameter {:.4g} mm", young,
-                                      1e3 * *settings.diameter)};
-    }
-    const std::string& name = settings.diameter_attribute;
-    Eigen::VectorXd diameters(m);
+    Eigen::VectorXd diameters(m);  // mm
     for (Eigen::Index e = 0; e < m; ++e) {
         const ImportedEdge& edge = structure.edges[e];
         const auto found = edge.numbers.find(name);
@@ -91,14 +94,74 @@ ImportedStiffness from_young(const ImportedStructure& structure, const ImportSet
         }
         diameters(e) = found->second;
     }
-    const Eigen::ArrayXd radii = diameters.array() / 2000.0;
-    return {
-        .values = stiffness(Eigen::ArrayXd::Constant(m, *settings.young), radii),
-        .source = fmt::format("Young's modulus {}, diameter by the attribute {} taken in mm: {}",
-                              young, quote(name), diameters_text(diameters))};
+    return {.values = 1e-3 * diameters,
+            .source = fmt::format("diameter by the attribute {} taken in mm: {}", quote(name),
+                                  diameters_text(diameters))};
+}
+
+/// By the settings, where they tell one.
+Diameters diameters_of(const ImportedStructure& structure, const ImportSettings& settings) {
+    const auto m = static_cast<Eigen::Index>(structure.edges.size());
+    if (settings.diameter) {
+        return {.values = Eigen::VectorXd::Constant(m, *settings.diameter),
+                .source = fmt::format("diameter {:.4g} mm", 1e3 * *settings.diameter)};
+    }
+    return diameters_by_attribute(structure, settings.diameter_attribute);
+}
+
+ImportedStiffness from_young(const ImportedStructure& structure, const ImportSettings& settings) {
+    const Diameters diameters = diameters_of(structure, settings);
+    return {.values = stiffness(Eigen::ArrayXd::Constant(diameters.values.size(), *settings.young),
+                                diameters.values.array() / 2.0),
+            .source = fmt::format("Young's modulus {:.6g} GPa, {}", *settings.young / 1e9,
+                                  diameters.source)};
+}
+
+/// A law for each diameter: stress times area.
+ImportedStiffness from_stress_strain(const ImportedStructure& structure,
+                                     const ImportSettings& settings) {
+    Diameters diameters;
+    if (settings.diameter || !settings.diameter_attribute.empty()) {
+        diameters = diameters_of(structure, settings);
+    } else if (const auto r = numbers_of(structure, {"r"}); r && (r->array() > 0.0).all()) {
+        diameters = {.values = 2.0 * *r, .source = "the file's r, taken in m"};
+    } else {
+        throw InputError(structure.file, "",
+                         "gives no positive radius r of every edge: name its diameter with "
+                         "--diameter");
+    }
+    const StressStrain& table = *settings.stress_strain;
+    ImportedStiffness result{.values = Eigen::VectorXd(diameters.values.size()),
+                             .source = fmt::format("stress over strain of {} points, {}",
+                                                   table.strain.size(), diameters.source)};
+    std::map<double, int> law_of_diameter;
+    for (Eigen::Index e = 0; e < diameters.values.size(); ++e) {
+        const double diameter = diameters.values(e);
+        const double area = std::numbers::pi * diameter * diameter / 4.0;
+        const auto [found, is_new] =
+            law_of_diameter.emplace(diameter, static_cast<int>(result.laws.size()));
+        if (is_new) {
+            result.laws.push_back({.name = fmt::format("{:.4g} mm", 1e3 * diameter),
+                                   .strain = table.strain,
+                                   .tension = area * table.stress});
+        }
+        result.law_of_edge.push_back(found->second);
+        result.values(e) = result.laws[found->second].steepest();
+    }
+    return result;
 }
 
 }  // namespace
+
+double ImportedStiffness::tension(Eigen::Index edge, double strain, double force_unit) const {
+    return laws.empty() ? (in_force_unit ? force_unit : 1.0) * values(edge) * strain
+                        : laws[law_of_edge[edge]].at(strain).tension;
+}
+
+double ImportedStiffness::strain(Eigen::Index edge, double tension, double force_unit) const {
+    return laws.empty() ? tension / ((in_force_unit ? force_unit : 1.0) * values(edge))
+                        : laws[law_of_edge[edge]].strain_at(tension);
+}
 
 ImportedStiffness stiffness_of(const ImportedStructure& structure, const ImportSettings& settings) {
     check(settings);
@@ -106,6 +169,9 @@ ImportedStiffness stiffness_of(const ImportedStructure& structure, const ImportS
     if (settings.axial_stiffness) {
         return {.values = Eigen::VectorXd::Constant(m, *settings.axial_stiffness),
                 .source = fmt::format("{:.6g} kN for all edges", *settings.axial_stiffness / 1e3)};
+    }
+    if (settings.stress_strain) {
+        return from_stress_strain(structure, settings);
     }
     if (settings.young) {
         return from_young(structure, settings);
@@ -118,7 +184,7 @@ ImportedStiffness stiffness_of(const ImportedStructure& structure, const ImportS
     if (!E || !r) {
         throw InputError(structure.file, "",
                          "gives no axial stiffness (EA, or E and r): name it with "
-                         "--axial-stiffness, or --young and --diameter");
+                         "--axial-stiffness, or --young and --diameter, or --stress-strain");
     }
     return {.values = stiffness(1e9 * E->array(), r->array()),
             .source = "the file's E and r, taken in GPa and in m"};

@@ -5,16 +5,25 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "taut/interchange/net_import.hpp"
 
 namespace taut {
 
-/// Axial stiffnesses of the edges, and how they came about, in words.
+/// Axial stiffnesses or tension laws of the edges, and how they came about, in words.
 struct ImportedStiffness {
     Eigen::VectorXd values;  ///< [N], or in the file's unit of force where so told
     bool in_force_unit = false;
     std::string source;
+    std::vector<TensionLaw> laws = {};  ///< one a diameter
+    std::vector<int> law_of_edge = {};  ///< as CableNetData::tension_law
+
+    /// Tension over strain of an edge.
+    /// @param force_unit of the file [N]
+    [[nodiscard]] double tension(Eigen::Index edge, double strain, double force_unit) const;
+    /// The strain at a tension.
+    [[nodiscard]] double strain(Eigen::Index edge, double tension, double force_unit) const;
 };
 
 /// From the settings, else from the file's EA, else from its E [GPa] and r [m].

@@ -24,7 +24,7 @@ NetCsv form_to_net_csv(const CableNet& net, const Points& form) {
         result.edges +=
             fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(net.node_id(s)),
                         csv_field(net.node_id(t)), values.force_densities(e), values.tensions(e),
-                        values.lengths(e), net.unstressed_lengths()(e), net.axial_stiffness()(e),
+                        values.lengths(e), net.unstressed_lengths()(e), values.axial_stiffness(e),
                         int{values.is_slack(e)}, int{adjustable[e]}, csv_field(net.edge_id(e)));
     }
     return result;

@@ -149,6 +149,8 @@ ImportedNet import_net(const ImportedStructure& structure, const ImportSettings&
 
     const ImportedLengths lengths = import_lengths(selected, settings, report);
     data.axial_stiffness = lengths.axial_stiffness;
+    data.tension_laws = lengths.tension_laws;
+    data.tension_law = lengths.tension_law;
     data.unstressed_lengths = lengths.unstressed;
     report.assumed.emplace_back("coordinates are in m");
     if (settings.loads == ImportSettings::Loads::file) {

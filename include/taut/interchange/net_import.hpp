@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/interchange/imported_structure.hpp"
+#include "taut/interchange/stress_strain_csv.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -19,11 +20,12 @@ struct ImportSettings {
         balance,  ///< those that hold the given form in equilibrium
         none,
     };
-    std::optional<double> axial_stiffness;  ///< of all edges [N]
-    std::optional<double> young;            ///< of all edges, with a diameter [Pa]
-    std::optional<double> diameter;         ///< of all edges [m]
-    std::string diameter_attribute;         ///< name of the attribute that gives it [mm]
-    std::optional<double> force_unit;       ///< of q, f and loads in the file [N]
+    std::optional<double> axial_stiffness;      ///< of all edges [N]
+    std::optional<double> young;                ///< of all edges, with a diameter [Pa]
+    std::optional<StressStrain> stress_strain;  ///< of all edges, with a diameter or the file's r
+    std::optional<double> diameter;             ///< of all edges [m]
+    std::string diameter_attribute;             ///< name of the attribute that gives it [mm]
+    std::optional<double> force_unit;           ///< of q, f and loads in the file [N]
     Loads loads = Loads::file;
 };
 
@@ -51,7 +53,8 @@ struct ImportedNet {
 
 /// Makes a net. The given form is the nominal form; edges between two supports and nodes without
 /// edges are left out; edges at supports are adjustable. Where the file gives unstressed lengths
-/// that agree with its forces, they are taken; else l_0 = l / (1 + T/EA) with T = q l, or T = f.
+/// that agree with its forces, they are taken; else l_0 = l / (1 + strain at T), T/EA where edges
+/// are linear, with T = q l, or T = f.
 /// @throws InputError naming the node or edge: an edge in compression, a strain beyond 10 %, no
 ///   axial stiffness, a rule of CableNet that is broken
 /// @throws std::invalid_argument for settings that are not positive, or exclude each other
