@@ -37,8 +37,10 @@ void add_example(CLI::App& program) {
         "  taut example hilo-quarter -o net.json\n  taut example hypar:20x30 -o hypar.json",
         *options);
     command
-        .add_option("NAME", options->name,
-                    "hilo-quarter, or hypar:RxC with R rows and C columns of free nodes (1 to 300)")
+        .add_option(
+            "NAME", options->name,
+            "hilo-quarter, steel-roof, or hypar:RxC with R rows and C columns of free nodes (1 to "
+            "300)")
         ->required();
     add_output_option(command, options->output, "Net file to write");
     command.callback([options] { run(*options); });

@@ -78,7 +78,8 @@ void warn_of_imbalance(Exported& exported) {
 void warn_of_laws(const ExportOptions& options, Exported& exported) {
     if (!exported.source.file.net.is_linear() && options.format != "net") {
         exported.warnings.emplace_back(
-            "its piecewise linear tension laws stay behind: EA of these edges is their tension over "
+            "its piecewise linear tension laws stay behind: EA of these edges is their tension "
+            "over "
             "strain in this form");
     }
 }

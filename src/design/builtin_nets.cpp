@@ -23,6 +23,9 @@ CableNet builtin_net(std::string_view name) {
     if (name == "hilo-quarter") {
         return hilo_quarter();
     }
+    if (name == "steel-roof") {
+        return steel_roof();
+    }
     constexpr std::string_view prefix = "hypar:";
     if (name.starts_with(prefix)) {
         const std::string_view size = name.substr(prefix.size());
@@ -34,10 +37,10 @@ CableNet builtin_net(std::string_view name) {
             }
         }
     }
-    throw std::invalid_argument(
-        fmt::format("there is no built-in net '{}': expected hilo-quarter, or hypar:RxC with rows "
-                    "and columns of free nodes, as in hypar:20x30",
-                    name));
+    throw std::invalid_argument(fmt::format(
+        "there is no built-in net '{}': expected hilo-quarter, steel-roof, or hypar:RxC with "
+        "rows and columns of free nodes, as in hypar:20x30",
+        name));
 }
 
 }  // namespace taut

@@ -13,8 +13,8 @@ struct FormValues {
     Eigen::VectorXd lengths;          ///< [m]
     Eigen::VectorXd tensions;         ///< [N]
     Eigen::VectorXd force_densities;  ///< T / l [N/m]
-    /// EA; of a taut edge with a tension law T over strain, by which a reader who knows no law finds
-    /// the same tension; of a slack one the first slope [N].
+    /// EA; of a taut edge with a tension law T over strain, by which a reader who knows no law
+    /// finds the same tension; of a slack one the first slope [N].
     Eigen::VectorXd axial_stiffness;
 
     [[nodiscard]] bool is_slack(int edge) const { return tensions(edge) <= 0.0; }

@@ -23,10 +23,10 @@ std::string form_to_obj(const CableNet& net, const Points& form) {
     result += "g net\n";
     for (int e = 0; e < net.edge_count(); ++e) {
         const auto [s, t] = net.edges()[e];
-        result +=
-            fmt::format("# {} T={} q={} l0={} EA={}{}\nl {} {}\n", printable(net.edge_id(e)),
-                        values.tensions(e), values.force_densities(e), net.unstressed_lengths()(e),
-                        values.axial_stiffness(e), values.is_slack(e) ? " slack" : "", s + 1, t + 1);
+        result += fmt::format("# {} T={} q={} l0={} EA={}{}\nl {} {}\n", printable(net.edge_id(e)),
+                              values.tensions(e), values.force_densities(e),
+                              net.unstressed_lengths()(e), values.axial_stiffness(e),
+                              values.is_slack(e) ? " slack" : "", s + 1, t + 1);
     }
     result += "g supports\n";
     for (const int node : net.supports()) {
