@@ -153,7 +153,7 @@ CableNet steel_roof() {
             data.mass(e) = steel_density * area(family);
         }
     }
-    // The self-weight is that of the unstressed lengths, which hang on the form.
+    // The self-weight hangs on the form.
     data.unstressed_lengths = Eigen::VectorXd::Constant(m, spacing);
     constexpr int rounds = 10;
     for (int round = 0; round < rounds; ++round) {

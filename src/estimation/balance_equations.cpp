@@ -76,15 +76,17 @@ Eigen::VectorXd BalanceEquations::solve() const {
     return y;
 }
 
-double unstressed_length_from(const CableNet& net, int edge, double length, double y) {
+std::pair<double, double> unstressed_lengths_from(const CableNet& net, int edge, double length,
+                                                  double y) {
     const double nominal = net.unstressed_lengths()(edge);
     const TensionLaw* law = net.tension_law(edge);
     if (law == nullptr) {
-        return nominal / (1.0 + y);
+        return {nominal / (1.0 + y), nominal / (1.0 + y)};
     }
     const double density =
         nominal_force_density(net, edge, length) + net.axial_stiffness()(edge) / nominal * y;
-    return length / (1.0 + law->middle_strain_at(density * length));
+    const auto [least, greatest] = law->strains_at(density * length);
+    return {length / (1.0 + greatest), length / (1.0 + least)};
 }
 
 std::vector<bool> BalanceEquations::undetermined() const {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <utility>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
@@ -38,8 +39,9 @@ private:
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  ///< of the normal equations
 };
 
-/// l_0 of an edge from its y [m]; not positive where no positive length has that tension. Where its
-/// law is flat there, the middle of those that have it.
-[[nodiscard]] double unstressed_length_from(const CableNet& net, int edge, double length, double y);
+/// The least and the greatest l_0 of an edge with its y [m]; not positive where no positive length
+/// has that tension. They differ where its tension law is flat.
+[[nodiscard]] std::pair<double, double> unstressed_lengths_from(const CableNet& net, int edge,
+                                                                double length, double y);
 
 }  // namespace taut

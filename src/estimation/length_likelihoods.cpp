@@ -15,6 +15,8 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
                                                  const Iterate& fitted) {
     const Eigen::VectorXd variances = statics.length_variances();
     const Eigen::VectorXd extension_variances = statics.extension_variances();
+    Eigen::VectorXd law_variances = statics.blur().missed;  // (blurred-law)
+    law_variances.conservativeResizeLike(Eigen::VectorXd::Zero(net.interior_edge_count()));
     const Eigen::VectorXd lengths = edge_lengths(net, fitted.form);
     std::vector<LengthLikelihood> result;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
@@ -22,9 +24,11 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
         // At loose nodes the variances can be lost in rounding errors: then nothing is told.
         const bool is_told = variances(i) > 0.0;
         LengthLikelihood likelihood =
-            is_told ? without_prior(observations.mean(i), std::sqrt(observations.variance(i)),
+            is_told ? without_prior(observations.mean(i),
+                                    std::sqrt(observations.variance(i) + law_variances(i)),
                                     fitted.deviations(i), std::sqrt(variances(i)))  // (likelihood)
                     : LengthLikelihood();
+        likelihood.std = std::sqrt(likelihood.std * likelihood.std + law_variances(i));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         if (statics.slack()[edge]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();

@@ -29,7 +29,9 @@ constexpr double surely_slack = -1e6;
 /// Adds law part times likelihood: N(centre, spread^2) (uniform where the spread is infinite) on
 /// [lower, upper].
 void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likelihood,
-              double centre, double spread, double lower, double upper) {
+              double centre, double spread, double law_lower, double law_upper) {
+    const double lower = std::max(law_lower, likelihood.least);
+    const double upper = std::min(law_upper, likelihood.most);
     const double z = likelihood.extension < surely_slack ? -infinity : likelihood.extension;
     if (z > -infinity) {
         // A product of normal densities is one again.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "taut/statics/tensions.hpp"
+
 namespace taut {
 namespace {
 
@@ -20,6 +22,20 @@ std::vector<bool> interior_flags(const CableNet& net) {
 }
 
 }  // namespace
+
+bool LawBlur::agrees_with(const LawBlur& other) const {
+    constexpr double settled = 0.1;
+    return ((strain_stds - other.strain_stds).array().abs() <= settled * other.strain_stds.array())
+        .all();
+}
+
+LawBlur blur_by(const CableNet& net, double extension_std) {
+    if (net.is_linear()) {
+        return {};
+    }
+    return {.strain_stds = extension_std * net.unstressed_lengths().cwiseInverse(),
+            .missed = Eigen::VectorXd::Zero(net.interior_edge_count())};
+}
 
 LinearisedStatics::LinearisedStatics(const CableNet& net)
     : m_net(net),
@@ -49,7 +65,8 @@ LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& i
     double axial = m_net.axial_stiffness()(edge) / unstressed;
     double across = axial * (1.0 - unstressed / length);  // T / l
     if (const TensionLaw* law = m_net.tension_law(edge); law != nullptr) {
-        const auto [tension, slope] = law->at(length / unstressed - 1.0);
+        const double strain_std = m_blur.strain_stds.size() > 0 ? m_blur.strain_stds(edge) : 0.0;
+        const auto [tension, slope] = law->blurred(length / unstressed - 1.0, strain_std);
         axial = slope / unstressed;
         across = tension / length;
     }
@@ -57,6 +74,50 @@ LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& i
         .force = across * vector,
         .stiffness = (axial - across) * u * u.transpose() + across * Eigen::Matrix3d::Identity(),
         .length_rate = -axial / unstressed * vector};
+}
+
+/// Of an edge's length by the covariance of its ends, taken as independent: one is a support where
+/// the edge is at the frame.
+double LinearisedStatics::length_variance(int edge, const Iterate& iterate) const {
+    const auto [s, t] = m_net.edges()[edge];
+    const Eigen::Vector3d u = (iterate.form.col(s) - iterate.form.col(t)).normalized();
+    double variance = 0.0;
+    for (const int node : {s, t}) {
+        if (m_net.free_index(node) >= 0) {
+            variance += u.dot(form_covariance(node) * u);
+        }
+    }
+    return variance;
+}
+
+LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
+    constexpr double slowest = 0.5;        // smaller by no more at a time
+    constexpr double most_variance = 1e2;  // of the prior, where the law is flat
+    const double squared_unit = m_length_unit * m_length_unit;
+    const Eigen::VectorXd lengths = edge_lengths(m_net, iterate.form);
+    LawBlur found = m_blur;
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        const TensionLaw* law = m_net.tension_law(e);
+        if (law == nullptr || m_slack[e]) {
+            continue;
+        }
+        const int i = m_interior_of[e];
+        const double unstressed =
+            m_net.unstressed_lengths()(e) + (i >= 0 ? iterate.deviations(i) : 0.0);
+        const double variance =
+            i >= 0 ? squared_unit * m_covariance.extensions(e) : length_variance(e, iterate);
+        const double std = std::max(std::sqrt(std::max(0.0, variance)) / unstressed,
+                                    slowest * m_blur.strain_stds(e));
+        found.strain_stds(e) = std;
+        if (i >= 0) {
+            const double strain = lengths(e) / unstressed - 1.0;
+            const double slope = std::max(law->blurred(strain, std).slope, 1e-6 * law->steepest());
+            found.missed(i) =
+                std::min(law->missed_by_blurred(strain, std) * std::pow(unstressed / slope, 2),
+                         most_variance * squared_unit);
+        }
+    }
+    return found;
 }
 
 void LinearisedStatics::set_weights(const Observations& observations) {
@@ -67,7 +128,7 @@ void LinearisedStatics::set_weights(const Observations& observations) {
     const double squared_unit = m_length_unit * m_length_unit;
     m_matrix.place_weights = squared_unit * observations.weights(Eigen::all, m_free_nodes);
     m_matrix.length_weights(m_net.interior_edges()) =
-        squared_unit * observations.variance.cwiseInverse();
+        squared_unit * prior_variances(observations).cwiseInverse();
 }
 
 void LinearisedStatics::add_edge(int edge, const Iterate& iterate) {
@@ -144,7 +205,7 @@ SaddlePointFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
         .multipliers = -m_multiplier_unit * forces(Eigen::all, m_free_nodes)};
     result.lengths(m_net.interior_edges()) +=
         m_length_unit *
-        (observations.mean - iterate.deviations).cwiseQuotient(observations.variance);
+        (observations.mean - iterate.deviations).cwiseQuotient(prior_variances(observations));
     return result;
 }
 

@@ -11,6 +11,21 @@
 
 namespace taut {
 
+/// How tension laws are seen by strains that are known with standard deviations: corners and flat
+/// parts are then smooth, and what their tangents miss counts as a length that nobody knows.
+/// docs/theory.md (blurred-law). Empty where all edges are linear, or the laws are seen as they
+/// are.
+struct LawBlur {
+    Eigen::VectorXd strain_stds;  ///< m [-]
+    Eigen::VectorXd missed;       ///< m_I, variance of that length [m2]
+
+    /// Whether no standard deviation differs by more than a tenth.
+    [[nodiscard]] bool agrees_with(const LawBlur& other) const;
+};
+
+/// At first, before anything is found: by a standard deviation of all extensions [m].
+[[nodiscard]] LawBlur blur_by(const CableNet& net, double extension_std);
+
 /// The normal equations of observations under linearised statics, docs/theory.md (statics) and
 /// (normal): with h the out-of-balance forces at an iterate, H = dh/dr, B = dh/dl_0, S and P the
 /// inverse variances of what is observed and of the prior,
@@ -35,6 +50,13 @@ public:
     void set_slack(std::vector<bool> slack) { m_slack = std::move(slack); }
     [[nodiscard]] const std::vector<bool>& slack() const { return m_slack; }
 
+    /// How tension laws are seen; sharp at first.
+    void set_blur(LawBlur blur) { m_blur = std::move(blur); }
+    [[nodiscard]] const LawBlur& blur() const { return m_blur; }
+    /// After invert() at the same iterate: the blur by the standard deviations that were found, no
+    /// less than half of what it was.
+    [[nodiscard]] LawBlur blur_found(const Iterate& iterate) const;
+
     /// Linearises at an iterate, and factorises.
     /// @return false where no factor is found
     [[nodiscard]] bool linearise(const Iterate& iterate, const Observations& observations);
@@ -57,6 +79,11 @@ private:
         Eigen::Vector3d length_rate;  ///< b = d force / d l_0 [N/m]
     };
     [[nodiscard]] EdgeRates rates(int edge, const Iterate& iterate) const;
+    [[nodiscard]] Eigen::VectorXd prior_variances(const Observations& observations) const {
+        return m_blur.missed.size() > 0 ? observations.variance + m_blur.missed
+                                        : observations.variance;
+    }
+    [[nodiscard]] double length_variance(int edge, const Iterate& iterate) const;
     void set_weights(const Observations& observations);
     void add_edge(int edge, const Iterate& iterate);
     [[nodiscard]] SaddlePointFactor::Vector right_side(const Iterate& iterate,
@@ -69,6 +96,7 @@ private:
     std::vector<int> m_interior_of;  ///< edge -> place among the interior edges, or -1
     std::vector<int> m_free_nodes;   ///< in the order of elimination
     std::vector<bool> m_slack;
+    LawBlur m_blur;
     SaddlePointFactor m_matrix;
     SaddlePointFactor::Covariance m_covariance;
     Eigen::Matrix3Xd m_place_reactions;  ///< H lambda as linearised, 3 x free nodes

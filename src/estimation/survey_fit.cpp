@@ -19,6 +19,7 @@ constexpr double tolerance_in_noise = 1e-3;
 /// Few rounds do: which edges the form shows as slack changes little with the fit.
 constexpr int most_slack_sets = 12;
 constexpr int most_revisions = 100;
+constexpr int most_blurs = 8;
 
 /// (continuation): the noise is at first so large that no target is more than so many standard
 /// deviations off, then smaller by this factor at each step.
@@ -52,7 +53,9 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const LengthLaw&
       m_noise(with_noise_floor(net, survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net),
-      m_snooping(net, survey, m_noise, settings.false_alarm_rate) {}
+      m_snooping(net, survey, m_noise, settings.false_alarm_rate) {
+    m_statics.set_blur(blur_by(net, law.std()));
+}
 
 GaussNewtonResult SurveyFit::run() {
     GaussNewtonResult fitted = fit_and_snoop(nominal_iterate(m_net), 1.0);
@@ -82,6 +85,7 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
         m_statics.set_slack(slack);
         fitted = gauss_newton(m_statics, observed, std::move(from), inflation * m_tolerance,
                               m_settings.max_iterations);
+        follow_laws(fitted, observed, inflation);
         const std::vector<bool> shown = slack_by_form(m_net, fitted.iterate, m_law);
         for (size_t e = 0; e < slack.size(); ++e) {
             taut_for_good[e] = taut_for_good[e] || (slack[e] && !shown[e]);
@@ -98,6 +102,31 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
     fitted.converged = false;
     m_statics.invert();
     return fitted;
+}
+
+/// (blurred-law): fits again with tension laws as the strains found so far show them. Where that
+/// does not settle, what was found with the wider blur stands.
+void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& observed,
+                            double inflation) {
+    const auto refit = [&](const LawBlur& blur) {
+        m_statics.set_blur(blur);
+        return gauss_newton(m_statics, observed, fitted.iterate, inflation * m_tolerance,
+                            m_settings.max_iterations);
+    };
+    for (int round = 0; !m_net.is_linear() && round < most_blurs && fitted.converged; ++round) {
+        m_statics.invert();
+        const LawBlur before = m_statics.blur();
+        const LawBlur found = m_statics.blur_found(fitted.iterate);
+        if (found.agrees_with(before)) {
+            return;
+        }
+        GaussNewtonResult sharper = refit(found);
+        if (!sharper.converged) {
+            fitted = refit(before);
+            return;
+        }
+        fitted = std::move(sharper);
+    }
 }
 
 /// Fits, and again with other targets rejected until data snooping has no more to say.

@@ -50,6 +50,7 @@ public:
 
 private:
     [[nodiscard]] Observations observations(double inflation) const;
+    void follow_laws(GaussNewtonResult& fitted, const Observations& observed, double inflation);
     void evaluate(const GaussNewtonResult& fitted, double inflation);
     [[nodiscard]] GaussNewtonResult fit(const Iterate& start, std::vector<bool> slack,
                                         double inflation);

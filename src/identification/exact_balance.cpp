@@ -30,11 +30,12 @@ constexpr double widest_part_of_bound = 3.0;
 /// An exact form is met to rounding errors by the lengths that balance it. Where it is not, by more
 /// than this part of an edge length, the intervals would be those of an exact survey around lengths
 /// that are not.
-constexpr double rounding_of_form = 1e-5;
+constexpr double rounding_of_form = 1e-7;
 
 /// Length deviations (m_I) from y; an edge that balances with no positive length is told.
 struct BalancedDeviations {
     Eigen::VectorXd deviations;
+    Eigen::VectorXd spread;  ///< to either side, where a tension law is flat [m]
     int impossible_edge = -1;
 };
 
@@ -42,15 +43,17 @@ BalancedDeviations balanced_deviations(const CableNet& net, const Points& form,
                                        const BalanceEquations& balance) {
     const Eigen::VectorXd y = balance.solve();
     const Eigen::VectorXd lengths = edge_lengths(net, form);
-    BalancedDeviations result{.deviations = Eigen::VectorXd(y.size())};
+    BalancedDeviations result{.deviations = Eigen::VectorXd(y.size()),
+                              .spread = Eigen::VectorXd::Zero(y.size())};
     for (Eigen::Index i = 0; i < y.size(); ++i) {
         const int edge = net.interior_edges()[i];
-        const double unstressed = unstressed_length_from(net, edge, lengths(edge), y(i));
-        if (!(unstressed > 0.0 && std::isfinite(unstressed))) {
+        const auto [least, greatest] = unstressed_lengths_from(net, edge, lengths(edge), y(i));
+        if (!(least > 0.0 && std::isfinite(greatest))) {
             result.impossible_edge = edge;
             return result;
         }
-        result.deviations(i) = unstressed - net.unstressed_lengths()(edge);
+        result.deviations(i) = 0.5 * (least + greatest) - net.unstressed_lengths()(edge);
+        result.spread(i) = 0.5 * (greatest - least);
     }
     return result;
 }
@@ -69,6 +72,7 @@ public:
         const BalanceEquations balance(net, m_balanced.form, m_statics.slack());
         const BalancedDeviations balanced = balanced_deviations(net, m_balanced.form, balance);
         m_balanced.deviations = balanced.deviations;
+        m_spread = balanced.spread;
         m_impossible_edge = balanced.impossible_edge;
         m_undetermined = balance.undetermined();
     }
@@ -102,10 +106,24 @@ public:
             return !m_undetermined[i] && result[i].std > widest_part_of_bound * narrow_bound * unit;
         });
         replace(law.std(), [&](size_t i) { return m_undetermined[i]; });
+        bound_where_flat(result, law);
         return result;
     }
 
 private:
+    /// Of an edge whose law is flat at its tension all lengths of that part are as likely. Where
+    /// the law of lengths allows none of them it is wrong, and shows so in the predicted form.
+    void bound_where_flat(std::vector<LengthLikelihood>& likelihoods, const LengthLaw& law) const {
+        for (size_t i = 0; i < likelihoods.size(); ++i) {
+            const auto k = static_cast<Eigen::Index>(i);
+            const double middle = m_balanced.deviations(k);
+            if (m_spread(k) > 0.0 && std::abs(middle) - m_spread(k) < law.reach()) {
+                likelihoods[i].least = middle - m_spread(k);
+                likelihoods[i].most = middle + m_spread(k);
+            }
+        }
+    }
+
     /// With a normal prior of this standard deviation around the balance, taken out again.
     [[nodiscard]] std::vector<LengthLikelihood> likelihoods_within(double length_std) {
         Observations observations = observe(m_net, m_survey, m_noise, m_none_rejected, length_std);
@@ -124,6 +142,7 @@ private:
     std::vector<bool> m_none_rejected;
     Iterate m_balanced;
     LinearisedStatics m_statics;
+    Eigen::VectorXd m_spread;          ///< m_I, as BalancedDeviations
     std::vector<bool> m_undetermined;  ///< m_I
     int m_impossible_edge = -1;
 };

@@ -14,6 +14,7 @@
 #include "taut/files/input_error.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/io/target_list.hpp"
+#include "taut/survey/control_check.hpp"
 #include "taut/survey/measured_scale.hpp"
 #include "taut/survey/noise_check.hpp"
 #include "taut/survey/planned_survey.hpp"
@@ -57,6 +58,15 @@ bool is_frame_fitted(const CableNet& net, const std::vector<ControlPoint>& contr
             !in_frame_of_net(net, control));
 }
 
+/// Where control points lie in a survey that is in the net's frame as it stands.
+std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& control) {
+    std::vector<ControlResidual> residuals;
+    for (const ControlPoint& point : control) {
+        residuals.push_back({.id = point.id, .residual = point.measured - point.known});
+    }
+    return residuals;
+}
+
 }  // namespace
 
 Survey read_survey(const CableNet& net, const std::filesystem::path& file,
@@ -76,6 +86,9 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
         }
         Survey survey = match_to_nodes(net, points, options.noise_std);
         check_matched(net, survey);
+        std::ranges::move(control_warnings(net, frame ? frame->residuals : residuals_of(control),
+                                           survey.largest_noise_std()),
+                          std::back_inserter(survey.warnings));
         survey.frame = std::move(frame);
         std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;

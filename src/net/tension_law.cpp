@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace taut {
@@ -86,6 +88,39 @@ TensionLaw::Tangent TensionLaw::at(double strain_there) const {
     return {.tension = tension(part) + slope * (strain_there - strain(part)), .slope = slope};
 }
 
+TensionLaw::Tangent TensionLaw::blurred(double strain_there, double std) const {
+    if (!(std > 0.0)) {
+        return at(strain_there);
+    }
+    // The law is its first line and, from each corner on, what the slope changes by there. The mean
+    // of (x - corner)+ over N(x, s^2) is s (phi(z) + z Phi(z)), its derivative Phi(z).
+    const auto density = [](double z) {
+        return std::exp(-0.5 * z * z) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
+    };
+    const auto distribution = [](double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); };
+    Tangent result{.tension = slope_of(0) * strain_there, .slope = slope_of(0)};
+    for (Eigen::Index corner = 1; corner + 1 < strain.size(); ++corner) {
+        const double bend = slope_of(corner) - slope_of(corner - 1);
+        const double z = (strain_there - strain(corner)) / std;
+        result.tension += bend * std * (density(z) + z * distribution(z));
+        result.slope += bend * distribution(z);
+    }
+    return result;
+}
+
+double TensionLaw::missed_by_blurred(double strain_there, double std) const {
+    const auto [mean, slope] = blurred(strain_there, std);
+    constexpr int quantiles = 40;  // equally probable ones
+    double variance = 0.0;
+    for (int i = 0; i < quantiles; ++i) {
+        const double p = (i + 0.5) / quantiles;
+        const double step = std::numbers::sqrt2 * boost::math::erf_inv(2.0 * p - 1.0) * std;
+        const double missed = at(strain_there + step).tension - mean - slope * step;
+        variance += missed * missed / quantiles;
+    }
+    return variance;
+}
+
 double TensionLaw::strain_at(double tension_there) const {
     Eigen::Index part = 0;
     while (part + 2 < tension.size() && tension_there > tension(part + 1)) {
@@ -94,15 +129,16 @@ double TensionLaw::strain_at(double tension_there) const {
     return strain(part) + (tension_there - tension(part)) / slope_of(part);
 }
 
-double TensionLaw::middle_strain_at(double tension_there) const {
+std::pair<double, double> TensionLaw::strains_at(double tension_there) const {
     constexpr double rounding = 1e-6;
     for (Eigen::Index part = 1; part + 1 < tension.size(); ++part) {
         if (tension(part) == tension(part + 1) &&
             std::abs(tension_there - tension(part)) <= rounding * tension(part)) {
-            return 0.5 * (strain(part) + strain(part + 1));
+            return {strain(part), strain(part + 1)};
         }
     }
-    return strain_at(tension_there);
+    const double strain_there = strain_at(tension_there);
+    return {strain_there, strain_there};
 }
 
 double TensionLaw::steepest() const {

@@ -45,6 +45,33 @@ INSTANTIATE_TEST_SUITE_P(Sizes, HyparOfSize,
                          ::testing::Values(std::pair{1, 1}, std::pair{1, 4}, std::pair{3, 1},
                                            std::pair{2, 3}, std::pair{7, 5}, std::pair{40, 30}));
 
+TEST(SteelRoof, IsTautAndInEquilibriumUnderItsLoads) {
+    const CableNet net = builtin_net("steel-roof");
+    EXPECT_TRUE(slack_edges(net, net.unstressed_lengths(), net.nodes()).empty());
+    EXPECT_LT(test::largest_imbalance(net, net.unstressed_lengths(), net.nodes()),
+              1e-10 * test::mean_tension(net, net.unstressed_lengths(), net.nodes()));
+    EXPECT_FALSE(net.is_linear());
+    EXPECT_EQ(net.data().groups.at("carrying").size() + net.data().groups.at("bracing").size(),
+              static_cast<size_t>(net.edge_count()));
+    // Cladding of 1.2 kN a node, and the weight of the strands.
+    const double cladding = 1200.0 * net.free_node_count();
+    const double weight = -net.loads()(2, net.free_nodes()).sum();
+    EXPECT_GT(weight, 1.02 * cladding);
+    EXPECT_LT(weight, 1.1 * cladding);
+}
+
+TEST(SteelRoof, HasStrandsOnBothSlopesOfTheirLaws) {
+    const CableNet net = builtin_net("steel-roof");
+    const Eigen::ArrayXd strains =
+        edge_lengths(net, net.nodes()).array() / net.unstressed_lengths().array() - 1.0;
+    EXPECT_GT((strains < 0.0022).count(), 20);
+    EXPECT_GT((strains > 0.00286).count(), 20);
+    const Eigen::ArrayXd stretch =
+        edge_lengths(net, net.nodes()).array() - net.unstressed_lengths().array();
+    EXPECT_GT(stretch.minCoeff(), 0.002);
+    EXPECT_LT(stretch.maxCoeff(), 0.02);
+}
+
 TEST(Hypar, TakesItsLargestSize) {
     EXPECT_EQ(hypar(300, 1).free_node_count(), 300);
     EXPECT_EQ(hypar(1, 300).free_node_count(), 300);

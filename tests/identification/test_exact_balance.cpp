@@ -93,7 +93,7 @@ void expect_lengths_though_edges_are_slack(const CableNet& net,
 }
 
 TEST(ExactBalance, FindsThoseOfASteelRoofThoughEdgesAreSlack) {
-    expect_lengths_though_edges_are_slack(test::steel_roof(), {5e-3, 8e-3});
+    expect_lengths_though_edges_are_slack(test::steel_lattice(), {5e-3, 8e-3});
 }
 
 TEST(ExactBalance, FindsThoseOfTheHiloRoofThoughDozensOfEdgesAreSlack) {
@@ -128,7 +128,7 @@ void expect_to_settle_with_little_noise(const CableNet& net) {
 }
 
 TEST(MaximumAPosteriori, SettlesOnASteelRoofWithLittleNoiseThoughEdgesAreSlack) {
-    expect_to_settle_with_little_noise(test::steel_roof());
+    expect_to_settle_with_little_noise(test::steel_lattice());
 }
 
 TEST(MaximumAPosteriori, SettlesOnTheHiloRoofWithLittleNoiseThoughDozensOfEdgesAreSlack) {

@@ -104,6 +104,19 @@ TEST(Exports, TellTensionsInTheFormThatIsGivenAndWhichEdgesAreSlack) {
     EXPECT_EQ(document["dtype"], "compas.datastructures/Graph");
 }
 
+TEST(Exports, OfATensionLawTellTheStiffnessWithWhichOthersFindItsTension) {
+    const CableNet net = steel_roof();
+    const CableNet linear =
+        import_net(parse_compas(form_to_compas(net, net.nodes()), "net.json"), {}).net;
+    EXPECT_TRUE(linear.is_linear());
+    // The edges come back in another order.
+    Eigen::VectorXd expected = tensions(net, net.unstressed_lengths(), net.nodes());
+    Eigen::VectorXd found = tensions(linear, linear.unstressed_lengths(), linear.nodes());
+    std::ranges::sort(expected);
+    std::ranges::sort(found);
+    EXPECT_TRUE(found.isApprox(expected, 1e-9));
+}
+
 TEST(Exports, ToVtkHoldAsManyNumbersAsTheirHeadersSay) {
     const CableNet net = net_with_everything();
     std::istringstream file(form_to_vtk(net, net.nodes()));

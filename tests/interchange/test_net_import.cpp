@@ -91,6 +91,67 @@ TEST(ImportNet, LeavesStoredLengthsThatDoNotAgreeWithTheForcesAndTellsSo) {
     EXPECT_THAT(imported.report.warnings, Contains(HasSubstr("l0 does not agree with q")));
 }
 
+/// 200 GPa up to 1 permille, flat up to 2, then 300 GPa.
+StressStrain two_slopes() {
+    return parse_stress_strain("strain,stress\n0,0\n0.001,2e8\n0.002,2e8\n0.012,3.2e9\n",
+                               "law.csv");
+}
+
+TEST(ImportNet, TakesATableOfStressOverStrainTimesTheAreaOfEachEdge) {
+    const ImportedNet imported =
+        import(old_compas_mesh(), {.stress_strain = two_slopes(), .force_unit = 1e3});
+    const CableNet& net = imported.net;
+    const double area = EA / 210e9;
+    ASSERT_NE(net.tension_law(0), nullptr);
+    EXPECT_NEAR(net.tension_law(0)->at(0.001).tension, 2e8 * area, 1e-6);
+    EXPECT_NEAR(net.axial_stiffness()(0), 3e11 * area, 1e-3);
+    // 3 kN is beyond the flat part.
+    EXPECT_NEAR(tensions(net, net.unstressed_lengths(), net.nodes())(1), 3000.0, 1e-6);
+    EXPECT_NEAR(net.unstressed_lengths()(1), 1.5 / (1.0 + 0.002 + (3000.0 / area - 2e8) / 3e11),
+                1e-12);
+    EXPECT_THAT(imported.report.read, Contains(HasSubstr("stress over strain of 4 points")));
+    EXPECT_THAT(imported.report.read, Contains(HasSubstr("l / (1 + strain at T)")));
+}
+
+TEST(ImportNet, TakesStoredLengthsThatAgreeWithATableOfStressOverStrain) {
+    const CableNet found =
+        import(old_compas_mesh(), {.stress_strain = two_slopes(), .force_unit = 1e3}).net;
+    json file = with_stored_lengths();
+    EXPECT_THAT(import(file, {.stress_strain = two_slopes(), .force_unit = 1e3}).report.warnings,
+                Contains(HasSubstr("l0 does not agree with q and the tension laws")));
+    const std::vector<std::string> keys{"(4, 0)", "(1, 4)", "(2, 4)", "(4, 3)"};
+    for (size_t e = 0; e < keys.size(); ++e) {
+        file["edgedata"][keys[e]]["l0"] = found.unstressed_lengths()(static_cast<Eigen::Index>(e));
+    }
+    const ImportedNet again = import(file, {.stress_strain = two_slopes(), .force_unit = 1e3});
+    EXPECT_TRUE(again.net.unstressed_lengths().isApprox(found.unstressed_lengths(), 1e-15));
+    EXPECT_THAT(again.report.read, Contains(HasSubstr("the file's l0, which agrees with its q")));
+}
+
+TEST(ImportNet, RefusesATableOfStressOverStrainBesideAnotherStiffness) {
+    EXPECT_THAT(
+        [] {
+            static_cast<void>(
+                import(old_compas_mesh(), {.young = 2e11, .stress_strain = two_slopes()}));
+        },
+        testing::ThrowsMessage<std::invalid_argument>(HasSubstr("expected one of them")));
+}
+
+TEST(StressStrain, IsRefusedWithItsLine) {
+    const auto message = [](const char* text) {
+        return input_error_of([&] { return parse_stress_strain(text, "law.csv"); });
+    };
+    EXPECT_THAT(message("0,0\n0.001,2e8\n"),
+                HasSubstr("law.csv:1: does not start with the header"));
+    EXPECT_THAT(message(""), HasSubstr("law.csv"));
+    EXPECT_THAT(message("strain,stress\n0,0\n0.001,high\n"),
+                HasSubstr("law.csv:3: stress is 'high', expected a finite number"));
+    EXPECT_THAT(message("strain,stress\n0,0\n0.001\n"), HasSubstr("law.csv:3: has 1 fields"));
+    EXPECT_THAT(message("strain,stress\n0,0\n0.001,200\n"), HasSubstr("are its stresses in Pa"));
+    EXPECT_THAT(message("strain,stress\n0,0\n0.001,2e8\n0.002,1e8\n"), HasSubstr("falls from"));
+    EXPECT_THAT(message("strain,stress\n0,0\n"), HasSubstr("two at least"));
+}
+
 TEST(ImportNet, BalancesTheGivenForm) {
     const ImportedNet imported = import(old_compas_mesh(), {.loads = Loads::balance});
     const CableNet& net = imported.net;

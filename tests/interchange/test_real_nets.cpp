@@ -49,7 +49,7 @@ double largest_move(const CableNet& net) {
 }
 
 TEST(SteelRoofsFile, GivesBackTheNetWithItsLoadsAndItsForm) {
-    const CableNet expected = test::steel_roof();
+    const CableNet expected = test::steel_lattice();
     const ImportedNet roof =
         import_net(parse_compas(test::steel_roof_compas().dump(), "roof.json"), hilo_settings);
     EXPECT_EQ(roof.net.free_node_count(), 300);

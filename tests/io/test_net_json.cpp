@@ -39,6 +39,16 @@ void expect_same(const CableNetData& a, const CableNetData& b) {
     EXPECT_TRUE(same_bits(a.loads, b.loads));
     EXPECT_EQ(a.node_ids, b.node_ids);
     EXPECT_EQ(a.edge_ids, b.edge_ids);
+    EXPECT_EQ(a.tension_law, b.tension_law);
+    ASSERT_EQ(a.tension_laws.size(), b.tension_laws.size());
+    for (size_t i = 0; i < a.tension_laws.size(); ++i) {
+        EXPECT_EQ(a.tension_laws[i].name, b.tension_laws[i].name);
+        EXPECT_TRUE(same_bits(a.tension_laws[i].strain, b.tension_laws[i].strain));
+        EXPECT_TRUE(same_bits(a.tension_laws[i].tension, b.tension_laws[i].tension));
+    }
+    EXPECT_EQ(a.groups, b.groups);
+    EXPECT_TRUE(same_bits(a.mass, b.mass));
+    EXPECT_TRUE(same_bits(a.expansion, b.expansion));
 }
 
 TEST(NetJson, ReadsBackEverythingOfANetToTheLastBit) {
@@ -52,6 +62,19 @@ TEST(NetJson, ReadsBackEverythingOfANetToTheLastBit) {
 TEST(NetJson, ReadsBackTheBuiltInNetToTheLastBit) {
     const CableNet net = hilo_quarter();
     expect_same(parse_net(net_to_json(net), "net.json").net.data(), net.data());
+}
+
+TEST(NetJson, ReadsBackTensionLawsGroupsMassesAndExpansionToTheLastBit) {
+    const CableNet net = steel_roof();
+    const CableNet back = parse_net(net_to_json(net), "net.json").net;
+    expect_same(back.data(), net.data());
+    EXPECT_EQ(back.fingerprint(), net.fingerprint());
+    CableNetData data = net.data();
+    data.tension_law[3] = -1;
+    data.mass(0) = 0.0;
+    data.tension_laws[1].name.clear();
+    const CableNet mixed(data);
+    expect_same(parse_net(net_to_json(mixed), "net.json").net.data(), mixed.data());
 }
 
 TEST(NetJson, KeepsSupportsAndAdjustableEdgesThatAreNotTheDefault) {

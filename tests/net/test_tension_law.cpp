@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "support/random_laws.hpp"
 #include "support/small_nets.hpp"
@@ -37,11 +39,40 @@ TEST(TensionLaw, IsStraightBetweenItsPointsAndGoesOnBehindThem) {
     EXPECT_NEAR(law().steepest(), 100e3, 1e-6);
 }
 
-TEST(TensionLaw, GivesTheLeastStrainOfATensionAndTheMiddleOfAFlatPart) {
+TEST(TensionLaw, GivesTheLeastStrainOfATensionAndBothEndsOfAFlatPart) {
     EXPECT_NEAR(law().strain_at(50.0), 0.001, 1e-15);
-    EXPECT_NEAR(law().middle_strain_at(50.0), 0.0015, 1e-15);
-    EXPECT_NEAR(law().middle_strain_at(50.0 * (1.0 + 1e-9)), 0.0015, 1e-15);
-    EXPECT_NEAR(law().middle_strain_at(51.0), law().strain_at(51.0), 1e-15);
+    for (const double tension : {50.0, 50.0 * (1.0 + 1e-9)}) {
+        EXPECT_NEAR(law().strains_at(tension).first, 0.001, 1e-15);
+        EXPECT_NEAR(law().strains_at(tension).second, 0.002, 1e-15);
+    }
+    EXPECT_NEAR(law().strains_at(51.0).first, law().strain_at(51.0), 1e-15);
+    EXPECT_EQ(law().strains_at(51.0).first, law().strains_at(51.0).second);
+}
+
+RC_GTEST_PROP(TensionLaw, BlurredIsItsMeanOverTheStrain, ()) {
+    test::Random random = test::any_random();
+    const TensionLaw it = test::random_law(random, 1e5);
+    const double strain = test::uniform(random, -0.01, 0.08);
+    const double std = test::uniform(random, 1e-4, 0.02);
+    constexpr int count = 4000;
+    double mean = 0.0;
+    double with_step = 0.0;
+    double squares = 0.0;
+    const auto [tension, slope] = it.blurred(strain, std);
+    for (int i = 0; i < count; ++i) {  // midpoints of [-8, 8] standard deviations
+        const double z = -8.0 + 16.0 * (i + 0.5) / count;
+        const double weight =
+            16.0 / count * std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
+        const double there = it.at(strain + std * z).tension;
+        mean += weight * there;
+        with_step += weight * there * z / std;
+        squares += weight * std::pow(there - tension - slope * std * z, 2);
+    }
+    RC_ASSERT(std::abs(tension - mean) < 1e-2);
+    RC_ASSERT(std::abs(slope - with_step) < 1e-5 * 1e5);  // Stein's lemma
+    // By 40 quantiles, which cut off the tails.
+    const double whole = std::pow(it.steepest() * std, 2);
+    RC_ASSERT(std::abs(it.missed_by_blurred(strain, std) - squares) < 0.1 * squares + 5e-3 * whole);
 }
 
 RC_GTEST_PROP(TensionLaw, TensionAndStrainAreInverseWhereItRises, ()) {

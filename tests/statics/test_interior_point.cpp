@@ -99,7 +99,7 @@ void expect_few_steps(const CableNet& net, size_t least_slack) {
 }
 
 TEST(InteriorPoint, TakesFewStepsWhereEdgesOfASteelRoofGoSlackOnTheWay) {
-    expect_few_steps(test::steel_roof(), 5);
+    expect_few_steps(test::steel_lattice(), 5);
 }
 
 TEST(InteriorPoint, TakesFewStepsWhereHundredsOfEdgesOfTheHiloRoofGoSlackOnTheWay) {

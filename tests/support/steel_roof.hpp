@@ -25,7 +25,7 @@ constexpr double steel_node_weight = 20.0;                       ///< [N]
 
 /// The lattice of the built-in net with EA of 0.8 to 1.2 MN, in equilibrium at some 2 kN: strains
 /// of 0.2 %.
-inline CableNet steel_roof() {
+inline CableNet steel_lattice() {
     const CableNet lattice = hilo_quarter();
     CableNetData data = lattice.data();
     data.name = "steel roof";
@@ -55,7 +55,7 @@ inline CableNet steel_roof() {
 /// without EA, lengths and loads.
 inline nlohmann::json steel_roof_compas() {
     using nlohmann::json;
-    const CableNet net = steel_roof();
+    const CableNet net = steel_lattice();
     json nodes = json::object();
     json edges = json::object();
     for (int i = 0; i < net.node_count(); ++i) {

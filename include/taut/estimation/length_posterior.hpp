@@ -24,6 +24,9 @@ struct LengthLikelihood {
     double slack_from = std::numeric_limits<double>::infinity();
     /// z, negative for pressure; infinite: surely taut. -infinite: surely slack.
     double extension = std::numeric_limits<double>::infinity();
+    /// No x outside these is possible: of an exact form where the tension law is flat [m].
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
 };
 
 /// Takes a normal prior out of a normal posterior: 1/std^2 = 1/posterior_std^2 - 1/prior_std^2.

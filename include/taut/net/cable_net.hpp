@@ -56,7 +56,7 @@ struct CableNetData {
     std::vector<TensionLaw> tension_laws = {};
     std::vector<int> tension_law = {};  ///< m indices of tension_laws, -1: linear by EA; or none
     std::map<std::string, std::vector<int>> groups = {};  ///< named lists of edges
-    Eigen::VectorXd mass = {};       ///< m, of a metre of unstressed length; or none [kg/m]
+    Eigen::VectorXd mass = {};                            ///< m, of a metre of edge; or none [kg/m]
     Eigen::VectorXd expansion = {};  ///< m, thermal strain by temperature; or none [1/K]
 };
 
@@ -94,8 +94,9 @@ public:
     [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const {
         return m_data.unstressed_lengths;
     }
-    /// 3 x n; those of the data, and where that tells masses the self-weight of the edges, half of
-    /// an edge's nominal one at either end in -z [N].
+    /// 3 x n; those of the data, and where that tells masses the self-weight of the edges as long
+    /// as they are between the nodes, half of it at either end in -z: the same whatever is built
+    /// [N].
     [[nodiscard]] const Points& loads() const { return m_loads; }
     /// Everything that the net was made from, defaults filled in.
     [[nodiscard]] const CableNetData& data() const { return m_data; }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 
 namespace taut {
 
@@ -24,12 +25,18 @@ struct TensionLaw {
     };
     [[nodiscard]] Tangent at(double strain_there) const;
 
+    /// The law as a strain sees it that is known with a standard deviation: the mean of the tension
+    /// over N(strain, std^2), and the slope of that mean.
+    [[nodiscard]] Tangent blurred(double strain_there, double std) const;
+    /// The variance of what that tangent misses of the law over the same distribution [N2].
+    [[nodiscard]] double missed_by_blurred(double strain_there, double std) const;
+
     /// The least strain with this tension.
     [[nodiscard]] double strain_at(double tension_there) const;
 
-    /// The same, but where the law is flat at this tension (to a millionth) the middle of the flat
-    /// part: any of its strains may be the one.
-    [[nodiscard]] double middle_strain_at(double tension_there) const;
+    /// The least and the greatest strain with this tension, to a millionth of it: two where the law
+    /// is flat there.
+    [[nodiscard]] std::pair<double, double> strains_at(double tension_there) const;
 
     /// The greatest slope [N].
     [[nodiscard]] double steepest() const;

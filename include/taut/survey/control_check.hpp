@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/survey/frame.hpp"
+
+namespace taut {
+
+/// A warning where control points lie farther from their known places than the noise explains: by
+/// more than 5 standard deviations, and by a millionth of the mean edge length. None where all fit.
+/// @param residuals measured less known, in the net's frame
+/// @param noise_std of a coordinate [m]
+[[nodiscard]] std::vector<std::string> control_warnings(
+    const CableNet& net, const std::vector<ControlResidual>& residuals, double noise_std);
+
+}  // namespace taut
