@@ -15,7 +15,7 @@ namespace {
 constexpr double half_length = 18.0;  // m, of the ellipse in plan
 constexpr double half_width = 12.0;   // m
 constexpr double spacing = 2.0;       // m, of the cables
-constexpr double rise = 2.4;          // m, of the ring: high at the ends of the length
+constexpr double ring_rise = 2.4;     // m, of the ring: high at the ends of the length
 constexpr double shortest = 0.4;      // of the spacing: from a node to the ring
 
 constexpr double cladding = 300.0;         // N/m2
@@ -52,9 +52,9 @@ TensionLaw law_of(const Family& family) {
                 area(family) * Eigen::VectorXd{{0.0, bedding_stress, bedding_stress, last_stress}}};
 }
 
-using LatticePoint = std::array<int, 2>;
+using RoofPoint = std::array<int, 2>;
 
-Eigen::Vector2d in_plan(LatticePoint p) {
+Eigen::Vector2d lattice_place(RoofPoint p) {
     return spacing * Eigen::Vector2d(p[0] + 0.5, p[1] + 0.5);
 }
 
@@ -80,11 +80,11 @@ struct Plan {
 
 Plan plan_of_ring() {
     Plan plan;
-    std::map<LatticePoint, int> free;
+    std::map<RoofPoint, int> free;
     const int reach = static_cast<int>(half_length / spacing);
     for (int i = -reach; i < reach; ++i) {
         for (int j = -reach; j < reach; ++j) {
-            if (const Eigen::Vector2d p = in_plan({i, j}); is_inside(p)) {
+            if (const Eigen::Vector2d p = lattice_place({i, j}); is_inside(p)) {
                 free[{i, j}] = static_cast<int>(plan.nodes.size());
                 plan.nodes.emplace_back(p.x(), p.y(), 0.0);
             }
@@ -98,23 +98,23 @@ Plan plan_of_ring() {
         p(axis) = side * ring_ahead(p, axis);
         const Eigen::Vector2d on_ring(p.x() / half_length, p.y() / half_width);
         plan.supports.push_back(static_cast<int>(plan.nodes.size()));
-        plan.nodes.emplace_back(p.x(), p.y(),
-                                rise * (on_ring.x() * on_ring.x() - on_ring.y() * on_ring.y()));
+        plan.nodes.emplace_back(
+            p.x(), p.y(), ring_rise * (on_ring.x() * on_ring.x() - on_ring.y() * on_ring.y()));
         return plan.supports.back();
     };
     for (const auto& [point, node] : free) {
         for (int axis = 0; axis < 2; ++axis) {
-            LatticePoint next = point;
-            LatticePoint before = point;
+            RoofPoint next = point;
+            RoofPoint before = point;
             ++next[axis];
             --before[axis];
             if (!free.contains(before)) {
-                add_edge(add_support(in_plan(point), axis, -1.0), node, axis);
+                add_edge(add_support(lattice_place(point), axis, -1.0), node, axis);
             }
             const auto neighbour = free.find(next);
             add_edge(node,
                      neighbour != free.end() ? neighbour->second
-                                             : add_support(in_plan(point), axis, 1.0),
+                                             : add_support(lattice_place(point), axis, 1.0),
                      axis);
         }
     }

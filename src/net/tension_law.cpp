@@ -14,13 +14,13 @@ namespace taut {
 namespace {
 
 /// So that no product in the energy overflows.
-constexpr double largest_magnitude = 1e50;
+constexpr double largest_entry = 1e50;
 
 /// A slope over less is rounding errors of the strain.
 constexpr double smallest_strain_step = 1e-12;
 
 bool is_magnitude(double value) {
-    return std::abs(value) <= largest_magnitude;  // not so for what is no number
+    return std::abs(value) <= largest_entry;  // not so for what is no number
 }
 
 /// The rule that the law breaks from its point k - 1 to k.
@@ -48,7 +48,7 @@ std::string problem_of(const TensionLaw& law) {
     for (Eigen::Index k = 0; k < count; ++k) {
         if (!is_magnitude(law.strain(k)) || !is_magnitude(law.tension(k))) {
             return fmt::format("has ({}, {}) at point {}, expected finite numbers of at most {:g}",
-                               law.strain(k), law.tension(k), k, largest_magnitude);
+                               law.strain(k), law.tension(k), k, largest_entry);
         }
     }
     if (law.strain(0) != 0.0 || law.tension(0) != 0.0) {
