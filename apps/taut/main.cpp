@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
     taut::app::add_identify(program);
     taut::app::add_reproduce(program);
     taut::app::add_compare(program);
+    taut::app::add_trials(program);
     taut::app::add_report(program);
     taut::app::add_survey(program);
     const auto commands = program.get_subcommands([](const CLI::App*) { return true; });

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
+#include "taut/sampling/length_law.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+struct SettlingSettings {
+    int surveys = 100;  ///< of each net
+    int first = 0;      ///< number of the first: a survey follows from net, seed and its number
+    std::uint64_t seed = 1;
+
+    /// @throws std::invalid_argument naming the field, for fewer than one survey or a first below 0
+    void check() const;
+};
+
+/// A random survey whose truth is known. Drawn: the law, uniform to +-2 or +-5 mm; the noise of a
+/// coordinate, 0.05 to 2 mm, its logarithm uniform; none or a tenth of the free nodes hidden; none
+/// or 5 % of the targets (at least one) off by 10 to 50 standard deviations of the noise, in any
+/// direction.
+struct SettlingSurvey {
+    int number = 0;
+    LengthLaw law;
+    double noise_std = 0.0;  ///< [m]
+    int gross_errors = 0;
+    Eigen::VectorXd deviations;  ///< true length deviations of the interior edges (m_I) [m]
+    std::vector<bool> slack;     ///< interior edges without tension in the true form (m_I)
+    Survey survey;
+};
+
+/// Survey `number` of a net. Where its drawn lengths find no equilibrium others are drawn.
+/// @throws std::invalid_argument as check_law()
+/// @throws std::runtime_error where a hundred draws find none
+[[nodiscard]] SettlingSurvey settling_survey(const CableNet& net, std::uint64_t seed, int number);
+
+/// What maximum a posteriori made of one survey.
+struct SettlingOutcome {
+    int number = 0;
+    LengthLaw law;
+    double noise_std = 0.0;  ///< [m]
+    int hidden_nodes = 0;
+    int gross_errors = 0;
+    int slack_edges = 0;    ///< interior, in the true form
+    bool settled = false;   ///< its status is "converged"
+    std::string message;    ///< where it did not
+    double seconds = 0.0;   ///< of a processor
+    int inside = 0;         ///< true lengths in their 95 % interval, of all interior edges
+    int slack_called = 0;   ///< edges called slack
+    int taut_as_slack = 0;  ///< of these, taut
+    int slack_as_taut = 0;  ///< slack and called identified
+};
+
+/// All surveys of one net. Coverage and the calls of slack count those that settled.
+struct SettlingRecord {
+    std::string net;
+    int free_nodes = 0;
+    int interior_edges = 0;
+    std::vector<SettlingOutcome> outcomes;
+
+    [[nodiscard]] int settled() const;
+    [[nodiscard]] double median_seconds() const;
+    [[nodiscard]] double largest_seconds() const;
+    [[nodiscard]] double coverage() const;  ///< of the 95 % intervals; 0 where none settled
+    /// Sum of a count over the surveys that settled.
+    [[nodiscard]] int sum(int SettlingOutcome::* count) const;
+};
+
+/// Identifies random surveys of a net by maximum a posteriori, one after the other, so that times
+/// can be compared.
+/// @param progress told of the stage "identification" after each survey
+/// @throws std::invalid_argument as SettlingSettings::check() and settling_survey()
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] SettlingRecord try_settling(const CableNet& net, const SettlingSettings& settings,
+                                          const Progress& progress = {});
+
+}  // namespace taut
