@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "taut/estimation/outlier.hpp"
@@ -65,6 +66,8 @@ public:
     [[nodiscard]] bool revise();
 
     void reject_suspicious();
+    /// Rejects these (one flag a node), and no others.
+    void reject(std::vector<bool> rejected) { m_rejected = std::move(rejected); }
     /// Begins anew, with all targets in use.
     void readmit_all();
     /// Lets targets that were readmitted be rejected again.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace taut {
@@ -28,11 +27,13 @@ double size_of(const Iterate& step) {
     return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
 }
 
+/// Infinite where no factor is found.
 Iterate linearised_step(LinearisedStatics& statics, const Observations& observations,
                         const Iterate& iterate) {
     if (!statics.linearise(iterate, observations)) {
-        throw std::runtime_error(
-            "the statics of the net are singular at the surveyed form: are net and law right?");
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return {.form = Points::Constant(3, iterate.form.cols(), infinity),
+                .deviations = Eigen::VectorXd::Constant(iterate.deviations.size(), infinity)};
     }
     return statics.step(iterate, observations);
 }
@@ -100,6 +101,7 @@ GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& o
             is_linearised_here = false;
         }
     }
+    result.has_factor = std::isfinite(size_of(step));
     return result;
 }
 

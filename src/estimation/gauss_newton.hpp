@@ -9,6 +9,7 @@ namespace taut {
 struct GaussNewtonResult {
     Iterate iterate;
     bool converged = false;
+    bool has_factor = true;  ///< that of the statics, as last linearised
     int iterations = 0;
 };
 
@@ -16,8 +17,7 @@ struct GaussNewtonResult {
 /// docs/theory.md under the statics with the slack set of `statics`, until a step changes no place
 /// and no length by more than the tolerance [m]. Each step solves the normal equations (normal);
 /// the natural monotonicity test (monotonicity) damps it. Where it converges the statics are left
-/// linearised at the result, to the tolerance.
-/// @throws std::runtime_error where no factor is found
+/// linearised at the result, to the tolerance. Where no factor is found it has not converged.
 [[nodiscard]] GaussNewtonResult gauss_newton(LinearisedStatics& statics,
                                              const Observations& observations, Iterate start,
                                              double tolerance, int max_iterations);

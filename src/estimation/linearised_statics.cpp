@@ -21,6 +21,24 @@ std::vector<bool> interior_flags(const CableNet& net) {
     return flags;
 }
 
+/// The stretch that an edge's tension stands for, and its derivative by the extension.
+struct Stretch {
+    double value;
+    double rate;
+};
+
+/// (rounded-law); without a width the extension itself. As quotients, so that no digits are lost
+/// where the edge is far from taut.
+Stretch stretch(double extension, double width) {
+    if (!(width > 0.0)) {
+        return {.value = extension, .rate = 1.0};
+    }
+    const double root = std::hypot(extension, 2.0 * width);
+    const double value =
+        extension > 0.0 ? 0.5 * (root + extension) : 2.0 * width * width / (root - extension);
+    return {.value = value, .rate = value / root};
+}
+
 }  // namespace
 
 bool LawBlur::agrees_with(const LawBlur& other) const {
@@ -62,18 +80,19 @@ LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& i
     const Eigen::Vector3d vector = iterate.form.col(s) - iterate.form.col(t);
     const double length = vector.norm();
     const Eigen::Vector3d u = vector / length;
+    const Stretch e = stretch(length - unstressed, m_corner_width);
     double axial = m_net.axial_stiffness()(edge) / unstressed;
-    double across = axial * (1.0 - unstressed / length);  // T / l
+    double across = axial * e.value / length;  // T / l
     if (const TensionLaw* law = m_net.tension_law(edge); law != nullptr) {
         const double strain_std = m_blur.strain_stds.size() > 0 ? m_blur.strain_stds(edge) : 0.0;
-        const auto [tension, slope] = law->blurred(length / unstressed - 1.0, strain_std);
+        const auto [tension, slope] = law->blurred(e.value / unstressed, strain_std);
         axial = slope / unstressed;
         across = tension / length;
     }
-    return {
-        .force = across * vector,
-        .stiffness = (axial - across) * u * u.transpose() + across * Eigen::Matrix3d::Identity(),
-        .length_rate = -axial / unstressed * vector};
+    return {.force = across * vector,
+            .stiffness = (axial * e.rate - across) * u * u.transpose() +
+                         across * Eigen::Matrix3d::Identity(),
+            .length_rate = -axial * (e.value / unstressed + e.rate) * u};
 }
 
 /// Of an edge's length by the covariance of its ends, taken as independent: one is a support where

@@ -57,6 +57,13 @@ public:
     /// less than half of what it was.
     [[nodiscard]] LawBlur blur_found(const Iterate& iterate) const;
 
+    /// With a width [m] above 0 no edge carries pressure: with e = l - l_0 its tension is
+    ///
+    ///   T = EA/l_0 (e + sqrt(e^2 + 4 w^2)) / 2,
+    ///
+    /// a smooth law that differs from a cable's by less than EA/l_0 w. docs/theory.md (rounded-law)
+    void round_corners(double width) { m_corner_width = width; }
+
     /// Linearises at an iterate, and factorises.
     /// @return false where no factor is found
     [[nodiscard]] bool linearise(const Iterate& iterate, const Observations& observations);
@@ -97,6 +104,7 @@ private:
     std::vector<int> m_free_nodes;   ///< in the order of elimination
     std::vector<bool> m_slack;
     LawBlur m_blur;
+    double m_corner_width = 0.0;
     SaddlePointFactor m_matrix;
     SaddlePointFactor::Covariance m_covariance;
     Eigen::Matrix3Xd m_place_reactions;  ///< H lambda as linearised, 3 x free nodes

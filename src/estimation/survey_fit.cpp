@@ -4,10 +4,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "estimation/feasible_descent.hpp"
 #include "estimation/slack_set.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
@@ -25,6 +29,14 @@ constexpr int most_blurs = 8;
 /// deviations off, then smaller by this factor at each step.
 constexpr double largest_misfit_at_first = 0.3;
 constexpr double continuation_factor = 0.3;
+
+/// (rounded-law): widths of the corner, in the smallest standard deviation of the survey at last,
+/// and from one to the next; (decrement) at last and on the way there.
+constexpr double corner_in_noise = 0.3;
+constexpr double corner_factor = 0.3;
+constexpr double small_decrement = 0.01;
+constexpr double decrement_on_the_way = 0.3;
+constexpr int most_descents = 60;
 
 /// @return the settings, once all is checked that a fit is made of
 SurveyFitSettings checked(const CableNet& net, const Survey& survey, const LengthLaw& law,
@@ -59,8 +71,15 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const LengthLaw&
 
 GaussNewtonResult SurveyFit::run() {
     GaussNewtonResult fitted = fit_and_snoop(nominal_iterate(m_net), 1.0);
-    if (!fitted.converged || m_snooping.rejects_too_many()) {
-        fitted = from_coarse_to_fine();
+    if (!is_settled(fitted)) {
+        fitted = by_rounded_laws();
+    }
+    if (!fitted.converged) {
+        if (!m_statics.linearise(fitted.iterate, observations())) {
+            throw std::runtime_error(
+                "the statics of the net are singular at the surveyed form: are net and law right?");
+        }
+        m_statics.invert();
     }
     evaluate(fitted, 1.0);
     m_contradicts_too_many = m_snooping.is_active() && m_snooping.contradicts_too_many();
@@ -76,6 +95,10 @@ GaussNewtonResult SurveyFit::run() {
 /// start is told, and an edge that comes out longer than it can be while slack is taut for good,
 /// even with some pressure: it stands between the two.
 GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, double inflation) {
+    if (m_is_rounded) {
+        return fit_rounded(start, inflation);
+    }
+    m_statics.round_corners(0.0);
     const Observations observed = observations(inflation);
     GaussNewtonResult fitted;
     Iterate from = start;
@@ -93,14 +116,15 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
             slack[e] = shown[e] && !taut_for_good[e] && (fitted.converged || slack[e]);
         }
         if (slack == m_statics.slack() || (has_failed && !fitted.converged)) {
-            m_statics.invert();  // (covariance)
+            if (fitted.converged) {
+                m_statics.invert();  // (covariance)
+            }
             return fitted;
         }
         has_failed = has_failed || !fitted.converged;
         from = fitted.converged ? fitted.iterate : start;
     }
     fitted.converged = false;
-    m_statics.invert();
     return fitted;
 }
 
@@ -129,14 +153,52 @@ void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& obser
     }
 }
 
+/// (rounded-law): from the widest corner to one that is lost in the noise. Later fits begin where
+/// the corner is already.
+GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation) {
+    const Observations observed = observations(inflation);
+    const double last =
+        std::min(widest_corner(),
+                 corner_in_noise * inflation * m_noise(Eigen::all, m_survey.surveyed).minCoeff());
+    m_statics.set_slack(std::vector<bool>(m_net.edge_count(), false));
+    GaussNewtonResult fitted{.iterate = start};
+    m_corner_width = std::max(m_corner_width, last);
+    while (true) {
+        const bool is_last = m_corner_width == last;
+        m_statics.round_corners(m_corner_width);
+        fitted = feasible_descent(m_statics, observed, std::move(fitted.iterate),
+                                  is_last ? small_decrement : decrement_on_the_way, most_descents);
+        if (is_last || !fitted.has_factor) {
+            break;
+        }
+        m_corner_width = std::max(last, corner_factor * m_corner_width);
+    }
+    if (fitted.has_factor) {
+        m_statics.invert();
+    }
+    m_statics.set_slack(slack_by_form(m_net, fitted.iterate, m_law));
+    return fitted;
+}
+
+/// The corner that makes a net of mean stretch s as tense as it is only by lengths of one standard
+/// deviation of the law more: s = w^2 / std.
+double SurveyFit::widest_corner() const {
+    const double stretch =
+        (edge_lengths(m_net, m_net.nodes()) - m_net.unstressed_lengths()).cwiseMax(0.0).mean();
+    return std::min(m_law.std(), std::sqrt(stretch * m_law.std()));
+}
+
 /// Fits, and again with other targets rejected until data snooping has no more to say.
 /// @param slack edges (m) to begin with
 GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<bool> slack,
                                            double inflation) {
     m_snooping.reopen();
     GaussNewtonResult fitted = fit(start, std::move(slack), inflation);
-    for (int revision = 0; m_snooping.is_active() && fitted.converged && revision < most_revisions;
-         ++revision) {
+    // A descent that was cut short tells the largest gross errors, too.
+    const auto can_be_tested = [&] {
+        return m_snooping.is_active() && (fitted.converged || (m_is_rounded && fitted.has_factor));
+    };
+    for (int revision = 0; can_be_tested() && revision < most_revisions; ++revision) {
         evaluate(fitted, inflation);
         if (!m_snooping.revise() || m_snooping.rejects_too_many()) {
             break;
@@ -158,6 +220,7 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, double inflatio
 /// rejected, a fit from the nominal net is tried.
 GaussNewtonResult SurveyFit::from_coarse_to_fine() {
     m_snooping.readmit_all();
+    m_corner_width = widest_corner();
     Iterate settled = nominal_iterate(m_net);
     std::vector<bool> slack(m_net.edge_count(), false);
     const auto refine = [&](double inflation) {
@@ -183,6 +246,34 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
         }
     }
     return refine(1.0);
+}
+
+/// No slack sets, which can cycle, and no pressure, under which a net can buckle; every step lowers
+/// the objective. What it finds is a start for the fit with a slack set, whose result is taken
+/// where that settles; else that of a continuation with slack sets; else the rounded one.
+GaussNewtonResult SurveyFit::by_rounded_laws() {
+    m_snooping.readmit_all();
+    m_corner_width = widest_corner();
+    const Iterate nominal = nominal_iterate(m_net);
+    GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal, 1.0); });
+    const bool is_rounded_settled = is_settled(rounded);
+    const std::vector<bool> rejected = m_snooping.rejected();
+    if (is_rounded_settled) {
+        GaussNewtonResult fitted =
+            fit_and_snoop(rounded.iterate, slack_by_form(m_net, rounded.iterate, m_law), 1.0);
+        if (is_settled(fitted)) {
+            return fitted;
+        }
+    }
+    GaussNewtonResult fitted = from_coarse_to_fine();
+    if (is_settled(fitted)) {
+        return fitted;
+    }
+    if (!is_rounded_settled) {
+        return without_slack_set([this] { return from_coarse_to_fine(); });
+    }
+    m_snooping.reject(rejected);
+    return fit_rounded(rounded.iterate, 1.0);
 }
 
 double SurveyFit::first_inflation() const {

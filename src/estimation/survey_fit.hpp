@@ -24,7 +24,8 @@ struct SurveyFitSettings {
 /// docs/theory.md, with its slack set, gross errors rejected by data snooping, and the covariance
 /// linearised at the result. Three loops, from the inside: Gauss-Newton steps at one slack set
 /// (gauss_newton()), the slack set that the fitted form shows, the targets that are rejected. A
-/// survey for which these do not settle is fitted by continuation over the noise.
+/// survey for which these do not settle is fitted with rounded tension laws (feasible_descent()),
+/// from wide corners to narrow ones, and where that does not do by continuation over the noise.
 class SurveyFit {
 public:
     /// Keeps references to net, survey and law. Not copied: its parts refer to each other.
@@ -37,7 +38,7 @@ public:
 
     /// Once. After it, the parts below are those of the result.
     /// @return the result; not converged where lengths and form still moved
-    /// @throws std::runtime_error as gauss_newton()
+    /// @throws std::runtime_error where the statics are singular at what the search ended with
     [[nodiscard]] GaussNewtonResult run();
 
     /// Whether so many targets contradict the others that it is not they who are wrong.
@@ -54,10 +55,23 @@ private:
     void evaluate(const GaussNewtonResult& fitted, double inflation);
     [[nodiscard]] GaussNewtonResult fit(const Iterate& start, std::vector<bool> slack,
                                         double inflation);
+    [[nodiscard]] GaussNewtonResult fit_rounded(const Iterate& start, double inflation);
     [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, std::vector<bool> slack,
                                                   double inflation);
     [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, double inflation);
+    [[nodiscard]] GaussNewtonResult by_rounded_laws();
     [[nodiscard]] GaussNewtonResult from_coarse_to_fine();
+    template <class Fit>
+    [[nodiscard]] GaussNewtonResult without_slack_set(Fit fit) {
+        m_is_rounded = true;
+        GaussNewtonResult fitted = fit();
+        m_is_rounded = false;
+        return fitted;
+    }
+    [[nodiscard]] bool is_settled(const GaussNewtonResult& fitted) const {
+        return fitted.converged && !m_snooping.rejects_too_many();
+    }
+    [[nodiscard]] double widest_corner() const;
     [[nodiscard]] double first_inflation() const;
 
     const CableNet& m_net;
@@ -69,6 +83,8 @@ private:
     LinearisedStatics m_statics;
     DataSnooping m_snooping;
     bool m_contradicts_too_many = false;
+    bool m_is_rounded = false;    ///< (rounded-law) takes the place of the slack set
+    double m_corner_width = 0.0;  ///< where the rounded fits have got to [m]
 };
 
 }  // namespace taut

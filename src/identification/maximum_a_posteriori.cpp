@@ -2,11 +2,39 @@
 // SPDX-License-Identifier: MIT
 #include "identification/maximum_a_posteriori.hpp"
 
+#include <fmt/core.h>
+
+#include <string>
+
 #include "estimation/length_likelihoods.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
+namespace {
+
+/// The likely reason, and what would help.
+std::string why_unsettled(const CableNet& net, const Survey& survey, const LengthLaw& law) {
+    const double stretch =
+        (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
+    std::string text = "found no lengths that settle: iteration limit; ";
+    if (stretch < law.std()) {
+        text += fmt::format(
+            "the cables stretch by {:.2g} mm in the mean and their lengths deviate by {:.2g} mm, "
+            "so "
+            "that any of them may be slack: a narrower --law would help, if it is true",
+            1e3 * stretch, 1e3 * law.std());
+    } else {
+        text += "are net, loads, frame and noise right";
+    }
+    if (!survey.is_whole()) {
+        text += fmt::format("; a survey of the {} missing nodes would help", survey.missing.size());
+    }
+    return text;
+}
+
+}  // namespace
 
 Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
                                                 const LengthLaw& law,
@@ -28,7 +56,7 @@ Identification identification_of(const CableNet& net, const Survey& survey, cons
     Identification result;
     if (!fitted.converged) {
         result.status = IdentificationStatus::iteration_limit;
-        result.message = "found no lengths that settle: iteration limit";
+        result.message = why_unsettled(net, survey, law);
     }
     tell_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
     complete(result, net, survey, law,

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/feasible_descent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace taut {
+namespace {
+
+/// Projections end when one moves the iterate by less than this part of what the observations and
+/// the prior tell, in standard deviations; they give up where they contract no faster than this.
+constexpr double balanced_to = 1e-3;
+constexpr double slowest_contraction = 0.5;
+constexpr int most_projections = 20;
+constexpr int most_restorations = 10;
+
+constexpr double first_damping = 1e-2;
+constexpr double least_damping = 1e-6;
+constexpr double most_damping = 1e8;
+
+/// A step is taken where it lowers the objective by this part of what was predicted; from the
+/// second part on the damping is lowered.
+constexpr double least_gain = 0.1;
+constexpr double good_gain = 0.5;
+
+Iterate sum(const Iterate& a, const Iterate& b) {
+    return {.form = a.form + b.form, .deviations = a.deviations + b.deviations};
+}
+
+double squared_norm(const Observations& observations, const Iterate& change) {
+    return observations.weights.cwiseProduct(change.form.cwiseAbs2()).sum() +
+           change.deviations.cwiseAbs2().cwiseQuotient(observations.variance).sum();
+}
+
+/// In standard deviations of what is observed and expected; where nothing is observed, in those of
+/// the lengths.
+double length_of(const Observations& observations, const Iterate& change) {
+    const Eigen::ArrayXXd unobserved =
+        (observations.weights.array() == 0.0).select(change.form.array().abs(), 0.0);
+    return std::max(std::sqrt(squared_norm(observations, change)),
+                    unobserved.maxCoeff() / std::sqrt(observations.variance.mean()));
+}
+
+double objective(const Observations& observations, const Iterate& iterate) {
+    return 0.5 * squared_norm(observations, {.form = iterate.form - observations.form,
+                                             .deviations = iterate.deviations - observations.mean});
+}
+
+/// The observations with P (1 + damping) for P and the same slope P (mean - d) at the iterate.
+Observations damped(const Observations& observations, const Iterate& iterate, double damping) {
+    Observations result = observations;
+    result.variance /= 1.0 + damping;
+    result.mean = iterate.deviations + (observations.mean - iterate.deviations) / (1.0 + damping);
+    return result;
+}
+
+/// As if measured and expected to be where it is: a step then only restores balance.
+Observations satisfied(const Observations& observations, const Iterate& iterate) {
+    Observations result = observations;
+    result.form = iterate.form;
+    result.mean = iterate.deviations;
+    return result;
+}
+
+/// (projection): back to equilibrium by the matrix as linearised.
+std::optional<Iterate> projected(const LinearisedStatics& statics, const Observations& observations,
+                                 Iterate iterate) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < most_projections; ++k) {
+        const Iterate change = statics.step(iterate, satisfied(observations, iterate));
+        const double size = length_of(observations, change);
+        if (!(size <= slowest_contraction * before)) {
+            return std::nullopt;
+        }
+        iterate = sum(iterate, change);
+        if (size < balanced_to) {
+            return iterate;
+        }
+        before = size;
+    }
+    return std::nullopt;
+}
+
+/// An iterate in equilibrium near one that need not be; nothing where no factor is found.
+std::optional<Iterate> balanced(LinearisedStatics& statics, const Observations& observations,
+                                Iterate iterate) {
+    for (int k = 0; k < most_restorations; ++k) {
+        const Observations here = satisfied(observations, iterate);
+        if (!statics.linearise(iterate, here)) {
+            return std::nullopt;
+        }
+        if (auto found = projected(statics, here, iterate)) {
+            return found;
+        }
+        iterate = sum(iterate, statics.step(iterate, here));
+    }
+    return iterate;
+}
+
+}  // namespace
+
+GaussNewtonResult feasible_descent(LinearisedStatics& statics, const Observations& observations,
+                                   Iterate start, double small_decrement, int max_iterations) {
+    GaussNewtonResult result{.iterate = std::move(start)};
+    const auto linearise = [&](const Observations& observed) {
+        result.has_factor = statics.linearise(result.iterate, observed);
+        return result.has_factor;
+    };
+    auto begin = balanced(statics, observations, result.iterate);
+    result.has_factor = begin.has_value();
+    if (!begin) {
+        return result;
+    }
+    result.iterate = std::move(*begin);
+    double F = objective(observations, result.iterate);
+    double damping = first_damping;
+    while (result.iterations < max_iterations && damping < most_damping) {
+        ++result.iterations;
+        const Observations here = damped(observations, result.iterate, damping);
+        if (!linearise(here)) {
+            return result;
+        }
+        const Iterate step = statics.step(result.iterate, here);  // (damped)
+        const double predicted = 0.5 * squared_norm(here, step);
+        // The undamped step is at most so much longer.
+        if (std::sqrt((1.0 + damping) * squared_norm(here, step)) <= small_decrement) {
+            if (!linearise(observations)) {
+                return result;
+            }
+            const Iterate last = statics.step(result.iterate, observations);
+            result.converged = length_of(observations, last) <= small_decrement;  // (decrement)
+            if (result.converged) {
+                return result;
+            }
+        }
+        const auto trial = projected(statics, here, sum(result.iterate, step));
+        const double decrease = trial ? F - objective(observations, *trial) : -1.0;
+        if (decrease > least_gain * predicted) {
+            result.iterate = *trial;
+            F -= decrease;
+            damping =
+                decrease > good_gain * predicted ? std::max(least_damping, 0.1 * damping) : damping;
+        } else {
+            damping *= 8.0;
+        }
+    }
+    return result;
+}
+
+}  // namespace taut
