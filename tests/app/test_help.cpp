@@ -9,9 +9,9 @@ namespace {
 
 using namespace taut::test;
 
-const std::vector<std::string> commands{"example",  "import",    "inspect", "form",
-                                        "export",   "sample",    "train",   "survey",
-                                        "identify", "reproduce", "compare", "report"};
+const std::vector<std::string> commands{"example", "import", "inspect", "form",     "export",
+                                        "sample",  "train",  "survey",  "identify", "reproduce",
+                                        "compare", "trials", "report"};
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 
