@@ -75,6 +75,7 @@ GaussNewtonResult SurveyFit::run() {
         fitted = by_rounded_laws();
     }
     if (!fitted.converged) {
+        m_statics.set_slack(std::vector<bool>(m_net.edge_count(), false));
         if (!m_statics.linearise(fitted.iterate, observations())) {
             throw std::runtime_error(
                 "the statics of the net are singular at the surveyed form: are net and law right?");
