@@ -16,8 +16,8 @@ struct ImportedStiffness {
     Eigen::VectorXd values;  ///< [N], or in the file's unit of force where so told
     bool in_force_unit = false;
     std::string source;
-    std::vector<TensionLaw> laws = {};  ///< one a diameter
-    std::vector<int> law_of_edge = {};  ///< as CableNetData::tension_law
+    std::vector<TensionLaw> laws;  ///< one a diameter
+    std::vector<int> law_of_edge;  ///< as CableNetData::tension_law
 
     /// Tension over strain of an edge.
     /// @param force_unit of the file [N]

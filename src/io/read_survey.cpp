@@ -61,6 +61,7 @@ bool is_frame_fitted(const CableNet& net, const std::vector<ControlPoint>& contr
 /// Where control points lie in a survey that is in the net's frame as it stands.
 std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& control) {
     std::vector<ControlResidual> residuals;
+    residuals.reserve(control.size());
     for (const ControlPoint& point : control) {
         residuals.push_back({.id = point.id, .residual = point.measured - point.known});
     }

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "survey/mean_edge_length.hpp"
 
@@ -15,8 +16,19 @@ std::vector<std::string> control_warnings(const CableNet& net,
                                           double noise_std) {
     constexpr double explained = 5.0;       // standard deviations
     constexpr double rounding_part = 1e-6;  // of the mean edge length
-    const double limit = std::max(explained * noise_std, rounding_part * mean_edge_length(net));
+    // The median length of a residual, in standard deviations of a coordinate: where all lie as far
+    // off, it is not single points that are elsewhere, but noise or scale that is told wrong.
+    constexpr double median_length = 1.538;
+    if (residuals.empty()) {
+        return {};
+    }
     const auto distance = [](const ControlResidual& point) { return point.residual.norm(); };
+    std::vector<double> distances(residuals.size());
+    std::ranges::transform(residuals, distances.begin(), distance);
+    const auto middle = distances.begin() + std::ssize(distances) / 2;
+    std::ranges::nth_element(distances, middle);
+    const double spread = std::max(noise_std, *middle / median_length);
+    const double limit = std::max(explained * spread, rounding_part * mean_edge_length(net));
     const auto count = std::ranges::count_if(
         residuals, [&](const ControlResidual& point) { return distance(point) > limit; });
     if (count == 0) {

@@ -53,11 +53,11 @@ struct CableNetData {
     Points loads;                        ///< 3 x n external forces [N]; 3 x 0 means none
     std::vector<std::string> node_ids;   ///< n names, or none
     std::vector<std::string> edge_ids;   ///< m names, or none
-    std::vector<TensionLaw> tension_laws = {};
-    std::vector<int> tension_law = {};  ///< m indices of tension_laws, -1: linear by EA; or none
-    std::map<std::string, std::vector<int>> groups = {};  ///< named lists of edges
-    Eigen::VectorXd mass = {};                            ///< m, of a metre of edge; or none [kg/m]
-    Eigen::VectorXd expansion = {};  ///< m, thermal strain by temperature; or none [1/K]
+    std::vector<TensionLaw> tension_laws;
+    std::vector<int> tension_law;  ///< m indices of tension_laws, -1: linear by EA; or none
+    std::map<std::string, std::vector<int>> groups;  ///< named lists of edges
+    Eigen::VectorXd mass;                            ///< m, of a metre of edge; or none [kg/m]
+    Eigen::VectorXd expansion;  ///< m, thermal strain by temperature; or none [1/K]
 };
 
 /// The edges with at least one support as an end: the default of CableNetData::adjustable.

@@ -10,8 +10,9 @@
 
 namespace taut {
 
-/// A warning where control points lie farther from their known places than the noise explains: by
-/// more than 5 standard deviations, and by a millionth of the mean edge length. None where all fit.
+/// A warning where single control points lie farther from their known places than the noise and the
+/// other points explain: by more than 5 standard deviations, told or as the median point shows, and
+/// by a millionth of the mean edge length.
 /// @param residuals measured less known, in the net's frame
 /// @param noise_std of a coordinate [m]
 [[nodiscard]] std::vector<std::string> control_warnings(
