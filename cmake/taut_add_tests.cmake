@@ -28,7 +28,7 @@ function(taut_add_tests room)
     if(TAUT_TESTS_BY_PROGRAM)
         add_test(NAME ${room} COMMAND ${target} --gtest_brief=1)
         set_tests_properties(${room} PROPERTIES
-            TIMEOUT 900 LABELS ${room} ENVIRONMENT "RC_PARAMS=seed=1")
+            TIMEOUT 1800 LABELS ${room} ENVIRONMENT "RC_PARAMS=seed=1")
         return()
     endif()
     gtest_discover_tests(${target}
