@@ -28,6 +28,7 @@ std::vector<CableNet> nets_of(const TrialsOptions& options) {
         return settling_nets();
     }
     std::vector<CableNet> nets;
+    nets.reserve(options.nets.size());
     for (const std::string& file : options.nets) {
         nets.push_back(read_net(file).net);
     }
@@ -77,6 +78,7 @@ void run(const TrialsOptions& options) {
     const std::vector<SettlingRecord> records = [&] {
         ProgressLine line(options.quiet);
         std::vector<SettlingRecord> result;
+        result.reserve(nets.size());
         for (const CableNet& net : nets) {
             result.push_back(try_settling(net, options.settings,
                                           line.progress().part(static_cast<int>(result.size()),

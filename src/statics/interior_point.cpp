@@ -179,10 +179,10 @@ bool InteriorPoint::arrived(const LocalNet& net, const NetState& state) const {
     double gap = 0.0;
     double energy = 0.0;
     double tension = 0.0;
-    for (size_t e = 0; e < m_edges.size(); ++e) {
-        gap += m_edges[e].tension * m_edges[e].play;
-        energy += m_edges[e].tension * m_edges[e].elongation;
-        tension += m_edges[e].tension;
+    for (const PathEdge& edge : m_edges) {
+        gap += edge.tension * edge.play;
+        energy += edge.tension * edge.elongation;
+        tension += edge.tension;
     }
     const double largest = m_imbalance.reshaped(3, net.free_count).colwise().norm().maxCoeff();
     return !(gap > std::max(smallest_gap * energy, last_place * tension)) &&

@@ -191,6 +191,7 @@ int SettlingRecord::settled() const {
 
 double SettlingRecord::median_seconds() const {
     std::vector<double> seconds;
+    seconds.reserve(outcomes.size());
     for (const SettlingOutcome& outcome : outcomes) {
         seconds.push_back(outcome.seconds);
     }
