@@ -30,14 +30,13 @@ std::vector<ControlPoint> control_points(double scale, double noise, unsigned se
         .rotation = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized().toRotationMatrix(),
         .to = {2.6e3, 1.2e3, 400.0}};
     std::mt19937 random(seed);
-    std::normal_distribution<double> normal(0.0, noise);
+    std::normal_distribution<double> normal;
     std::vector<ControlPoint> points;
     const int step = 128 / count;
     for (int i = 0; i < count; ++i) {
         const int node = net.supports()[step * i];
         const Eigen::Vector3d error =
-            noise > 0.0 ? Eigen::Vector3d(normal(random), normal(random), normal(random))
-                        : Eigen::Vector3d::Zero();
+            noise * Eigen::Vector3d(normal(random), normal(random), normal(random));
         points.push_back({.id = net.node_id(node),
                           .known = net.nodes().col(node),
                           .measured = scale * motion(net.nodes().col(node)) + error});
