@@ -41,6 +41,12 @@ void check_law(const CableNet& net, const LengthLaw& law) {
             "unstressed length, {:.4g} mm",
             law.to_string(), 1e3 * law.reach(), 1e3 * shortest));
     }
+    constexpr double rounding_error = 1e-9;
+    if (law.std() < rounding_error * shortest) {
+        throw std::invalid_argument(fmt::format(
+            "the law {} is lost in rounding errors, expected deviations of at least {:.1g} mm",
+            law.to_string(), 1e3 * rounding_error * shortest));
+    }
 }
 
 Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,

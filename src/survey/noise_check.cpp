@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string>
 
 #include "survey/mean_edge_length.hpp"
 #include "taut/net/units.hpp"
@@ -16,6 +17,16 @@ namespace {
 constexpr double plausible_part = 0.02;   ///< of the mean edge length
 constexpr double plausible_noise = 0.05;  ///< [m]
 
+/// What was meant, if millimetres were taken for metres; no instrument measures to less than a
+/// hundredth of one.
+std::string question(double noise_std) {
+    constexpr double smallest_meant = 1e-5;
+    const double meant = 1e-3 * noise_std;
+    return meant >= smallest_meant ? fmt::format("is {} meant? A number without unit is in metres",
+                                                 format_length(meant))
+                                   : "is that meant?";
+}
+
 }  // namespace
 
 std::vector<std::string> noise_warnings(const CableNet& net, double noise_std) {
@@ -23,20 +34,16 @@ std::vector<std::string> noise_warnings(const CableNet& net, double noise_std) {
     if (noise_std <= std::min(plausible_noise, plausible_part * length)) {
         return {};
     }
-    return {
-        fmt::format("noise of {} on edges of {:.4g} mm in the mean: is {} meant? A number "
-                    "without unit is in metres",
-                    format_length(noise_std), 1e3 * length, format_length(1e-3 * noise_std))};
+    return {fmt::format("noise of {} on edges of {:.4g} mm in the mean: {}",
+                        format_length(noise_std), 1e3 * length, question(noise_std))};
 }
 
 void refuse_absurd_noise(const CableNet& net, double noise_std) {
     const double length = mean_edge_length(net);
     if (noise_std > length) {
         throw SurveyError(
-            0,
-            fmt::format("noise of {}, expected less than the mean edge length, {:.4g} mm: is {} "
-                        "meant? A number without unit is in metres",
-                        format_length(noise_std), 1e3 * length, format_length(1e-3 * noise_std)));
+            0, fmt::format("noise of {}, expected less than the mean edge length, {:.4g} mm: {}",
+                           format_length(noise_std), 1e3 * length, question(noise_std)));
     }
 }
 

@@ -35,6 +35,12 @@ TEST(NoiseWarnings, NameTheUnitThatWasMeant) {
                                   HasSubstr("is 0.5mm meant?"))));
 }
 
+TEST(NoiseWarnings, AskForNoUnitThatNobodyMeans) {
+    EXPECT_THAT(noise_warnings(net_of(0.13), 0.005),
+                ElementsAre(AllOf(HasSubstr("noise of 5mm on edges of 130 mm"),
+                                  HasSubstr("is that meant?"))));
+}
+
 TEST(NoiseWarnings, BeginAtAFiftiethOfTheMeanEdgeOrFiftyMillimetres) {
     EXPECT_THAT(noise_warnings(net_of(1.0), 0.0199), IsEmpty());
     EXPECT_THAT(noise_warnings(net_of(1.0), 0.0201), ElementsAre(HasSubstr("20.1mm")));
