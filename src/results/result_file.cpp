@@ -91,6 +91,18 @@ EdgeStatus read_status(const std::string& name) {
     return EdgeStatus::identified;
 }
 
+/// Of what draws tell of an edge, if anything.
+void check_tension(const JsonValue& value) {
+    const auto lower = optional_number(value, "tension_lower");
+    const auto upper = optional_number(value, "tension_upper");
+    if (lower && upper && *lower > *upper) {
+        value.fail(
+            fmt::format("has the interval of tension from {} to {}, expected lower before "
+                        "upper",
+                        *lower, *upper));
+    }
+}
+
 IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
     const auto number = [&value](const char* key) { return member(value, key).number(); };
     const IdentifiedEdge edge{.edge = member(value, "edge").integer(),
@@ -108,6 +120,12 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
         value.fail(fmt::format("has the interval from {} to {}, expected lower before upper",
                                edge.lower, edge.upper));
     }
+    if (edge.length_deviation < edge.lower || edge.length_deviation > edge.upper) {
+        value.fail(
+            fmt::format("has the length deviation {}, expected one in its interval, {} to {}",
+                        edge.length_deviation, edge.lower, edge.upper));
+    }
+    check_tension(value);
     return edge;
 }
 

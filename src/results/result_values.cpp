@@ -49,10 +49,11 @@ int read_node(const JsonValue& value, const CableNet& net) {
 CableNet require_net(const JsonValue& root) {
     CableNet net = read_net_value(member(root, "cable_net"));
     const JsonValue counts = member(root, "net");
-    if (const auto fingerprint = counts.find("fingerprint");
-        fingerprint && fingerprint->text() != net.fingerprint()) {
-        fingerprint->fail(fmt::format("is {}, expected {}, that of /cable_net", fingerprint->text(),
-                                      net.fingerprint()));
+    for (const auto& fingerprint : {counts.find("fingerprint"), root.find("net_fingerprint")}) {
+        if (fingerprint && fingerprint->text() != net.fingerprint()) {
+            fingerprint->fail(fmt::format("is {}, expected {}, that of /cable_net",
+                                          fingerprint->text(), net.fingerprint()));
+        }
     }
     return net;
 }

@@ -101,7 +101,9 @@ TEST(NetOrResult, RefusesWhatNeitherReaderTakes) {
     EXPECT_THAT(error(R"({"format": "taut-plan"})"), HasSubstr("expected \"taut-net\""));
     EXPECT_THAT(error(R"({"format": "taut-identification"})"), HasSubstr("/version: is missing"));
     json document = identification();
-    document["edges"][0]["length_deviation"] = -9.0;
+    for (const char* key : {"length_deviation", "lower", "upper"}) {
+        document["edges"][0][key] = -9.0;
+    }
     EXPECT_THAT(error(document.dump()), HasSubstr("expected a positive and finite number"));
 }
 
