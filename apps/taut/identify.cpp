@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -17,6 +21,7 @@
 #include "taut/identification/model.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/sampling/data_set.hpp"
 
@@ -29,6 +34,17 @@ struct Options : CommonOptions, SurveyOptions {
     std::string model;
     std::string law;  ///< empty: the model's, or the default
     std::string output;
+    std::optional<std::int64_t> draws;  ///< empty: default_draws()
+    std::uint64_t seed = 1;
+
+    /// Where the draws are kept: beside the result.
+    [[nodiscard]] std::string draws_file() const {
+        if (output.empty()) {
+            return "";
+        }
+        const std::filesystem::path result = output;
+        return (result.parent_path() / (result.stem().string() + "_draws.h5")).string();
+    }
 };
 
 /// The law that was asked for, by the rules of the sampler.
@@ -63,6 +79,25 @@ int count(const Identification& result, EdgeStatus status) {
     return static_cast<int>(std::ranges::count(result.edges, status, &IdentifiedEdge::status));
 }
 
+/// "3.21 kN, 95 % interval 3.02 to 3.41 kN"
+std::string tension_text(const DrawnEstimate& tension) {
+    return fmt::format("{:.4g} kN, 95 % interval {:.4g} to {:.4g} kN", 1e-3 * tension.mean,
+                       1e-3 * tension.lower, 1e-3 * tension.upper);
+}
+
+void print_draws(const Identification& result) {
+    if (!result.draws) {
+        return;
+    }
+    const PosteriorDraws& draws = *result.draws;
+    if (result.drawn.tensions.empty()) {
+        fmt::print("tensions: not known, since {}\n", draws.doubt);
+        return;
+    }
+    fmt::print("mean tension: {}\n  by {} draws: {}\n", tension_text(result.drawn.mean_tension),
+               draws.count(), draws.how);
+}
+
 /// Of a slack edge no deviation is known, only a bound: those are listed apart.
 void print_largest(const CableNet& net, const Identification& result) {
     std::vector<IdentifiedEdge> edges = result.edges;
@@ -72,13 +107,21 @@ void print_largest(const CableNet& net, const Identification& result) {
     }
     std::ranges::sort(edges, std::greater{},
                       [](const IdentifiedEdge& e) { return std::abs(e.length_deviation); });
-    fmt::print("largest length deviations [mm]\n  {:<12}{:>12}{:>10}{:>22}  status\n", "edge",
-               "deviation", "std", "95 % interval");
+    const bool has_tensions = !result.drawn.tensions.empty();
+    fmt::print("largest length deviations [mm]{}\n  {:<12}{:>12}{:>10}{:>22}{}  status\n",
+               has_tensions ? ", tensions [kN]" : "", "edge", "deviation", "std", "95 % interval",
+               has_tensions ? fmt::format("{:>10}{:>18}", "tension", "95 % interval") : "");
     constexpr size_t shown = 8;
     for (size_t i = 0; i < std::min(shown, edges.size()); ++i) {
         const IdentifiedEdge& e = edges[i];
-        fmt::print("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}  {}\n", net.edge_id(e.edge),
-                   1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper,
+        std::string tension;
+        if (has_tensions) {
+            const DrawnEstimate& t = result.drawn.tensions[e.edge].tension;
+            tension = fmt::format("{:>10.3f}{:>9.3f} {:>8.3f}", 1e-3 * t.mean, 1e-3 * t.lower,
+                                  1e-3 * t.upper);
+        }
+        fmt::print("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}{}  {}\n", net.edge_id(e.edge),
+                   1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper, tension,
                    to_string(e.status));
     }
 }
@@ -138,14 +181,20 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     }
     fmt::print("predicted form: {}\n", equilibrium_text(result.predicted));
     const Eigen::VectorXd residuals = residuals_in_use(result, survey);
-    fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n\n",
+    fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n",
                1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
                1e3 * residuals.maxCoeff());
+    print_draws(result);
+    fmt::print("\n");
     print_largest(net, result);
     print_slack(net, result);
     if (!options.output.empty()) {
         fmt::print("\nwritten to {}: all {} edges, and the predicted form\n", options.output,
                    result.edges.size());
+        if (result.draws) {
+            fmt::print("written to {}: {} draws of lengths, forms and tensions\n",
+                       options.draws_file(), result.draws->count());
+        }
     }
 }
 
@@ -172,8 +221,14 @@ void run(const Options& options) {
     const Survey survey = read_survey(net, options.survey, options.reading());
     warn(options.survey, survey.warnings);
     const std::optional<LengthModel> model = model_of(net, options, law);
-    check_outputs({options.output}, {options.net, options.survey, options.model, options.control});
-    IdentifyOptions settings{.law = law, .model = model ? &*model : nullptr};
+    const std::int64_t draws = options.draws.value_or(default_draws(net));
+    check_draws(net, draws);
+    check_outputs({options.output, draws > 0 ? options.draws_file() : ""},
+                  {options.net, options.survey, options.model, options.control});
+    IdentifyOptions settings{.law = law,
+                             .model = model ? &*model : nullptr,
+                             .draws = static_cast<int>(draws),
+                             .seed = options.seed};
     if (!options.method.empty()) {
         settings.method = parse_identification_method(options.method);
     }
@@ -183,7 +238,12 @@ void run(const Options& options) {
     refuse_unless_converged(options, result);
     const std::string document = identification_to_json(net, survey, result, run_record());
     if (!options.output.empty()) {
-        write_file(options.output, document);
+        std::vector<std::pair<std::filesystem::path, std::string>> files{
+            {options.output, document}};
+        if (result.draws) {
+            files.emplace_back(options.draws_file(), draws_bytes(net, result));
+        }
+        write_files(files);
     }
     if (options.json) {
         fmt::print("{}", document);
@@ -215,6 +275,11 @@ void add_identify(CLI::App& program) {
                        "Model of taut train, for gp (default: trained now, on 1000 samples)");
     command.add_option("--law", options->law,
                        "Law of the length deviations (default: the model's, or uniform:5mm)");
+    command.add_option("--draws", options->draws,
+                       "Draws of lengths, forms and tensions from the posterior, for map; they "
+                       "are kept beside the result (_draws.h5). 0: none (default: 200; 40 for more "
+                       "than 10,000 interior edges)");
+    add_seed_option(command, options->seed);
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
     command.callback([options] { run(*options); });
 }

@@ -67,6 +67,44 @@ void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likel
     }
 }
 
+double bound_of(const LengthLaw& law) {
+    return law.kind == LengthLaw::Kind::uniform ? law.scale : infinity;
+}
+
+/// (posterior)
+TruncatedMixture mixture_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
+    law.check();
+    if (!std::isfinite(likelihood.mean) || !(likelihood.std > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("the likelihood has mean {} and std {}, expected a finite and a positive "
+                        "number",
+                        likelihood.mean, likelihood.std));
+    }
+    const double bound = bound_of(law);
+    if (likelihood.extension < surely_slack && !(likelihood.slack_from < bound)) {
+        // Slack, though the law has no such length: the law alone.
+        LengthLikelihood none;
+        none.extension = infinity;
+        return mixture_of(law, none);
+    }
+    std::vector<TruncatedNormal> parts;
+    switch (law.kind) {
+        case LengthLaw::Kind::uniform:
+            add_part(parts, likelihood, 0.0, infinity, -bound, bound);
+            break;
+        case LengthLaw::Kind::normal:
+            add_part(parts, likelihood, 0.0, law.scale, -infinity, infinity);
+            break;
+        case LengthLaw::Kind::bimodal:
+            for (const double mode : {-law.scale, law.scale}) {
+                const double spread = std::sqrt(law.std() * law.std() - law.scale * law.scale);
+                add_part(parts, likelihood, mode, spread, -infinity, infinity);
+            }
+            break;
+    }
+    return TruncatedMixture(parts);
+}
+
 }  // namespace
 
 LengthLikelihood without_prior(double prior_mean, double prior_std, double posterior_mean,
@@ -83,37 +121,8 @@ LengthLikelihood without_prior(double prior_mean, double prior_std, double poste
 }
 
 LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
-    law.check();
-    if (!std::isfinite(likelihood.mean) || !(likelihood.std > 0.0)) {
-        throw std::invalid_argument(
-            fmt::format("the likelihood has mean {} and std {}, expected a finite and a positive "
-                        "number",
-                        likelihood.mean, likelihood.std));
-    }
-    std::vector<TruncatedNormal> parts;
-    double bound = infinity;
-    switch (law.kind) {
-        case LengthLaw::Kind::uniform:
-            bound = law.scale;
-            add_part(parts, likelihood, 0.0, infinity, -bound, bound);
-            break;
-        case LengthLaw::Kind::normal:
-            add_part(parts, likelihood, 0.0, law.scale, -infinity, infinity);
-            break;
-        case LengthLaw::Kind::bimodal:
-            for (const double mode : {-law.scale, law.scale}) {
-                const double spread = std::sqrt(law.std() * law.std() - law.scale * law.scale);
-                add_part(parts, likelihood, mode, spread, -infinity, infinity);
-            }
-            break;
-    }
-    if (likelihood.extension < surely_slack && !(likelihood.slack_from < bound)) {
-        // Slack, though the law has no such length: the law alone.
-        LengthLikelihood none;
-        none.extension = infinity;
-        return posterior_of(law, none);
-    }
-    const TruncatedMixture mixture(parts);
+    const TruncatedMixture mixture = mixture_of(law, likelihood);
+    const double bound = bound_of(law);
     const auto [mean, variance] = mixture.moments();
     LengthPosterior posterior{.mean = mean,
                               .std = std::sqrt(variance),
@@ -128,6 +137,10 @@ LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likel
     posterior.lower = std::min(posterior.lower, posterior.mean);
     posterior.upper = std::max(posterior.upper, posterior.mean);
     return posterior;
+}
+
+std::pair<double, double> moments_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
+    return mixture_of(law, likelihood).moments();
 }
 
 EdgeStatus status_of(const LengthLaw& law, const LengthPosterior& posterior) {

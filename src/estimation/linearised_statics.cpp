@@ -140,7 +140,8 @@ LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
 }
 
 void LinearisedStatics::set_weights(const Observations& observations) {
-    m_length_unit = std::sqrt(observations.variance.mean());
+    // By the mean precision: a wide prior, which tells next to nothing, sets no scale.
+    m_length_unit = 1.0 / std::sqrt(observations.variance.cwiseInverse().mean());
     m_multiplier_unit =
         1.0 /
         (m_length_unit * m_net.axial_stiffness().cwiseQuotient(m_net.unstressed_lengths()).mean());

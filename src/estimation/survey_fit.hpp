@@ -46,6 +46,10 @@ public:
     [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
     /// Linearised and inverted at the result.
     [[nodiscard]] const LinearisedStatics& statics() const { return m_statics; }
+    /// To go on from there, with other observations.
+    [[nodiscard]] LinearisedStatics& statics() { return m_statics; }
+    /// A step this small changes nothing that the survey could show [m].
+    [[nodiscard]] double tolerance() const { return m_tolerance; }
     /// The targets in use and the prior.
     [[nodiscard]] Observations observations() const { return observations(1.0); }
 

@@ -22,9 +22,8 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
     }
 }
 
-void complete(Identification& result, const CableNet& net, const Survey& survey,
-              const LengthLaw& law, const std::vector<LengthLikelihood>& likelihoods,
-              const Points& start) {
+void tell_edges(Identification& result, const CableNet& net, const LengthLaw& law,
+                const std::vector<LengthLikelihood>& likelihoods) {
     result.law = law;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
@@ -37,7 +36,6 @@ void complete(Identification& result, const CableNet& net, const Survey& survey,
                                 .upper = posterior.upper,
                                 .status = status_of(law, posterior)});
     }
-    predict_form(result, net, survey, start);
 }
 
 void predict_form(Identification& result, const CableNet& net, const Survey& survey,

@@ -17,11 +17,9 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
                    bool contradicts_too_many);
 
 /// Fills the edges of a result from their likelihoods (m_I) and the law, docs/theory.md
-/// (posterior), and predicts the form.
-/// @param start of the search for the predicted form (3 x n) [m]
-void complete(Identification& result, const CableNet& net, const Survey& survey,
-              const LengthLaw& law, const std::vector<LengthLikelihood>& likelihoods,
-              const Points& start);
+/// (posterior).
+void tell_edges(Identification& result, const CableNet& net, const LengthLaw& law,
+                const std::vector<LengthLikelihood>& likelihoods);
 
 /// Predicts the form of a result's edges, from a start, and compares it with the survey. Where
 /// their lengths find no equilibrium, status and message say so.

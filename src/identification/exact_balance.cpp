@@ -185,7 +185,8 @@ Identification identify_by_exact_balance(const CableNet& net, const Survey& surv
     if (tell_impossible_edge(result, net, exact.impossible_edge())) {
         return result;
     }
-    complete(result, net, survey, law, exact.likelihoods(law), exact.form());
+    tell_edges(result, net, law, exact.likelihoods(law));
+    predict_form(result, net, survey, exact.form());
     tell_exactness(result, net, law);
     return result;
 }

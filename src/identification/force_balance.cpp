@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 
@@ -33,7 +34,8 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
                           {.max_iterations = max_iterations, .prior_width = width});
             const GaussNewtonResult fitted = fit.run();
             if (fitted.converged || width == prior_widths.back()) {
-                result = identification_of(net, survey, law, fit, fitted);
+                result = identification_of(net, survey, law, fit, fitted, fit.observations());
+                predict_form(result, net, survey, fitted.iterate.form);
                 break;
             }
         }

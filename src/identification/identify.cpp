@@ -3,7 +3,9 @@
 #include "taut/identification/identify.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
@@ -113,6 +115,27 @@ IdentificationMethod parse_identification_method(std::string_view name) {
         fmt::format("no method is called '{}', expected gp, balance or map", name));
 }
 
+int default_draws(const CableNet& net) {
+    constexpr int few_edges = 10'000;
+    return net.interior_edge_count() > few_edges ? 40 : 200;
+}
+
+void check_draws(const CableNet& net, std::int64_t draws) {
+    // A draw is held twice while it is written.
+    const double bytes_a_draw =
+        2.0 * sizeof(double) *
+        (net.interior_edge_count() + 3.0 * net.free_node_count() + net.edge_count());
+    const double memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    const double most = std::min(memory / bytes_a_draw, 2147483647.0);
+    if (draws < 0 || static_cast<double>(draws) > most) {
+        throw std::invalid_argument(
+            fmt::format("draws is {}, expected 0 to {:.0f}, as many as the memory holds for this "
+                        "net",
+                        draws, most));
+    }
+}
+
 void check_model(const CableNet& net, const LengthModel& model,
                  const std::optional<LengthLaw>& law) {
     if (model.net_fingerprint != net.fingerprint()) {
@@ -131,6 +154,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     const LengthLaw law =
         options.law.value_or(options.model != nullptr ? options.model->law : LengthLaw());
     check_law(net, law);
+    check_draws(net, options.draws);
     const auto [method, reason] = choose_method(survey, options);
     check_survey_for(net, survey, method);
     if (options.model != nullptr) {
@@ -148,7 +172,8 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
                 fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
             break;
         case IdentificationMethod::map:
-            result = identify_by_maximum_a_posteriori(net, survey, law);
+            result = identify_by_maximum_a_posteriori(
+                net, survey, law, {}, {.count = options.draws, .seed = options.seed}, progress);
             result.how =
                 fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string());
             break;

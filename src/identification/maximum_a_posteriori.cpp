@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include <string>
+#include <utility>
 
+#include "estimation/expectation_propagation.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
@@ -38,30 +40,44 @@ std::string why_unsettled(const CableNet& net, const Survey& survey, const Lengt
 
 Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
                                                 const LengthLaw& law,
-                                                const SurveyFitSettings& settings) {
+                                                const SurveyFitSettings& settings,
+                                                const DrawSettings& draws,
+                                                const Progress& progress) {
     check_survey(net, survey);
     Identification result;
     if (survey.is_exact() && survey.is_whole()) {
         result = identify_by_exact_balance(net, survey, law);
     } else {
         SurveyFit fit(net, survey, law, settings);  // (map), (slack-set), (snooping)
-        result = identification_of(net, survey, law, fit, fit.run());
+        GaussNewtonResult fitted = fit.run();
+        Observations observations = fit.observations();
+        if (fitted.converged) {
+            Propagated settled = propagate_law(net, law, fit.statics(), observations,
+                                               fitted.iterate, fit.tolerance());
+            fitted.iterate = std::move(settled.iterate);
+            observations = std::move(settled.observations);
+        }
+        result = identification_of(net, survey, law, fit, fitted, observations);
+        draw_posterior(result, net, survey, law, fit.statics(), observations, fitted.iterate, draws,
+                       progress);
+        predict_form(result, net, survey, fitted.iterate.form);
     }
     result.method = "map";
     return result;
 }
 
 Identification identification_of(const CableNet& net, const Survey& survey, const LengthLaw& law,
-                                 const SurveyFit& fit, const GaussNewtonResult& fitted) {
+                                 const SurveyFit& fit, const GaussNewtonResult& fitted,
+                                 const Observations& observations) {
     Identification result;
     if (!fitted.converged) {
         result.status = IdentificationStatus::iteration_limit;
         result.message = why_unsettled(net, survey, law);
     }
     tell_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
-    complete(result, net, survey, law,
-             length_likelihoods(net, fit.statics(), fit.observations(), fitted.iterate),
-             fitted.iterate.form);  // (covariance), (likelihood), (posterior)
+    tell_edges(result, net, law,
+               length_likelihoods(net, fit.statics(), observations,
+                                  fitted.iterate));  // (covariance), (likelihood), (posterior)
     return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "estimation/survey_fit.hpp"
+#include "identification/draw_posterior.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -10,19 +11,22 @@
 
 namespace taut {
 
-/// Maximum a posteriori under the statics: SurveyFit with the law as prior. Standard deviations are
-/// those of the posterior linearised at the result (Laplace); the length of each edge then follows
-/// from this and the law itself (posterior_of()). Of an exact survey of all nodes the lengths are
-/// those of the balance.
+/// Maximum a posteriori under the statics: SurveyFit with the law as prior, then the posterior
+/// mean, by propagate_law(). Standard deviations are those of the posterior linearised at the
+/// result (Laplace), as the law itself cuts it (posterior_of()). Of an exact survey of all nodes
+/// the lengths are those of the balance.
 /// @throws std::invalid_argument as SurveyFit
 /// @throws std::runtime_error where the statics are singular at the surveyed form
 [[nodiscard]] Identification identify_by_maximum_a_posteriori(
     const CableNet& net, const Survey& survey, const LengthLaw& law,
-    const SurveyFitSettings& settings = {});
+    const SurveyFitSettings& settings = {}, const DrawSettings& draws = {},
+    const Progress& progress = {});
 
-/// What a fit tells of the lengths, under the law.
+/// What a fit tells of the lengths, under the law; no form is predicted yet.
+/// @param observations with the prior that the fit was made with
 [[nodiscard]] Identification identification_of(const CableNet& net, const Survey& survey,
                                                const LengthLaw& law, const SurveyFit& fit,
-                                               const GaussNewtonResult& fitted);
+                                               const GaussNewtonResult& fitted,
+                                               const Observations& observations);
 
 }  // namespace taut

@@ -63,9 +63,9 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
         deviation = after->mean();
         tell_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());
     }
-    complete(result, net, survey, model.law,
-             process_likelihoods(net, model, deviation, after ? &*after : nullptr),
-             with_free_coordinates(net, model.nominal_form + deviation));
+    tell_edges(result, net, model.law,
+               process_likelihoods(net, model, deviation, after ? &*after : nullptr));
+    predict_form(result, net, survey, with_free_coordinates(net, model.nominal_form + deviation));
     return result;
 }
 

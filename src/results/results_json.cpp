@@ -160,6 +160,58 @@ Json tension_json(const CableNet& net, const Identification& identification) {
     return numbers_json(tensions(net, lengths, identification.predicted.form), 6);
 }
 
+/// What the draws tell of an edge; null without them.
+Json drawn_tension_json(const DrawnSummary& drawn, int edge) {
+    if (drawn.tensions.empty()) {
+        return {{"tension", nullptr},
+                {"tension_std", nullptr},
+                {"tension_lower", nullptr},
+                {"tension_upper", nullptr},
+                {"slack_probability", nullptr}};
+    }
+    const DrawnTension& of_edge = drawn.tensions[edge];
+    return {{"tension", of_edge.tension.mean},
+            {"tension_std", of_edge.tension.std},
+            {"tension_lower", of_edge.tension.lower},
+            {"tension_upper", of_edge.tension.upper},
+            {"slack_probability", of_edge.slack_probability}};
+}
+
+/// Keys of a result that are told by draws.
+void add_drawn(Json& document, const CableNet& net, const Identification& identification) {
+    const DrawnSummary& drawn = identification.drawn;
+    document["mean_tension"] = nullptr;
+    document["draws"] = nullptr;
+    Json adjustable = Json::array();
+    Json places = Json::array();
+    if (identification.draws) {
+        const PosteriorDraws& draws = *identification.draws;
+        document["draws"] = {{"count", draws.count()},
+                             {"seed", draws.seed},
+                             {"how", draws.how},
+                             {"doubt", draws.doubt.empty() ? Json() : Json(draws.doubt)}};
+    }
+    if (!drawn.tensions.empty()) {
+        const DrawnEstimate& mean = drawn.mean_tension;
+        document["mean_tension"] = {
+            {"mean", mean.mean}, {"std", mean.std}, {"lower", mean.lower}, {"upper", mean.upper}};
+        for (const int edge : net.adjustable_edges()) {
+            const auto [s, t] = net.edges()[edge];
+            adjustable.push_back({{"edge", edge}, {"id", net.edge_id(edge)}, {"nodes", {s, t}}});
+            adjustable.back().update(drawn_tension_json(drawn, edge));
+        }
+        for (const DrawnPlace& place : drawn.missing) {
+            places.push_back({{"node", place.node},
+                              {"mean", to_json(place.mean)},
+                              {"std", to_json(place.std)},
+                              {"lower", to_json(place.lower)},
+                              {"upper", to_json(place.upper)}});
+        }
+    }
+    document["adjustable_edges"] = std::move(adjustable);
+    document["missing_places"] = std::move(places);
+}
+
 }  // namespace
 
 std::string study_to_json(const Study& study, const RunRecord& run) {
@@ -211,6 +263,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                          {"lower", e.lower},
                          {"upper", e.upper},
                          {"status", to_string(e.status)}});
+        edges.back().update(drawn_tension_json(identification.drawn, e.edge));
     }
     Json form = Json::array();
     for (const auto& node : identification.predicted.form.colwise()) {
@@ -260,6 +313,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     document["survey"]["warnings"] = survey.warnings;
     document["cable_net"] = net_json(net);
     document["tension"] = tension_json(net, identification);
+    add_drawn(document, net, identification);
     return to_text(document);
 }
 

@@ -16,7 +16,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "identification/maximum_a_posteriori.hpp"
+#include "taut/identification/identify.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -145,7 +145,9 @@ SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
                             .slack_edges = static_cast<int>(std::ranges::count(s.slack, true))};
     const double begin = processor_seconds();
     try {
-        const Identification result = identify_by_maximum_a_posteriori(net, s.survey, s.law);
+        const Identification result = identify(
+            net, s.survey,
+            {.method = IdentificationMethod::map, .law = s.law, .draws = default_draws(net)});
         outcome.settled = result.status == IdentificationStatus::converged;
         outcome.message = result.message;
         hold_against_truth(outcome, result, s);

@@ -118,6 +118,28 @@ TEST_F(SiteWorkflow, FindsATargetThatSomebodyMoved) {
     expect_truth_within(result, 1.0e-3, 0.92);
 }
 
+TEST_F(SiteWorkflow, TellsTensionsWithIntervalsAndKeepsTheDraws) {
+    survey({"--noise", "0.5mm", "--drop", "10%"});
+    const std::string told = must_run({"identify", "net.json", "survey.csv", "-o", "r.json"});
+    EXPECT_NE(told.find("mean tension: "), std::string::npos);
+    EXPECT_NE(told.find("written to r_draws.h5: 200 draws"), std::string::npos);
+    EXPECT_TRUE(exists("r_draws.h5"));
+    const json result = json::parse(read("r.json"));
+    EXPECT_EQ(result["draws"]["count"], 200);
+    EXPECT_EQ(result["draws"]["doubt"], nullptr);
+    EXPECT_EQ(result["adjustable_edges"].size(), 128U);
+    EXPECT_EQ(result["missing_places"].size(), 30U);
+    for (const json& edge : result["edges"]) {
+        ASSERT_LE(edge["tension_lower"], edge["tension"]);
+        ASSERT_LE(edge["tension"], edge["tension_upper"]);
+        EXPECT_EQ(edge["slack_probability"], 0.0);
+    }
+    const json none = identify({"--draws", "0", "-o", "none.json"});
+    EXPECT_EQ(none["draws"], nullptr);
+    EXPECT_EQ(none["edges"][0]["tension"], nullptr);
+    EXPECT_FALSE(exists("none_draws.h5"));
+}
+
 TEST_F(SiteWorkflow, RefusesASurveyInMillimetres) {
     survey({});
     std::istringstream lines(read("survey.csv"));

@@ -7,6 +7,7 @@
 
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut::test {
@@ -35,6 +36,16 @@ inline SimulatedSurvey simulate(const CableNet& net, const LengthLaw& law, doubl
         }
     }
     return s;
+}
+
+/// A net with as much tension at so many times the axial stiffness.
+inline CableNet stiffened(const CableNet& soft, double factor) {
+    CableNetData data = soft.data();
+    const Eigen::ArrayXd lengths = edge_lengths(soft, soft.nodes()).array();
+    const Eigen::ArrayXd strains = lengths / data.unstressed_lengths.array() - 1.0;
+    data.unstressed_lengths = lengths / (1.0 + strains / factor);
+    data.axial_stiffness *= factor;
+    return CableNet(data);
 }
 
 /// Takes a target out of a survey.

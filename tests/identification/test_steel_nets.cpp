@@ -26,16 +26,6 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 
-/// A net with as much tension at so many times the axial stiffness.
-CableNet stiffened(const CableNet& soft, double factor) {
-    CableNetData data = soft.data();
-    const Eigen::ArrayXd lengths = edge_lengths(soft, soft.nodes()).array();
-    const Eigen::ArrayXd strains = lengths / data.unstressed_lengths.array() - 1.0;
-    data.unstressed_lengths = lengths / (1.0 + strains / factor);
-    data.axial_stiffness *= factor;
-    return CableNet(data);
-}
-
 LengthLaw uniform_law(double bound) {
     return {LengthLaw::Kind::uniform, bound};
 }

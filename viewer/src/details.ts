@@ -82,13 +82,18 @@ export function listsSection(result: Identification, model: Model, selection: Se
     ...(distance === undefined ? {} : { text: `${millimetres(distance)} mm` }),
     ...(statistic === undefined ? {} : { detail: `${number(statistic)} is its square in standard deviations${survey.outlier_threshold ? `, left out above ${number(survey.outlier_threshold)}` : ""}` }),
   }));
+  const places = new Map((result.missing_places ?? []).map((place) => [place.node, place.std]));
+  const knownTo = (node: number): Pick<Entry, "text" | "detail"> => {
+    const std = places.get(node);
+    return std ? { text: `± ${millimetres(Math.max(...std))} mm`, detail: "largest standard deviation of a coordinate, of the draws" } : {};
+  };
   const unmatched = (survey.unmatched ?? []).map((u) => u.id);
   return section("lists", "To look at", h("div", { class: "lists" },
     list("Slack edges", "edge", slack, "None: every cable whose length was asked for carries tension.",
       "No more is known than that the length deviation is at least this. They are in no statistic of the deviations."),
     list("Unobserved edges", "edge", unobserved, "None: the survey tells about every cable."),
     list("Gross errors", "node", gross, "None: no surveyed point contradicts the net.", "Targets left out, with their distance from where all others tell."),
-    list("Hidden nodes", "node", (survey.missing_nodes ?? []).map((index) => ({ index })), survey.missing > 0 ? `${survey.missing}, which the result does not name.` : "None: every free node was surveyed."),
+    list("Hidden nodes", "node", (survey.missing_nodes ?? []).map((index): Entry => ({ index, ...knownTo(index) })), survey.missing > 0 ? `${survey.missing}, which the result does not name.` : "None: every free node was surveyed."),
     h("div", { class: "list" }, h("h3", {}, "Unmatched targets", h("span", { class: "count" }, String(unmatched.length))),
       unmatched.length === 0 ? h("p", { class: "quiet" }, "None: every target fits a node.")
         : h("ul", {}, ...unmatched.slice(0, most).map((text) => h("li", { class: "chip" }, text))))));
@@ -181,6 +186,12 @@ export function settingsSection(result: Result): HTMLElement {
     if (result.frame === null) add("frame of the survey", "the net's");
     add("surveyed free nodes", result.survey.used);
     add("hidden free nodes", result.survey.missing);
+    if (result.draws) add("draws of the posterior", `${result.draws.count}: ${result.draws.how}`);
+    if (result.draws?.doubt) add("no tensions are told", result.draws.doubt);
+    if (result.mean_tension) {
+      const { mean, lower, upper } = result.mean_tension;
+      add("mean tension, with its 95 % interval", `${number(mean / 1e3)} kN, ${number(lower / 1e3)} to ${number(upper / 1e3)} kN`);
+    }
   }
   return section("settings", "Settings", plainTable("Settings", ["what", "value"], rows, ["", "text"]));
 }

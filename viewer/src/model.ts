@@ -165,6 +165,27 @@ export function modelOfStudy(study: Study): Model {
   return model;
 }
 
+/** What the draws of the posterior tell of each edge; nothing without them. */
+function drawnQuantities(result: Identification, model: Model): Quantity[] {
+  const edges = [...result.edges, ...(result.adjustable_edges ?? [])];
+  if (!edges.some((e) => typeof e.tension === "number")) return [];
+  type Key = "tension" | "tension_std" | "tension_lower" | "tension_upper" | "slack_probability";
+  const of = (key: Key, factor: number): Float64Array => {
+    const values = new Float64Array(model.edgeCount).fill(NaN);
+    for (const e of edges) values[e.edge] = factor * (e[key] ?? NaN);
+    return values;
+  };
+  const kN = 1e-3;
+  return [
+    quantity({
+      key: "drawn_tension", label: "tension, mean over the draws", head: "tension", unit: "kN", of: "edge", kind: "sequential", decimals: 3, scale: "tension", fromLowest: true,
+      values: of("tension", kN), interval: { lower: of("tension_lower", kN), upper: of("tension_upper", kN) },
+    }),
+    quantity({ key: "drawn_tension_std", label: "standard deviation of the tension", head: "std of tension", unit: "kN", of: "edge", kind: "sequential", decimals: 3, values: of("tension_std", kN) }),
+    quantity({ key: "slack_probability", label: "probability of being slack", head: "slack", unit: "%", of: "edge", kind: "sequential", decimals: 1, values: of("slack_probability", 100) }),
+  ];
+}
+
 export function modelOfIdentification(result: Identification): Model {
   const net = result.cable_net;
   const model = netOf(net, result.form);
@@ -187,6 +208,7 @@ export function modelOfIdentification(result: Identification): Model {
       values: of("lower", slack),
     })] : []),
     quantity({ key: "std", label: "standard deviation of the identified length", head: "std", unit: "mm", of: "edge", kind: "sequential", decimals: 3, values: of("std") }),
+    ...drawnQuantities(result, model),
     ...(result.tension ? tensionAndStrain(net, result.tension, ", predicted", "") : []),
     quantity({ key: "form_predicted", label: "form deviation, predicted − nominal", unit: "mm", of: "node", kind: "sequential", decimals: 3, values: distances(fromNominal, model.isSupport) }),
   );

@@ -26,6 +26,10 @@ export type Pair = [Index, Index];
 export type Numbers = number[];
 export type Texts = string[];
 export type EdgeStatus = "identified" | "slack" | "unobserved";
+/**
+ * Of all edges, in the predicted form [N].
+ */
+export type Numbers1 = number[];
 export type CountOrNull = number | null;
 
 /**
@@ -173,7 +177,23 @@ export interface Identification {
   net: Counts;
   edges: IdentifiedEdge[];
   form: Points;
-  tension?: Numbers;
+  tension?: Numbers1;
+  /**
+   * Over all edges, of the posterior; null without draws [N].
+   */
+  mean_tension?: DrawnEstimate | null;
+  /**
+   * What the draws tell of the adjustable edges; empty without.
+   */
+  adjustable_edges?: DrawnTension[];
+  /**
+   * What the draws tell of the nodes that the survey misses; empty without.
+   */
+  missing_places?: DrawnPlace[];
+  /**
+   * Of the posterior, kept in the HDF5 file beside the result; null where there are none.
+   */
+  draws?: Draws | null;
   /**
    * How the survey was brought into the net's frame; null where it was given in it.
    */
@@ -203,6 +223,55 @@ export interface IdentifiedEdge {
   lower: number;
   upper: number;
   status: EdgeStatus;
+  /**
+   * Mean over the draws; null without, as all below [N].
+   */
+  tension?: number | null;
+  tension_std?: SizeOrNull;
+  /**
+   * 95 % interval [N].
+   */
+  tension_lower?: number | null;
+  tension_upper?: SizeOrNull;
+  slack_probability?: number | null;
+}
+/**
+ * Mean, standard deviation and 95 % interval.
+ */
+export interface DrawnEstimate {
+  mean: number;
+  std: number;
+  lower: number;
+  upper: number;
+}
+export interface DrawnTension {
+  edge: Index;
+  id?: string;
+  nodes?: Pair;
+  tension: SizeOrNull;
+  tension_std: SizeOrNull;
+  tension_lower: SizeOrNull;
+  tension_upper: SizeOrNull;
+  slack_probability: number | null;
+}
+/**
+ * Mean, standard deviation and 95 % interval of each coordinate [m].
+ */
+export interface DrawnPlace {
+  node: Index;
+  mean: Point;
+  std: Point;
+  lower: Point;
+  upper: Point;
+}
+export interface Draws {
+  count: Count;
+  seed: number;
+  how: string;
+  /**
+   * Why they are not to be relied on; null where they are.
+   */
+  doubt: string | null;
 }
 /**
  * The rigid motion x -> rotation (x - from) + to from the instrument's frame to the net's.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include "taut/estimation/edge_status.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -52,6 +53,11 @@ struct LengthPosterior {
 /// @throws std::invalid_argument for a mean that is not finite, or a std that is not positive
 [[nodiscard]] LengthPosterior posterior_of(const LengthLaw& law,
                                            const LengthLikelihood& likelihood);
+
+/// Mean [m] and variance [m2] of the same distribution.
+/// @throws std::invalid_argument as posterior_of()
+[[nodiscard]] std::pair<double, double> moments_of(const LengthLaw& law,
+                                                   const LengthLikelihood& likelihood);
 
 /// What a posterior says of its edge: slack where that is more probable than not; unobserved where
 /// its standard deviation is no smaller than 0.95 of the law's; identified else.

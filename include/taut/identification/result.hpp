@@ -3,12 +3,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "taut/estimation/edge_status.hpp"
 #include "taut/estimation/outlier.hpp"
+#include "taut/identification/posterior_draws.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/survey/survey.hpp"
@@ -60,6 +62,10 @@ struct Identification {
     /// Root mean square of the residuals over what the stated noise lets expect; about 1 where the
     /// noise is stated right. 0 where it was not computed.
     double noise_ratio = 0.0;
+
+    /// Of the posterior; empty where none were asked for, or the method gives none.
+    std::optional<PosteriorDraws> draws;
+    DrawnSummary drawn;  ///< what follows from them; empty without, and where they are in doubt
 };
 
 /// The residuals of the targets that were not left out.

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace taut {
+
+/// Draws of the posterior, one a column: lengths with the form and the tensions that follow in
+/// exact equilibrium.
+struct PosteriorDraws {
+    Eigen::MatrixXd length_deviations;  ///< m_I x draws, of the interior edges [m]
+    Eigen::MatrixXd forms;              ///< 3 n_I x draws, free coordinates [m]
+    Eigen::MatrixXd tensions;           ///< m x draws, of all edges [N]
+    std::uint64_t seed = 1;
+    std::string how;    ///< they were made, in words
+    std::string doubt;  ///< why they are not to be relied on; empty: they are
+
+    [[nodiscard]] int count() const { return static_cast<int>(length_deviations.cols()); }
+};
+
+/// Mean, standard deviation and 95 % interval of a number over draws.
+struct DrawnEstimate {
+    double mean = 0.0;
+    double std = 0.0;
+    double lower = 0.0;
+    double upper = 0.0;
+};
+
+/// The interval ends at the order statistics of rank p (draws + 1), p = 0.025 and 0.975: so another
+/// draw of the same posterior falls within with 95 %, however few there are, docs/theory.md
+/// (drawn).
+/// @param values one a draw, at least one
+[[nodiscard]] DrawnEstimate estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values);
+
+/// What is known of the tension of one edge.
+struct DrawnTension {
+    int edge = 0;
+    DrawnEstimate tension;           ///< [N]
+    double slack_probability = 0.0;  ///< the part of the draws in which it carries nothing
+};
+
+/// What is known of the place of one free node.
+struct DrawnPlace {
+    int node = 0;
+    Eigen::Vector3d mean;   ///< [m]
+    Eigen::Vector3d std;    ///< [m]
+    Eigen::Vector3d lower;  ///< 95 % interval of each coordinate [m]
+    Eigen::Vector3d upper;
+};
+
+/// What follows from draws for a result.
+struct DrawnSummary {
+    std::vector<DrawnTension> tensions;  ///< one an edge, in their order
+    DrawnEstimate mean_tension;          ///< over all edges [N]
+    std::vector<DrawnPlace> missing;     ///< of the nodes that the survey misses
+};
+
+/// @param free_index place of each missing node among the free nodes
+[[nodiscard]] DrawnSummary summary_of(const PosteriorDraws& draws, const std::vector<int>& missing,
+                                      const std::vector<int>& free_index);
+
+}  // namespace taut

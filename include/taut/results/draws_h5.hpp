@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "taut/identification/result.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// The draws of an identification as an HDF5 file, "taut-draws", one draw a row:
+///
+///   length_deviation [draws, m_I]   m, of the edges in `edge`
+///   form             [draws, 3 n_I] m, x1,y1,z1,x2,... of the nodes in `node`
+///   tension          [draws, m]     N, of all edges
+///
+/// with the fingerprint of the net, the law, the seed and how they were drawn as attributes.
+/// @throws std::invalid_argument where the identification has none
+[[nodiscard]] std::string draws_bytes(const CableNet& net, const Identification& identification);
+
+}  // namespace taut

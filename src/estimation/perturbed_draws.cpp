@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/perturbed_draws.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "estimation/feasible_descent.hpp"
+#include "numerics/random_numbers.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+/// Draws of one linearisation of which forms in equilibrium lie farther from what they gave are
+/// fitted, each by itself.
+constexpr double largest_linear_departure = 0.2;
+
+/// Fits tell by so many draws whether they are in doubt.
+constexpr int pilot_draws = 20;
+
+constexpr double largest_departure = 0.3;
+constexpr double most_left_out = 0.02;
+
+/// Fits take some ten factorisations a draw: up to so many interior edges that is a matter of
+/// seconds.
+constexpr int most_edges_of_fits = 2000;
+
+constexpr int most_descents_a_draw = 20;
+constexpr double small_decrement = 0.05;
+constexpr double corner_in_noise = 0.3;  ///< as in SurveyFit
+
+/// In the smallest standard deviation of the survey.
+constexpr double small_step = 0.02;
+
+double smallest_noise(const Observations& observations) {
+    return 1.0 / std::sqrt(observations.weights.maxCoeff());
+}
+
+/// (perturbed): as if surveyed and known beforehand once more.
+/// @param missed variance of a length that nobody knows (blurred-law), or empty
+Observations perturbed(const CableNet& net, const Observations& observations,
+                       const Eigen::VectorXd& missed, RandomNumbers& random) {
+    Observations result = observations;
+    for (const int node : net.free_nodes()) {
+        for (int k = 0; k < 3; ++k) {
+            if (const double weight = observations.weights(k, node); weight > 0.0) {
+                result.form(k, node) += random.normal() / std::sqrt(weight);
+            }
+        }
+    }
+    for (int i = 0; i < result.mean.size(); ++i) {
+        const double variance = observations.variance(i) + (missed.size() > 0 ? missed(i) : 0.0);
+        result.mean(i) += random.normal() * std::sqrt(variance);
+    }
+    return result;
+}
+
+/// A length of the law beyond that of the form, if the law has any.
+double slack_deviation(const LengthLaw& law, double slack_from, RandomNumbers& random) {
+    constexpr int most_trials = 1000;
+    for (int trial = 0; trial < most_trials; ++trial) {
+        if (const double deviation = law.draw(random.uniform()); deviation > slack_from) {
+            return deviation;
+        }
+    }
+    return slack_from;
+}
+
+/// The form of a fit, with lengths short enough that each edge is stretched as in the nominal form:
+/// an edge that hangs by much finds no way back to where it pulls.
+Iterate all_taut(const CableNet& net, const Iterate& fitted) {
+    const Eigen::VectorXd stretch = edge_lengths(net, net.nodes()) - net.unstressed_lengths();
+    const Eigen::VectorXd spans = edge_lengths(net, fitted.form) - net.unstressed_lengths();
+    Iterate result = fitted;
+    result.deviations = result.deviations.cwiseMin((spans - stretch)(net.interior_edges()).eval());
+    return result;
+}
+
+/// Draws one after another, each from its own random numbers.
+class Perturbation {
+public:
+    Perturbation(const CableNet& net, const LinearisedStatics& statics, const Observations& sites,
+                 const LengthLaw& law, const Iterate& fitted, std::uint64_t seed)
+        : m_net(net),
+          m_statics(statics),
+          m_sites(sites),
+          m_law(law),
+          m_fitted(fitted),
+          m_all_taut(all_taut(net, fitted)),
+          m_seed(seed) {}
+
+    [[nodiscard]] PerturbedDraws run(int draws, bool refit, const Progress& progress) const;
+
+private:
+    struct Draw {
+        Eigen::VectorXd deviations;
+        Points form;
+        double squared_departure = 0.0;
+    };
+    struct Workspace {
+        explicit Workspace(const CableNet& net) : solver(net) {}
+        EquilibriumSolver solver;
+        std::unique_ptr<LinearisedStatics> statics;
+    };
+    [[nodiscard]] std::optional<Draw> draw(int k, bool refit, Workspace& workspace) const;
+    [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
+    [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
+                                                  Workspace& workspace) const;
+    void keep_to_law(Eigen::VectorXd& deviations, const Points& form, bool refit,
+                     RandomNumbers& random) const;
+
+    const CableNet& m_net;
+    const LinearisedStatics& m_statics;
+    const Observations& m_sites;
+    LengthLaw m_law;
+    const Iterate& m_fitted;
+    Iterate m_all_taut;
+    std::uint64_t m_seed;
+};
+
+/// Steps with the factor of the fit, each with the misfit and the forces where the one before
+/// ended: nothing where they do not contract.
+std::optional<Iterate> Perturbation::followed(const Observations& observations) const {
+    constexpr double slowest_contraction = 0.7;
+    constexpr int most_steps = 20;
+    const double small = small_step * smallest_noise(m_sites);
+    Iterate iterate = m_fitted;
+    double before = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < most_steps; ++k) {
+        const Iterate change = m_statics.step(iterate, observations);
+        const double size =
+            std::max(change.form.cwiseAbs().maxCoeff(), change.deviations.cwiseAbs().maxCoeff());
+        if (!(size < slowest_contraction * before)) {
+            return std::nullopt;
+        }
+        iterate = {.form = iterate.form + change.form,
+                   .deviations = iterate.deviations + change.deviations};
+        if (size < small) {
+            return iterate;
+        }
+        before = size;
+    }
+    return std::nullopt;
+}
+
+std::optional<Iterate> Perturbation::refitted(const Observations& observations,
+                                              Workspace& workspace) const {
+    if (!workspace.statics) {
+        workspace.statics = std::make_unique<LinearisedStatics>(m_net);
+        workspace.statics->set_blur(m_statics.blur());
+        workspace.statics->round_corners(corner_in_noise * smallest_noise(m_sites));
+    }
+    GaussNewtonResult fit = feasible_descent(*workspace.statics, observations, m_all_taut,
+                                             small_decrement, most_descents_a_draw);
+    if (!fit.converged) {
+        return std::nullopt;
+    }
+    return std::move(fit.iterate);
+}
+
+/// The part of the drawn deviation that is the edge's own, within the law; of a slack edge what the
+/// law tells beyond the form.
+void Perturbation::keep_to_law(Eigen::VectorXd& deviations, const Points& form, bool refit,
+                               RandomNumbers& random) const {
+    const double bound = m_law.kind == LengthLaw::Kind::uniform
+                             ? m_law.scale
+                             : std::numeric_limits<double>::infinity();
+    const Eigen::VectorXd spans = edge_lengths(m_net, form) - m_net.unstressed_lengths();
+    const Eigen::VectorXd& missed = m_statics.blur().missed;
+    for (int i = 0; i < deviations.size(); ++i) {
+        const int edge = m_net.interior_edges()[i];
+        if (missed.size() > 0 && missed(i) > 0.0) {  // (blurred-law)
+            const double own = m_sites.variance(i) / (m_sites.variance(i) + missed(i));
+            deviations(i) = m_sites.mean(i) + own * (deviations(i) - m_sites.mean(i)) +
+                            std::sqrt(own * missed(i)) * random.normal();
+        }
+        const bool is_slack = refit ? deviations(i) > spans(edge) : m_statics.slack()[edge];
+        deviations(i) = is_slack && spans(edge) < bound
+                            ? slack_deviation(m_law, spans(edge), random)
+                            : std::clamp(deviations(i), -bound, bound);
+    }
+}
+
+std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit,
+                                                     Workspace& workspace) const {
+    RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
+    const Observations again = perturbed(m_net, m_sites, m_statics.blur().missed, random);
+    auto fit = refit ? refitted(again, workspace) : followed(again);
+    if (!fit) {
+        return std::nullopt;
+    }
+    Iterate& drawn = *fit;
+    keep_to_law(drawn.deviations, drawn.form, refit, random);
+    const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
+    if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
+        return std::nullopt;
+    }
+    const Equilibrium found = workspace.solver.solve(lengths, drawn.form);
+    if (!found.balanced()) {
+        return std::nullopt;
+    }
+    const double departure =
+        m_sites.weights.cwiseProduct((found.form - drawn.form).cwiseAbs2()).sum();
+    return Draw{.deviations = std::move(drawn.deviations),
+                .form = found.form,
+                .squared_departure = departure};
+}
+
+PerturbedDraws Perturbation::run(int draws, bool refit, const Progress& progress) const {
+    std::vector<std::optional<Draw>> drawn(draws);
+    tbb::enumerable_thread_specific<Workspace> workspaces([this] { return Workspace(m_net); });
+    tbb::parallel_for(0, draws, [&](int k) {
+        if (progress.stopped()) {
+            throw Interrupted();
+        }
+        drawn[k] = draw(k, refit, workspaces.local());
+    });
+    std::erase_if(drawn, [](const auto& one) { return !one.has_value(); });
+    const auto count = std::ssize(drawn);
+    PerturbedDraws result{
+        .deviations = Eigen::MatrixXd(m_net.interior_edge_count(), count),
+        .forms = Eigen::MatrixXd(Eigen::Index{3} * m_net.free_node_count(), count),
+        .is_refitted = refit,
+        .left_out = draws - static_cast<int>(count)};
+    double squares = 0.0;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const Draw& one = *drawn[k];
+        result.deviations.col(k) = one.deviations;
+        result.forms.col(k) = free_coordinates(m_net, one.form);
+        squares += one.squared_departure;
+    }
+    const auto observed = static_cast<double>((m_sites.weights.array() > 0.0).count());
+    result.departure = std::sqrt(squares / std::max(1.0, observed * static_cast<double>(count)));
+    return result;
+}
+
+}  // namespace
+
+bool PerturbedDraws::in_doubt() const {
+    const auto asked = static_cast<double>(deviations.cols() + left_out);
+    return left_out > most_left_out * asked || !(departure <= largest_departure);
+}
+
+PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics& statics,
+                                    const Observations& sites, const LengthLaw& law,
+                                    const Iterate& fitted, int draws, std::uint64_t seed,
+                                    const Progress& progress) {
+    const Perturbation perturbation(net, statics, sites, law, fitted, seed);
+    PerturbedDraws linear = perturbation.run(draws, false, progress);
+    if ((linear.departure <= largest_linear_departure && linear.left_out == 0) ||
+        net.interior_edge_count() > most_edges_of_fits) {
+        return linear;
+    }
+    PerturbedDraws pilot = perturbation.run(std::min(draws, pilot_draws), true, progress);
+    return pilot.in_doubt() ? pilot : perturbation.run(draws, true, progress);
+}
+
+}  // namespace taut

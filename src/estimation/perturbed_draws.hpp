@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+/// Draws of the posterior, each in exact equilibrium.
+struct PerturbedDraws {
+    Eigen::MatrixXd deviations;  ///< m_I x draws [m]
+    Eigen::MatrixXd forms;       ///< 3 n_I x draws [m]
+    bool is_refitted = false;    ///< each by a fit of its own, not by the linearisation at the fit
+    /// Root mean square distance, over surveyed coordinates and draws, of the forms in equilibrium
+    /// from those that the draw gave, in standard deviations of the survey.
+    double departure = 0.0;
+    int left_out = 0;  ///< draws that found no fit or no equilibrium
+
+    /// Whether more than 2 % were left out, or forms lie farther than 0.3 standard deviations from
+    /// what the draws gave: then they are not of this posterior.
+    [[nodiscard]] bool in_doubt() const;
+};
+
+/// By perturbation, docs/theory.md (perturbed): the fit to a survey with another noise and a prior
+/// with another mean, both drawn, is a draw of the posterior (G. Papandreou & A. L. Yuille,
+/// Gaussian sampling by local perturbations, NIPS 2010). Where the statics are nearly linear over
+/// the posterior that takes one solution with the factor of the fit; else, on nets that are not too
+/// large, each draw is fitted by itself (randomise-then-optimise, J. M. Bardsley, A. Solonen, H.
+/// Haario & M. Laine, SIAM J. Sci. Comput. 36 (2014) A1895-A1910, with all draws of one weight),
+/// with edges that carry no pressure; where a few of these fits are in doubt, there are no more.
+/// Lengths are kept within the bounds of the law; those of slack
+/// edges follow it beyond what the form shows of them. The same for any number of threads.
+/// @param statics linearised at the fit
+/// @param sites with the prior that the fit was made with
+/// @param fitted form and lengths of the fit
+/// @throws Interrupted
+[[nodiscard]] PerturbedDraws draw_by_perturbation(const CableNet& net,
+                                                  const LinearisedStatics& statics,
+                                                  const Observations& sites, const LengthLaw& law,
+                                                  const Iterate& fitted, int draws,
+                                                  std::uint64_t seed,
+                                                  const Progress& progress = {});
+
+}  // namespace taut

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/draw_posterior.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "estimation/perturbed_draws.hpp"
+#include "taut/estimation/length_posterior.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+/// Why draws are not to be relied on; empty where they are.
+std::string doubt_of(const PerturbedDraws& drawn, const Identification& result,
+                     const CableNet& net) {
+    if (!drawn.in_doubt()) {
+        return {};
+    }
+    const double stretch =
+        (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
+    double known = 0.0;
+    for (const IdentifiedEdge& edge : result.edges) {
+        known += edge.std / static_cast<double>(result.edges.size());
+    }
+    if (stretch < known) {
+        return fmt::format(
+            "the survey leaves open which edges are slack: the cables stretch by {:.2g} mm in the "
+            "mean, and their lengths are known to {:.2g} mm",
+            1e3 * stretch, 1e3 * known);
+    }
+    return fmt::format(
+        "the statics bend within what the survey leaves open: {} of {} draws found no "
+        "equilibrium, and the forms of the others lie {:.2g} standard deviations of the survey "
+        "from where they should",
+        drawn.left_out, drawn.deviations.cols() + drawn.left_out, drawn.departure);
+}
+
+Eigen::MatrixXd tensions_of(const PerturbedDraws& drawn, const CableNet& net) {
+    Eigen::MatrixXd result(net.edge_count(), drawn.deviations.cols());
+    for (Eigen::Index k = 0; k < result.cols(); ++k) {
+        result.col(k) = tensions(net, with_length_deviations(net, drawn.deviations.col(k)),
+                                 with_free_coordinates(net, drawn.forms.col(k)));
+    }
+    return result;
+}
+
+/// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges
+/// of the slack set are slack: no length of the law makes them taut.
+void tell_open_edges(Identification& result, const LengthLaw& law,
+                     const std::vector<bool>& slack_set) {
+    const LengthPosterior by_law = posterior_of(law, {});
+    for (IdentifiedEdge& edge : result.edges) {
+        if (edge.status == EdgeStatus::slack && !slack_set[edge.edge]) {
+            edge.length_deviation = by_law.mean;
+            edge.std = by_law.std;
+            edge.lower = by_law.lower;
+            edge.upper = by_law.upper;
+            edge.status = EdgeStatus::unobserved;
+        }
+    }
+}
+
+/// The status of each interior edge; and its length, where the draws tell it better than the
+/// linearisation.
+void tell_drawn_edges(Identification& result, const LengthLaw& law, bool tells_lengths) {
+    const Eigen::MatrixXd& deviations = result.draws->length_deviations;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        IdentifiedEdge& edge = result.edges[i];
+        if (tells_lengths) {
+            const Eigen::VectorXd drawn = deviations.row(static_cast<Eigen::Index>(i));
+            const DrawnEstimate estimate = estimate_of(drawn);
+            edge.length_deviation = estimate.mean;
+            edge.std = estimate.std;
+            edge.lower = std::min(estimate.lower, estimate.mean);
+            edge.upper = std::max(estimate.upper, estimate.mean);
+        }
+        const double slack = result.drawn.tensions[edge.edge].slack_probability;
+        edge.status = status_of(law, {.std = edge.std, .slack_probability = slack});
+    }
+}
+
+}  // namespace
+
+void draw_posterior(Identification& result, const CableNet& net, const Survey& survey,
+                    const LengthLaw& law, const LinearisedStatics& statics,
+                    const Observations& sites, const Iterate& fitted, const DrawSettings& settings,
+                    const Progress& progress) {
+    if (settings.count == 0 || result.status != IdentificationStatus::converged) {
+        return;
+    }
+    PerturbedDraws drawn = draw_by_perturbation(net, statics, sites, law, fitted, settings.count,
+                                                settings.seed, progress);
+    PosteriorDraws draws{
+        .length_deviations = {},
+        .forms = {},
+        .tensions = tensions_of(drawn, net),
+        .seed = settings.seed,
+        .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
+        .doubt = doubt_of(drawn, result, net)};
+    draws.length_deviations = std::move(drawn.deviations);
+    draws.forms = std::move(drawn.forms);
+    const bool is_told = draws.doubt.empty() && draws.count() > 0;
+    result.draws = std::move(draws);
+    if (!is_told) {
+        tell_open_edges(result, law, statics.slack());
+        return;  // no interval rather than a wrong one
+    }
+    std::vector<int> missing;
+    missing.reserve(survey.missing.size());
+    for (const int node : survey.missing) {
+        missing.push_back(net.free_index(node));
+    }
+    result.drawn = summary_of(*result.draws, survey.missing, missing);
+    tell_drawn_edges(result, law, drawn.is_refitted);
+}
+
+}  // namespace taut

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/identification/result.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+struct DrawSettings {
+    int count = 0;
+    std::uint64_t seed = 1;
+};
+
+/// Draws the posterior around a fit (draw_by_perturbation()), then tells the result what follows:
+/// tensions, places of missing nodes, which edges are slack. Draws that are not to be relied on say
+/// so, and nothing is told from them. docs/theory.md, (perturbed), (drawn).
+/// @param result of the fit
+/// @param statics linearised at the fit
+/// @param sites what the fit was made with, the law as normal distributions
+/// @throws Interrupted
+void draw_posterior(Identification& result, const CableNet& net, const Survey& survey,
+                    const LengthLaw& law, const LinearisedStatics& statics,
+                    const Observations& sites, const Iterate& fitted, const DrawSettings& settings,
+                    const Progress& progress);
+
+}  // namespace taut

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/identification/posterior_draws.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+/// Between two order statistics; the outermost where the rank lies beyond. (drawn)
+double quantile(const Eigen::VectorXd& sorted, double p) {
+    const auto last = static_cast<double>(sorted.size() - 1);
+    const double rank = std::clamp(p * (last + 2.0) - 1.0, 0.0, last);
+    const auto below = static_cast<Eigen::Index>(rank);
+    const Eigen::Index above = std::min(below + 1, sorted.size() - 1);
+    return sorted(below) + (rank - static_cast<double>(below)) * (sorted(above) - sorted(below));
+}
+
+}  // namespace
+
+DrawnEstimate estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
+    Eigen::VectorXd sorted = values;
+    std::ranges::sort(sorted);
+    const double mean = sorted.mean();
+    const auto others = std::max(1.0, static_cast<double>(sorted.size() - 1));
+    return {.mean = mean,
+            .std = std::sqrt((sorted.array() - mean).square().sum() / others),
+            .lower = quantile(sorted, 0.025),
+            .upper = quantile(sorted, 0.975)};
+}
+
+DrawnSummary summary_of(const PosteriorDraws& draws, const std::vector<int>& missing,
+                        const std::vector<int>& free_index) {
+    DrawnSummary summary;
+    for (int e = 0; e < draws.tensions.rows(); ++e) {
+        const Eigen::VectorXd tension = draws.tensions.row(e);
+        summary.tensions.push_back(
+            {.edge = e,
+             .tension = estimate_of(tension),
+             .slack_probability = static_cast<double>((tension.array() <= 0.0).count()) /
+                                  static_cast<double>(draws.count())});
+    }
+    const Eigen::VectorXd means = draws.tensions.colwise().mean();
+    summary.mean_tension = estimate_of(means);
+    for (size_t i = 0; i < missing.size(); ++i) {
+        DrawnPlace place{.node = missing[i]};
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::VectorXd values = draws.forms.row(3 * free_index[i] + k);
+            const DrawnEstimate estimate = estimate_of(values);
+            place.mean(k) = estimate.mean;
+            place.std(k) = estimate.std;
+            place.lower(k) = estimate.lower;
+            place.upper(k) = estimate.upper;
+        }
+        summary.missing.push_back(place);
+    }
+    return summary;
+}
+
+}  // namespace taut

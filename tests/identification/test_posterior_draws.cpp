@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against estimates that are not the posterior mean and intervals of tension that are too
+// narrow: held to long chains of other code (tests/data/posterior_reference.json, made by
+// benchmarks/reference/posterior_chains.py).
+
+#include "taut/identification/posterior_draws.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/statics/energy.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace {
+
+using namespace taut;
+using Json = nlohmann::json;
+
+Points points_of(const Json& json) {
+    Points points(3, static_cast<Eigen::Index>(json.size()));
+    for (size_t i = 0; i < json.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            points(k, static_cast<Eigen::Index>(i)) = json[i][k];
+        }
+    }
+    return points;
+}
+
+Eigen::VectorXd vector_of(const Json& json) {
+    const auto values = json.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
+/// A net and survey of the reference, and what its chains tell.
+struct Reference {
+    Json json;
+    CableNet net;
+    Survey survey;
+    LengthLaw law;
+
+    explicit Reference(const Json& of) : json(of), net(net_of(of)) {
+        const auto hidden = of.at("hidden").get<std::vector<int>>();
+        survey.form = points_of(of.at("survey"));
+        survey.noise_std = Points::Constant(3, net.node_count(), of.at("noise"));
+        for (const int node : net.free_nodes()) {
+            const bool is_hidden = std::ranges::find(hidden, node) != hidden.end();
+            (is_hidden ? survey.missing : survey.surveyed).push_back(node);
+        }
+        law = {LengthLaw::Kind::uniform, of.at("bound")};
+    }
+
+    static CableNet net_of(const Json& of) {
+        CableNetData data;
+        data.nodes = points_of(of.at("nodes"));
+        for (const Json& edge : of.at("edges")) {
+            data.edges.push_back({edge[0], edge[1]});
+        }
+        const auto free = of.at("free").get<std::vector<int>>();
+        for (int node = 0; node < data.nodes.cols(); ++node) {
+            if (!std::ranges::binary_search(free, node)) {
+                data.supports.push_back(node);
+            }
+        }
+        data.axial_stiffness = vector_of(of.at("axial_stiffness"));
+        data.unstressed_lengths = vector_of(of.at("unstressed_lengths"));
+        const auto interior = of.at("interior").get<std::vector<int>>();
+        for (int edge = 0; edge < std::ssize(data.edges); ++edge) {
+            if (!std::ranges::binary_search(interior, edge)) {
+                data.adjustable.push_back(edge);
+            }
+        }
+        return CableNet(data);
+    }
+};
+
+std::vector<Reference> references() {
+    std::ifstream stream(TAUT_TEST_DATA_DIR "/posterior_reference.json");
+    std::vector<Reference> all;
+    const Json file = Json::parse(stream);
+    for (const Json& one : file.at("cases")) {
+        all.emplace_back(one);
+    }
+    return all;
+}
+
+TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
+    for (const Reference& reference : references()) {
+        SCOPED_TRACE(reference.json.at("name").get<std::string>());
+        const Identification found =
+            identify(reference.net, reference.survey, {.law = reference.law, .draws = 2000});
+        ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
+        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
+        const Eigen::VectorXd mean = vector_of(reference.json.at("mean"));
+        const Eigen::VectorXd std = vector_of(reference.json.at("std"));
+        for (Eigen::Index i = 0; i < mean.size(); ++i) {
+            const Eigen::VectorXd drawn = found.draws->length_deviations.row(i);
+            const DrawnEstimate estimate = estimate_of(drawn);
+            EXPECT_NEAR(estimate.mean, mean(i), 0.15 * std(i)) << i;
+            EXPECT_NEAR(estimate.std / std(i), 1.0, 0.15) << i;
+            EXPECT_NEAR(found.edges[i].length_deviation, mean(i), 0.15 * std(i)) << i;
+            EXPECT_NEAR(found.edges[i].std / std(i), 1.0, 0.15) << i;
+        }
+        const Eigen::VectorXd tension = vector_of(reference.json.at("tension_mean"));
+        const Eigen::VectorXd tension_std = vector_of(reference.json.at("tension_std"));
+        const Eigen::VectorXd lower = vector_of(reference.json.at("tension_lower"));
+        const Eigen::VectorXd upper = vector_of(reference.json.at("tension_upper"));
+        const Eigen::VectorXd slack = vector_of(reference.json.at("slack_probability"));
+        for (Eigen::Index e = 0; e < tension.size(); ++e) {
+            const DrawnTension& of_edge = found.drawn.tensions[e];
+            EXPECT_NEAR(of_edge.tension.mean, tension(e), 0.15 * tension_std(e)) << e;
+            EXPECT_NEAR(of_edge.tension.std / tension_std(e), 1.0, 0.15) << e;
+            EXPECT_NEAR(of_edge.tension.lower, lower(e), 0.3 * tension_std(e)) << e;
+            EXPECT_NEAR(of_edge.tension.upper, upper(e), 0.3 * tension_std(e)) << e;
+            EXPECT_NEAR(of_edge.slack_probability, slack(e), 0.05) << e;
+        }
+    }
+}
+
+// Means and intervals are of draws that are nets: lengths, form and tensions of one belong
+// together.
+TEST(PosteriorDraws, AreInEquilibrium) {
+    const CableNet net = hypar(4, 5);
+    const LengthLaw law{LengthLaw::Kind::uniform, 2e-3};
+    test::SimulatedSurvey s = test::simulate(net, law, 5e-4, 3);
+    test::hide(net, s.survey, net.free_nodes()[7]);
+    const Identification found = identify(net, s.survey, {.law = law, .draws = 20});
+    ASSERT_TRUE(found.draws);
+    const PosteriorDraws& draws = *found.draws;
+    ASSERT_EQ(draws.count(), 20);
+    for (int k = 0; k < draws.count(); ++k) {
+        const Eigen::VectorXd lengths = with_length_deviations(net, draws.length_deviations.col(k));
+        const Points form = with_free_coordinates(net, draws.forms.col(k));
+        EXPECT_LE(draws.length_deviations.col(k).cwiseAbs().maxCoeff(), law.scale);
+        EXPECT_LT(out_of_balance_forces(net, lengths, form).cwiseAbs().maxCoeff(),
+                  1e-9 * draws.tensions.col(k).mean());
+        EXPECT_TRUE(draws.tensions.col(k).isApprox(tensions(net, lengths, form), 1e-12));
+    }
+    ASSERT_EQ(found.drawn.missing.size(), 1U);
+    const DrawnPlace& place = found.drawn.missing.front();
+    const Eigen::Vector3d truth = s.truth.form.col(place.node);
+    EXPECT_TRUE((place.lower.array() < truth.array()).all()) << truth;
+    EXPECT_TRUE((truth.array() < place.upper.array()).all()) << truth;
+}
+
+// Over 40 surveys the coverage of all tensions together varies by some 1 %: those of a survey go
+// together.
+TEST(PosteriorDraws, TellIntervalsThatHoldTheTrueTensions) {
+    const CableNet net = hypar(5, 5);
+    const LengthLaw law{LengthLaw::Kind::uniform, 3e-3};
+    constexpr int surveys = 40;
+    int inside = 0;
+    int mean_inside = 0;
+    for (int seed = 0; seed < surveys; ++seed) {
+        const auto s = test::simulate(net, law, 5e-4, static_cast<std::uint64_t>(seed));
+        const Identification found = identify(net, s.survey, {.law = law, .draws = 200});
+        ASSERT_TRUE(found.draws && found.draws->doubt.empty());
+        const Eigen::VectorXd truth =
+            tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+        for (const DrawnTension& of_edge : found.drawn.tensions) {
+            const double tension = truth(of_edge.edge);
+            inside += of_edge.tension.lower <= tension && tension <= of_edge.tension.upper ? 1 : 0;
+        }
+        const DrawnEstimate& mean = found.drawn.mean_tension;
+        mean_inside += mean.lower <= truth.mean() && truth.mean() <= mean.upper ? 1 : 0;
+    }
+    EXPECT_NEAR(static_cast<double>(inside) / (surveys * net.edge_count()), 0.95, 0.03);
+    EXPECT_GE(mean_inside, surveys * 85 / 100);
+}
+
+// Cables that stretch by less than their lengths are known to: which of them are slack, and how
+// tight the others, the form hardly shows.
+TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
+    const CableNet net = test::stiffened(hypar(9, 9), 10.0);
+    const LengthLaw law{LengthLaw::Kind::uniform, 2e-3};
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        const auto s = test::simulate(net, law, 5e-4, seed);
+        const Identification found = identify(net, s.survey, {.law = law, .draws = 100});
+        ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
+        ASSERT_TRUE(found.draws);
+        EXPECT_THAT(found.draws->doubt, testing::HasSubstr("which edges are slack"));
+        EXPECT_TRUE(found.drawn.tensions.empty());
+        const Eigen::VectorXd truth =
+            tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+        int inside = 0;
+        for (int i = 0; i < net.interior_edge_count(); ++i) {
+            const IdentifiedEdge& edge = found.edges[i];
+            EXPECT_FALSE(edge.status == EdgeStatus::slack && truth(edge.edge) > 0.0) << edge.edge;
+            const double deviation = s.deviations(i);
+            inside += edge.lower <= deviation && deviation <= edge.upper ? 1 : 0;
+        }
+        EXPECT_GE(inside, net.interior_edge_count() * 88 / 100);
+    }
+}
+
+TEST(PosteriorDraws, AreTheSameFromTheSameSeed) {
+    const CableNet net = hypar(3, 4);
+    const LengthLaw law{LengthLaw::Kind::normal, 2e-3};
+    const auto s = test::simulate(net, law, 5e-4, 1);
+    const auto draws = [&](std::uint64_t seed) {
+        return identify(net, s.survey, {.law = law, .draws = 10, .seed = seed})
+            .draws->length_deviations;
+    };
+    EXPECT_EQ(draws(1), draws(1));
+    EXPECT_NE(draws(1), draws(2));
+}
+
+TEST(PosteriorDraws, EndIntervalsAtOrderStatistics) {
+    // Of 199 values 0 .. 198 in any order the fifth from either end.
+    Eigen::VectorXd values(199);
+    for (int k = 0; k < 199; ++k) {
+        values(k) = (83 * k) % 199;
+    }
+    const DrawnEstimate estimate = estimate_of(values);
+    EXPECT_DOUBLE_EQ(estimate.mean, 99.0);
+    EXPECT_NEAR(estimate.lower, 4.0, 1e-9);
+    EXPECT_NEAR(estimate.upper, 194.0, 1e-9);
+    EXPECT_DOUBLE_EQ(estimate_of(Eigen::VectorXd::Constant(1, 7.0)).upper, 7.0);
+}
+
+TEST(PosteriorDraws, BelowZeroOrBeyondMemoryAreRefused) {
+    const Reference reference = references().front();
+    EXPECT_THROW(check_draws(reference.net, -1), std::invalid_argument);
+    EXPECT_THROW(check_draws(reference.net, 1'000'000'000'000), std::invalid_argument);
+    EXPECT_NO_THROW(check_draws(reference.net, 0));
+    EXPECT_THROW((void)identify(reference.net, reference.survey, {.draws = -1}),
+                 std::invalid_argument);
+}
+
+}  // namespace
