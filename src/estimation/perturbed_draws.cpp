@@ -21,26 +21,25 @@
 namespace taut {
 namespace {
 
-/// Draws of one linearisation of which forms in equilibrium lie farther from what they gave are
-/// fitted, each by itself.
-constexpr double largest_linear_departure = 0.2;
-
-/// Fits tell by so many draws whether they are in doubt.
-constexpr int pilot_draws = 20;
+/// So many draws tell whether they are in doubt.
+constexpr int pilot_draws = 10;
 
 constexpr double largest_departure = 0.3;
 constexpr double most_left_out = 0.02;
 
 /// Fits take some ten factorisations a draw: up to so many interior edges that is a matter of
-/// seconds.
+/// seconds. Where laws have corners they see these rounded, as the fit does, and help no more.
 constexpr int most_edges_of_fits = 2000;
+bool can_be_fitted(const CableNet& net) {
+    return net.is_linear() && net.interior_edge_count() <= most_edges_of_fits;
+}
 
 constexpr int most_descents_a_draw = 20;
 constexpr double small_decrement = 0.05;
 constexpr double corner_in_noise = 0.3;  ///< as in SurveyFit
 
 /// In the smallest standard deviation of the survey.
-constexpr double small_step = 0.02;
+constexpr double small_step = 0.1;
 
 double smallest_noise(const Observations& observations) {
     return 1.0 / std::sqrt(observations.weights.maxCoeff());
@@ -99,7 +98,8 @@ public:
           m_all_taut(all_taut(net, fitted)),
           m_seed(seed) {}
 
-    [[nodiscard]] PerturbedDraws run(int draws, bool refit, const Progress& progress) const;
+    /// So many draws; fewer where the first ones are in doubt.
+    [[nodiscard]] PerturbedDraws run(int count, bool refit_all, const Progress& progress) const;
 
 private:
     struct Draw {
@@ -107,17 +107,21 @@ private:
         Points form;
         double squared_departure = 0.0;
     };
+    void run(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
+             const Progress& progress) const;
+    [[nodiscard]] PerturbedDraws gathered(const std::vector<std::optional<Draw>>& draws,
+                                          bool refit_all) const;
     struct Workspace {
         explicit Workspace(const CableNet& net) : solver(net) {}
         EquilibriumSolver solver;
         std::unique_ptr<LinearisedStatics> statics;
     };
-    [[nodiscard]] std::optional<Draw> draw(int k, bool refit, Workspace& workspace) const;
+    [[nodiscard]] std::optional<Draw> draw(int k, bool refit_all, Workspace& workspace) const;
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    void keep_to_law(Eigen::VectorXd& deviations, const Points& form, bool refit,
-                     RandomNumbers& random) const;
+    void tell_lengths(Eigen::VectorXd& deviations, const Points& form, bool refit,
+                      RandomNumbers& random) const;
 
     const CableNet& m_net;
     const LinearisedStatics& m_statics;
@@ -168,10 +172,10 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
     return std::move(fit.iterate);
 }
 
-/// The part of the drawn deviation that is the edge's own, within the law; of a slack edge what the
-/// law tells beyond the form.
-void Perturbation::keep_to_law(Eigen::VectorXd& deviations, const Points& form, bool refit,
-                               RandomNumbers& random) const {
+/// The part of the drawn deviation that is the edge's own; of a slack edge what the law tells
+/// beyond the form.
+void Perturbation::tell_lengths(Eigen::VectorXd& deviations, const Points& form, bool refit,
+                                RandomNumbers& random) const {
     const double bound = m_law.kind == LengthLaw::Kind::uniform
                              ? m_law.scale
                              : std::numeric_limits<double>::infinity();
@@ -185,22 +189,26 @@ void Perturbation::keep_to_law(Eigen::VectorXd& deviations, const Points& form, 
                             std::sqrt(own * missed(i)) * random.normal();
         }
         const bool is_slack = refit ? deviations(i) > spans(edge) : m_statics.slack()[edge];
-        deviations(i) = is_slack && spans(edge) < bound
-                            ? slack_deviation(m_law, spans(edge), random)
-                            : std::clamp(deviations(i), -bound, bound);
+        if (is_slack && spans(edge) < bound) {
+            deviations(i) = slack_deviation(m_law, spans(edge), random);
+        }
     }
 }
 
-std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit,
+std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                                                      Workspace& workspace) const {
     RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
     const Observations again = perturbed(m_net, m_sites, m_statics.blur().missed, random);
-    auto fit = refit ? refitted(again, workspace) : followed(again);
+    auto fit = refit_all ? std::nullopt : followed(again);
+    const bool refit = !fit;
+    if (refit && can_be_fitted(m_net)) {
+        fit = refitted(again, workspace);
+    }
     if (!fit) {
         return std::nullopt;
     }
     Iterate& drawn = *fit;
-    keep_to_law(drawn.deviations, drawn.form, refit, random);
+    tell_lengths(drawn.deviations, drawn.form, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -216,32 +224,54 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit,
                 .squared_departure = departure};
 }
 
-PerturbedDraws Perturbation::run(int draws, bool refit, const Progress& progress) const {
-    std::vector<std::optional<Draw>> drawn(draws);
+void Perturbation::run(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
+                       const Progress& progress) const {
+    const auto first = static_cast<int>(draws.size());
+    draws.resize(count);
     tbb::enumerable_thread_specific<Workspace> workspaces([this] { return Workspace(m_net); });
-    tbb::parallel_for(0, draws, [&](int k) {
+    tbb::parallel_for(first, count, [&](int k) {
         if (progress.stopped()) {
             throw Interrupted();
         }
-        drawn[k] = draw(k, refit, workspaces.local());
+        draws[k] = draw(k, refit_all, workspaces.local());
     });
-    std::erase_if(drawn, [](const auto& one) { return !one.has_value(); });
-    const auto count = std::ssize(drawn);
+}
+
+PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& draws,
+                                      bool refit_all) const {
+    std::vector<const Draw*> found;
+    found.reserve(draws.size());
+    for (const auto& one : draws) {
+        if (one) {
+            found.push_back(&*one);
+        }
+    }
+    const auto count = std::ssize(found);
     PerturbedDraws result{
         .deviations = Eigen::MatrixXd(m_net.interior_edge_count(), count),
         .forms = Eigen::MatrixXd(Eigen::Index{3} * m_net.free_node_count(), count),
-        .is_refitted = refit,
-        .left_out = draws - static_cast<int>(count)};
+        .is_refitted = refit_all,
+        .left_out = static_cast<int>(std::ssize(draws) - count)};
     double squares = 0.0;
     for (Eigen::Index k = 0; k < count; ++k) {
-        const Draw& one = *drawn[k];
-        result.deviations.col(k) = one.deviations;
-        result.forms.col(k) = free_coordinates(m_net, one.form);
-        squares += one.squared_departure;
+        result.deviations.col(k) = found[k]->deviations;
+        result.forms.col(k) = free_coordinates(m_net, found[k]->form);
+        squares += found[k]->squared_departure;
     }
     const auto observed = static_cast<double>((m_sites.weights.array() > 0.0).count());
     result.departure = std::sqrt(squares / std::max(1.0, observed * static_cast<double>(count)));
     return result;
+}
+
+PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) const {
+    std::vector<std::optional<Draw>> draws;
+    run(draws, std::min(count, pilot_draws), refit_all, progress);
+    PerturbedDraws pilot = gathered(draws, refit_all);
+    if (pilot.in_doubt() || count <= pilot_draws) {
+        return pilot;
+    }
+    run(draws, count, refit_all, progress);
+    return gathered(draws, refit_all);
 }
 
 }  // namespace
@@ -257,12 +287,8 @@ PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics
                                     const Progress& progress) {
     const Perturbation perturbation(net, statics, sites, law, fitted, seed);
     PerturbedDraws linear = perturbation.run(draws, false, progress);
-    if ((linear.departure <= largest_linear_departure && linear.left_out == 0) ||
-        net.interior_edge_count() > most_edges_of_fits) {
-        return linear;
-    }
-    PerturbedDraws pilot = perturbation.run(std::min(draws, pilot_draws), true, progress);
-    return pilot.in_doubt() ? pilot : perturbation.run(draws, true, progress);
+    return linear.in_doubt() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
+                                                   : linear;
 }
 
 }  // namespace taut

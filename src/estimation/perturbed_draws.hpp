@@ -31,12 +31,14 @@ struct PerturbedDraws {
 /// By perturbation, docs/theory.md (perturbed): the fit to a survey with another noise and a prior
 /// with another mean, both drawn, is a draw of the posterior (G. Papandreou & A. L. Yuille,
 /// Gaussian sampling by local perturbations, NIPS 2010). Where the statics are nearly linear over
-/// the posterior that takes one solution with the factor of the fit; else, on nets that are not too
-/// large, each draw is fitted by itself (randomise-then-optimise, J. M. Bardsley, A. Solonen, H.
-/// Haario & M. Laine, SIAM J. Sci. Comput. 36 (2014) A1895-A1910, with all draws of one weight),
-/// with edges that carry no pressure; where a few of these fits are in doubt, there are no more.
-/// Lengths are kept within the bounds of the law; those of slack
-/// edges follow it beyond what the form shows of them. The same for any number of threads.
+/// the posterior that takes a few solutions with the factor of the fit. A draw for which these do
+/// not contract, and all where they are in doubt, are fitted by themselves, on nets that are not
+/// too large (randomise-then-optimise, J. M. Bardsley, A. Solonen, H. Haario & M. Laine, SIAM J.
+/// Sci. Comput. 36 (2014) A1895-A1910, with all draws of one weight), with edges that carry no
+/// pressure. Where a few are in doubt there are no more. Lengths of slack edges follow the law
+/// beyond what the form shows of them; those of taut ones may lie a little beyond its bounds, as
+/// the normal distributions do that have its mean and variance: cut there, tensions would be too
+/// sure. The same for any number of threads.
 /// @param statics linearised at the fit
 /// @param sites with the prior that the fit was made with
 /// @param fitted form and lengths of the fit
