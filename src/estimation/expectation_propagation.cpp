@@ -21,7 +21,7 @@ constexpr double settled_part = 0.02;
 
 /// A part of each change is left out, so that edges that are known only together do not swing
 /// between each other.
-constexpr double damping = 0.8;
+constexpr double site_damping = 0.8;
 
 /// Least precision of a site in that of the law. Where the law does not show, its site would be
 /// infinitely wide; and a law with two modes can widen a length, which no normal prior does.
@@ -58,9 +58,9 @@ double update_sites(const CableNet& net, const LengthLaw& law, const LinearisedS
         squares += std::pow(mean - fitted.deviations(i), 2) / variance;
         const double old_precision = 1.0 / observations.variance(i);
         const double old_pull = old_precision * observations.mean(i);
-        const double new_precision = old_precision + damping * (precision - old_precision);
+        const double new_precision = old_precision + site_damping * (precision - old_precision);
         observations.variance(i) = 1.0 / new_precision;
-        observations.mean(i) = (old_pull + damping * (pull - old_pull)) / new_precision;
+        observations.mean(i) = (old_pull + site_damping * (pull - old_pull)) / new_precision;
     }
     return std::sqrt(squares / std::max(1, net.interior_edge_count()));
 }

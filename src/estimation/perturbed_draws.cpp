@@ -35,8 +35,8 @@ bool can_be_fitted(const CableNet& net) {
 }
 
 constexpr int most_descents_a_draw = 20;
-constexpr double small_decrement = 0.05;
-constexpr double corner_in_noise = 0.3;  ///< as in SurveyFit
+constexpr double decrement_of_draw = 0.05;
+constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
 
 /// In the smallest standard deviation of the survey.
 constexpr double small_step = 0.1;
@@ -162,10 +162,10 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
     if (!workspace.statics) {
         workspace.statics = std::make_unique<LinearisedStatics>(m_net);
         workspace.statics->set_blur(m_statics.blur());
-        workspace.statics->round_corners(corner_in_noise * smallest_noise(m_sites));
+        workspace.statics->round_corners(corner_of_draws * smallest_noise(m_sites));
     }
     GaussNewtonResult fit = feasible_descent(*workspace.statics, observations, m_all_taut,
-                                             small_decrement, most_descents_a_draw);
+                                             decrement_of_draw, most_descents_a_draw);
     if (!fit.converged) {
         return std::nullopt;
     }
