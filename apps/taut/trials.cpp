@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "command.hpp"
@@ -35,21 +36,33 @@ std::vector<CableNet> nets_of(const TrialsOptions& options) {
     return nets;
 }
 
-constexpr const char* row_format = "{:<30}{:>8}{:>9}{:>9}{:>9}{:>7}{:>10}{:>8}{:>8}{:>8}\n";
+constexpr const char* row_format =
+    "{:<30}{:>8}{:>9}{:>9}{:>9}{:>7}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}\n";
+
+std::string percent(double part, double whole) {
+    return whole > 0.0 ? fmt::format("{:.1f}", 100.0 * part / whole) : "-";
+}
 
 std::string table(const std::vector<SettlingRecord>& records) {
     std::string text = fmt::format(row_format, "", "", "", "median", "largest", "", "inside",
-                                   "called", "of them", "slack,") +
+                                   "tensions", "inside", "called", "of them", "slack,") +
                        fmt::format(row_format, "net", "surveys", "settled", "[ms]", "[ms]", "ratio",
-                                   "95 % [%]", "slack", "taut", "missed");
+                                   "95 % [%]", "told [%]", "95 % [%]", "slack", "taut", "missed");
     for (const SettlingRecord& record : records) {
         const double median = record.median_seconds();
         const double largest = record.largest_seconds();
+        const auto told = static_cast<double>(
+            std::ranges::count_if(record.outcomes, [](const SettlingOutcome& outcome) {
+                return outcome.settled && outcome.tensions_told > 0;
+            }));
         text += fmt::format(
             row_format, record.net, record.outcomes.size(), record.settled(),
             fmt::format("{:.1f}", 1e3 * median), fmt::format("{:.1f}", 1e3 * largest),
             median > 0.0 ? fmt::format("{:.1f}", largest / median) : "-",
-            record.settled() > 0 ? fmt::format("{:.1f}", 100.0 * record.coverage()) : "-",
+            percent(record.coverage(), record.settled() > 0 ? 1.0 : 0.0),
+            percent(told, record.settled()),
+            percent(record.sum(&SettlingOutcome::tensions_inside),
+                    record.sum(&SettlingOutcome::tensions_told)),
             record.sum(&SettlingOutcome::slack_called), record.sum(&SettlingOutcome::taut_as_slack),
             record.sum(&SettlingOutcome::slack_as_taut));
     }

@@ -20,6 +20,8 @@ ResultJson outcome_json(const SettlingOutcome& outcome, const SettlingSettings& 
             {"settled", outcome.settled},
             {"seconds", outcome.seconds},
             {"inside", outcome.inside},
+            {"tensions_told", outcome.tensions_told},
+            {"tensions_inside", outcome.tensions_inside},
             {"called_slack", outcome.slack_called},
             {"called_slack_but_taut", outcome.taut_as_slack},
             {"called_taut_but_slack", outcome.slack_as_taut},

@@ -134,6 +134,12 @@ void hold_against_truth(SettlingOutcome& outcome, const Identification& result,
         outcome.taut_as_slack += is_called_slack && !truth.slack[i] ? 1 : 0;
         outcome.slack_as_taut += edge.status == EdgeStatus::identified && truth.slack[i] ? 1 : 0;
     }
+    outcome.tensions_told = static_cast<int>(result.drawn.tensions.size());
+    for (const DrawnTension& of_edge : result.drawn.tensions) {
+        const double tension = truth.tensions(of_edge.edge);
+        outcome.tensions_inside +=
+            of_edge.tension.lower <= tension && tension <= of_edge.tension.upper ? 1 : 0;
+    }
 }
 
 SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
@@ -183,6 +189,7 @@ SettlingSurvey settling_survey(const CableNet& net, std::uint64_t seed, int numb
     const bool with_gross = dice.toss();
     const Equilibrium truth = draw_form(net, dice, result);
     result.slack = interior_flags(net, truth.slack_edges);
+    result.tensions = tensions(net, with_length_deviations(net, result.deviations), truth.form);
     measure(net, truth.form, with_hidden, with_gross, dice, result);
     return result;
 }

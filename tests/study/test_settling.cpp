@@ -100,6 +100,19 @@ TEST(SettlingSurvey, HoldsWhatItTells) {
     EXPECT_THAT(with_gross, testing::AllOf(testing::Gt(3), testing::Lt(17)));
 }
 
+TEST(SettlingRecord, HoldsTensionsAgainstTheTruth) {
+    const CableNet net = hypar(4, 4);
+    const SettlingRecord record = try_settling(net, {.surveys = 12, .seed = 2});
+    int told = 0;
+    for (const SettlingOutcome& outcome : record.outcomes) {
+        EXPECT_THAT(outcome.tensions_told, testing::AnyOf(0, net.edge_count()));
+        told += outcome.tensions_told > 0 ? 1 : 0;
+    }
+    EXPECT_GE(told, 6);
+    const double inside = record.sum(&SettlingOutcome::tensions_inside);
+    EXPECT_GT(inside, 0.85 * record.sum(&SettlingOutcome::tensions_told));
+}
+
 TEST(SettlingNets, AreInEquilibriumAtTheirNodes) {
     for (const CableNet& net : settling_nets()) {
         const Equilibrium found = solve_equilibrium(net);

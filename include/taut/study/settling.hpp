@@ -33,6 +33,7 @@ struct SettlingSurvey {
     int gross_errors = 0;
     Eigen::VectorXd deviations;  ///< true length deviations of the interior edges (m_I) [m]
     std::vector<bool> slack;     ///< interior edges without tension in the true form (m_I)
+    Eigen::VectorXd tensions;    ///< true ones of all edges (m) [N]
     Survey survey;
 };
 
@@ -48,14 +49,16 @@ struct SettlingOutcome {
     double noise_std = 0.0;  ///< [m]
     int hidden_nodes = 0;
     int gross_errors = 0;
-    int slack_edges = 0;    ///< interior, in the true form
-    bool settled = false;   ///< its status is "converged"
-    std::string message;    ///< where it did not
-    double seconds = 0.0;   ///< of a processor
-    int inside = 0;         ///< true lengths in their 95 % interval, of all interior edges
-    int slack_called = 0;   ///< edges called slack
-    int taut_as_slack = 0;  ///< of these, taut
-    int slack_as_taut = 0;  ///< slack and called identified
+    int slack_edges = 0;      ///< interior, in the true form
+    bool settled = false;     ///< its status is "converged"
+    std::string message;      ///< where it did not
+    double seconds = 0.0;     ///< of a processor
+    int inside = 0;           ///< true lengths in their 95 % interval, of all interior edges
+    int tensions_told = 0;    ///< of all edges; 0 where the survey does not tell them
+    int tensions_inside = 0;  ///< true ones of these in their 95 % interval
+    int slack_called = 0;     ///< edges called slack
+    int taut_as_slack = 0;    ///< of these, taut
+    int slack_as_taut = 0;    ///< slack and called identified
 };
 
 /// All surveys of one net. Coverage and the calls of slack count those that settled.
