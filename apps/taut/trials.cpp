@@ -39,7 +39,7 @@ std::vector<CableNet> nets_of(const TrialsOptions& options) {
 constexpr const char* row_format =
     "{:<30}{:>8}{:>9}{:>9}{:>9}{:>7}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}\n";
 
-std::string percent(double part, double whole) {
+std::string percent_text(double part, double whole) {
     return whole > 0.0 ? fmt::format("{:.1f}", 100.0 * part / whole) : "-";
 }
 
@@ -59,10 +59,10 @@ std::string table(const std::vector<SettlingRecord>& records) {
             row_format, record.net, record.outcomes.size(), record.settled(),
             fmt::format("{:.1f}", 1e3 * median), fmt::format("{:.1f}", 1e3 * largest),
             median > 0.0 ? fmt::format("{:.1f}", largest / median) : "-",
-            percent(record.coverage(), record.settled() > 0 ? 1.0 : 0.0),
-            percent(told, record.settled()),
-            percent(record.sum(&SettlingOutcome::tensions_inside),
-                    record.sum(&SettlingOutcome::tensions_told)),
+            percent_text(record.coverage(), record.settled() > 0 ? 1.0 : 0.0),
+            percent_text(told, record.settled()),
+            percent_text(record.sum(&SettlingOutcome::tensions_inside),
+                         record.sum(&SettlingOutcome::tensions_told)),
             record.sum(&SettlingOutcome::slack_called), record.sum(&SettlingOutcome::taut_as_slack),
             record.sum(&SettlingOutcome::slack_as_taut));
     }
