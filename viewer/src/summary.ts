@@ -124,11 +124,11 @@ function ratioWords(ratio = 0): string {
 }
 
 /** How tight the cables are, as far as the draws tell; none without draws. */
-function tensionWords({ mean_tension, draws }: Identification): string[] {
-  if (draws?.doubt) return [`How tight the cables are is not told: ${draws.doubt}.`];
-  if (!mean_tension) return [];
+function tensionWords({ mean_tension, draws }: Identification): string {
+  if (draws?.doubt) return ` How tight the cables are is not told: ${draws.doubt}.`;
+  if (!mean_tension) return "";
   const kN = (newton: number): string => number(newton / 1e3);
-  return [`The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %.`];
+  return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %.`;
 }
 
 function frameWords(result: Identification): string {
@@ -152,8 +152,7 @@ function ofIdentification(result: Identification): Summary {
       `One survey of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed.${frameWords(result)} ` +
       `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}${law}.${noise}`,
     sentences: [
-      `${identified.length} of ${counted(edges.length, "interior cable")} are identified${identified.length > 0 ? `, to ${median} mm (95 %, median)` : ""}${longestWords(result, tense)}.`,
-      ...tensionWords(result),
+      `${identified.length} of ${counted(edges.length, "interior cable")} are identified${identified.length > 0 ? `, to ${median} mm (95 %, median)` : ""}${longestWords(result, tense)}.${tensionWords(result)}`,
       fitWords(result),
       warnings(result),
     ],
