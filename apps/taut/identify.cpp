@@ -87,6 +87,7 @@ std::string tension_text(const DrawnEstimate& tension) {
 
 void print_draws(const Identification& result) {
     if (!result.draws) {
+        fmt::print("tensions: no intervals, since no draws were made\n");
         return;
     }
     const PosteriorDraws& draws = *result.draws;
@@ -94,8 +95,9 @@ void print_draws(const Identification& result) {
         fmt::print("tensions: not known, since {}\n", draws.doubt);
         return;
     }
-    fmt::print("mean tension: {}\n  by {} draws: {}\n", tension_text(result.drawn.mean_tension),
-               draws.count(), draws.how);
+    fmt::print(
+        "mean tension: {}\n  by {} draws: {}; stiffness, loads and supports are taken as told\n",
+        tension_text(result.drawn.mean_tension), draws.count(), draws.how);
 }
 
 /// Of a slack edge no deviation is known, only a bound: those are listed apart.
@@ -277,8 +279,9 @@ void add_identify(CLI::App& program) {
                        "Law of the length deviations (default: the model's, or uniform:5mm)");
     command.add_option("--draws", options->draws,
                        "Draws of lengths, forms and tensions from the posterior, for map; they "
-                       "are kept beside the result (_draws.h5). 0: none (default: 200; 40 for more "
-                       "than 10,000 interior edges)");
+                       "are kept beside the result (_draws.h5). 0: none, and what is slack is told "
+                       "by the linearised fit alone (default: 200; 40 for more than 10,000 "
+                       "interior edges)");
     add_seed_option(command, options->seed);
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
     command.callback([options] { run(*options); });

@@ -128,7 +128,7 @@ function tensionWords({ mean_tension, draws }: Identification): string {
   if (draws?.doubt) return ` How tight the cables are is not told: ${draws.doubt}.`;
   if (!mean_tension) return "";
   const kN = (newton: number): string => number(newton / 1e3);
-  return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %.`;
+  return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %, where stiffness, loads and supports are as told.`;
 }
 
 function frameWords(result: Identification): string {

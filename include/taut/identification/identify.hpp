@@ -39,13 +39,15 @@ struct IdentifyOptions {
     /// forgotten.
     const LengthModel* model = nullptr;
     int training_samples = 1000;
-    /// Draws of the posterior, for map; 0: none.
+    /// Draws of the posterior, for map; 0: none, and which edges are slack is told by the
+    /// linearised fit alone: not to be relied on where cables stretch by less than their lengths
+    /// are known to.
     int draws = 0;
     std::uint64_t seed = 1;  ///< of the draws
 };
 
 /// Draws that the program makes unless told otherwise: 200, of which the 95 % interval ends at the
-/// fifth from either side; for more than 10,000 interior edges, where each takes a second, 40, of
+/// fifth from either side; for more than 10,000 interior edges, where each takes long, 40, of
 /// which it ends at the outermost.
 [[nodiscard]] int default_draws(const CableNet& net);
 
