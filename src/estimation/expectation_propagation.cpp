@@ -85,23 +85,22 @@ Propagated propagate_law(const CableNet& net, const LengthLaw& law, LinearisedSt
                          double tolerance) {
     Propagated result{.observations = observations, .iterate = fitted};
     if (law.kind == LengthLaw::Kind::normal) {
-        result.settled = true;
         return result;
     }
-    while (result.rounds < most_rounds) {
-        ++result.rounds;
+    bool has_settled = false;
+    for (int round = 0; round < most_rounds; ++round) {
         const double moved = update_sites(net, law, statics, result.iterate, result.observations);
         // One step a round; the last ones are gauss_newton()'s.
         if (moved <= settled_part || !follow_sites(statics, result)) {
             GaussNewtonResult fit = gauss_newton(statics, result.observations, result.iterate,
                                                  tolerance, most_iterations);
             result.iterate = std::move(fit.iterate);
-            result.settled = fit.converged && moved <= settled_part;
+            has_settled = fit.converged && moved <= settled_part;
             break;
         }
     }
-    if (!result.settled) {
-        result = {.observations = observations, .iterate = fitted, .rounds = result.rounds};
+    if (!has_settled) {
+        result = {.observations = observations, .iterate = fitted};
         (void)statics.linearise(fitted, observations);
     }
     statics.invert();

@@ -14,8 +14,6 @@ namespace taut {
 struct Propagated {
     Observations observations;  ///< mean and variance: the sites
     Iterate iterate;            ///< the fit, of which the statics hold linearisation and inverse
-    int rounds = 0;
-    bool settled = false;
 };
 
 /// Expectation propagation of the law through the fit, docs/theory.md (tilted) and (site): the

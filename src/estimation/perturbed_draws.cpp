@@ -107,8 +107,8 @@ private:
         Points form;
         double squared_departure = 0.0;
     };
-    void run(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
-             const Progress& progress) const;
+    void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
+                   const Progress& progress) const;
     [[nodiscard]] PerturbedDraws gathered(const std::vector<std::optional<Draw>>& draws,
                                           bool refit_all) const;
     struct Workspace {
@@ -224,8 +224,8 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                 .squared_departure = departure};
 }
 
-void Perturbation::run(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
-                       const Progress& progress) const {
+void Perturbation::add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
+                             const Progress& progress) const {
     const auto first = static_cast<int>(draws.size());
     draws.resize(count);
     tbb::enumerable_thread_specific<Workspace> workspaces([this] { return Workspace(m_net); });
@@ -265,12 +265,12 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
 
 PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) const {
     std::vector<std::optional<Draw>> draws;
-    run(draws, std::min(count, pilot_draws), refit_all, progress);
+    add_draws(draws, std::min(count, pilot_draws), refit_all, progress);
     PerturbedDraws pilot = gathered(draws, refit_all);
     if (pilot.in_doubt() || count <= pilot_draws) {
         return pilot;
     }
-    run(draws, count, refit_all, progress);
+    add_draws(draws, count, refit_all, progress);
     return gathered(draws, refit_all);
 }
 

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -201,7 +202,7 @@ TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
     }
 }
 
-TEST(PosteriorDraws, AreTheSameFromTheSameSeed) {
+TEST(PosteriorDraws, AreTheSameFromTheSameSeedWithAnyNumberOfThreads) {
     const CableNet net = hypar(3, 4);
     const LengthLaw law{LengthLaw::Kind::normal, 2e-3};
     const auto s = test::simulate(net, law, 5e-4, 1);
@@ -209,8 +210,10 @@ TEST(PosteriorDraws, AreTheSameFromTheSameSeed) {
         return identify(net, s.survey, {.law = law, .draws = 10, .seed = seed})
             .draws->length_deviations;
     };
-    EXPECT_EQ(draws(1), draws(1));
-    EXPECT_NE(draws(1), draws(2));
+    const Eigen::MatrixXd by_all_threads = draws(1);
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(draws(1), by_all_threads);
+    EXPECT_NE(draws(2), by_all_threads);
 }
 
 TEST(PosteriorDraws, EndIntervalsAtOrderStatistics) {
