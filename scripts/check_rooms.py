@@ -22,7 +22,7 @@ MAY_INCLUDE = {
     "statics": ["numerics", "net"],
     "design": ["net", "statics"],
     "survey": ["net"],
-    "sampling": ["net", "statics"],
+    "sampling": ["numerics", "net", "statics"],
     "estimation": ["numerics", "net", "statics", "survey", "sampling"],
     "identification": ["numerics", "net", "gp", "statics", "survey", "sampling", "estimation"],
     "study": ["net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification"],

@@ -33,6 +33,8 @@ constexpr std::array stresses{Unit{.name = "Pa"},
                               Unit{.name = "GPa", .bases = 1e9},
                               Unit{.name = "N/mm2", .bases = 1e6},
                               Unit{.name = ""}};
+constexpr std::array parts{Unit{.name = "%", .per_base = 1e2}};
+constexpr std::array temperatures{Unit{.name = "K"}};
 
 /// @param is_no what the text is not, and what was expected
 template <size_t Count>
@@ -94,6 +96,15 @@ std::string format_length(double metres) {
 
 std::string format_length_exactly(double metres) {
     return shortest_text(metres, 0.0);
+}
+
+double parse_part(std::string_view text) {
+    return parse_quantity(text, parts, "percentage: expected a number and %, as in 5%");
+}
+
+double parse_temperature(std::string_view text) {
+    return parse_quantity(text, temperatures,
+                          "difference of temperatures: expected a number and K, as in 10K");
 }
 
 }  // namespace taut

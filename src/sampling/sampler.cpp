@@ -10,6 +10,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "taut/sampling/circumstances.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
@@ -31,14 +32,17 @@ struct Sampler::State {
     CableNet net;
     LengthLaw law;
     std::uint64_t seed;
+    std::vector<Unknown> unknowns;
     Equilibrium nominal;
     FormSensitivity sensitivity;
     mutable tbb::enumerable_thread_specific<EquilibriumSolver> solvers;
 
-    State(CableNet cable_net, const LengthLaw& with_law, std::uint64_t with_seed)
+    State(CableNet cable_net, const LengthLaw& with_law, std::uint64_t with_seed,
+          const std::vector<Unknown>& with_unknowns)
         : net(std::move(cable_net)),
           law(with_law),
           seed(with_seed),
+          unknowns(with_unknowns),
           nominal(nominal_equilibrium(net)),
           sensitivity(net, net.unstressed_lengths(), nominal.form),
           solvers([this] { return EquilibriumSolver(net); }) {}
@@ -49,6 +53,19 @@ struct Sampler::State {
     State(State&&) = delete;
     State& operator=(State&&) = delete;
 
+    /// With what else is unknown drawn, too. A sample that leaves no net is none that converged.
+    [[nodiscard]] Equilibrium solve_drawn(int k, const Eigen::VectorXd& lengths,
+                                          const Points& start) const {
+        const Circumstances drawn =
+            draw_circumstances(net, unknowns, seed, static_cast<std::uint64_t>(k));
+        try {
+            const CableNet drawn_net = net_under(net, drawn, lengths);
+            return EquilibriumSolver(drawn_net).solve(drawn_net.unstressed_lengths(), start);
+        } catch (const NetError&) {
+            return {.form = start};
+        }
+    }
+
     /// One pass of the loop of Algorithm 2.
     void draw(DataSet& data, int k) const {
         data.length_deviations.col(k) = draw_length_deviations(
@@ -57,16 +74,19 @@ struct Sampler::State {
         const Eigen::VectorXd predicted =
             data.nominal_form + sensitivity.apply(lengths - net.unstressed_lengths());
         const Equilibrium found =
-            solvers.local().solve(lengths, with_free_coordinates(net, predicted));
+            unknowns.empty() ? solvers.local().solve(lengths, with_free_coordinates(net, predicted))
+                             : solve_drawn(k, lengths, with_free_coordinates(net, predicted));
         data.form_deviations.col(k) = free_coordinates(net, found.form) - data.nominal_form;
         data.statuses[k] = found.status;
         data.slack_counts[k] = static_cast<int>(found.slack_edges.size());
     }
 };
 
-Sampler::Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed) {
+Sampler::Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed,
+                 const std::vector<Unknown>& unknowns) {
     check_law(net, law);
-    m_state = std::make_unique<State>(net, law, seed);
+    check_unknowns(net, unknowns);
+    m_state = std::make_unique<State>(net, law, seed, unknowns);
 }
 Sampler::~Sampler() = default;
 
@@ -79,6 +99,7 @@ DataSet Sampler::empty() const {
     return {.net_fingerprint = s.net.fingerprint(),
             .law = s.law,
             .seed = s.seed,
+            .unknowns = s.unknowns,
             .nominal_form = free_coordinates(s.net, s.nominal.form),
             .form_deviations = Eigen::MatrixXd(3 * s.net.free_node_count(), 0),
             .length_deviations = Eigen::MatrixXd(s.net.interior_edge_count(), 0),

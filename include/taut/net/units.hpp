@@ -32,4 +32,14 @@ namespace taut {
 /// @throws std::invalid_argument for anything else, naming the text
 [[nodiscard]] double parse_stress(std::string_view text);
 
+/// A part of something, "5%", "0.5 %".
+/// @return 0.05 for 5 %
+/// @throws std::invalid_argument for anything else, a bare number too, naming the text
+[[nodiscard]] double parse_part(std::string_view text);
+
+/// A difference of temperatures, "10K".
+/// @return [K]
+/// @throws std::invalid_argument for anything else, a bare number too, naming the text
+[[nodiscard]] double parse_temperature(std::string_view text);
+
 }  // namespace taut

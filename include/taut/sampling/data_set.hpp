@@ -9,6 +9,7 @@
 
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut {
@@ -19,6 +20,7 @@ struct DataSet {
     std::string net_fingerprint;
     LengthLaw law;
     std::uint64_t seed = 1;
+    std::vector<Unknown> unknowns;      ///< what was drawn besides the lengths
     Eigen::VectorXd nominal_form;       ///< r_I of the nominal net (3 n_I) [m]
     Eigen::MatrixXd form_deviations;    ///< r_I - nominal, one column a sample (3 n_I x n) [m]
     Eigen::MatrixXd length_deviations;  ///< of the interior edges (m_I x n) [m]

@@ -18,9 +18,11 @@ namespace taut {
 class Sampler {
 public:
     /// Solves for the nominal form.
-    /// @throws std::invalid_argument as check_law()
+    /// @param unknowns what is drawn besides the lengths; the lengths are the same with and without
+    /// @throws std::invalid_argument as check_law(), check_unknowns()
     /// @throws std::runtime_error where the nominal net finds no equilibrium
-    Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed);
+    Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed,
+            const std::vector<Unknown>& unknowns = {});
     ~Sampler();
     Sampler(const Sampler&) = delete;
     Sampler& operator=(const Sampler&) = delete;
@@ -30,7 +32,7 @@ public:
     /// Of the net as designed: the reference of all form deviations.
     [[nodiscard]] const Equilibrium& nominal() const;
 
-    /// A data set of this net, law and seed without samples.
+    /// A data set of this net, law, seed and unknowns without samples.
     [[nodiscard]] DataSet empty() const;
 
     /// Adds samples to a data set that this sampler made, until it holds `count`, in blocks of

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// What is not known of a net besides its lengths: numbers with independent normal distributions
+/// around what the net tells.
+struct Unknown {
+    enum class Kind {
+        stiffness,  ///< one factor of EA, or of the tension law, common to edges: its logarithm
+        stiffness_each,  ///< one such factor an edge
+        temperature,     ///< one deviation for edges, which expand by it [K]
+        supports,        ///< of each coordinate of each support [m]
+        adjustable,      ///< of the unstressed length of each adjustable edge [m]
+        loads,           ///< one relative deviation of all loads
+        loads_each,      ///< of each coordinate of the load on each free node [N]
+    };
+    Kind kind = Kind::stiffness;
+    double std = 0.0;   ///< in the unit of the kind
+    std::string group;  ///< of edges, of the net; empty: all
+
+    /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads".
+    [[nodiscard]] std::string_view name() const;
+    /// "stiffness:5%@ridge"; parse_unknown() reads it back.
+    [[nodiscard]] std::string to_string() const;
+
+    friend bool operator==(const Unknown&, const Unknown&) = default;
+};
+
+/// All, "stiffness:5%, supports:1mm", or "none".
+[[nodiscard]] std::string to_string(const std::vector<Unknown>& unknowns);
+
+/// "stiffness:5%", "stiffness:5%@GROUP", "stiffness-each:3%", "temperature:10K", "supports:1mm",
+/// "adjustable:0.5mm", "loads:20N", "loads:10%".
+/// @throws std::invalid_argument for another name or unit, a width that is not positive and finite,
+///   a relative one of 30 % or more, and a group where the kind has none
+[[nodiscard]] Unknown parse_unknown(std::string_view text);
+
+/// Whether these can be unknown of a net.
+/// @throws std::invalid_argument for two of one name and group (of loads: of one kind), a group
+///   that the net does not have, a temperature where no edge of it expands, adjustable lengths
+///   where the net has none, or wider than a third of the shortest, supports wider than a third of
+///   the shortest edge, common loads where there are none
+void check_unknowns(const CableNet& net, const std::vector<Unknown>& unknowns);
+
+/// The edges that an unknown of stiffness or temperature is about, ascending: those of its group,
+/// or all.
+[[nodiscard]] std::vector<int> edges_of(const CableNet& net, const Unknown& unknown);
+
+/// The standard deviation of one kind; 0 where it is known.
+[[nodiscard]] double std_of(const std::vector<Unknown>& unknowns, Unknown::Kind kind);
+
+/// Of each edge's own stiffness, relative (m).
+[[nodiscard]] Eigen::VectorXd own_stiffness_stds(const CableNet& net,
+                                                 const std::vector<Unknown>& unknowns);
+
+}  // namespace taut

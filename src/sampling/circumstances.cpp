@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/sampling/circumstances.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "numerics/random_numbers.hpp"
+
+namespace taut {
+namespace {
+
+/// One law an edge, each with its own stiffness.
+void scale_laws(const CableNet& net, const Eigen::VectorXd& stiffness, CableNetData& data) {
+    std::vector<TensionLaw> laws;
+    laws.reserve(data.tension_law.size());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (data.tension_law[e] >= 0) {
+            TensionLaw law = data.tension_laws[data.tension_law[e]];
+            law.tension *= std::exp(stiffness(e));
+            data.tension_law[e] = static_cast<int>(laws.size());
+            laws.push_back(std::move(law));
+        }
+    }
+    data.tension_laws = std::move(laws);
+}
+
+}  // namespace
+
+Circumstances as_told(const CableNet& net) {
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(net.edge_count());
+    return {.stiffness = zero,
+            .thermal = zero,
+            .supports = Points::Zero(3, net.node_count()),
+            .adjustable = zero,
+            .loads = 0.0,
+            .own_loads = Points::Zero(3, net.node_count())};
+}
+
+Circumstances draw_circumstances(const CableNet& net, const std::vector<Unknown>& unknowns,
+                                 std::uint64_t seed, std::uint64_t sample) {
+    // Streams of their own: the lengths of a data set stay what they are without unknowns.
+    constexpr std::uint64_t other_than_lengths = 0x7461757400000000U;
+    RandomNumbers random(seed ^ other_than_lengths, static_cast<std::uint32_t>(sample));
+    Circumstances result = as_told(net);
+    for (const Unknown& unknown : unknowns) {
+        switch (unknown.kind) {
+            case Unknown::Kind::stiffness:
+                result.stiffness(edges_of(net, unknown)).array() += unknown.std * random.normal();
+                break;
+            case Unknown::Kind::stiffness_each:
+                for (const int edge : edges_of(net, unknown)) {
+                    result.stiffness(edge) += unknown.std * random.normal();
+                }
+                break;
+            case Unknown::Kind::temperature: {
+                const std::vector<int> edges = edges_of(net, unknown);
+                result.thermal(edges) +=
+                    unknown.std * random.normal() * net.data().expansion(edges);
+                break;
+            }
+            case Unknown::Kind::supports:
+                for (const int node : net.supports()) {
+                    for (double& coordinate : result.supports.col(node)) {
+                        coordinate = unknown.std * random.normal();
+                    }
+                }
+                break;
+            case Unknown::Kind::adjustable:
+                for (const int edge : net.adjustable_edges()) {
+                    result.adjustable(edge) = unknown.std * random.normal();
+                }
+                break;
+            case Unknown::Kind::loads:
+                result.loads = unknown.std * random.normal();
+                break;
+            case Unknown::Kind::loads_each:
+                for (const int node : net.free_nodes()) {
+                    for (double& load : result.own_loads.col(node)) {
+                        load = unknown.std * random.normal();
+                    }
+                }
+                break;
+        }
+    }
+    return result;
+}
+
+CableNet net_under(const CableNet& net, const Circumstances& circumstances,
+                   const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths) {
+    CableNetData data = net.data();
+    data.nodes += circumstances.supports;
+    data.axial_stiffness.array() *= circumstances.stiffness.array().exp();
+    if (!net.is_linear()) {
+        scale_laws(net, circumstances.stiffness, data);
+    }
+    // The edges' weight is among the loads.
+    data.loads = (1.0 + circumstances.loads) * net.loads() + circumstances.own_loads;
+    data.mass.resize(0);
+    data.unstressed_lengths = (unstressed_lengths + circumstances.adjustable)
+                                  .cwiseProduct((1.0 + circumstances.thermal.array()).matrix());
+    return CableNet(std::move(data));
+}
+
+}  // namespace taut

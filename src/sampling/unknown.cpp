@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/sampling/unknown.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "taut/net/units.hpp"
+
+namespace taut {
+namespace {
+
+using Kind = Unknown::Kind;
+
+struct Named {
+    std::string_view name;
+    Kind kind;
+    bool has_groups;
+};
+
+constexpr std::array names{Named{"stiffness", Kind::stiffness, true},
+                           Named{"stiffness-each", Kind::stiffness_each, true},
+                           Named{"temperature", Kind::temperature, true},
+                           Named{"supports", Kind::supports, false},
+                           Named{"adjustable", Kind::adjustable, false},
+                           Named{"loads", Kind::loads, false},
+                           Named{"loads", Kind::loads_each, false}};
+
+constexpr std::string_view examples =
+    "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N "
+    "or loads:10%";
+
+/// @throws std::invalid_argument where the text is not of the kind's unit
+double parse_width(Kind kind, std::string_view text) {
+    switch (kind) {
+        case Kind::stiffness:
+        case Kind::stiffness_each:
+        case Kind::loads:
+            return parse_part(text);
+        case Kind::temperature:
+            return parse_temperature(text);
+        case Kind::supports:
+        case Kind::adjustable:
+            return parse_length(text);
+        case Kind::loads_each:
+            return parse_force(text);
+    }
+    return 0.0;
+}
+
+bool is_relative(Kind kind) {
+    return kind == Kind::stiffness || kind == Kind::stiffness_each || kind == Kind::loads;
+}
+
+std::string width_text(const Unknown& unknown) {
+    switch (unknown.kind) {
+        case Kind::stiffness:
+        case Kind::stiffness_each:
+        case Kind::loads:
+            return fmt::format("{:.12g}%", 1e2 * unknown.std);
+        case Kind::temperature:
+            return fmt::format("{:.12g}K", unknown.std);
+        case Kind::supports:
+        case Kind::adjustable:
+            return format_length(unknown.std);
+        case Kind::loads_each:
+            return fmt::format("{:.12g}N", unknown.std);
+    }
+    return {};
+}
+
+[[noreturn]] void refuse(const Unknown& unknown, std::string_view problem) {
+    throw std::invalid_argument(fmt::format("the unknown '{}' {}", unknown.to_string(), problem));
+}
+
+void check_one(const CableNet& net, const Unknown& unknown) {
+    constexpr double widest_part = 1.0 / 3.0;
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    if (!unknown.group.empty() && !net.data().groups.contains(unknown.group)) {
+        std::string groups;
+        for (const auto& [name, edges] : net.data().groups) {
+            groups += groups.empty() ? name : ", " + name;
+        }
+        refuse(unknown, groups.empty()
+                            ? "is of a group, and the net has none"
+                            : fmt::format("is of no group of the net, expected one of {}", groups));
+    }
+    switch (unknown.kind) {
+        case Kind::temperature: {
+            const std::vector<int> edges = edges_of(net, unknown);
+            const Eigen::VectorXd& expansion = net.data().expansion;
+            if (expansion.size() == 0 || (expansion(edges).array() == 0.0).all()) {
+                refuse(unknown, "needs edges that expand, and the net tells no expansion [1/K]");
+            }
+            if (expansion.cwiseAbs().maxCoeff() * unknown.std > 0.01) {
+                refuse(unknown, "strains edges by more than 1 %, expected less");
+            }
+            break;
+        }
+        case Kind::adjustable:
+            if (net.adjustable_edges().empty()) {
+                refuse(unknown, "needs adjustable edges, and the net has none");
+            }
+            if (unknown.std > widest_part * lengths(net.adjustable_edges()).minCoeff()) {
+                refuse(unknown, "is wider than a third of the shortest adjustable edge");
+            }
+            break;
+        case Kind::supports:
+            if (unknown.std > widest_part * lengths.minCoeff()) {
+                refuse(unknown, "is wider than a third of the shortest edge");
+            }
+            break;
+        case Kind::loads:
+            if (net.loads().isZero(0.0)) {
+                refuse(unknown,
+                       "is a part of the loads, and the net has none: loads:20N tells "
+                       "them in newtons");
+            }
+            break;
+        case Kind::stiffness:
+        case Kind::stiffness_each:
+        case Kind::loads_each:
+            break;
+    }
+}
+
+}  // namespace
+
+std::string_view Unknown::name() const {
+    const auto* const found = std::ranges::find(names, kind, &Named::kind);
+    return found->name;
+}
+
+std::string Unknown::to_string() const {
+    return fmt::format("{}:{}{}{}", name(), width_text(*this), group.empty() ? "" : "@", group);
+}
+
+std::string to_string(const std::vector<Unknown>& unknowns) {
+    std::string text;
+    for (const Unknown& unknown : unknowns) {
+        text += (text.empty() ? "" : ", ") + unknown.to_string();
+    }
+    return text.empty() ? "none" : text;
+}
+
+Unknown parse_unknown(std::string_view text) {
+    const size_t colon = text.find(':');
+    const std::string_view name = text.substr(0, colon);
+    const size_t at = text.find('@');
+    const bool has_width =
+        colon != std::string_view::npos && (at == std::string_view::npos || at > colon);
+    const auto* found = std::ranges::find(names, name, &Named::name);
+    if (found == names.end() || !has_width) {
+        throw std::invalid_argument(
+            found == names.end()
+                ? fmt::format("'{}' is nothing that can be unknown: expected {}", text, examples)
+                : fmt::format("'{}' tells no width: expected {}", text, examples));
+    }
+    const std::string_view width =
+        text.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1);
+    Unknown unknown{.kind = found->kind};
+    if (unknown.kind == Kind::loads && !width.ends_with('%')) {
+        unknown.kind = Kind::loads_each;
+    }
+    try {
+        unknown.std = parse_width(unknown.kind, width);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("the unknown '{}': {}", text, error.what()));
+    }
+    if (!(unknown.std > 0.0) || !std::isfinite(unknown.std)) {
+        throw std::invalid_argument(fmt::format(
+            "the unknown '{}' has the width {:g}, expected a positive one", text, unknown.std));
+    }
+    if (is_relative(unknown.kind) && unknown.std >= 0.3) {
+        throw std::invalid_argument(
+            fmt::format("the unknown '{}' is not known to 30 %, expected less", text));
+    }
+    if (at != std::string_view::npos) {
+        unknown.group = text.substr(at + 1);
+        if (!found->has_groups || unknown.group.empty()) {
+            throw std::invalid_argument(fmt::format(
+                "the unknown '{}' {}", text,
+                found->has_groups ? "names no group behind @" : "is of no group of edges"));
+        }
+    }
+    return unknown;
+}
+
+void check_unknowns(const CableNet& net, const std::vector<Unknown>& unknowns) {
+    for (auto one = unknowns.begin(); one != unknowns.end(); ++one) {
+        check_one(net, *one);
+        const bool is_double = std::any_of(unknowns.begin(), one, [&](const Unknown& other) {
+            return other.kind == one->kind && other.group == one->group;
+        });
+        if (is_double) {
+            refuse(*one, "is told twice");
+        }
+    }
+}
+
+std::vector<int> edges_of(const CableNet& net, const Unknown& unknown) {
+    if (!unknown.group.empty()) {
+        std::vector<int> edges = net.data().groups.at(unknown.group);
+        std::ranges::sort(edges);
+        return edges;
+    }
+    std::vector<int> all(net.edge_count());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+double std_of(const std::vector<Unknown>& unknowns, Unknown::Kind kind) {
+    const auto found = std::ranges::find(unknowns, kind, &Unknown::kind);
+    return found == unknowns.end() ? 0.0 : found->std;
+}
+
+Eigen::VectorXd own_stiffness_stds(const CableNet& net, const std::vector<Unknown>& unknowns) {
+    Eigen::VectorXd variances = Eigen::VectorXd::Zero(net.edge_count());
+    for (const Unknown& unknown : unknowns) {
+        if (unknown.kind == Kind::stiffness_each) {
+            variances(edges_of(net, unknown)).array() += unknown.std * unknown.std;
+        }
+    }
+    return variances.cwiseSqrt();
+}
+
+}  // namespace taut
