@@ -16,12 +16,16 @@ namespace taut {
 /// factor:
 ///
 ///   [ S    H ] r        S: weights of places, one a coordinate, 0 or more
-///   [    P B'] d        P: weights of lengths, one an interior edge, positive
-///   [ H  B   ] lambda   H, B: sums over edges, as below
+///   [    P B'] d        P: weights of lengths, one an unknown length, positive
+///   [ H  B -V] lambda   H, B: sums over edges, as below; V: variances of loads, 0 or more
+///
+/// Readings of forces, a' (r, d) with a weight w, add w a a' to S and P, over the two places and
+/// the length of their edge. Where supports are unknown, r holds their places, too.
 ///
 /// It is eliminated node by node, along each branch of the elimination tree in the order of the
-/// local net: place and multipliers of a node, then the lengths of the edges to earlier nodes. Any
-/// such order can be eliminated, as S and P are semidefinite and definite and so is H. And it keeps
+/// local net: place and multipliers of a node, then the lengths of the edges to earlier nodes;
+/// supports first. Any such order can be eliminated, as S and P are semidefinite and definite and
+/// so is H. And it keeps
 /// the digits where a survey is far more precise than what was known of the lengths: by the time
 /// that a length is eliminated both its ends have told of it. (Eliminating the lengths first, for
 /// the smaller matrix [S H; H -B P^-1 B'], loses them: it subtracts large variances from each
@@ -40,23 +44,31 @@ namespace taut {
 ///     MUMPS 5.5, ICNTL(30)                     23            17          16
 class SaddlePointFactor {
 public:
-    /// @param interior one flag an edge of the net: whether its length is unknown
-    SaddlePointFactor(const LocalNet& net, const std::vector<bool>& interior);
+    /// @param unknown one flag an edge of the net: whether its length is unknown
+    SaddlePointFactor(const LocalNet& net, const std::vector<bool>& unknown,
+                      Supports supports = Supports::fixed);
 
-    // The matrix, to be filled before factorize().
-    Eigen::Matrix3Xd place_weights;               ///< S, 3 x free nodes
+    // The matrix, to be filled before factorize(). Nodes: the free ones, in the order of the local
+    // net, then the supports where these are unknown.
+    Eigen::Matrix3Xd place_weights;               ///< S, 3 x nodes; of a support positive
     Eigen::VectorXd length_weights;               ///< P, one an edge; unused for known lengths
+    Eigen::Matrix3Xd load_variances;              ///< V, 3 x free nodes
     std::vector<Eigen::Matrix3d> node_stiffness;  ///< diagonal block of H, one a free node
     /// One an edge: -1 times the block of H between its nodes.
     std::vector<Eigen::Matrix3d> edge_stiffness;
     /// One an edge: the block of B of its first node, and -1 times that of its second (3 x edges).
     Eigen::Matrix3Xd length_rates;
+    Eigen::VectorXd reading_weights;  ///< w, one an edge; 0: no reading
+    /// One an edge: the entries of a at its first node, and -1 times those at its second (3 x
+    /// edges); and the entry at its length.
+    Eigen::Matrix3Xd reading_place_rates;
+    Eigen::VectorXd reading_length_rates;
 
     /// @return false where a pivot is singular
     [[nodiscard]] bool factorize();
 
     struct Vector {
-        Eigen::Matrix3Xd places;       ///< 3 x free nodes
+        Eigen::Matrix3Xd places;       ///< 3 x nodes
         Eigen::VectorXd lengths;       ///< one an edge; 0 for known lengths
         Eigen::Matrix3Xd multipliers;  ///< 3 x free nodes
     };
@@ -64,11 +76,13 @@ public:
     [[nodiscard]] Vector solve(const Vector& right_side) const;
 
     struct Covariance {
-        std::vector<Eigen::Matrix3d> places;  ///< one a free node
-        Eigen::VectorXd lengths;              ///< variances, one an edge; 0 for known lengths
+        std::vector<Eigen::Matrix3d> places;       ///< one a node
+        std::vector<Eigen::Matrix3d> multipliers;  ///< negative semidefinite, one a free node
+        Eigen::VectorXd lengths;                   ///< variances, one an edge; 0 for known lengths
         /// Variances of the distance of the two nodes, along -B, less the length deviation: one an
         /// edge; 0 for known lengths.
         Eigen::VectorXd extensions;
+        Eigen::VectorXd readings;  ///< variances a' Z a, one an edge
     };
     /// Entries of the inverse, after factorize(), docs/theory.md (covariance): S and P being
     /// inverse covariances, the covariances under H r + B d = c. With Z the inverse over the
@@ -78,14 +92,20 @@ public:
     ///   w' Z w,   w = (-u at place s, u at place t, -1 at the length)
     [[nodiscard]] Covariance covariance() const;
 
+    /// The entries of w above at the first node of an edge.
+    [[nodiscard]] Eigen::Vector3d extension_rate(int edge) const {
+        return -length_rates.col(edge).normalized();
+    }
+
 private:
     using Places = SupernodalFactor::Places;
 
     void assemble(int node, const Places& places, Eigen::MatrixXd& front) const;
     void read_covariance(int node, const Places& places, const Eigen::MatrixXd& inverse,
                          Covariance& result) const;
-    [[nodiscard]] double extension_variance(int edge, int node, const Places& places,
-                                            const Eigen::MatrixXd& inverse) const;
+    void assemble_reading(int edge, int node, const Places& places, Eigen::MatrixXd& front) const;
+    [[nodiscard]] double variance(int edge, const Eigen::Vector3d& place_rate, double length_rate,
+                                  const Places& places, const Eigen::MatrixXd& inverse) const;
     [[nodiscard]] Eigen::VectorXd gather(const Vector& vector) const;
     [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns) const;
 

@@ -2,51 +2,61 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/saddle_point_layout.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 namespace taut {
 
-SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool>& interior)
-    : edges(net.edges),
-      edges_of_node(net.free_count),
-      sizes(net.free_count, 6),
-      place(net.free_count),
+SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool>& unknown,
+                                     Supports supports)
+    : free_count(net.free_count),
+      support_blocks(supports == Supports::unknown ? static_cast<int>(net.supports.cols()) : 0),
+      edges(net.edges),
+      edges_of_node(node_count()),
+      sizes(node_count(), 3),
+      place(node_count()),
       length(net.edges.size(), -1) {
-    // The later one of an edge's free nodes.
-    const auto owner = [&](int edge) {
-        const auto [first, last] = std::minmax(edges[edge][0], edges[edge][1]);
-        return last < net.free_count ? last : first;
+    // A block holds the lengths of edges to earlier blocks, and to nodes without one.
+    const auto owner = [this](int edge) {
+        const auto [s, t] = edges[edge];
+        return !has_block(s) || is_before(s, t) ? block(t) : block(s);
     };
+    for (int node = 0; node < free_count; ++node) {
+        sizes[block(node)] += 3;
+    }
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
         for (const int node : edges[e]) {
-            if (node < net.free_count) {
+            if (has_block(node)) {
                 edges_of_node[node].push_back(e);
             }
         }
-        if (interior[e]) {
+        if (unknown[e]) {
             length[e] = sizes[owner(e)]++;
         }
     }
-    std::exclusive_scan(sizes.begin(), sizes.end(), place.begin(), 0);
+    std::vector<int> first(sizes.size());
+    std::exclusive_scan(sizes.begin(), sizes.end(), first.begin(), 0);
+    for (int node = 0; node < node_count(); ++node) {
+        place[node] = first[block(node)];
+    }
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
         if (is_unknown(e)) {
-            length[e] += place[owner(e)];
+            length[e] += first[owner(e)];
         }
     }
 }
 
 std::vector<std::vector<int>> SaddlePointLayout::couplings() const {
     std::vector<std::vector<int>> result(sizes.size());
-    for (int j = 0; j < free_count(); ++j) {
+    for (int j = 0; j < node_count(); ++j) {
+        std::vector<int>& coupled = result[block(j)];
         for (const int e : edges_of_node[j]) {
             const int other = other_end(e, j);
-            if (other > j && other < free_count()) {
+            if (is_before(j, other)) {  // so it is free
                 for (int k = 0; k < 6; ++k) {
-                    result[j].push_back(place[other] + k);
+                    coupled.push_back(place[other] + k);
                 }
                 if (is_unknown(e)) {
-                    result[j].push_back(length[e]);
+                    coupled.push_back(length[e]);
                 }
             }
         }

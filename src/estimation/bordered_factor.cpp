@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/bordered_factor.hpp"
+
+#include <Eigen/Cholesky>
+#include <iterator>
+
+namespace taut {
+namespace {
+
+using Inner = BorderedFactor::Inner;
+
+double dot(const Inner& a, const Inner& b) {
+    return a.places.cwiseProduct(b.places).sum() + a.lengths.dot(b.lengths) +
+           a.multipliers.cwiseProduct(b.multipliers).sum();
+}
+
+}  // namespace
+
+BorderedFactor::BorderedFactor(const LocalNet& net, const std::vector<bool>& unknown,
+                               Supports supports, int border_count)
+    : inner(net, unknown, supports),
+      border(border_count),
+      corner(Eigen::MatrixXd::Identity(border_count, border_count)),
+      extension_rates(Eigen::MatrixXd::Zero(std::ssize(net.edges), border_count)),
+      reading_rates(Eigen::MatrixXd::Zero(std::ssize(net.edges), border_count)),
+      m_edges(net.edges),
+      m_unknown(unknown) {}
+
+bool BorderedFactor::factorize() {
+    if (!inner.factorize()) {
+        return false;
+    }
+    const auto count = static_cast<Eigen::Index>(border.size());
+    m_columns.clear();
+    Eigen::MatrixXd schur = corner;
+    for (Eigen::Index k = 0; k < count; ++k) {
+        m_columns.push_back(inner.solve(border[k]));
+        for (Eigen::Index i = 0; i < count; ++i) {
+            schur(i, k) -= dot(border[i], m_columns.back());
+        }
+    }
+    m_schur_inverse = Eigen::MatrixXd::Identity(count, count);
+    if (count > 0) {
+        const Eigen::LDLT<Eigen::MatrixXd> factor(0.5 * (schur + schur.transpose()));
+        m_schur_inverse = factor.solve(m_schur_inverse).eval();
+    }
+    return m_schur_inverse.allFinite();
+}
+
+BorderedFactor::Vector BorderedFactor::solve(const Vector& right_side) const {
+    Vector result{.inner = inner.solve(right_side.inner), .border = right_side.border};
+    for (size_t k = 0; k < border.size(); ++k) {
+        result.border(static_cast<Eigen::Index>(k)) -= dot(border[k], result.inner);
+    }
+    result.border = (m_schur_inverse * result.border).eval();
+    for (size_t k = 0; k < border.size(); ++k) {
+        const double value = result.border(static_cast<Eigen::Index>(k));
+        result.inner.places -= value * m_columns[k].places;
+        result.inner.lengths -= value * m_columns[k].lengths;
+        result.inner.multipliers -= value * m_columns[k].multipliers;
+    }
+    return result;
+}
+
+/// Of a number that is linear in all unknowns, with rates a in K's and c in the border's: the
+/// variance is a' Z a + (a' Y - c') C^-1 (Y' a - c).
+void BorderedFactor::add_border(Covariance& covariance) const {
+    const auto count = static_cast<Eigen::Index>(border.size());
+    const auto squared = [&](const Eigen::MatrixXd& rows) -> Eigen::MatrixXd {
+        return rows * m_schur_inverse * rows.transpose();
+    };
+    Eigen::MatrixXd rows(3, count);
+    for (size_t node = 0; node < covariance.places.size(); ++node) {
+        for (Eigen::Index k = 0; k < count; ++k) {
+            rows.col(k) = m_columns[k].places.col(static_cast<Eigen::Index>(node));
+        }
+        covariance.places[node] += squared(rows);
+    }
+    for (size_t node = 0; node < covariance.multipliers.size(); ++node) {
+        for (Eigen::Index k = 0; k < count; ++k) {
+            rows.col(k) = m_columns[k].multipliers.col(static_cast<Eigen::Index>(node));
+        }
+        covariance.multipliers[node] += squared(rows);
+    }
+    Eigen::RowVectorXd length(count);
+    Eigen::RowVectorXd extension(count);
+    Eigen::RowVectorXd reading(count);
+    for (int e = 0; e < static_cast<int>(m_edges.size()); ++e) {
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const Inner& y = m_columns[k];
+            Eigen::Vector3d difference = Eigen::Vector3d::Zero();
+            for (const int end : {0, 1}) {
+                if (m_edges[e][end] < y.places.cols()) {
+                    difference += (end == 0 ? 1.0 : -1.0) * y.places.col(m_edges[e][end]);
+                }
+            }
+            length(k) = y.lengths(e);
+            extension(k) = inner.extension_rate(e).dot(difference) - y.lengths(e);
+            reading(k) = inner.reading_place_rates.col(e).dot(difference) +
+                         inner.reading_length_rates(e) * y.lengths(e);
+        }
+        if (m_unknown[e]) {
+            covariance.lengths(e) += squared(length)(0, 0);
+            covariance.extensions(e) += squared(extension - extension_rates.row(e))(0, 0);
+        }
+        covariance.readings(e) += squared(reading - reading_rates.row(e))(0, 0);
+    }
+}
+
+BorderedFactor::Covariance BorderedFactor::covariance() const {
+    Covariance result{inner.covariance(), m_schur_inverse};
+    if (!border.empty()) {
+        add_border(result);
+    }
+    return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "estimation/saddle_point_factor.hpp"
+
+namespace taut {
+
+/// The saddle-point matrix K of SaddlePointFactor with a few more unknowns, each of which may have
+/// entries E with all others:
+///
+///   [ K   E ]
+///   [ E'  F ],   inverse by the Schur complement C = F - E' K^-1 E:
+///
+///   Z + Y C^-1 Y', -Y C^-1, C^-1,   Z = K^-1, Y = K^-1 E
+///
+/// docs/theory.md, (bordered).
+class BorderedFactor {
+public:
+    BorderedFactor(const LocalNet& net, const std::vector<bool>& unknown, Supports supports,
+                   int border_count);
+
+    using Inner = SaddlePointFactor::Vector;
+
+    // The matrix, to be filled before factorize().
+    SaddlePointFactor inner;    ///< K
+    std::vector<Inner> border;  ///< E, one a column
+    Eigen::MatrixXd corner;     ///< F
+    /// What extensions and readings change by each of the unknowns of the border, besides by those
+    /// of K (edges x columns).
+    Eigen::MatrixXd extension_rates;
+    Eigen::MatrixXd reading_rates;
+
+    /// @return false where a pivot is singular
+    [[nodiscard]] bool factorize();
+
+    struct Vector {
+        Inner inner;
+        Eigen::VectorXd border;
+    };
+    /// After factorize().
+    [[nodiscard]] Vector solve(const Vector& right_side) const;
+
+    struct Covariance : SaddlePointFactor::Covariance {
+        Eigen::MatrixXd border;  ///< C^-1
+    };
+    /// After factorize().
+    [[nodiscard]] Covariance covariance() const;
+
+private:
+    void add_border(Covariance& covariance) const;
+
+    std::vector<Edge> m_edges;
+    std::vector<bool> m_unknown;
+    std::vector<Inner> m_columns;  ///< Y
+    Eigen::MatrixXd m_schur_inverse;
+};
+
+}  // namespace taut
