@@ -31,26 +31,33 @@ std::vector<std::vector<int>> neighbours_of(const CableNet& net) {
 
 }  // namespace
 
-double snooping_threshold(double false_alarm_rate, size_t targets) {
+double snooping_threshold(double false_alarm_rate, size_t targets, int degrees_of_freedom) {
     if (!(false_alarm_rate > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
     const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / static_cast<double>(targets));
-    return boost::math::quantile(
-        boost::math::complement(boost::math::chi_squared_distribution<>(3.0), of_one));
+    return boost::math::quantile(boost::math::complement(
+        boost::math::chi_squared_distribution<>(degrees_of_freedom), of_one));
 }
 
 DataSnooping::DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
-                           double false_alarm_rate)
+                           const std::vector<ForceReading>& readings, double false_alarm_rate)
     : m_survey(survey),
       m_noise(noise),
-      m_threshold(
-          snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0, survey.surveyed.size())),
+      m_readings(readings),
+      m_threshold(snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0,
+                                     survey.surveyed.size() + readings.size())),
+      m_reading_threshold(snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0,
+                                             survey.surveyed.size() + readings.size(), 1)),
       m_neighbours(neighbours_of(net)),
       m_rejected(net.node_count(), false),
       m_readmitted(net.node_count(), false),
       m_statistics(Eigen::VectorXd::Zero(net.node_count())),
-      m_distances(Eigen::VectorXd::Zero(net.node_count())) {}
+      m_distances(Eigen::VectorXd::Zero(net.node_count())),
+      m_rejected_readings(readings.size(), false),
+      m_readmitted_readings(readings.size(), false),
+      m_reading_statistics(Eigen::VectorXd::Zero(std::ssize(readings))),
+      m_expected(Eigen::VectorXd::Zero(std::ssize(readings))) {}
 
 bool DataSnooping::is_active() const {
     return std::isfinite(m_threshold);
@@ -97,9 +104,24 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
             m_redundancy += Q.trace();  // (redundancy)
         }
     }
-    if (inflation > 1.0) {
-        m_statistics /=
-            std::max(median_statistic() / median_of_chi_squared, 1.0 / (inflation * inflation));
+    m_residual_scale = inflation > 1.0 ? std::max(median_statistic() / median_of_chi_squared,
+                                                  1.0 / (inflation * inflation))
+                                       : 1.0;
+    m_statistics /= m_residual_scale;
+}
+
+void DataSnooping::evaluate_readings(const Eigen::VectorXd& tensions,
+                                     const Eigen::VectorXd& variances, double inflation) {
+    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
+        const ForceReading& reading = m_readings[k];
+        const double noise = std::pow(inflation * reading.std, 2);
+        const double sign = m_rejected_readings[k] ? 1.0 : -1.0;
+        const double variance = noise + sign * variances(reading.edge);
+        m_expected(k) = tensions(reading.edge);
+        const double residual = reading.tension - m_expected(k);
+        m_reading_statistics(k) = variance > smallest_redundancy * noise
+                                      ? residual * residual / variance / m_residual_scale
+                                      : 0.0;  // (snooping)
     }
 }
 
@@ -141,6 +163,13 @@ std::vector<int> DataSnooping::largest_above_threshold() const {
 
 bool DataSnooping::revise() {
     std::vector<int> changing = largest_above_threshold();
+    double largest = 1.0;
+    for (const int node : changing) {
+        largest = std::max(largest, m_statistics(node) / m_threshold);
+    }
+    if (reject_worst_reading(largest)) {
+        return true;
+    }
     if (changing.empty()) {
         for (const int node : m_survey.surveyed) {
             if (is_rejected(node) && m_statistics(node) <= m_threshold) {
@@ -152,7 +181,36 @@ bool DataSnooping::revise() {
     for (const int node : changing) {
         m_rejected[node] = !is_rejected(node);
     }
-    return !changing.empty();
+    return readmit_readings() || !changing.empty();
+}
+
+/// @param than statistic over threshold that it has to exceed
+/// @return whether there is one
+bool DataSnooping::reject_worst_reading(double than) {
+    Eigen::Index worst = -1;
+    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
+        const double ratio = m_reading_statistics(k) / m_reading_threshold;
+        if (!m_rejected_readings[k] && !m_readmitted_readings[k] && ratio > than) {
+            worst = k;
+            than = ratio;
+        }
+    }
+    if (worst >= 0) {
+        m_rejected_readings[worst] = true;
+    }
+    return worst >= 0;
+}
+
+bool DataSnooping::readmit_readings() {
+    bool has_changed = false;
+    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
+        if (m_rejected_readings[k] && m_reading_statistics(k) <= m_reading_threshold) {
+            m_rejected_readings[k] = false;
+            m_readmitted_readings[k] = true;
+            has_changed = true;
+        }
+    }
+    return has_changed;
 }
 
 void DataSnooping::reject_suspicious() {
@@ -165,9 +223,11 @@ void DataSnooping::reject_suspicious() {
 
 void DataSnooping::readmit_all() {
     m_rejected.assign(m_rejected.size(), false);
+    m_rejected_readings.assign(m_readings.size(), false);
 }
 void DataSnooping::reopen() {
     m_readmitted.assign(m_readmitted.size(), false);
+    m_readmitted_readings.assign(m_readings.size(), false);
 }
 
 std::vector<Outlier> DataSnooping::outliers() const {
@@ -179,6 +239,20 @@ std::vector<Outlier> DataSnooping::outliers() const {
         }
     }
     std::ranges::sort(result, std::greater{}, &Outlier::statistic);
+    return result;
+}
+
+std::vector<ReadingOutlier> DataSnooping::reading_outliers() const {
+    std::vector<ReadingOutlier> result;
+    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
+        if (m_rejected_readings[k]) {
+            result.push_back({.edge = m_readings[k].edge,
+                              .read = m_readings[k].tension,
+                              .expected = m_expected(k),
+                              .statistic = m_reading_statistics(k)});
+        }
+    }
+    std::ranges::sort(result, std::greater{}, &ReadingOutlier::statistic);
     return result;
 }
 

@@ -9,14 +9,16 @@
 
 #include "taut/estimation/outlier.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/survey/forces.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
 
 /// The quantile that the largest of so many independent statistics, each chi-squared with three
-/// degrees of freedom, exceeds with the probability `false_alarm_rate` (Sidak); infinite for 0.
-/// docs/theory.md, (threshold).
-[[nodiscard]] double snooping_threshold(double false_alarm_rate, size_t targets);
+/// degrees of freedom (or another number), exceeds with the probability `false_alarm_rate` (Sidak);
+/// infinite for 0. docs/theory.md, (threshold).
+[[nodiscard]] double snooping_threshold(double false_alarm_rate, size_t targets,
+                                        int degrees_of_freedom = 3);
 
 /// Data snooping (W. Baarda, A testing procedure for use in geodetic networks, 1968) for targets,
 /// three coordinates at a time; the one test for gross errors of all methods. docs/theory.md,
@@ -26,18 +28,21 @@ namespace taut {
 ///   T = e' Q^-1 e,   Q = Sigma - C in use,   Sigma + C rejected,
 ///
 /// has a chi-squared distribution of three degrees of freedom where there is no gross error.
+/// Readings of forces are tested alike, with one.
 class DataSnooping {
 public:
-    /// Keeps references to survey and noise (3 x n, positive where surveyed [m]).
+    /// Keeps references to survey, noise (3 x n, positive where surveyed [m]) and readings.
     /// @param false_alarm_rate 0: no test
     DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
-                 double false_alarm_rate);
+                 const std::vector<ForceReading>& readings, double false_alarm_rate);
 
     [[nodiscard]] double threshold() const { return m_threshold; }
     /// Whether there is a test at all: an exact survey has no noise to measure residuals by.
     [[nodiscard]] bool is_active() const;
     [[nodiscard]] const std::vector<bool>& rejected() const { return m_rejected; }  ///< by node (n)
     [[nodiscard]] int rejected_count() const;
+    /// By reading, in their order.
+    [[nodiscard]] const std::vector<bool>& rejected_readings() const { return m_rejected_readings; }
 
     /// Whether more targets are rejected than can have gross errors: not they are wrong then, but
     /// net, frame, law or noise.
@@ -56,12 +61,16 @@ public:
     ///   the true noise. docs/theory.md, (continuation)
     void evaluate(const Points& fitted_form, const FormCovariance& covariance,
                   double inflation = 1.0);
+    /// The same for the readings: tensions of the fit and their posterior variances (m).
+    void evaluate_readings(const Eigen::VectorXd& tensions, const Eigen::VectorXd& variances,
+                           double inflation = 1.0);
 
     /// Rejects the targets above the threshold, of those two edges or less apart only the largest,
     /// since a gross error shows in the residuals around it, too. Where there are none, readmits
     /// for good those that agree with all others. To first order the statistic of a target is the
     /// same in use and rejected; where it is not, that of the rejected one is the one to trust: it
-    /// does not hang on a small difference of Sigma and C.
+    /// does not hang on a small difference of Sigma and C. A reading that stands out more than
+    /// every target is rejected before them, the largest alone: it tells of the whole net.
     /// @return whether anything changed
     [[nodiscard]] bool revise();
 
@@ -74,6 +83,7 @@ public:
     void reopen();
 
     [[nodiscard]] std::vector<Outlier> outliers() const;  ///< the largest statistic first
+    [[nodiscard]] std::vector<ReadingOutlier> reading_outliers() const;  ///< likewise
     /// Root mean square of the standardised residuals in use, over their expectation.
     /// docs/theory.md, (redundancy).
     [[nodiscard]] double noise_ratio() const;
@@ -84,15 +94,24 @@ private:
     [[nodiscard]] bool is_too_many(int targets) const;
     [[nodiscard]] std::vector<int> largest_above_threshold() const;
     [[nodiscard]] double median_statistic() const;
+    [[nodiscard]] bool reject_worst_reading(double than);
+    [[nodiscard]] bool readmit_readings();
 
     const Survey& m_survey;
     const Points& m_noise;
+    const std::vector<ForceReading>& m_readings;
     double m_threshold;
+    double m_reading_threshold;
     std::vector<std::vector<int>> m_neighbours;  ///< nodes next to each node
     std::vector<bool> m_rejected;
     std::vector<bool> m_readmitted;  ///< for good
     Eigen::VectorXd m_statistics;    ///< n
     Eigen::VectorXd m_distances;     ///< n [m]
+    std::vector<bool> m_rejected_readings;
+    std::vector<bool> m_readmitted_readings;  ///< for good
+    Eigen::VectorXd m_reading_statistics;
+    Eigen::VectorXd m_expected;     ///< tensions of the edges that were read, by the fit [N]
+    double m_residual_scale = 1.0;  ///< squared, of a fit as if the noise were larger
     double m_squares = 0.0;
     double m_redundancy = 0.0;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "estimation/length_likelihoods.hpp"
+#include "numerics/truncated_mixture.hpp"
 
 namespace taut {
 namespace {
@@ -35,16 +36,27 @@ bool may_be_slack(const LengthLaw& law, const LengthLikelihood& likelihood) {
            posterior_of(law, likelihood).slack_probability > small_probability;
 }
 
-/// One round of (tilted) and (site).
-/// @return root mean square distance of the tilted means from the fit's, in tilted standard
-///   deviations
-double update_sites(const CableNet& net, const LengthLaw& law, const LinearisedStatics& statics,
-                    const Iterate& fitted, Observations& observations) {
-    const std::vector<LengthLikelihood> likelihoods =
-        length_likelihoods(net, statics, observations, fitted);
-    const double law_precision = 1.0 / (law.std() * law.std());
+/// Of the distance of tilted means from the fit's, in tilted standard deviations.
+struct Distance {
     double squares = 0.0;
+    int count = 0;
+
+    void add(double tilted_mean, double fitted, double tilted_variance) {
+        squares += std::pow(tilted_mean - fitted, 2) / tilted_variance;
+        ++count;
+    }
+    [[nodiscard]] double rms() const { return std::sqrt(squares / std::max(1, count)); }
+};
+
+/// One round of (tilted) and (site).
+void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
+                         const LinearisedStatics& statics, const Iterate& fitted,
+                         Observations& observations, Distance& distance) {
+    const std::vector<LengthLikelihood> likelihoods =
+        length_likelihoods(net, knowledge, statics, observations, fitted);
+    const Eigen::VectorXd unknown = statics.blur().length_variances(net.interior_edge_count());
     for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const LengthLaw& law = knowledge.laws[i];
         LengthLikelihood cavity = likelihoods[i];
         if (may_be_slack(law, cavity)) {
             continue;
@@ -52,18 +64,70 @@ double update_sites(const CableNet& net, const LengthLaw& law, const LinearisedS
         cavity.extension = std::numeric_limits<double>::infinity();
         const auto [mean, variance] = moments_of(law, cavity);  // (tilted)
         const double of_cavity = 1.0 / (cavity.std * cavity.std);
-        const double precision =
-            std::max(least_precision * law_precision, 1.0 / variance - of_cavity);  // (site)
+        const double precision = std::max(least_precision / (law.std() * law.std()),
+                                          1.0 / variance - of_cavity);  // (site)
         const double pull = (precision + of_cavity) * mean - of_cavity * cavity.mean;
-        squares += std::pow(mean - fitted.deviations(i), 2) / variance;
+        // Of the fitted deviation a part is the edge's own.
+        const double own = observations.variance(i) / (observations.variance(i) + unknown(i));
+        distance.add(mean,
+                     observations.mean(i) + own * (fitted.deviations(i) - observations.mean(i)),
+                     variance);
         const double old_precision = 1.0 / observations.variance(i);
         const double old_pull = old_precision * observations.mean(i);
         const double new_precision = old_precision + site_damping * (precision - old_precision);
         observations.variance(i) = 1.0 / new_precision;
         observations.mean(i) = (old_pull + site_damping * (pull - old_pull)) / new_precision;
     }
-    return std::sqrt(squares / std::max(1, net.interior_edge_count()));
 }
+
+/// Sites of edges that were seen taut: of their tensions, besides what was read of them.
+class TautSites {
+public:
+    TautSites(const PriorKnowledge& knowledge, const Observations& observations)
+        : m_edges(knowledge.forces.taut),
+          m_read(observations.tension),
+          m_read_weights(observations.tension_weights),
+          m_precision(Eigen::VectorXd::Zero(m_read.size())),
+          m_pull(m_precision) {}
+
+    /// One round of (tilted-taut) and (site).
+    void update(const LinearisedStatics& statics, const Iterate& fitted, Observations& observations,
+                Distance& distance) {
+        const Eigen::VectorXd tensions = statics.tensions(fitted);
+        const Eigen::VectorXd variances = statics.tension_variances();
+        for (const int e : m_edges) {
+            const double cavity_precision = 1.0 / variances(e) - m_precision(e);
+            if (!(variances(e) > 0.0) || !(cavity_precision > 0.0)) {
+                continue;
+            }
+            const double mean = (tensions(e) / variances(e) - m_pull(e)) / cavity_precision;
+            const TruncatedNormal above_zero{.mean = mean,
+                                             .std = 1.0 / std::sqrt(cavity_precision),
+                                             .lower = 0.0,
+                                             .upper = std::numeric_limits<double>::infinity()};
+            const TruncatedMixture tilted({above_zero});  // (tilted-taut)
+            const auto [tilted_mean, variance] = tilted.moments();
+            const double precision = std::max(0.0, 1.0 / variance - cavity_precision);
+            const double pull =
+                (precision + cavity_precision) * tilted_mean - cavity_precision * mean;
+            distance.add(tilted_mean, tensions(e), variance);
+            m_precision(e) += site_damping * (precision - m_precision(e));
+            m_pull(e) += site_damping * (pull - m_pull(e));
+            observations.tension_weights(e) = m_read_weights(e) + m_precision(e);
+            if (observations.tension_weights(e) > 0.0) {
+                observations.tension(e) =
+                    (m_read_weights(e) * m_read(e) + m_pull(e)) / observations.tension_weights(e);
+            }
+        }
+    }
+
+private:
+    const std::vector<int>& m_edges;
+    Eigen::VectorXd m_read;
+    Eigen::VectorXd m_read_weights;
+    Eigen::VectorXd m_precision;  ///< of the sites, by edge [1/N2]
+    Eigen::VectorXd m_pull;       ///< precision times mean [1/N]
+};
 
 /// One step of the fit to the sites as they now are.
 /// @return false where it leads nowhere
@@ -73,23 +137,28 @@ bool follow_sites(LinearisedStatics& statics, Propagated& state) {
     }
     statics.invert();
     const Iterate step = statics.step(state.iterate, state.observations);
-    state.iterate = {.form = state.iterate.form + step.form,
-                     .deviations = state.iterate.deviations + step.deviations};
+    state.iterate = state.iterate.moved(step);
     return step.form.allFinite() && step.deviations.allFinite();
 }
 
 }  // namespace
 
-Propagated propagate_law(const CableNet& net, const LengthLaw& law, LinearisedStatics& statics,
-                         const Observations& observations, const Iterate& fitted,
-                         double tolerance) {
+Propagated propagate_law(const CableNet& net, const PriorKnowledge& knowledge,
+                         LinearisedStatics& statics, const Observations& observations,
+                         const Iterate& fitted, double tolerance) {
     Propagated result{.observations = observations, .iterate = fitted};
-    if (law.kind == LengthLaw::Kind::normal) {
+    const bool is_normal = std::ranges::all_of(
+        knowledge.laws, [](const LengthLaw& law) { return law.kind == LengthLaw::Kind::normal; });
+    if (is_normal && knowledge.forces.taut.empty()) {
         return result;
     }
+    TautSites taut(knowledge, observations);
     bool has_settled = false;
     for (int round = 0; round < most_rounds; ++round) {
-        const double moved = update_sites(net, law, statics, result.iterate, result.observations);
+        Distance distance;
+        update_length_sites(net, knowledge, statics, result.iterate, result.observations, distance);
+        taut.update(statics, result.iterate, result.observations, distance);
+        const double moved = distance.rms();
         // One step a round; the last ones are gauss_newton()'s.
         if (moved <= settled_part || !follow_sites(statics, result)) {
             GaussNewtonResult fit = gauss_newton(statics, result.observations, result.iterate,

@@ -5,7 +5,7 @@
 #include "estimation/gauss_newton.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "estimation/prior_knowledge.hpp"
 
 namespace taut {
 
@@ -24,7 +24,7 @@ struct Propagated {
 /// @param statics linearised and inverted at the fit; left so at the result
 /// @param observations with the prior that the fit was made with
 /// @param tolerance of gauss_newton() [m]
-[[nodiscard]] Propagated propagate_law(const CableNet& net, const LengthLaw& law,
+[[nodiscard]] Propagated propagate_law(const CableNet& net, const PriorKnowledge& knowledge,
                                        LinearisedStatics& statics, const Observations& observations,
                                        const Iterate& fitted, double tolerance);
 

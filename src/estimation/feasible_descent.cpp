@@ -27,27 +27,14 @@ constexpr double most_damping = 1e8;
 constexpr double least_gain = 0.1;
 constexpr double good_gain = 0.5;
 
-Iterate sum(const Iterate& a, const Iterate& b) {
-    return {.form = a.form + b.form, .deviations = a.deviations + b.deviations};
-}
-
-double squared_norm(const Observations& observations, const Iterate& change) {
-    return observations.weights.cwiseProduct(change.form.cwiseAbs2()).sum() +
-           change.deviations.cwiseAbs2().cwiseQuotient(observations.variance).sum();
-}
-
 /// In standard deviations of what is observed and expected; where nothing is observed, in those of
 /// the lengths.
-double length_of(const Observations& observations, const Iterate& change) {
+double length_of(const LinearisedStatics& statics, const Observations& observations,
+                 const Iterate& change) {
     const Eigen::ArrayXXd unobserved =
         (observations.weights.array() == 0.0).select(change.form.array().abs(), 0.0);
-    return std::max(std::sqrt(squared_norm(observations, change)),
+    return std::max(std::sqrt(statics.squared_norm(observations, change)),
                     unobserved.maxCoeff() / std::sqrt(observations.variance.mean()));
-}
-
-double objective(const Observations& observations, const Iterate& iterate) {
-    return 0.5 * squared_norm(observations, {.form = iterate.form - observations.form,
-                                             .deviations = iterate.deviations - observations.mean});
 }
 
 /// The observations with P (1 + damping) for P and the same slope P (mean - d) at the iterate.
@@ -59,10 +46,14 @@ Observations damped(const Observations& observations, const Iterate& iterate, do
 }
 
 /// As if measured and expected to be where it is: a step then only restores balance.
-Observations satisfied(const Observations& observations, const Iterate& iterate) {
+Observations satisfied(const LinearisedStatics& statics, const Observations& observations,
+                       const Iterate& iterate) {
     Observations result = observations;
     result.form = iterate.form;
     result.mean = iterate.deviations;
+    result.load_mean = iterate.loads;
+    result.common_mean = iterate.common;
+    result.tension = statics.tensions(iterate);
     return result;
 }
 
@@ -71,12 +62,12 @@ std::optional<Iterate> projected(const LinearisedStatics& statics, const Observa
                                  Iterate iterate) {
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < most_projections; ++k) {
-        const Iterate change = statics.step(iterate, satisfied(observations, iterate));
-        const double size = length_of(observations, change);
+        const Iterate change = statics.step(iterate, satisfied(statics, observations, iterate));
+        const double size = length_of(statics, observations, change);
         if (!(size <= slowest_contraction * before)) {
             return std::nullopt;
         }
-        iterate = sum(iterate, change);
+        iterate = iterate.moved(change);
         if (size < balanced_to) {
             return iterate;
         }
@@ -89,14 +80,14 @@ std::optional<Iterate> projected(const LinearisedStatics& statics, const Observa
 std::optional<Iterate> balanced(LinearisedStatics& statics, const Observations& observations,
                                 Iterate iterate) {
     for (int k = 0; k < most_restorations; ++k) {
-        const Observations here = satisfied(observations, iterate);
+        const Observations here = satisfied(statics, observations, iterate);
         if (!statics.linearise(iterate, here)) {
             return std::nullopt;
         }
         if (auto found = projected(statics, here, iterate)) {
             return found;
         }
-        iterate = sum(iterate, statics.step(iterate, here));
+        iterate = iterate.moved(statics.step(iterate, here));
     }
     return iterate;
 }
@@ -116,7 +107,7 @@ GaussNewtonResult feasible_descent(LinearisedStatics& statics, const Observation
         return result;
     }
     result.iterate = std::move(*begin);
-    double F = objective(observations, result.iterate);
+    double F = statics.objective(observations, result.iterate);
     double damping = first_damping;
     while (result.iterations < max_iterations && damping < most_damping) {
         ++result.iterations;
@@ -125,20 +116,21 @@ GaussNewtonResult feasible_descent(LinearisedStatics& statics, const Observation
             return result;
         }
         const Iterate step = statics.step(result.iterate, here);  // (damped)
-        const double predicted = 0.5 * squared_norm(here, step);
+        const double predicted = 0.5 * statics.squared_norm(here, step);
         // The undamped step is at most so much longer.
-        if (std::sqrt((1.0 + damping) * squared_norm(here, step)) <= small_decrement) {
+        if (std::sqrt((1.0 + damping) * statics.squared_norm(here, step)) <= small_decrement) {
             if (!linearise(observations)) {
                 return result;
             }
             const Iterate last = statics.step(result.iterate, observations);
-            result.converged = length_of(observations, last) <= small_decrement;  // (decrement)
+            result.converged =
+                length_of(statics, observations, last) <= small_decrement;  // (decrement)
             if (result.converged) {
                 return result;
             }
         }
-        const auto trial = projected(statics, here, sum(result.iterate, step));
-        const double decrease = trial ? F - objective(observations, *trial) : -1.0;
+        const auto trial = projected(statics, here, result.iterate.moved(step));
+        const double decrease = trial ? F - statics.objective(observations, *trial) : -1.0;
         if (decrease > least_gain * predicted) {
             result.iterate = *trial;
             F -= decrease;

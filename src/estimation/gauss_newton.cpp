@@ -16,24 +16,13 @@ constexpr double fast_contraction = 0.3;
 /// The search gives up where steps this much shorter still lead astray.
 constexpr double shortest_part = 1e-4;
 
-Iterate moved(const Iterate& iterate, const Iterate& step, double part) {
-    return {.form = iterate.form + part * step.form,
-            .deviations = iterate.deviations + part * step.deviations};
-}
-
-double size_of(const Iterate& step) {
-    const double size =
-        std::max(step.form.cwiseAbs().maxCoeff(), step.deviations.cwiseAbs().maxCoeff());
-    return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
-}
-
 /// Infinite where no factor is found.
 Iterate linearised_step(LinearisedStatics& statics, const Observations& observations,
                         const Iterate& iterate) {
     if (!statics.linearise(iterate, observations)) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        return {.form = Points::Constant(3, iterate.form.cols(), infinity),
-                .deviations = Eigen::VectorXd::Constant(iterate.deviations.size(), infinity)};
+        Iterate infinite = iterate;
+        infinite.form.setConstant(std::numeric_limits<double>::infinity());
+        return infinite;
     }
     return statics.step(iterate, observations);
 }
@@ -47,15 +36,15 @@ struct Trial {
 
 Trial try_part(const LinearisedStatics& statics, const Observations& observations,
                const Iterate& iterate, const Iterate& step, double part) {
-    Trial trial{.part = part, .iterate = moved(iterate, step, part), .next = {}};
+    Trial trial{.part = part, .iterate = iterate.moved(step, part), .next = {}};
     trial.next = statics.step(trial.iterate, observations);
     return trial;
 }
 
 /// (monotonicity): forces and misfit are held against each other in metres.
 bool leads_astray(const Trial& trial, const Iterate& step, double tolerance) {
-    const double size = size_of(trial.next);
-    return size > (1.0 - 0.5 * trial.part) * size_of(step) && size > tolerance;
+    const double size = trial.next.largest_change();
+    return size > (1.0 - 0.5 * trial.part) * step.largest_change() && size > tolerance;
 }
 
 }  // namespace
@@ -69,11 +58,11 @@ GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& o
         step = linearised_step(statics, observations, result.iterate);
         is_linearised_here = true;
     };
-    while (result.iterations < max_iterations && std::isfinite(size_of(step))) {
-        if (size_of(step) <= tolerance) {
+    while (result.iterations < max_iterations && std::isfinite(step.largest_change())) {
+        if (step.largest_change() <= tolerance) {
             // The covariance is to be that of the result.
             if (is_linearised_here) {
-                result.iterate = moved(result.iterate, step, 1.0);
+                result.iterate = result.iterate.moved(step);
                 result.converged = true;
                 return result;
             }
@@ -94,14 +83,15 @@ GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& o
             return result;
         }
         result.iterate = std::move(trial.iterate);
-        if (trial.part < 1.0 || size_of(trial.next) > fast_contraction * size_of(step)) {
+        if (trial.part < 1.0 ||
+            trial.next.largest_change() > fast_contraction * step.largest_change()) {
             relinearise();
         } else {
             step = std::move(trial.next);
             is_linearised_here = false;
         }
     }
-    result.has_factor = std::isfinite(size_of(step));
+    result.has_factor = std::isfinite(step.largest_change());
     return result;
 }
 

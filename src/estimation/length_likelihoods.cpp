@@ -10,14 +10,17 @@
 namespace taut {
 
 std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
+                                                 const PriorKnowledge& knowledge,
                                                  const LinearisedStatics& statics,
                                                  const Observations& observations,
                                                  const Iterate& fitted) {
     const Eigen::VectorXd variances = statics.length_variances();
     const Eigen::VectorXd extension_variances = statics.extension_variances();
-    Eigen::VectorXd law_variances = statics.blur().missed;  // (blurred-law)
-    law_variances.conservativeResizeLike(Eigen::VectorXd::Zero(net.interior_edge_count()));
+    const Eigen::VectorXd law_variances = statics.blur().length_variances(
+        net.interior_edge_count());  // (blurred-law), (own-stiffness)
     const Eigen::VectorXd lengths = edge_lengths(net, fitted.form);
+    const std::vector<bool> can_be_slack =
+        knowledge.as_seen(std::vector<bool>(net.edge_count(), true));
     std::vector<LengthLikelihood> result;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
@@ -30,7 +33,9 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
                     : LengthLikelihood();
         likelihood.std = std::sqrt(likelihood.std * likelihood.std + law_variances(i));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
-        if (statics.slack()[edge]) {
+        if (!can_be_slack[edge]) {
+            likelihood.extension = std::numeric_limits<double>::infinity();
+        } else if (statics.slack()[edge]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();
         } else {
             const double extension = likelihood.slack_from - fitted.deviations(i);

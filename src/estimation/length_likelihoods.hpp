@@ -6,6 +6,7 @@
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
+#include "estimation/prior_knowledge.hpp"
 #include "taut/estimation/length_posterior.hpp"
 
 namespace taut {
@@ -15,6 +16,7 @@ namespace taut {
 /// @param observations with the prior that the fit was made with
 /// @param fitted form and lengths under the statics, linearised and inverted there
 [[nodiscard]] std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
+                                                               const PriorKnowledge& knowledge,
                                                                const LinearisedStatics& statics,
                                                                const Observations& observations,
                                                                const Iterate& fitted);

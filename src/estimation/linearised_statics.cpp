@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "taut/statics/tensions.hpp"
 
@@ -19,6 +21,10 @@ std::vector<bool> interior_flags(const CableNet& net) {
         flags[edge] = true;
     }
     return flags;
+}
+
+Supports supports_of(const std::vector<Unknown>& unknowns) {
+    return std_of(unknowns, Unknown::Kind::supports) > 0.0 ? Supports::unknown : Supports::fixed;
 }
 
 /// The stretch that an edge's tension stands for, and its derivative by the extension.
@@ -43,70 +49,115 @@ Stretch stretch(double extension, double width) {
 
 bool LawBlur::agrees_with(const LawBlur& other) const {
     constexpr double settled = 0.1;
-    return ((strain_stds - other.strain_stds).array().abs() <= settled * other.strain_stds.array())
-        .all();
+    const auto agree = [settled](const auto& a, const auto& b) {
+        return ((a - b).array().abs() <= settled * b.array()).all();
+    };
+    // Variances are told from their roots; what is shorter than a nanometre is none.
+    constexpr double smallest = 1e-18;
+    return agree(strain_stds, other.strain_stds) &&
+           agree((stiffness.array() + smallest).sqrt().matrix(),
+                 (other.stiffness.array() + smallest).sqrt().matrix());
 }
 
-LawBlur blur_by(const CableNet& net, double extension_std) {
-    if (net.is_linear()) {
-        return {};
+Eigen::VectorXd LawBlur::length_variances(Eigen::Index count) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(count);
+    if (missed.size() > 0) {
+        result += missed;
     }
-    return {.strain_stds = extension_std * net.unstressed_lengths().cwiseInverse(),
-            .missed = Eigen::VectorXd::Zero(net.interior_edge_count())};
+    if (stiffness.size() > 0) {
+        result += stiffness;
+    }
+    return result;
 }
 
-LinearisedStatics::LinearisedStatics(const CableNet& net)
+LawBlur blur_by(const CableNet& net, double extension_std, const std::vector<Unknown>& unknowns) {
+    LawBlur result;
+    if (!net.is_linear()) {
+        result.strain_stds = extension_std * net.unstressed_lengths().cwiseInverse();
+        result.missed = Eigen::VectorXd::Zero(net.interior_edge_count());
+    }
+    if (std_of(unknowns, Unknown::Kind::stiffness_each) > 0.0) {
+        const Eigen::VectorXd stretch =
+            (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0);
+        result.stiffness = stretch.cwiseProduct(own_stiffness_stds(net, unknowns))
+                               .cwiseAbs2()(net.interior_edges());
+    }
+    return result;
+}
+
+LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns)
     : m_net(net),
+      m_common(net, unknowns),
+      m_own_stiffness_stds(own_stiffness_stds(net, unknowns)),
       m_local(number_for_elimination(net)),
       m_local_of(net.node_count()),
       m_interior_of(net.edge_count(), -1),
       m_free_nodes(m_local.node_of.begin(), m_local.node_of.begin() + m_local.free_count),
+      m_nodes(m_free_nodes),
       m_slack(net.edge_count(), false),
-      m_matrix(m_local, interior_flags(net)) {
+      m_matrix(m_local, interior_flags(net), supports_of(unknowns), m_common.count()) {
     for (size_t i = 0; i < m_local.node_of.size(); ++i) {
         m_local_of[m_local.node_of[i]] = static_cast<int>(i);
     }
     for (size_t i = 0; i < net.interior_edges().size(); ++i) {
         m_interior_of[net.interior_edges()[i]] = static_cast<int>(i);
     }
+    if (supports_of(unknowns) == Supports::unknown) {
+        m_nodes = m_local.node_of;
+    }
+}
+
+double LinearisedStatics::unstressed_length(int edge, const Iterate& iterate) const {
+    const int i = m_interior_of[edge];
+    const double cold = m_net.unstressed_lengths()(edge) + (i >= 0 ? iterate.deviations(i) : 0.0);
+    return cold * (1.0 + m_common.thermal_strain(edge, iterate.common));
 }
 
 /// docs/theory.md, (edge rates)
 LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& iterate) const {
     const auto [s, t] = m_net.edges()[edge];
-    const int i = m_interior_of[edge];
-    const double unstressed =
-        m_net.unstressed_lengths()(edge) + (i >= 0 ? iterate.deviations(i) : 0.0);
+    const double unstressed = unstressed_length(edge, iterate);
+    const double stiffness = m_common.stiffness_factor(edge, iterate.common);
     const Eigen::Vector3d vector = iterate.form.col(s) - iterate.form.col(t);
     const double length = vector.norm();
-    const Eigen::Vector3d u = vector / length;
     const Stretch e = stretch(length - unstressed, m_corner_width);
-    double axial = m_net.axial_stiffness()(edge) / unstressed;
-    double across = axial * e.value / length;  // T / l
+    double axial = stiffness * m_net.axial_stiffness()(edge) / unstressed;
+    double tension = axial * e.value;
     if (const TensionLaw* law = m_net.tension_law(edge); law != nullptr) {
         const double strain_std = m_blur.strain_stds.size() > 0 ? m_blur.strain_stds(edge) : 0.0;
-        const auto [tension, slope] = law->blurred(e.value / unstressed, strain_std);
-        axial = slope / unstressed;
-        across = tension / length;
+        const auto [at_strain, slope] = law->blurred(e.value / unstressed, strain_std);
+        axial = stiffness * slope / unstressed;
+        tension = stiffness * at_strain;
     }
-    return {.force = across * vector,
-            .stiffness = (axial * e.rate - across) * u * u.transpose() +
-                         across * Eigen::Matrix3d::Identity(),
-            .length_rate = -axial * (e.value / unstressed + e.rate) * u};
+    const double heated = 1.0 + m_common.thermal_strain(edge, iterate.common);
+    return {.direction = vector / length,
+            .tension = tension,
+            .across = tension / length,
+            .axial = axial * e.rate,
+            .by_length = -heated * axial * (e.value / unstressed + e.rate)};
 }
 
-/// Of an edge's length by the covariance of its ends, taken as independent: one is a support where
-/// the edge is at the frame.
+/// Of an edge's length by the covariance of its ends, taken as independent; where supports are
+/// known, one is where the edge is at the frame.
 double LinearisedStatics::length_variance(int edge, const Iterate& iterate) const {
     const auto [s, t] = m_net.edges()[edge];
     const Eigen::Vector3d u = (iterate.form.col(s) - iterate.form.col(t)).normalized();
     double variance = 0.0;
     for (const int node : {s, t}) {
-        if (m_net.free_index(node) >= 0) {
+        if (m_local_of[node] < std::ssize(m_nodes)) {
             variance += u.dot(form_covariance(node) * u);
         }
     }
     return variance;
+}
+
+/// (own-stiffness): T kappa = dT/dd times the length [m2].
+double LinearisedStatics::stiffness_as_length(int edge, const Iterate& iterate) const {
+    const EdgeRates e = rates(edge, iterate);
+    const double least = 1e-6 * m_net.axial_stiffness()(edge) / m_net.unstressed_lengths()(edge);
+    const double length = m_own_stiffness_stds(edge) * std::max(0.0, e.tension) /
+                          std::max(std::abs(e.by_length), least);
+    return length * length;
 }
 
 LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
@@ -116,13 +167,16 @@ LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, iterate.form);
     LawBlur found = m_blur;
     for (int e = 0; e < m_net.edge_count(); ++e) {
+        const int i = m_interior_of[e];
+        if (i >= 0 && m_blur.stiffness.size() > 0 && !m_slack[e]) {
+            found.stiffness(i) =
+                std::min(stiffness_as_length(e, iterate), most_variance * squared_unit);
+        }
         const TensionLaw* law = m_net.tension_law(e);
         if (law == nullptr || m_slack[e]) {
             continue;
         }
-        const int i = m_interior_of[e];
-        const double unstressed =
-            m_net.unstressed_lengths()(e) + (i >= 0 ? iterate.deviations(i) : 0.0);
+        const double unstressed = unstressed_length(e, iterate);
         const double variance =
             i >= 0 ? squared_unit * m_covariance.extensions(e) : length_variance(e, iterate);
         const double std = std::max(std::sqrt(std::max(0.0, variance)) / unstressed,
@@ -140,101 +194,251 @@ LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
 }
 
 void LinearisedStatics::set_weights(const Observations& observations) {
-    // By the mean precision: a wide prior, which tells next to nothing, sets no scale.
-    m_length_unit = 1.0 / std::sqrt(observations.variance.cwiseInverse().mean());
+    // By the mean precision: a wide prior, which tells next to nothing, sets no scale. Lengths that
+    // are all but known set none, either.
+    const auto known = (1e-6 * observations.variance.maxCoeff());
+    m_length_unit = 1.0 / std::sqrt(observations.variance.cwiseMax(known).cwiseInverse().mean());
     m_multiplier_unit =
         1.0 /
         (m_length_unit * m_net.axial_stiffness().cwiseQuotient(m_net.unstressed_lengths()).mean());
     const double squared_unit = m_length_unit * m_length_unit;
-    m_matrix.place_weights = squared_unit * observations.weights(Eigen::all, m_free_nodes);
-    m_matrix.length_weights(m_net.interior_edges()) =
+    SaddlePointFactor& matrix = m_matrix.inner;
+    matrix.place_weights = squared_unit * observations.weights(Eigen::all, m_nodes);
+    matrix.length_weights(m_net.interior_edges()) =
         squared_unit * prior_variances(observations).cwiseInverse();
+    matrix.load_variances = m_multiplier_unit * m_multiplier_unit *
+                            observations.load_variance(Eigen::all, m_free_nodes);
+    matrix.reading_weights = observations.tension_weights / (m_multiplier_unit * m_multiplier_unit);
 }
 
-void LinearisedStatics::add_edge(int edge, const Iterate& iterate) {
+void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
+                                 const Observations& observations) {
     const auto [s, t] = m_local.edges[edge];
     const EdgeRates e = rates(edge, iterate);
     const double unit = m_length_unit * m_multiplier_unit;
-    m_matrix.edge_stiffness[edge] = unit * e.stiffness;
-    m_matrix.length_rates.col(edge) = unit * e.length_rate;
+    SaddlePointFactor& matrix = m_matrix.inner;
+    const Eigen::Matrix3d stiffness = e.stiffness();
+    matrix.edge_stiffness[edge] = unit * stiffness;
+    matrix.length_rates.col(edge) = unit * e.length_rate();
+    matrix.reading_place_rates.col(edge) = unit * e.axial * e.direction;
+    matrix.reading_length_rates(edge) = m_interior_of[edge] >= 0 ? unit * e.by_length : 0.0;
     for (const int node : {s, t}) {
         if (node < m_local.free_count) {
-            m_matrix.node_stiffness[node] +=
-                unit * (e.stiffness + smallest_relative_stiffness * e.stiffness.trace() *
-                                          Eigen::Matrix3d::Identity());
+            matrix.node_stiffness[node] +=
+                unit * (stiffness + smallest_relative_stiffness * stiffness.trace() *
+                                        Eigen::Matrix3d::Identity());
         }
     }
+    for (int k = 0; k < m_common.count(); ++k) {  // (common)
+        const double rate =
+            e.tension * m_common.stiffness_rate(k, edge) +
+            e.by_length * unstressed_length(edge, iterate) * m_common.thermal_rate(k, edge);
+        m_tension_rates(edge, k) = rate;
+        m_matrix.reading_rates(edge, k) = m_multiplier_unit * rate;
+        m_matrix.extension_rates(edge, k) =
+            -unstressed_length(edge, iterate) * m_common.thermal_rate(k, edge) / m_length_unit;
+        auto& column = m_matrix.border[k];
+        const Eigen::Vector3d force = m_multiplier_unit * rate * e.direction;
+        if (s < m_local.free_count) {
+            column.multipliers.col(s) += force;
+        }
+        if (t < m_local.free_count) {
+            column.multipliers.col(t) -= force;
+        }
+        if (const double weight = observations.tension_weights(edge); weight > 0.0) {
+            const double read = matrix.reading_weights(edge) * m_multiplier_unit * rate;
+            const Eigen::Vector3d place = read * matrix.reading_place_rates.col(edge);
+            if (s < column.places.cols()) {
+                column.places.col(s) += place;
+            }
+            if (t < column.places.cols()) {
+                column.places.col(t) -= place;
+            }
+            column.lengths(edge) += read * matrix.reading_length_rates(edge);
+        }
+    }
+}
+
+/// The entries of the common unknowns that stand at no edge.
+void LinearisedStatics::set_border(const Observations& observations) {
+    for (int k = 0; k < m_common.count(); ++k) {
+        m_matrix.border[k].multipliers -=
+            m_multiplier_unit * m_common.load_rate(k) * m_net.loads()(Eigen::all, m_free_nodes);
+    }
+    m_matrix.corner =
+        Eigen::MatrixXd::Identity(m_common.count(), m_common.count()) +
+        m_tension_rates.transpose() * observations.tension_weights.asDiagonal() * m_tension_rates;
 }
 
 bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& observations) {
     set_weights(observations);
-    std::ranges::fill(m_matrix.edge_stiffness, Eigen::Matrix3d::Zero());
-    std::ranges::fill(m_matrix.node_stiffness, Eigen::Matrix3d::Zero());
-    m_matrix.length_rates.setZero();
+    SaddlePointFactor& matrix = m_matrix.inner;
+    std::ranges::fill(matrix.edge_stiffness, Eigen::Matrix3d::Zero());
+    std::ranges::fill(matrix.node_stiffness, Eigen::Matrix3d::Zero());
+    matrix.length_rates.setZero();
+    matrix.reading_place_rates.setZero();
+    matrix.reading_length_rates.setZero();
+    const auto node_count = std::ssize(m_nodes);
+    for (BorderedFactor::Inner& column : m_matrix.border) {
+        column = {.places = Eigen::Matrix3Xd::Zero(3, node_count),
+                  .lengths = Eigen::VectorXd::Zero(m_net.edge_count()),
+                  .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)};
+    }
+    m_tension_rates.setZero(m_net.edge_count(), m_common.count());
+    m_matrix.reading_rates.setZero();
+    m_matrix.extension_rates.setZero();
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!m_slack[e]) {
-            add_edge(e, iterate);
+            add_edge(e, iterate, observations);
         }
     }
-    m_place_reactions.setZero(3, m_local.free_count);
+    set_border(observations);
+    m_multipliers.setZero(3, m_local.free_count);
+    m_place_reactions.setZero(3, node_count);
     m_length_reactions.setZero(m_net.edge_count());
+    m_common_reactions.setZero(m_common.count());
     if (!m_matrix.factorize()) {
         return false;
     }
-    set_reactions(m_matrix.solve(right_side(iterate, observations)).multipliers);
+    set_reactions(m_matrix.solve(right_side(iterate, observations)).inner.multipliers);
     return true;
 }
 
 void LinearisedStatics::set_reactions(const Eigen::Matrix3Xd& multipliers) {
+    m_multipliers = multipliers;
+    const SaddlePointFactor& matrix = m_matrix.inner;
     for (int node = 0; node < m_local.free_count; ++node) {
-        m_place_reactions.col(node) = m_matrix.node_stiffness[node] * multipliers.col(node);
+        m_place_reactions.col(node) = matrix.node_stiffness[node] * multipliers.col(node);
     }
+    const auto node_count = std::ssize(m_nodes);
     for (int e = 0; e < m_net.edge_count(); ++e) {
-        const auto [s, t] = m_local.edges[e];
-        const Eigen::Matrix3d& stiffness = m_matrix.edge_stiffness[e];
-        const bool both_are_free = std::max(s, t) < m_local.free_count;
-        if (both_are_free) {
-            m_place_reactions.col(s) -= stiffness * multipliers.col(t);
-            m_place_reactions.col(t) -= stiffness * multipliers.col(s);
-        }
         m_length_reactions(e) = 0.0;
-        if (s < m_local.free_count) {
-            m_length_reactions(e) += m_matrix.length_rates.col(e).dot(multipliers.col(s));
+        const auto [s, t] = m_local.edges[e];
+        for (const auto& [node, other, sign] : {std::tuple(s, t, 1.0), std::tuple(t, s, -1.0)}) {
+            if (node < m_local.free_count) {
+                m_length_reactions(e) +=
+                    sign * matrix.length_rates.col(e).dot(multipliers.col(node));
+                if (other < node_count) {
+                    m_place_reactions.col(other) -=
+                        matrix.edge_stiffness[e] * multipliers.col(node);
+                }
+            }
         }
-        if (t < m_local.free_count) {
-            m_length_reactions(e) -= m_matrix.length_rates.col(e).dot(multipliers.col(t));
-        }
+    }
+    for (int k = 0; k < m_common.count(); ++k) {
+        m_common_reactions(k) = m_matrix.border[k].multipliers.cwiseProduct(multipliers).sum();
     }
 }
 
-SaddlePointFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
-                                                        const Observations& observations) const {
-    Points forces = -m_net.loads();
+BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
+                                                     const Observations& observations) const {
+    Points forces = -m_common.load_factor(iterate.common) * m_net.loads() - iterate.loads;
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!m_slack[e]) {
             const auto [s, t] = m_net.edges()[e];
-            const Eigen::Vector3d force = rates(e, iterate).force;
+            const Eigen::Vector3d force = rates(e, iterate).force();
             forces.col(s) += force;
             forces.col(t) -= force;
         }
     }
+    // (unknown): a load gives way to its reaction.
+    forces -= observations.load_mean - iterate.loads;
     const Points misfit = observations.weights.cwiseProduct(observations.form - iterate.form);
-    SaddlePointFactor::Vector result{
-        .places = m_length_unit * misfit(Eigen::all, m_free_nodes) - m_place_reactions,
-        .lengths = -m_length_reactions,
-        .multipliers = -m_multiplier_unit * forces(Eigen::all, m_free_nodes)};
-    result.lengths(m_net.interior_edges()) +=
+    BorderedFactor::Vector result{
+        .inner = {.places = m_length_unit * misfit(Eigen::all, m_nodes) - m_place_reactions,
+                  .lengths = -m_length_reactions,
+                  .multipliers = -m_multiplier_unit * forces(Eigen::all, m_free_nodes) +
+                                 m_matrix.inner.load_variances.cwiseProduct(m_multipliers)},
+        .border = observations.common_mean - iterate.common - m_common_reactions};
+    result.inner.lengths(m_net.interior_edges()) +=
         m_length_unit *
         (observations.mean - iterate.deviations).cwiseQuotient(prior_variances(observations));
+    add_readings(iterate, observations, result);
     return result;
 }
 
+/// (reading)
+void LinearisedStatics::add_readings(const Iterate& iterate, const Observations& observations,
+                                     BorderedFactor::Vector& right_side) const {
+    const SaddlePointFactor& matrix = m_matrix.inner;
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (!(observations.tension_weights(e) > 0.0) || m_slack[e]) {
+            continue;
+        }
+        const double misfit = observations.tension(e) - rates(e, iterate).tension;
+        const double pull = matrix.reading_weights(e) * m_multiplier_unit * misfit;
+        const auto [s, t] = m_local.edges[e];
+        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
+            if (node < std::ssize(m_nodes)) {
+                right_side.inner.places.col(node) +=
+                    sign * pull * matrix.reading_place_rates.col(e);
+            }
+        }
+        right_side.inner.lengths(e) += pull * matrix.reading_length_rates(e);
+        right_side.border +=
+            observations.tension_weights(e) * misfit * m_tension_rates.row(e).transpose();
+    }
+}
+
 Iterate LinearisedStatics::step(const Iterate& iterate, const Observations& observations) const {
-    const SaddlePointFactor::Vector solution = m_matrix.solve(right_side(iterate, observations));
+    const BorderedFactor::Vector solution = m_matrix.solve(right_side(iterate, observations));
     Iterate change{.form = Points::Zero(3, m_net.node_count()),
-                   .deviations = m_length_unit * solution.lengths(m_net.interior_edges())};
-    change.form(Eigen::all, m_free_nodes) = m_length_unit * solution.places;
+                   .deviations = m_length_unit * solution.inner.lengths(m_net.interior_edges()),
+                   .loads = observations.load_mean - iterate.loads,
+                   .common = solution.border};
+    change.form(Eigen::all, m_nodes) = m_length_unit * solution.inner.places;
+    change.loads(Eigen::all, m_free_nodes) +=
+        m_matrix.inner.load_variances.cwiseProduct(m_multipliers + solution.inner.multipliers) /
+        m_multiplier_unit;
     return change;
+}
+
+double LinearisedStatics::squared_norm(const Observations& observations,
+                                       const Iterate& change) const {
+    double sum = observations.weights.cwiseProduct(change.form.cwiseAbs2()).sum() +
+                 change.deviations.cwiseAbs2().cwiseQuotient(prior_variances(observations)).sum() +
+                 change.common.squaredNorm();
+    sum += (observations.load_variance.array() > 0.0)
+               .select(change.loads.array().square() / observations.load_variance.array(), 0.0)
+               .sum();
+    const double unit = 1.0 / (m_length_unit * m_multiplier_unit);
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (observations.tension_weights(e) > 0.0 && !m_slack[e]) {
+            const auto [s, t] = m_net.edges()[e];
+            const int i = m_interior_of[e];
+            const double tension =
+                unit * (m_matrix.inner.reading_place_rates.col(e).dot(change.form.col(s) -
+                                                                      change.form.col(t)) +
+                        (i >= 0 ? m_matrix.inner.reading_length_rates(e) * change.deviations(i)
+                                : 0.0)) +
+                m_tension_rates.row(e).dot(change.common);
+            sum += observations.tension_weights(e) * tension * tension;
+        }
+    }
+    return sum;
+}
+
+double LinearisedStatics::objective(const Observations& observations,
+                                    const Iterate& iterate) const {
+    const Iterate misfit{.form = iterate.form - observations.form,
+                         .deviations = iterate.deviations - observations.mean,
+                         .loads = iterate.loads - observations.load_mean,
+                         .common = iterate.common - observations.common_mean};
+    Observations without_readings = observations;
+    without_readings.tension_weights.setZero();
+    const Eigen::VectorXd read = observations.tension - tensions(iterate);
+    return 0.5 * (squared_norm(without_readings, misfit) +
+                  observations.tension_weights.dot(read.cwiseAbs2()));
+}
+
+Eigen::VectorXd LinearisedStatics::tensions(const Iterate& iterate) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(m_net.edge_count());
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (!m_slack[e]) {
+            result(e) = rates(e, iterate).tension;
+        }
+    }
+    return result;
 }
 
 Eigen::VectorXd LinearisedStatics::length_variances() const {
@@ -247,6 +451,52 @@ Eigen::VectorXd LinearisedStatics::extension_variances() const {
 
 Eigen::Matrix3d LinearisedStatics::form_covariance(int node) const {
     return m_length_unit * m_length_unit * m_covariance.places[m_local_of[node]];
+}
+
+Eigen::VectorXd LinearisedStatics::tension_variances() const {
+    return m_covariance.readings / (m_multiplier_unit * m_multiplier_unit);
+}
+
+/// V + V Z V, Z the inverse over the multipliers.
+Eigen::Matrix3d LinearisedStatics::load_covariance(int node) const {
+    const int local = m_local_of[node];
+    const Eigen::Vector3d variance = m_matrix.inner.load_variances.col(local);
+    const Eigen::Matrix3d told = variance.asDiagonal();
+    return (told + told * m_covariance.multipliers[local] * told) /
+           (m_multiplier_unit * m_multiplier_unit);
+}
+
+/// a' Z g, with g the mean of all a.
+Eigen::VectorXd LinearisedStatics::covariances_with_mean_tension() const {
+    const SaddlePointFactor& matrix = m_matrix.inner;
+    const auto node_count = std::ssize(m_nodes);
+    BorderedFactor::Vector mean{
+        .inner = {.places = Eigen::Matrix3Xd::Zero(3, node_count),
+                  .lengths = matrix.reading_length_rates,
+                  .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)},
+        .border = m_multiplier_unit * m_tension_rates.colwise().sum().transpose()};
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        const auto [s, t] = m_local.edges[e];
+        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
+            if (node < node_count) {
+                mean.inner.places.col(node) += sign * matrix.reading_place_rates.col(e);
+            }
+        }
+    }
+    const BorderedFactor::Vector varied = m_matrix.solve(mean);
+    Eigen::VectorXd result(m_net.edge_count());
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        double sum = matrix.reading_length_rates(e) * varied.inner.lengths(e) +
+                     m_multiplier_unit * m_tension_rates.row(e).dot(varied.border);
+        const auto [s, t] = m_local.edges[e];
+        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
+            if (node < node_count) {
+                sum += sign * matrix.reading_place_rates.col(e).dot(varied.inner.places.col(node));
+            }
+        }
+        result(e) = sum / (m_net.edge_count() * m_multiplier_unit * m_multiplier_unit);
+    }
+    return result;
 }
 
 }  // namespace taut

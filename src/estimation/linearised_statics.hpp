@@ -4,27 +4,38 @@
 
 #include <vector>
 
+#include "estimation/bordered_factor.hpp"
+#include "estimation/common_unknowns.hpp"
 #include "estimation/observations.hpp"
-#include "estimation/saddle_point_factor.hpp"
 #include "statics/local_net.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/sampling/unknown.hpp"
 
 namespace taut {
 
+/// What a linearisation cannot follow, and so takes for lengths that nobody knows.
 /// How tension laws are seen by strains that are known with standard deviations: corners and flat
-/// parts are then smooth, and what their tangents miss counts as a length that nobody knows.
-/// docs/theory.md (blurred-law). Empty where all edges are linear, or the laws are seen as they
-/// are.
+/// parts are then smooth, and what their tangents miss counts as such a length, docs/theory.md
+/// (blurred-law). And the stiffness of each edge: stiffer by a part it is as tense as with a length
+/// shorter by that part of its stretch, (own-stiffness).
 struct LawBlur {
-    Eigen::VectorXd strain_stds;  ///< m [-]
-    Eigen::VectorXd missed;       ///< m_I, variance of that length [m2]
+    Eigen::VectorXd strain_stds;  ///< m; empty where laws are seen as they are [-]
+    Eigen::VectorXd missed;       ///< m_I, variance of that length; empty with strain_stds [m2]
+    Eigen::VectorXd stiffness;    ///< m_I, the same of the stiffness; empty where it is known [m2]
 
     /// Whether no standard deviation differs by more than a tenth.
     [[nodiscard]] bool agrees_with(const LawBlur& other) const;
+    /// Whether there is anything of it.
+    [[nodiscard]] bool empty() const { return strain_stds.size() + stiffness.size() == 0; }
+    /// Of the lengths that nobody knows, all together (m_I) [m2].
+    [[nodiscard]] Eigen::VectorXd length_variances(Eigen::Index count) const;
 };
 
-/// At first, before anything is found: by a standard deviation of all extensions [m].
-[[nodiscard]] LawBlur blur_by(const CableNet& net, double extension_std);
+/// At first, before anything is found: by a standard deviation of all extensions [m], and by the
+/// nominal stretch.
+/// @param unknowns of the net
+[[nodiscard]] LawBlur blur_by(const CableNet& net, double extension_std,
+                              const std::vector<Unknown>& unknowns = {});
 
 /// The normal equations of observations under linearised statics, docs/theory.md (statics) and
 /// (normal): with h the out-of-balance forces at an iterate, H = dh/dr, B = dh/dl_0, S and P the
@@ -34,15 +45,18 @@ struct LawBlur {
 ///   P dd + B' lambda = P (d_mean - d)
 ///   H dr + B dd      = -h
 ///
-/// and the inverse of their matrix holds the posterior covariances of r and d (covariance). H
-/// lambda and B' lambda at the lambda of the linearisation stand on the right side: what is left
-/// there is then as small as the change that is solved for, and so are the rounding errors.
+/// with what (unknown) and (reading) add where supports, loads or common numbers are unknown and
+/// forces are read; and the inverse of their matrix holds the posterior covariances of r and d
+/// (covariance). H lambda and B' lambda at the lambda of the linearisation stand on the right side:
+/// what is left there is then as small as the change that is solved for, and so are the rounding
+/// errors.
 ///
 /// Here edges carry pressure as well as tension, so that all of it is smooth; edges of the slack
 /// set carry neither. What a shown pressure means is settled afterwards, for each edge by itself.
 class LinearisedStatics {
 public:
-    explicit LinearisedStatics(const CableNet& net);
+    /// @param unknowns of the net, checked; observations are to have places and loads as they say
+    explicit LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns = {});
     LinearisedStatics(const LinearisedStatics&) = delete;  // the factor refers to the local net
     LinearisedStatics& operator=(const LinearisedStatics&) = delete;
 
@@ -72,43 +86,86 @@ public:
     /// iterate: with its misfit and forces, but the matrix as linearised.
     [[nodiscard]] Iterate step(const Iterate& iterate, const Observations& observations) const;
 
+    /// Squared length of a change in standard deviations of what is observed and expected; forces
+    /// to first order, as linearised.
+    [[nodiscard]] double squared_norm(const Observations& observations,
+                                      const Iterate& change) const;
+    /// (map) at an iterate, whether it is in equilibrium or not.
+    [[nodiscard]] double objective(const Observations& observations, const Iterate& iterate) const;
+
+    /// Of all edges at an iterate, as the linearisation sees them: pressure is negative (m) [N].
+    [[nodiscard]] Eigen::VectorXd tensions(const Iterate& iterate) const;
+
+    [[nodiscard]] const CommonUnknowns& common() const { return m_common; }
+
     /// Finds the covariances below, after linearise().
     void invert() { m_covariance = m_matrix.covariance(); }
-    [[nodiscard]] Eigen::VectorXd length_variances() const;         ///< m_I [m2]
-    [[nodiscard]] Eigen::VectorXd extension_variances() const;      ///< of l - l_0, m_I [m2]
-    [[nodiscard]] Eigen::Matrix3d form_covariance(int node) const;  ///< of a free node [m2]
+    [[nodiscard]] Eigen::VectorXd length_variances() const;     ///< m_I [m2]
+    [[nodiscard]] Eigen::VectorXd extension_variances() const;  ///< of l - l_0, m_I [m2]
+    /// Of a free node, or of a support where these are unknown [m2].
+    [[nodiscard]] Eigen::Matrix3d form_covariance(int node) const;
+    [[nodiscard]] Eigen::VectorXd tension_variances() const;  ///< m [N2]
+    /// Of the deviation of a free node's load [N2].
+    [[nodiscard]] Eigen::Matrix3d load_covariance(int node) const;
+    /// Of the common unknowns, in their standard deviations.
+    [[nodiscard]] const Eigen::MatrixXd& common_covariance() const { return m_covariance.border; }
+    /// How all edges' tensions vary with the mean of them (m): covariances [N2].
+    [[nodiscard]] Eigen::VectorXd covariances_with_mean_tension() const;
 
 private:
     /// What an edge does at an iterate.
     struct EdgeRates {
-        Eigen::Vector3d force;        ///< h of its first node, -h of its second [N]
-        Eigen::Matrix3d stiffness;    ///< k = d force / d r of its first node [N/m]
-        Eigen::Vector3d length_rate;  ///< b = d force / d l_0 [N/m]
+        Eigen::Vector3d direction;  ///< u, from its second node to its first
+        double tension;             ///< T [N]
+        double across;              ///< T / l [N/m]
+        double axial;               ///< dT/dl [N/m]
+        double by_length;           ///< dT/dd [N/m]
+
+        /// h of its first node, -h of its second [N].
+        [[nodiscard]] Eigen::Vector3d force() const { return tension * direction; }
+        /// k = d force / d r of its first node [N/m].
+        [[nodiscard]] Eigen::Matrix3d stiffness() const {
+            return (axial - across) * direction * direction.transpose() +
+                   across * Eigen::Matrix3d::Identity();
+        }
+        /// b = d force / d d [N/m].
+        [[nodiscard]] Eigen::Vector3d length_rate() const { return by_length * direction; }
     };
     [[nodiscard]] EdgeRates rates(int edge, const Iterate& iterate) const;
+    [[nodiscard]] double unstressed_length(int edge, const Iterate& iterate) const;
     [[nodiscard]] Eigen::VectorXd prior_variances(const Observations& observations) const {
-        return m_blur.missed.size() > 0 ? observations.variance + m_blur.missed
-                                        : observations.variance;
+        return observations.variance + m_blur.length_variances(observations.variance.size());
     }
     [[nodiscard]] double length_variance(int edge, const Iterate& iterate) const;
+    [[nodiscard]] double stiffness_as_length(int edge, const Iterate& iterate) const;
     void set_weights(const Observations& observations);
-    void add_edge(int edge, const Iterate& iterate);
-    [[nodiscard]] SaddlePointFactor::Vector right_side(const Iterate& iterate,
-                                                       const Observations& observations) const;
+    void add_edge(int edge, const Iterate& iterate, const Observations& observations);
+    void set_border(const Observations& observations);
+    [[nodiscard]] BorderedFactor::Vector right_side(const Iterate& iterate,
+                                                    const Observations& observations) const;
+    void add_readings(const Iterate& iterate, const Observations& observations,
+                      BorderedFactor::Vector& right_side) const;
     void set_reactions(const Eigen::Matrix3Xd& multipliers);
 
     const CableNet& m_net;
+    CommonUnknowns m_common;
+    Eigen::VectorXd m_own_stiffness_stds;  ///< m, relative
     LocalNet m_local;
     std::vector<int> m_local_of;     ///< node of the net -> local index
     std::vector<int> m_interior_of;  ///< edge -> place among the interior edges, or -1
     std::vector<int> m_free_nodes;   ///< in the order of elimination
+    std::vector<int> m_nodes;        ///< the same, then the supports where these are unknown
     std::vector<bool> m_slack;
     LawBlur m_blur;
     double m_corner_width = 0.0;
-    SaddlePointFactor m_matrix;
-    SaddlePointFactor::Covariance m_covariance;
-    Eigen::Matrix3Xd m_place_reactions;  ///< H lambda as linearised, 3 x free nodes
-    Eigen::VectorXd m_length_reactions;  ///< B' lambda as linearised, one an edge
+    BorderedFactor m_matrix;
+    BorderedFactor::Covariance m_covariance;
+    // As linearised, with H, B and V.
+    Eigen::Matrix3Xd m_multipliers;      ///< lambda, 3 x free nodes
+    Eigen::Matrix3Xd m_place_reactions;  ///< H lambda, 3 x nodes
+    Eigen::VectorXd m_length_reactions;  ///< B' lambda, one an edge
+    Eigen::VectorXd m_common_reactions;  ///< G' lambda, one a common unknown
+    Eigen::MatrixXd m_tension_rates;     ///< m x common unknowns: dT by each [N]
 
     // Units that make all blocks of order 1: of places and lengths, and of multipliers.
     double m_length_unit = 1.0;

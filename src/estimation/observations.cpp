@@ -2,12 +2,31 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/observations.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
 
-Iterate nominal_iterate(const CableNet& net) {
-    return {.form = net.nodes(), .deviations = Eigen::VectorXd::Zero(net.interior_edge_count())};
+Iterate Iterate::moved(const Iterate& step, double part) const {
+    return {.form = form + part * step.form,
+            .deviations = deviations + part * step.deviations,
+            .loads = loads + part * step.loads,
+            .common = common + part * step.common};
+}
+
+double Iterate::largest_change() const {
+    const double size = std::max(form.cwiseAbs().maxCoeff(), deviations.cwiseAbs().maxCoeff());
+    return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
+}
+
+Iterate nominal_iterate(const CableNet& net, int common_unknowns) {
+    return {.form = net.nodes(),
+            .deviations = Eigen::VectorXd::Zero(net.interior_edge_count()),
+            .loads = Points::Zero(3, net.node_count()),
+            .common = Eigen::VectorXd::Zero(common_unknowns)};
 }
 
 Points with_noise_floor(const CableNet& net, const Survey& survey) {
@@ -20,13 +39,24 @@ Points with_noise_floor(const CableNet& net, const Survey& survey) {
     return noise;
 }
 
-Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
-                     const std::vector<bool>& rejected, double length_std) {
-    Observations observations{
-        .form = survey.form,
-        .weights = Points::Zero(3, net.node_count()),
+Observations nothing_observed(const CableNet& net, double length_std, int common_unknowns) {
+    const Points none = Points::Zero(3, net.node_count());
+    return {
+        .form = net.nodes(),
+        .weights = none,
         .mean = Eigen::VectorXd::Zero(net.interior_edge_count()),
-        .variance = Eigen::VectorXd::Constant(net.interior_edge_count(), length_std * length_std)};
+        .variance = Eigen::VectorXd::Constant(net.interior_edge_count(), length_std * length_std),
+        .load_mean = none,
+        .load_variance = none,
+        .common_mean = Eigen::VectorXd::Zero(common_unknowns),
+        .tension = Eigen::VectorXd::Zero(net.edge_count()),
+        .tension_weights = Eigen::VectorXd::Zero(net.edge_count())};
+}
+
+Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
+                     const std::vector<bool>& rejected, double length_std, int common_unknowns) {
+    Observations observations = nothing_observed(net, length_std, common_unknowns);
+    observations.form = survey.form;
     for (const int node : survey.surveyed) {
         if (!rejected[node]) {
             observations.weights.col(node) = noise.col(node).cwiseAbs2().cwiseInverse();

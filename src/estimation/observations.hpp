@@ -10,32 +10,54 @@
 
 namespace taut {
 
-/// What is known of form and lengths apart from the statics: independent normal distributions.
-/// docs/theory.md, (observation) and (prior).
+/// What is known of form, lengths and all else apart from the statics: independent normal
+/// distributions. docs/theory.md, (observation), (prior), (unknown), (reading).
 struct Observations {
-    Points form;               ///< 3 x n, as measured; anything where the weight is 0 [m]
-    Points weights;            ///< 3 x n, 1 / variance of each measured coordinate, else 0 [1/m2]
-    Eigen::VectorXd mean;      ///< m_I, prior mean of the length deviations [m]
-    Eigen::VectorXd variance;  ///< m_I, prior variance, positive [m2]
+    /// 3 x n, as measured, and of supports as told; anything where the weight is 0 [m].
+    Points form;
+    /// 3 x n, 1 / variance of each measured coordinate and of each unknown one of a support, else 0
+    /// [1/m2].
+    Points weights;
+    Eigen::VectorXd mean;             ///< m_I, prior mean of the length deviations [m]
+    Eigen::VectorXd variance;         ///< m_I, prior variance, positive [m2]
+    Points load_mean;                 ///< 3 x n, of deviations of the nodes' loads [N]
+    Points load_variance;             ///< 3 x n, of the same; 0: known [N2]
+    Eigen::VectorXd common_mean;      ///< of each common unknown, in its standard deviations
+    Eigen::VectorXd tension;          ///< m, as read; anything where the weight is 0 [N]
+    Eigen::VectorXd tension_weights;  ///< m, 1 / variance, else 0 [1/N2]
 };
 
-/// A form and length deviations that need not be in equilibrium.
+/// A form, length deviations and values of all else that is unknown, which need not be in
+/// equilibrium.
 struct Iterate {
-    Points form;                 ///< 3 x n [m]
+    Points form;                 ///< 3 x n, supports included [m]
     Eigen::VectorXd deviations;  ///< m_I [m]
+    Points loads;                ///< 3 x n, deviations of the nodes' loads [N]
+    Eigen::VectorXd common;      ///< the common unknowns, in their standard deviations
+
+    /// Itself and a part of a step.
+    [[nodiscard]] Iterate moved(const Iterate& step, double part = 1.0) const;
+    /// Of a step: the largest change of a place or length; infinite where it is not finite [m].
+    [[nodiscard]] double largest_change() const;
 };
 
-/// The nominal form and no length deviation.
-[[nodiscard]] Iterate nominal_iterate(const CableNet& net);
+/// The nominal form, and no deviation of anything.
+[[nodiscard]] Iterate nominal_iterate(const CableNet& net, int common_unknowns = 0);
 
 /// Standard deviation of each coordinate (3 x n), no smaller than a ten millionth of the net's mean
 /// edge length, which stands for that of an exact one: far above rounding errors, far below any
 /// instrument's, and no harder on the factorisation than it bears [m].
 [[nodiscard]] Points with_noise_floor(const CableNet& net, const Survey& survey);
 
+/// No target and no reading, length deviations of mean zero and one standard deviation, and all else
+/// known.
+[[nodiscard]] Observations nothing_observed(const CableNet& net, double length_std,
+                                            int common_unknowns = 0);
+
 /// A survey without the targets that are rejected (one flag a node), and length deviations of mean
-/// zero and one standard deviation.
+/// zero and one standard deviation. All else is known, and no force is read.
 [[nodiscard]] Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
-                                   const std::vector<bool>& rejected, double length_std);
+                                   const std::vector<bool>& rejected, double length_std,
+                                   int common_unknowns = 0);
 
 }  // namespace taut

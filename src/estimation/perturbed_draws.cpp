@@ -15,6 +15,7 @@
 
 #include "estimation/feasible_descent.hpp"
 #include "numerics/random_numbers.hpp"
+#include "taut/sampling/circumstances.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -45,21 +46,37 @@ double smallest_noise(const Observations& observations) {
     return 1.0 / std::sqrt(observations.weights.maxCoeff());
 }
 
-/// (perturbed): as if surveyed and known beforehand once more.
-/// @param missed variance of a length that nobody knows (blurred-law), or empty
+/// (perturbed): as if surveyed, read and known beforehand once more.
+/// @param unknown variances of lengths that nobody knows, (blurred-law), (own-stiffness)
 Observations perturbed(const CableNet& net, const Observations& observations,
-                       const Eigen::VectorXd& missed, RandomNumbers& random) {
+                       const Eigen::VectorXd& unknown, RandomNumbers& random) {
     Observations result = observations;
-    for (const int node : net.free_nodes()) {
-        for (int k = 0; k < 3; ++k) {
-            if (const double weight = observations.weights(k, node); weight > 0.0) {
-                result.form(k, node) += random.normal() / std::sqrt(weight);
+    const auto perturb_places = [&](const std::vector<int>& nodes) {
+        for (const int node : nodes) {
+            for (int k = 0; k < 3; ++k) {
+                if (const double weight = observations.weights(k, node); weight > 0.0) {
+                    result.form(k, node) += random.normal() / std::sqrt(weight);
+                }
             }
         }
-    }
+    };
+    perturb_places(net.free_nodes());
     for (int i = 0; i < result.mean.size(); ++i) {
-        const double variance = observations.variance(i) + (missed.size() > 0 ? missed(i) : 0.0);
-        result.mean(i) += random.normal() * std::sqrt(variance);
+        result.mean(i) += random.normal() * std::sqrt(observations.variance(i) + unknown(i));
+    }
+    perturb_places(net.supports());
+    for (Eigen::Index k = 0; k < result.load_mean.size(); ++k) {
+        if (const double variance = observations.load_variance(k); variance > 0.0) {
+            result.load_mean(k) += random.normal() * std::sqrt(variance);
+        }
+    }
+    for (double& mean : result.common_mean) {
+        mean += random.normal();
+    }
+    for (Eigen::Index e = 0; e < result.tension.size(); ++e) {
+        if (const double weight = observations.tension_weights(e); weight > 0.0) {
+            result.tension(e) += random.normal() / std::sqrt(weight);
+        }
     }
     return result;
 }
@@ -89,11 +106,13 @@ Iterate all_taut(const CableNet& net, const Iterate& fitted) {
 class Perturbation {
 public:
     Perturbation(const CableNet& net, const LinearisedStatics& statics, const Observations& sites,
-                 const LengthLaw& law, const Iterate& fitted, std::uint64_t seed)
+                 const PriorKnowledge& knowledge, const Iterate& fitted, std::uint64_t seed)
         : m_net(net),
           m_statics(statics),
           m_sites(sites),
-          m_law(law),
+          m_knowledge(knowledge),
+          m_unknown_lengths(statics.blur().length_variances(net.interior_edge_count())),
+          m_own_stiffness_stds(own_stiffness_stds(net, knowledge.unknowns)),
           m_fitted(fitted),
           m_all_taut(all_taut(net, fitted)),
           m_seed(seed) {}
@@ -105,6 +124,7 @@ private:
     struct Draw {
         Eigen::VectorXd deviations;
         Points form;
+        Eigen::VectorXd tensions;
         double squared_departure = 0.0;
     };
     void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
@@ -120,13 +140,19 @@ private:
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    void tell_lengths(Eigen::VectorXd& deviations, const Points& form, bool refit,
-                      RandomNumbers& random) const;
+    [[nodiscard]] Eigen::VectorXd tell_lengths(Eigen::VectorXd& deviations, const Points& form,
+                                               bool refit, RandomNumbers& random) const;
+    [[nodiscard]] Circumstances circumstances_of(const Iterate& drawn,
+                                                 const Eigen::VectorXd& own_stiffness) const;
+    [[nodiscard]] double squared_departure(const Iterate& drawn, const Points& form,
+                                           const Eigen::VectorXd& tensions_in_balance) const;
 
     const CableNet& m_net;
     const LinearisedStatics& m_statics;
     const Observations& m_sites;
-    LengthLaw m_law;
+    const PriorKnowledge& m_knowledge;
+    Eigen::VectorXd m_unknown_lengths;     ///< m_I, variances of those that nobody knows [m2]
+    Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
     Iterate m_all_taut;
     std::uint64_t m_seed;
@@ -142,13 +168,11 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < most_steps; ++k) {
         const Iterate change = m_statics.step(iterate, observations);
-        const double size =
-            std::max(change.form.cwiseAbs().maxCoeff(), change.deviations.cwiseAbs().maxCoeff());
+        const double size = change.largest_change();
         if (!(size < slowest_contraction * before)) {
             return std::nullopt;
         }
-        iterate = {.form = iterate.form + change.form,
-                   .deviations = iterate.deviations + change.deviations};
+        iterate = iterate.moved(change);
         if (size < small) {
             return iterate;
         }
@@ -160,7 +184,7 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
 std::optional<Iterate> Perturbation::refitted(const Observations& observations,
                                               Workspace& workspace) const {
     if (!workspace.statics) {
-        workspace.statics = std::make_unique<LinearisedStatics>(m_net);
+        workspace.statics = std::make_unique<LinearisedStatics>(m_net, m_knowledge.unknowns);
         workspace.statics->set_blur(m_statics.blur());
         workspace.statics->round_corners(corner_of_draws * smallest_noise(m_sites));
     }
@@ -174,31 +198,75 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
 
 /// The part of the drawn deviation that is the edge's own; of a slack edge what the law tells
 /// beyond the form.
-void Perturbation::tell_lengths(Eigen::VectorXd& deviations, const Points& form, bool refit,
-                                RandomNumbers& random) const {
-    const double bound = m_law.kind == LengthLaw::Kind::uniform
-                             ? m_law.scale
-                             : std::numeric_limits<double>::infinity();
+/// @return logarithm of each edge's own stiffness (m), (own-stiffness)
+Eigen::VectorXd Perturbation::tell_lengths(Eigen::VectorXd& deviations, const Points& form,
+                                           bool refit, RandomNumbers& random) const {
     const Eigen::VectorXd spans = edge_lengths(m_net, form) - m_net.unstressed_lengths();
-    const Eigen::VectorXd& missed = m_statics.blur().missed;
+    const Eigen::VectorXd& of_stiffness = m_statics.blur().stiffness;
+    Eigen::VectorXd own_stiffness = Eigen::VectorXd::Zero(m_net.edge_count());
     for (int i = 0; i < deviations.size(); ++i) {
         const int edge = m_net.interior_edges()[i];
-        if (missed.size() > 0 && missed(i) > 0.0) {  // (blurred-law)
-            const double own = m_sites.variance(i) / (m_sites.variance(i) + missed(i));
-            deviations(i) = m_sites.mean(i) + own * (deviations(i) - m_sites.mean(i)) +
-                            std::sqrt(own * missed(i)) * random.normal();
+        const LengthLaw& law = m_knowledge.laws[i];
+        if (const double unknown = m_unknown_lengths(i); unknown > 0.0) {
+            const double own = m_sites.variance(i) / (m_sites.variance(i) + unknown);
+            const double drawn = m_sites.mean(i) + own * (deviations(i) - m_sites.mean(i)) +
+                                 std::sqrt(own * unknown) * random.normal();
+            if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
+                const double part = of_stiffness(i) / unknown;
+                const double length =
+                    part * (deviations(i) - drawn) +
+                    std::sqrt(part * (unknown - of_stiffness(i))) * random.normal();
+                own_stiffness(edge) =
+                    -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
+            }
+            deviations(i) = drawn;
         }
+        const double bound = law.kind == LengthLaw::Kind::uniform
+                                 ? law.scale
+                                 : std::numeric_limits<double>::infinity();
         const bool is_slack = refit ? deviations(i) > spans(edge) : m_statics.slack()[edge];
         if (is_slack && spans(edge) < bound) {
-            deviations(i) = slack_deviation(m_law, spans(edge), random);
+            deviations(i) = slack_deviation(law, spans(edge), random);
         }
     }
+    return own_stiffness;
+}
+
+/// What the draw tells besides the lengths.
+Circumstances Perturbation::circumstances_of(const Iterate& drawn,
+                                             const Eigen::VectorXd& own_stiffness) const {
+    Circumstances result = as_told(m_net);
+    const CommonUnknowns& common = m_statics.common();
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        result.stiffness(e) = std::log(common.stiffness_factor(e, drawn.common)) + own_stiffness(e);
+        result.thermal(e) = common.thermal_strain(e, drawn.common);
+    }
+    result.supports(Eigen::all, m_net.supports()) =
+        (drawn.form - m_net.nodes())(Eigen::all, m_net.supports());
+    result.loads = common.load_factor(drawn.common) - 1.0;
+    result.own_loads = drawn.loads;
+    return result;
+}
+
+/// How far a form in equilibrium and its tensions are from what the draw gave, in the standard
+/// deviations of the observations.
+double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
+                                       const Eigen::VectorXd& tensions_in_balance) const {
+    double sum = m_sites.weights.cwiseProduct((form - drawn.form).cwiseAbs2()).sum();
+    if (!m_knowledge.forces.readings.empty()) {
+        const Eigen::VectorXd by_draw = m_statics.tensions(drawn);
+        for (const ForceReading& reading : m_knowledge.forces.readings) {
+            const int e = reading.edge;
+            sum += m_sites.tension_weights(e) * std::pow(tensions_in_balance(e) - by_draw(e), 2);
+        }
+    }
+    return sum;
 }
 
 std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                                                      Workspace& workspace) const {
     RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
-    const Observations again = perturbed(m_net, m_sites, m_statics.blur().missed, random);
+    const Observations again = perturbed(m_net, m_sites, m_unknown_lengths, random);
     auto fit = refit_all ? std::nullopt : followed(again);
     const bool refit = !fit;
     if (refit && can_be_fitted(m_net)) {
@@ -208,20 +276,34 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
         return std::nullopt;
     }
     Iterate& drawn = *fit;
-    tell_lengths(drawn.deviations, drawn.form, refit, random);
+    const Iterate by_fit = drawn;
+    const Eigen::VectorXd own_stiffness = tell_lengths(drawn.deviations, drawn.form, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
     }
-    const Equilibrium found = workspace.solver.solve(lengths, drawn.form);
-    if (!found.balanced()) {
-        return std::nullopt;
+    Draw result;
+    if (m_knowledge.unknowns.empty()) {
+        const Equilibrium found = workspace.solver.solve(lengths, drawn.form);
+        if (!found.balanced()) {
+            return std::nullopt;
+        }
+        result.form = found.form;
+        result.tensions = tensions(m_net, lengths, found.form);
+    } else {
+        const CableNet drawn_net =
+            net_under(m_net, circumstances_of(drawn, own_stiffness), lengths);
+        const Equilibrium found =
+            EquilibriumSolver(drawn_net).solve(drawn_net.unstressed_lengths(), drawn.form);
+        if (!found.balanced()) {
+            return std::nullopt;
+        }
+        result.form = found.form;
+        result.tensions = tensions(drawn_net, drawn_net.unstressed_lengths(), found.form);
     }
-    const double departure =
-        m_sites.weights.cwiseProduct((found.form - drawn.form).cwiseAbs2()).sum();
-    return Draw{.deviations = std::move(drawn.deviations),
-                .form = found.form,
-                .squared_departure = departure};
+    result.squared_departure = squared_departure(by_fit, result.form, result.tensions);
+    result.deviations = std::move(drawn.deviations);
+    return result;
 }
 
 void Perturbation::add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
@@ -250,15 +332,19 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
     PerturbedDraws result{
         .deviations = Eigen::MatrixXd(m_net.interior_edge_count(), count),
         .forms = Eigen::MatrixXd(Eigen::Index{3} * m_net.free_node_count(), count),
+        .tensions = Eigen::MatrixXd(m_net.edge_count(), count),
         .is_refitted = refit_all,
         .left_out = static_cast<int>(std::ssize(draws) - count)};
     double squares = 0.0;
     for (Eigen::Index k = 0; k < count; ++k) {
         result.deviations.col(k) = found[k]->deviations;
         result.forms.col(k) = free_coordinates(m_net, found[k]->form);
+        result.tensions.col(k) = found[k]->tensions;
         squares += found[k]->squared_departure;
     }
-    const auto observed = static_cast<double>((m_sites.weights.array() > 0.0).count());
+    const auto observed = static_cast<double>(
+        (m_sites.weights(Eigen::all, m_net.free_nodes()).array() > 0.0).count() +
+        std::ssize(m_knowledge.forces.readings));
     result.departure = std::sqrt(squares / std::max(1.0, observed * static_cast<double>(count)));
     return result;
 }
@@ -282,10 +368,10 @@ bool PerturbedDraws::in_doubt() const {
 }
 
 PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics& statics,
-                                    const Observations& sites, const LengthLaw& law,
+                                    const Observations& sites, const PriorKnowledge& knowledge,
                                     const Iterate& fitted, int draws, std::uint64_t seed,
                                     const Progress& progress) {
-    const Perturbation perturbation(net, statics, sites, law, fitted, seed);
+    const Perturbation perturbation(net, statics, sites, knowledge, fitted, seed);
     PerturbedDraws linear = perturbation.run(draws, false, progress);
     return linear.in_doubt() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
                                                    : linear;

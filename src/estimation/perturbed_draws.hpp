@@ -7,9 +7,9 @@
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
+#include "estimation/prior_knowledge.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/sampling/length_law.hpp"
 
 namespace taut {
 
@@ -17,9 +17,11 @@ namespace taut {
 struct PerturbedDraws {
     Eigen::MatrixXd deviations;  ///< m_I x draws [m]
     Eigen::MatrixXd forms;       ///< 3 n_I x draws [m]
+    Eigen::MatrixXd tensions;    ///< m x draws, of all edges [N]
     bool is_refitted = false;    ///< each by a fit of its own, not by the linearisation at the fit
     /// Root mean square distance, over surveyed coordinates and draws, of the forms in equilibrium
-    /// from those that the draw gave, in standard deviations of the survey.
+    /// from those that the draw gave, in standard deviations of the survey; readings of forces
+    /// alike.
     double departure = 0.0;
     int left_out = 0;  ///< draws that found no fit or no equilibrium
 
@@ -28,8 +30,8 @@ struct PerturbedDraws {
     [[nodiscard]] bool in_doubt() const;
 };
 
-/// By perturbation, docs/theory.md (perturbed): the fit to a survey with another noise and a prior
-/// with another mean, both drawn, is a draw of the posterior (G. Papandreou & A. L. Yuille,
+/// By perturbation, docs/theory.md (perturbed): the fit to observations with another noise and
+/// priors with another mean, both drawn, is a draw of the posterior (G. Papandreou & A. L. Yuille,
 /// Gaussian sampling by local perturbations, NIPS 2010). Where the statics are nearly linear over
 /// the posterior that takes a few solutions with the factor of the fit. A draw for which these do
 /// not contract, and all where they are in doubt, are fitted by themselves, on nets that are not
@@ -43,11 +45,9 @@ struct PerturbedDraws {
 /// @param sites with the prior that the fit was made with
 /// @param fitted form and lengths of the fit
 /// @throws Interrupted
-[[nodiscard]] PerturbedDraws draw_by_perturbation(const CableNet& net,
-                                                  const LinearisedStatics& statics,
-                                                  const Observations& sites, const LengthLaw& law,
-                                                  const Iterate& fitted, int draws,
-                                                  std::uint64_t seed,
-                                                  const Progress& progress = {});
+[[nodiscard]] PerturbedDraws draw_by_perturbation(
+    const CableNet& net, const LinearisedStatics& statics, const Observations& sites,
+    const PriorKnowledge& knowledge, const Iterate& fitted, int draws, std::uint64_t seed,
+    const Progress& progress = {});
 
 }  // namespace taut

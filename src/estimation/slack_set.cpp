@@ -14,10 +14,13 @@ namespace {
 /// What is more standard deviations away than this is not expected.
 constexpr double reach = 3.0;
 
-/// The length [m] that an edge has at least while it is taut.
-double shortest_taut(const CableNet& net, int edge, const LengthLaw& law) {
-    const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
-    return net.unstressed_lengths()(edge) - (is_adjustable ? 0.0 : reach * law.std());
+/// The length [m] that each edge has at least while it is taut (m).
+Eigen::VectorXd shortest_taut(const CableNet& net, const std::vector<LengthLaw>& laws) {
+    Eigen::VectorXd result = net.unstressed_lengths();
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        result(net.interior_edges()[i]) -= reach * laws[i].std();
+    }
+    return result;
 }
 
 /// Standard deviation [m] of the measured length of an edge; infinite where an end was not
@@ -27,7 +30,9 @@ double measured_std(const CableNet& net, const Observations& observations, int e
     const Eigen::Vector3d u = (observations.form.col(s) - observations.form.col(t)).normalized();
     double variance = 0.0;
     for (const int node : {s, t}) {
-        if (net.free_index(node) < 0) {
+        const bool is_known =
+            net.free_index(node) < 0 && observations.weights.col(node).isZero(0.0);
+        if (is_known) {
             continue;
         }
         if (!(observations.weights.col(node).minCoeff() > 0.0)) {
@@ -40,22 +45,24 @@ double measured_std(const CableNet& net, const Observations& observations, int e
 
 }  // namespace
 
-std::vector<bool> slack_by_form(const CableNet& net, const Iterate& iterate, const LengthLaw& law) {
+std::vector<bool> slack_by_form(const CableNet& net, const Iterate& iterate,
+                                const std::vector<LengthLaw>& laws) {
     const Eigen::VectorXd lengths = edge_lengths(net, iterate.form);
+    const Eigen::VectorXd shortest = shortest_taut(net, laws);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        slack[e] = lengths(e) < shortest_taut(net, e, law);  // (slack-form)
+        slack[e] = lengths(e) < shortest(e);  // (slack-form)
     }
     return slack;
 }
 
 std::vector<bool> slack_by_survey(const CableNet& net, const Observations& observations,
-                                  const LengthLaw& law) {
+                                  const std::vector<LengthLaw>& laws) {
     const Eigen::VectorXd measured = edge_lengths(net, observations.form);
+    const Eigen::VectorXd shortest = shortest_taut(net, laws);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        slack[e] =
-            measured(e) + reach * measured_std(net, observations, e) < shortest_taut(net, e, law);
+        slack[e] = measured(e) + reach * measured_std(net, observations, e) < shortest(e);
     }
     return slack;
 }

@@ -39,10 +39,13 @@ constexpr double decrement_on_the_way = 0.3;
 constexpr int most_descents = 60;
 
 /// @return the settings, once all is checked that a fit is made of
-SurveyFitSettings checked(const CableNet& net, const Survey& survey, const LengthLaw& law,
-                          const SurveyFitSettings& settings) {
+SurveyFitSettings checked(const CableNet& net, const Survey& survey,
+                          const PriorKnowledge& knowledge, const SurveyFitSettings& settings) {
     check_survey(net, survey);
-    law.check();
+    check_forces(net, knowledge.forces);
+    for (const LengthLaw& law : knowledge.laws) {
+        law.check();
+    }
     if (settings.max_iterations < 1) {
         throw std::invalid_argument(
             fmt::format("max_iterations is {}, expected at least 1", settings.max_iterations));
@@ -56,26 +59,41 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey, const Lengt
 
 }  // namespace
 
-SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const LengthLaw& law,
+SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
                      const SurveyFitSettings& settings)
     : m_net(net),
       m_survey(survey),
-      m_law(law),
-      m_settings(checked(net, survey, law, settings)),
+      m_knowledge(knowledge),
+      m_length_std(knowledge.length_std()),
+      m_settings(checked(net, survey, knowledge, settings)),
       m_noise(with_noise_floor(net, survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
-      m_statics(net),
-      m_snooping(net, survey, m_noise, settings.false_alarm_rate) {
-    m_statics.set_blur(blur_by(net, law.std()));
+      m_statics(net, knowledge.unknowns),
+      m_snooping(net, survey, m_noise, knowledge.forces.readings, settings.false_alarm_rate) {
+    m_statics.set_blur(blur_by(net, m_length_std, knowledge.unknowns));
+}
+
+Iterate SurveyFit::nominal() const {
+    return nominal_iterate(m_net, m_statics.common().count());
+}
+
+/// Edges (m) that a form shows to be slack, and no one saw taut.
+std::vector<bool> SurveyFit::shown_slack(const Iterate& iterate) const {
+    return m_knowledge.as_seen(slack_by_form(m_net, iterate, m_knowledge.laws));
+}
+
+/// Edges (m) that were measured so.
+std::vector<bool> SurveyFit::measured_slack(double inflation) const {
+    return m_knowledge.as_seen(slack_by_survey(m_net, observations(inflation), m_knowledge.laws));
 }
 
 GaussNewtonResult SurveyFit::run() {
-    GaussNewtonResult fitted = fit_and_snoop(nominal_iterate(m_net), 1.0);
+    GaussNewtonResult fitted = fit_and_snoop(nominal(), 1.0);
     if (!is_settled(fitted)) {
         fitted = by_rounded_laws();
     }
     if (!fitted.converged) {
-        m_statics.set_slack(std::vector<bool>(m_net.edge_count(), false));
+        m_statics.set_slack(m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
         if (!m_statics.linearise(fitted.iterate, observations())) {
             throw std::runtime_error(
                 "the statics of the net are singular at the surveyed form: are net and law right?");
@@ -110,7 +128,7 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
         fitted = gauss_newton(m_statics, observed, std::move(from), inflation * m_tolerance,
                               m_settings.max_iterations);
         follow_laws(fitted, observed, inflation);
-        const std::vector<bool> shown = slack_by_form(m_net, fitted.iterate, m_law);
+        const std::vector<bool> shown = shown_slack(fitted.iterate);
         for (size_t e = 0; e < slack.size(); ++e) {
             taut_for_good[e] = taut_for_good[e] || (slack[e] && !shown[e]);
             // A search that has not settled tells which edges led it astray, but no more.
@@ -138,7 +156,8 @@ void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& obser
         return gauss_newton(m_statics, observed, fitted.iterate, inflation * m_tolerance,
                             m_settings.max_iterations);
     };
-    for (int round = 0; !m_net.is_linear() && round < most_blurs && fitted.converged; ++round) {
+    for (int round = 0; !m_statics.blur().empty() && round < most_blurs && fitted.converged;
+         ++round) {
         m_statics.invert();
         const LawBlur before = m_statics.blur();
         const LawBlur found = m_statics.blur_found(fitted.iterate);
@@ -161,7 +180,7 @@ GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation)
     const double last =
         std::min(widest_corner(),
                  corner_in_noise * inflation * m_noise(Eigen::all, m_survey.surveyed).minCoeff());
-    m_statics.set_slack(std::vector<bool>(m_net.edge_count(), false));
+    m_statics.set_slack(m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
     GaussNewtonResult fitted{.iterate = start};
     m_corner_width = std::max(m_corner_width, last);
     while (true) {
@@ -177,7 +196,7 @@ GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation)
     if (fitted.has_factor) {
         m_statics.invert();
     }
-    m_statics.set_slack(slack_by_form(m_net, fitted.iterate, m_law));
+    m_statics.set_slack(shown_slack(fitted.iterate));
     return fitted;
 }
 
@@ -186,7 +205,7 @@ GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation)
 double SurveyFit::widest_corner() const {
     const double stretch =
         (edge_lengths(m_net, m_net.nodes()) - m_net.unstressed_lengths()).cwiseMax(0.0).mean();
-    return std::min(m_law.std(), std::sqrt(stretch * m_law.std()));
+    return std::min(m_length_std, std::sqrt(stretch * m_length_std));
 }
 
 /// Fits, and again with other targets rejected until data snooping has no more to say.
@@ -204,15 +223,17 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<boo
         if (!m_snooping.revise() || m_snooping.rejects_too_many()) {
             break;
         }
-        fitted = fit(fitted.iterate,
-                     where_measured(m_net, observations(inflation), m_statics.slack()), inflation);
+        fitted = fit(
+            fitted.iterate,
+            m_knowledge.as_seen(where_measured(m_net, observations(inflation), m_statics.slack())),
+            inflation);
     }
     return fitted;
 }
 
 /// The same, begun with the edges slack that were measured so.
 GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, double inflation) {
-    return fit_and_snoop(start, slack_by_survey(m_net, observations(inflation), m_law), inflation);
+    return fit_and_snoop(start, measured_slack(inflation), inflation);
 }
 
 /// (continuation): as if the noise were large, then less and less, each fit from where the one
@@ -222,13 +243,14 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, double inflatio
 GaussNewtonResult SurveyFit::from_coarse_to_fine() {
     m_snooping.readmit_all();
     m_corner_width = widest_corner();
-    Iterate settled = nominal_iterate(m_net);
-    std::vector<bool> slack(m_net.edge_count(), false);
+    Iterate settled = nominal();
+    std::vector<bool> slack = m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false));
     const auto refine = [&](double inflation) {
         GaussNewtonResult fitted = fit_and_snoop(settled, inflation);
         if (!fitted.converged) {
-            fitted = fit_and_snoop(settled, where_measured(m_net, observations(inflation), slack),
-                                   inflation);
+            fitted = fit_and_snoop(
+                settled, m_knowledge.as_seen(where_measured(m_net, observations(inflation), slack)),
+                inflation);
         }
         if (fitted.converged) {
             settled = fitted.iterate;
@@ -240,7 +262,7 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
         const int rejected = m_snooping.rejected_count();
         refine(inflation);
         if (m_snooping.rejected_count() > rejected) {
-            GaussNewtonResult direct = fit_and_snoop(nominal_iterate(m_net), 1.0);
+            GaussNewtonResult direct = fit_and_snoop(nominal(), 1.0);
             if (direct.converged && !m_snooping.rejects_too_many()) {
                 return direct;
             }
@@ -255,13 +277,12 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
 GaussNewtonResult SurveyFit::by_rounded_laws() {
     m_snooping.readmit_all();
     m_corner_width = widest_corner();
-    const Iterate nominal = nominal_iterate(m_net);
-    GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal, 1.0); });
+    GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal(), 1.0); });
     const bool is_rounded_settled = is_settled(rounded);
     const std::vector<bool> rejected = m_snooping.rejected();
     if (is_rounded_settled) {
         GaussNewtonResult fitted =
-            fit_and_snoop(rounded.iterate, slack_by_form(m_net, rounded.iterate, m_law), 1.0);
+            fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), 1.0);
         if (is_settled(fitted)) {
             return fitted;
         }
@@ -283,9 +304,20 @@ double SurveyFit::first_inflation() const {
 }
 
 Observations SurveyFit::observations(double inflation) const {
-    Observations result = observe(m_net, m_survey, m_noise, m_snooping.rejected(),
-                                  m_settings.prior_width * m_law.std());
-    result.weights /= inflation * inflation;
+    Observations result = observe(m_net, m_survey, m_noise, m_snooping.rejected(), m_knowledge,
+                                  m_statics.common().count());
+    const std::vector<ForceReading>& readings = m_knowledge.forces.readings;
+    for (size_t k = 0; k < readings.size(); ++k) {
+        if (m_snooping.rejected_readings()[k]) {
+            result.tension_weights(readings[k].edge) = 0.0;
+        }
+    }
+    result.variance *= m_settings.prior_width * m_settings.prior_width;
+    const double squared_inflation = inflation * inflation;
+    for (const int node : m_net.free_nodes()) {
+        result.weights.col(node) /= squared_inflation;
+    }
+    result.tension_weights /= squared_inflation;
     return result;
 }
 
@@ -293,6 +325,8 @@ void SurveyFit::evaluate(const GaussNewtonResult& fitted, double inflation) {
     m_snooping.evaluate(
         fitted.iterate.form, [this](int node) { return m_statics.form_covariance(node); },
         inflation);
+    m_snooping.evaluate_readings(m_statics.tensions(fitted.iterate), m_statics.tension_variances(),
+                                 inflation);
 }
 
 }  // namespace taut

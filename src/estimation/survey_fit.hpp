@@ -8,7 +8,7 @@
 #include "estimation/gauss_newton.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "estimation/prior_knowledge.hpp"
 
 namespace taut {
 
@@ -28,10 +28,10 @@ struct SurveyFitSettings {
 /// from wide corners to narrow ones, and where that does not do by continuation over the noise.
 class SurveyFit {
 public:
-    /// Keeps references to net, survey and law. Not copied: its parts refer to each other.
-    /// @throws std::invalid_argument for settings out of range
+    /// Keeps references to net, survey and knowledge. Not copied: its parts refer to each other.
+    /// @throws std::invalid_argument for settings out of range, and as check_forces()
     /// @throws SurveyError as check_survey()
-    SurveyFit(const CableNet& net, const Survey& survey, const LengthLaw& law,
+    SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
               const SurveyFitSettings& settings = {});
     SurveyFit(const SurveyFit&) = delete;
     SurveyFit& operator=(const SurveyFit&) = delete;
@@ -50,11 +50,14 @@ public:
     [[nodiscard]] LinearisedStatics& statics() { return m_statics; }
     /// A step this small changes nothing that the survey could show [m].
     [[nodiscard]] double tolerance() const { return m_tolerance; }
-    /// The targets in use and the prior.
+    /// The targets and readings in use and the prior.
     [[nodiscard]] Observations observations() const { return observations(1.0); }
 
 private:
     [[nodiscard]] Observations observations(double inflation) const;
+    [[nodiscard]] Iterate nominal() const;
+    [[nodiscard]] std::vector<bool> shown_slack(const Iterate& iterate) const;
+    [[nodiscard]] std::vector<bool> measured_slack(double inflation) const;
     void follow_laws(GaussNewtonResult& fitted, const Observations& observed, double inflation);
     void evaluate(const GaussNewtonResult& fitted, double inflation);
     [[nodiscard]] GaussNewtonResult fit(const Iterate& start, std::vector<bool> slack,
@@ -80,7 +83,8 @@ private:
 
     const CableNet& m_net;
     const Survey& m_survey;
-    const LengthLaw& m_law;
+    const PriorKnowledge& m_knowledge;
+    double m_length_std;  ///< of the laws, together [m]
     SurveyFitSettings m_settings;
     Points m_noise;
     double m_tolerance;

@@ -32,11 +32,7 @@ struct Weak {
         data.unstressed_lengths += 0.97 * (lengths - data.unstressed_lengths);
         return CableNet(data);
     }();
-    Observations observed{
-        .form = net.nodes(),
-        .weights = Points::Zero(3, net.node_count()),
-        .mean = Eigen::VectorXd::Zero(net.interior_edge_count()),
-        .variance = Eigen::VectorXd::Constant(net.interior_edge_count(), length_std* length_std)};
+    Observations observed = nothing_observed(net, length_std);
 
     explicit Weak(std::uint64_t seed) {
         Random random(seed);

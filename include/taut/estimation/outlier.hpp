@@ -11,6 +11,14 @@ struct Outlier {
     double statistic = 0.0;  ///< its square in standard deviations, to be compared with threshold
 };
 
+/// A reading of a force that contradicts all else.
+struct ReadingOutlier {
+    int edge = 0;
+    double read = 0.0;       ///< [N]
+    double expected = 0.0;   ///< what all else tells [N]
+    double statistic = 0.0;  ///< squared difference in its variances
+};
+
 /// Probability that a survey without gross errors loses a target by the test for them. Small: a
 /// target less can cost the edges around it all that is known of them, while gross errors worth the
 /// name stand far above any threshold.

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// The tension of an edge, read from a load cell or a tension meter.
+struct ForceReading {
+    int edge = 0;
+    double tension = 0.0;  ///< [N]
+    double std = 0.0;      ///< standard deviation of the reading [N]
+};
+
+/// What is known of the forces of a built net besides its form.
+struct Forces {
+    std::vector<ForceReading> readings;  ///< of any edges, one an edge
+    std::vector<int> taut;               ///< edges seen to carry tension
+    std::vector<int> slack;              ///< edges seen to carry none
+
+    [[nodiscard]] bool empty() const { return readings.empty() && taut.empty() && slack.empty(); }
+};
+
+/// @throws std::invalid_argument for an edge that is out of range or comes twice, a reading that is
+///   negative or not finite, a standard deviation that is not positive and finite, an edge seen
+///   both taut and slack, and a reading of an edge seen slack
+void check_forces(const CableNet& net, const Forces& forces);
+
+}  // namespace taut

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/prior_knowledge.hpp"
+
+#include <cmath>
+
+namespace taut {
+
+double PriorKnowledge::length_std() const {
+    double sum = 0.0;
+    for (const LengthLaw& law : laws) {
+        sum += law.std() * law.std();
+    }
+    return std::sqrt(sum / static_cast<double>(laws.size()));
+}
+
+std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack) const {
+    for (const int edge : forces.taut) {
+        slack[edge] = false;
+    }
+    for (const int edge : forces.slack) {
+        slack[edge] = true;
+    }
+    return slack;
+}
+
+Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
+                     const std::vector<bool>& rejected, const PriorKnowledge& knowledge,
+                     int common_unknowns) {
+    Observations result = observe(net, survey, noise, rejected, 1.0, common_unknowns);
+    for (Eigen::Index i = 0; i < result.variance.size(); ++i) {
+        const double std = knowledge.laws[i].std();
+        result.variance(i) = std * std;
+    }
+    if (const double std = std_of(knowledge.unknowns, Unknown::Kind::supports); std > 0.0) {
+        for (const int node : net.supports()) {
+            result.weights.col(node).setConstant(1.0 / (std * std));
+            result.form.col(node) = net.nodes().col(node);
+        }
+    }
+    if (const double std = std_of(knowledge.unknowns, Unknown::Kind::loads_each); std > 0.0) {
+        for (const int node : net.free_nodes()) {
+            result.load_variance.col(node).setConstant(std * std);
+        }
+    }
+    for (const ForceReading& reading : knowledge.forces.readings) {
+        result.tension(reading.edge) = reading.tension;
+        result.tension_weights(reading.edge) = 1.0 / (reading.std * reading.std);
+    }
+    return result;
+}
+
+}  // namespace taut

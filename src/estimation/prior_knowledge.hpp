@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "estimation/observations.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
+#include "taut/survey/forces.hpp"
+
+namespace taut {
+
+/// What is told besides net and survey.
+struct PriorKnowledge {
+    std::vector<LengthLaw> laws;  ///< of each interior edge's length deviation (m_I)
+    std::vector<Unknown> unknowns;
+    Forces forces;
+
+    /// One law for all, and nothing else.
+    PriorKnowledge(const CableNet& net, const LengthLaw& law)
+        : laws(net.interior_edge_count(), law) {}
+
+    /// Root mean square standard deviation of the laws [m].
+    [[nodiscard]] double length_std() const;
+    /// Corrects which edges (m) are taken to be slack by what was seen.
+    [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack) const;
+};
+
+/// A survey without the targets that are rejected (one flag a node), and all that is known besides,
+/// docs/theory.md (prior), (unknown), (reading).
+/// @param common_unknowns how many there are
+[[nodiscard]] Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
+                                   const std::vector<bool>& rejected,
+                                   const PriorKnowledge& knowledge, int common_unknowns);
+
+}  // namespace taut
