@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "force_input.hpp"
 #include "net_summary.hpp"
 #include "progress_line.hpp"
 #include "run_record.hpp"
@@ -28,12 +30,13 @@
 namespace taut::app {
 namespace {
 
-struct Options : CommonOptions, SurveyOptions {
+struct Options : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
     std::string method;  ///< empty: chosen by what is there
     std::string model;
     std::string law;  ///< empty: the model's, or the default
     std::string output;
+    std::vector<std::string> unknowns;
     std::optional<std::int64_t> draws;  ///< empty: default_draws()
     std::uint64_t seed = 1;
 
@@ -85,6 +88,97 @@ std::string tension_text(const DrawnEstimate& tension) {
                        1e-3 * tension.lower, 1e-3 * tension.upper);
 }
 
+/// What was told of forces, and what contradicts all else.
+void print_forces(const CableNet& net, const Identification& result) {
+    if (result.readings > 0) {
+        fmt::print("forces: {} readings, {} left out\n", result.readings,
+                   result.reading_outliers.size());
+    }
+    for (const ReadingOutlier& outlier : result.reading_outliers) {
+        fmt::print("  {:<12} read as {:.4g} kN, where all else tells {:.4g} kN\n",
+                   net.edge_id(outlier.edge), 1e-3 * outlier.read, 1e-3 * outlier.expected);
+    }
+    if (!result.contradicted_taut.empty()) {
+        fmt::print("told taut, though all else tells that they are slack: {}\n",
+                   edges_text(net, result.contradicted_taut));
+    }
+    if (!result.contradicted_slack.empty()) {
+        fmt::print("told slack, though no length of the law is so long: {}\n",
+                   edges_text(net, result.contradicted_slack));
+    }
+}
+
+/// A number of an unknown, in the unit that people use.
+std::string in_unit(Unknown::Kind kind, double value) {
+    switch (kind) {
+        case Unknown::Kind::stiffness:
+        case Unknown::Kind::stiffness_each:
+        case Unknown::Kind::loads:
+            return fmt::format("{:+.2f} %", 100.0 * value);
+        case Unknown::Kind::temperature:
+            return fmt::format("{:+.1f} K", value);
+        case Unknown::Kind::supports:
+        case Unknown::Kind::adjustable:
+            return fmt::format("{:+.2f} mm", 1e3 * value);
+        case Unknown::Kind::loads_each:
+            return fmt::format("{:+.2f} N", value);
+    }
+    return {};
+}
+
+/// Those common to many edges in full; of the others how many the survey shows, and the one that is
+/// farthest from what was told, in standard deviations before the survey.
+void print_unknowns(const CableNet& net, const Identification& result) {
+    for (auto first = result.unknowns.begin(); first != result.unknowns.end();) {
+        const auto last = std::find_if(first, result.unknowns.end(), [&](const auto& other) {
+            return other.unknown != first->unknown;
+        });
+        const Unknown& unknown = first->unknown;
+        const auto text = [&](double value) { return in_unit(unknown.kind, value); };
+        const auto count = std::distance(first, last);
+        if (count == 1 && first->edge < 0 && first->node < 0) {
+            fmt::print("{}: {} from what was told, std {}{}\n", unknown.to_string(),
+                       text(first->mean), text(first->std).substr(1),
+                       first->is_observed() ? "" : ": nothing that was measured shows it");
+        } else {
+            const auto shown = std::count_if(
+                first, last, [](const UnknownEstimate& one) { return one.is_observed(); });
+            const auto farthest = std::max_element(first, last, [](const auto& a, const auto& b) {
+                return std::abs(a.mean) < std::abs(b.mean);
+            });
+            fmt::print(
+                "{}: {} of {} better known than before; the farthest from what was told is "
+                "{}{} by {}, std {}\n",
+                unknown.to_string(), shown, count,
+                farthest->edge >= 0 ? net.edge_id(farthest->edge) : net.node_id(farthest->node),
+                farthest->axis >= 0 ? fmt::format(" ({})", "xyz"[farthest->axis]) : "",
+                text(farthest->mean), text(farthest->std).substr(1));
+        }
+        first = last;
+    }
+}
+
+/// What the tensions rest on that nothing showed.
+std::string taken_as_told(const Identification& result) {
+    const auto is_unknown = [&](auto... kinds) {
+        return std::ranges::any_of(result.unknowns, [&](const UnknownEstimate& one) {
+            return ((one.unknown.kind == kinds) || ...);
+        });
+    };
+    using Kind = Unknown::Kind;
+    std::vector<std::string_view> told;
+    if (!is_unknown(Kind::stiffness)) {
+        told.emplace_back("stiffness");
+    }
+    if (!is_unknown(Kind::loads, Kind::loads_each)) {
+        told.emplace_back("loads");
+    }
+    if (!is_unknown(Kind::supports)) {
+        told.emplace_back("supports");
+    }
+    return told.empty() ? "" : fmt::format("; {} taken as told", fmt::join(told, ", "));
+}
+
 void print_draws(const Identification& result) {
     if (!result.draws) {
         fmt::print("tensions: no intervals, since no draws were made\n");
@@ -95,9 +189,8 @@ void print_draws(const Identification& result) {
         fmt::print("tensions: not known, since {}\n", draws.doubt);
         return;
     }
-    fmt::print(
-        "mean tension: {}\n  by {} draws: {}; stiffness, loads and supports are taken as told\n",
-        tension_text(result.drawn.mean_tension), draws.count(), draws.how);
+    fmt::print("mean tension: {}\n  by {} draws: {}{}\n", tension_text(result.drawn.mean_tension),
+               draws.count(), draws.how, taken_as_told(result));
 }
 
 /// Of a slack edge no deviation is known, only a bound: those are listed apart.
@@ -186,6 +279,8 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n",
                1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
                1e3 * residuals.maxCoeff());
+    print_forces(net, result);
+    print_unknowns(net, result);
     print_draws(result);
     fmt::print("\n");
     print_largest(net, result);
@@ -223,11 +318,16 @@ void run(const Options& options) {
     const Survey survey = read_survey(net, options.survey, options.reading());
     warn(options.survey, survey.warnings);
     const std::optional<LengthModel> model = model_of(net, options, law);
+    const Forces forces = read_forces(net, options);
+    const std::vector<Unknown> unknowns = unknowns_of(net, options.unknowns, options.net);
     const std::int64_t draws = options.draws.value_or(default_draws(net));
     check_draws(net, draws);
-    check_outputs({options.output, draws > 0 ? options.draws_file() : ""},
-                  {options.net, options.survey, options.model, options.control});
+    std::vector<std::string> inputs = options.files();
+    inputs.insert(inputs.end(), {options.net, options.survey, options.model, options.control});
+    check_outputs({options.output, draws > 0 ? options.draws_file() : ""}, inputs);
     IdentifyOptions settings{.law = law,
+                             .forces = forces,
+                             .unknowns = unknowns,
                              .model = model ? &*model : nullptr,
                              .draws = static_cast<int>(draws),
                              .seed = options.seed};
@@ -277,6 +377,8 @@ void add_identify(CLI::App& program) {
                        "Model of taut train, for gp (default: trained now, on 1000 samples)");
     command.add_option("--law", options->law,
                        "Law of the length deviations (default: the model's, or uniform:5mm)");
+    add_force_options(command, *options);
+    add_unknown_option(command, options->unknowns);
     command.add_option("--draws", options->draws,
                        "Draws of lengths, forms and tensions from the posterior, for map; they "
                        "are kept beside the result (_draws.h5). 0: none, and what is slack is told "

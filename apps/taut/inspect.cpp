@@ -25,9 +25,10 @@ constexpr int most_edges_for_sensitivity = 3'000;
 
 constexpr int sensitive_edges = 10;
 
-struct InspectOptions : CommonOptions, SurveyOptions {
+struct InspectOptions : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
     std::string law = "uniform:5mm";
+    std::vector<std::string> unknowns;
 };
 
 struct Range {
@@ -238,7 +239,9 @@ void run(const InspectOptions& options) {
     warn(options.net, inspection.warnings);
     std::optional<Prospect> prospect;
     if (!options.survey.empty()) {
-        prospect = prospect_of(net, inspection.equilibrium, options, law, options.net);
+        prospect = prospect_of(net, inspection.equilibrium, options, law,
+                               read_planned_forces(net, options),
+                               unknowns_of(net, options.unknowns, options.net), options.net);
     }
     if (options.json) {
         nlohmann::ordered_json document = to_json(net, inspection);
@@ -263,7 +266,8 @@ void add_inspect(CLI::App& program) {
                     "Tell what a net is: counts, lengths, tensions, balance, self-stress, what a "
                     "form tells of its lengths, and which lengths move it most",
                     "  taut inspect net.json\n"
-                    "  taut inspect net.json --survey targets.txt --noise 0.5mm",
+                    "  taut inspect net.json --survey targets.txt --noise 0.5mm\n"
+                    "  taut inspect net.json --survey targets.txt --noise 0.5mm --forces cells.txt",
                     *options);
     command.add_option("NET", options->net, "Net file")->required();
     CLI::Option* const survey = command.add_option(
@@ -276,6 +280,12 @@ void add_inspect(CLI::App& program) {
     command.add_option("--law", options->law, "Law of the length deviations")
         ->capture_default_str()
         ->needs(survey);
+    for (CLI::Option* option : add_reading_options(
+             command, *options,
+             "Edges with a load cell, one a line, or its readings: edge,tension[,std]")) {
+        option->needs(survey);
+    }
+    add_unknown_option(command, options->unknowns)->needs(survey);
     command.callback([options] { run(*options); });
 }
 

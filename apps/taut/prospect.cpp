@@ -12,15 +12,17 @@
 namespace taut::app {
 
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
-                     const LengthLaw& law, const std::string& net_file) {
+                     const LengthLaw& law, const Forces& forces,
+                     const std::vector<Unknown>& unknowns, const std::string& net_file) {
     Survey survey = read_planned_survey(net, options.survey, options.reading());
     warn(options.survey, survey.warnings);
     if (!nominal.balanced()) {
         throw NumericalFailure(
             fmt::format("{}: no equilibrium: {}", net_file, equilibrium_text(nominal)));
     }
-    SurveyProspect lengths = with_survey_of(
-        options.survey, [&] { return survey_prospect(net, nominal.form, survey, law); });
+    SurveyProspect lengths = with_survey_of(options.survey, [&] {
+        return survey_prospect(net, nominal.form, survey, law, forces, unknowns);
+    });
     return {.survey = std::move(survey), .law = law, .lengths = std::move(lengths)};
 }
 
@@ -35,6 +37,14 @@ nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
                          {"ratio", e.std / lengths.prior_std},
                          {"status", to_string(e.status)}});
     }
+    nlohmann::ordered_json readings = nlohmann::ordered_json::array();
+    for (const TensionProspect& reading : lengths.readings) {
+        readings.push_back({{"edge", reading.edge},
+                            {"id", net.edge_id(reading.edge)},
+                            {"tension", reading.tension},
+                            {"tension_std", reading.std},
+                            {"mean_tension_std", reading.mean_std_with_reading}});
+    }
     return {{"file", file},
             {"used", prospect.survey.surveyed.size()},
             {"missing", prospect.survey.missing.size()},
@@ -46,7 +56,9 @@ nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
             {"slack", lengths.count(EdgeStatus::slack)},
             {"unobserved", lengths.count(EdgeStatus::unobserved)},
             {"warnings", prospect.survey.warnings},
-            {"edges", edges}};
+            {"edges", edges},
+            {"mean_tension", {{"mean", lengths.mean_tension}, {"std", lengths.mean_tension_std}}},
+            {"readings", readings}};
 }
 
 std::string prospect_text(const CableNet& net, const Prospect& prospect,
@@ -68,6 +80,19 @@ std::string prospect_text(const CableNet& net, const Prospect& prospect,
         const EdgeProspect& e = worst[i];
         text += fmt::format("  {:<12}{:>10.3f}{:>10.1f} %  {}\n", net.edge_id(e.edge), 1e3 * e.std,
                             100.0 * e.std / lengths.prior_std, to_string(e.status));
+    }
+    text += fmt::format(
+        "  mean tension: std {:.3g} % of its {:.4g} kN\n"
+        "  with one more reading of 2 %, of the edge that tells most:\n"
+        "  {:<12}{:>14}{:>20}\n",
+        100.0 * lengths.mean_tension_std / lengths.mean_tension, 1e-3 * lengths.mean_tension,
+        "edge", "tension [kN]", "std of the mean [%]");
+    constexpr size_t best = 5;
+    for (size_t i = 0; i < std::min(best, lengths.readings.size()); ++i) {
+        const TensionProspect& reading = lengths.readings[i];
+        text += fmt::format("  {:<12}{:>14.4g}{:>20.3g}\n", net.edge_id(reading.edge),
+                            1e-3 * reading.tension,
+                            100.0 * reading.mean_std_with_reading / lengths.mean_tension);
     }
     return text;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "force_input.hpp"
 #include "survey_input.hpp"
 #include "taut/identification/survey_prospect.hpp"
 #include "taut/net/cable_net.hpp"
@@ -24,7 +25,8 @@ struct Prospect {
 /// @throws InputError as read_survey(), and where nodes are hidden and no noise is told
 /// @throws NumericalFailure where there is no equilibrium to linearise at
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
-                     const LengthLaw& law, const std::string& net_file);
+                     const LengthLaw& law, const Forces& forces,
+                     const std::vector<Unknown>& unknowns, const std::string& net_file);
 
 nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
                                const std::string& file);

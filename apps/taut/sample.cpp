@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "command.hpp"
+#include "force_input.hpp"
 #include "interruption.hpp"
 #include "net_summary.hpp"
 #include "progress_line.hpp"
@@ -30,6 +31,7 @@ struct SampleOptions : CommonOptions {
     std::string net;
     std::string output;
     std::string law = "uniform:5mm";
+    std::vector<std::string> unknowns;
     std::uint64_t seed = 1;
     int count = 0;
     bool resume = false;
@@ -57,6 +59,8 @@ std::optional<DataSet> earlier_samples(const SampleOptions& options, const DataS
         require(data.net_fingerprint == wanted.net_fingerprint, "net", data.net_fingerprint,
                 wanted.net_fingerprint);
         require(data.law == wanted.law, "law", data.law.to_string(), wanted.law.to_string());
+        require(data.unknowns == wanted.unknowns, "unknowns", to_string(data.unknowns),
+                to_string(wanted.unknowns));
         require(data.seed == wanted.seed, "seed", std::to_string(data.seed),
                 std::to_string(wanted.seed));
         if (data.size() > options.count) {
@@ -99,11 +103,16 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
 void tell(const SampleOptions& options, const CableNet& net, const DataSet& data, int resumed_from,
           const std::vector<std::string>& warnings) {
     if (options.json) {
+        nlohmann::ordered_json unknowns = nlohmann::ordered_json::array();
+        for (const Unknown& unknown : data.unknowns) {
+            unknowns.push_back(unknown.to_string());
+        }
         const nlohmann::ordered_json document{{"format", "taut-sampling"},
                                               {"version", 1},
                                               {"net", counts_json(net)},
                                               {"law", data.law.to_string()},
                                               {"seed", data.seed},
+                                              {"unknowns", unknowns},
                                               {"samples", data.size()},
                                               {"resumed_from", resumed_from},
                                               {"with_slack", data.with_slack()},
@@ -116,6 +125,9 @@ void tell(const SampleOptions& options, const CableNet& net, const DataSet& data
     fmt::print("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n",
                counts_text(net), data.size(), data.law.to_string(), data.seed, data.with_slack(),
                data.not_converged());
+    if (!data.unknowns.empty()) {
+        fmt::print("drawn besides the lengths: {}\n", to_string(data.unknowns));
+    }
     if (resumed_from > 0) {
         fmt::print("the first {} were there already\n", resumed_from);
     }
@@ -125,7 +137,8 @@ void tell(const SampleOptions& options, const CableNet& net, const DataSet& data
 void run(const SampleOptions& options) {
     const auto threads = options.limit_threads();
     const NetFile net = read_net(options.net);
-    const Sampler sampler(net.net, parse_length_law(options.law), options.seed);
+    const Sampler sampler(net.net, parse_length_law(options.law), options.seed,
+                          unknowns_of(net.net, options.unknowns, options.net));
     DataSet data = sampler.empty();
     if (options.resume) {
         if (auto earlier = earlier_samples(options, data)) {
@@ -166,6 +179,7 @@ void add_sample(CLI::App& program) {
                     "Law of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (std), "
                     "bimodal:5mm (around +-5 mm)")
         ->capture_default_str();
+    add_unknown_option(command, options->unknowns);
     add_seed_option(command, options->seed);
     add_output_option(command, options->output, "Data set to write (HDF5)");
     command.add_flag("--resume", options->resume, "Go on with an earlier data set");

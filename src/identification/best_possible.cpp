@@ -23,9 +23,9 @@ Eigen::VectorXd best_possible_variances(const CableNet& net,
     const std::vector<bool> none_rejected(net.node_count(), false);
     LinearisedStatics statics(net);
     statics.set_slack(slack);
-    const Iterate truth{
-        .form = form,
-        .deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges())};
+    Iterate truth = nominal_iterate(net);
+    truth.form = form;
+    truth.deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges());
     if (!statics.linearise(
             truth, observe(net, survey, with_noise_floor(net, survey), none_rejected, law.std()))) {
         throw std::runtime_error("the statics of the net are singular at this form");

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "taut/net/units.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 
@@ -52,7 +53,16 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
             return;
         }
     }
-    result.predicted = EquilibriumSolver(net).solve(lengths, start);
+    const auto balance = [&](const CableNet& identified, const Eigen::VectorXd& l_0) {
+        result.predicted = EquilibriumSolver(identified).solve(l_0, start);
+        result.tensions = tensions(identified, l_0, result.predicted.form);
+    };
+    if (result.unknowns.empty()) {
+        balance(net, lengths);
+    } else {
+        const CableNet identified = net_under(net, circumstances_of(net, result.unknowns), lengths);
+        balance(identified, identified.unstressed_lengths());
+    }
     const Eigen::MatrixXd differences =
         (result.predicted.form - survey.form)(Eigen::all, survey.surveyed);
     result.residuals = differences.colwise().norm().transpose();

@@ -21,8 +21,8 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
 void tell_edges(Identification& result, const CableNet& net, const LengthLaw& law,
                 const std::vector<LengthLikelihood>& likelihoods);
 
-/// Predicts the form of a result's edges, from a start, and compares it with the survey. Where
-/// their lengths find no equilibrium, status and message say so.
+/// Predicts the form of a result's edges and unknowns, from a start, and compares it with the
+/// survey. Where their lengths find no equilibrium, status and message say so.
 void predict_form(Identification& result, const CableNet& net, const Survey& survey,
                   const Points& start);
 

@@ -41,15 +41,6 @@ std::string doubt_of(const PerturbedDraws& drawn, const Identification& result,
         drawn.left_out, drawn.deviations.cols() + drawn.left_out, drawn.departure);
 }
 
-Eigen::MatrixXd tensions_of(const PerturbedDraws& drawn, const CableNet& net) {
-    Eigen::MatrixXd result(net.edge_count(), drawn.deviations.cols());
-    for (Eigen::Index k = 0; k < result.cols(); ++k) {
-        result.col(k) = tensions(net, with_length_deviations(net, drawn.deviations.col(k)),
-                                 with_free_coordinates(net, drawn.forms.col(k)));
-    }
-    return result;
-}
-
 /// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges
 /// of the slack set are slack: no length of the law makes them taut.
 void tell_open_edges(Identification& result, const LengthLaw& law,
@@ -87,24 +78,28 @@ void tell_drawn_edges(Identification& result, const LengthLaw& law, bool tells_l
 
 }  // namespace
 
-void draw_posterior(Identification& result, const CableNet& net, const Survey& survey,
-                    const LengthLaw& law, const LinearisedStatics& statics,
-                    const Observations& sites, const Iterate& fitted, const DrawSettings& settings,
-                    const Progress& progress) {
+void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
+                    const Survey& survey, const LengthLaw& law, const PriorKnowledge& knowledge,
+                    const LinearisedStatics& statics, const Observations& sites,
+                    const Iterate& fitted, const DrawSettings& settings, const Progress& progress) {
     if (settings.count == 0 || result.status != IdentificationStatus::converged) {
         return;
     }
-    PerturbedDraws drawn = draw_by_perturbation(net, statics, sites, law, fitted, settings.count,
-                                                settings.seed, progress);
+    PerturbedDraws drawn = draw_by_perturbation(fit_net, statics, sites, knowledge, fitted,
+                                                settings.count, settings.seed, progress);
     PosteriorDraws draws{
         .length_deviations = {},
         .forms = {},
-        .tensions = tensions_of(drawn, net),
+        .tensions = {},
         .seed = settings.seed,
         .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
         .doubt = doubt_of(drawn, result, net)};
-    draws.length_deviations = std::move(drawn.deviations);
+    const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
+    draws.length_deviations =
+        has_all_lengths ? Eigen::MatrixXd(drawn.deviations(net.interior_edges(), Eigen::all))
+                        : std::move(drawn.deviations);
     draws.forms = std::move(drawn.forms);
+    draws.tensions = std::move(drawn.tensions);
     const bool is_told = draws.doubt.empty() && draws.count() > 0;
     result.draws = std::move(draws);
     if (!is_told) {

@@ -6,6 +6,7 @@
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
+#include "estimation/prior_knowledge.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
@@ -22,12 +23,14 @@ struct DrawSettings {
 /// tensions, places of missing nodes, which edges are slack. Draws that are not to be relied on say
 /// so, and nothing is told from them. docs/theory.md, (perturbed), (drawn).
 /// @param result of the fit
+/// @param fit_net of the fit, net_to_fit()
+/// @param law of the lengths of interior edges
 /// @param statics linearised at the fit
 /// @param sites what the fit was made with, the law as normal distributions
 /// @throws Interrupted
-void draw_posterior(Identification& result, const CableNet& net, const Survey& survey,
-                    const LengthLaw& law, const LinearisedStatics& statics,
-                    const Observations& sites, const Iterate& fitted, const DrawSettings& settings,
-                    const Progress& progress);
+void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
+                    const Survey& survey, const LengthLaw& law, const PriorKnowledge& knowledge,
+                    const LinearisedStatics& statics, const Observations& sites,
+                    const Iterate& fitted, const DrawSettings& settings, const Progress& progress);
 
 }  // namespace taut

@@ -66,9 +66,11 @@ public:
           m_survey(survey),
           m_noise(with_noise_floor(net, survey)),
           m_none_rejected(net.node_count(), false),
-          m_balanced({.form = survey.form, .deviations = {}}),
+          m_balanced(nominal_iterate(net)),
+          m_knowledge(net, law),
           m_statics(net) {
-        m_statics.set_slack(slack_by_form(net, m_balanced, law));
+        m_balanced.form = survey.form;
+        m_statics.set_slack(slack_by_form(net, m_balanced, m_knowledge.laws));
         const BalanceEquations balance(net, m_balanced.form, m_statics.slack());
         const BalancedDeviations balanced = balanced_deviations(net, m_balanced.form, balance);
         m_balanced.deviations = balanced.deviations;
@@ -133,7 +135,7 @@ private:
                 "the statics of the net are singular at the surveyed form: are net and law right?");
         }
         m_statics.invert();
-        return length_likelihoods(m_net, m_statics, observations, m_balanced);
+        return length_likelihoods(m_net, m_knowledge, m_statics, observations, m_balanced);
     }
 
     const CableNet& m_net;
@@ -141,6 +143,7 @@ private:
     Points m_noise;
     std::vector<bool> m_none_rejected;
     Iterate m_balanced;
+    PriorKnowledge m_knowledge;
     LinearisedStatics m_statics;
     Eigen::VectorXd m_spread;          ///< m_I, as BalancedDeviations
     std::vector<bool> m_undetermined;  ///< m_I
@@ -192,9 +195,11 @@ Identification identify_by_exact_balance(const CableNet& net, const Survey& surv
 }
 
 Identification check_exactness(const CableNet& net, const Survey& survey, const LengthLaw& law) {
-    const Iterate surveyed{.form = survey.form, .deviations = {}};
+    Iterate surveyed = nominal_iterate(net);
+    surveyed.form = survey.form;
+    const std::vector<LengthLaw> laws(net.interior_edge_count(), law);
     const BalancedDeviations balanced = balanced_deviations(
-        net, survey.form, BalanceEquations(net, survey.form, slack_by_form(net, surveyed, law)));
+        net, survey.form, BalanceEquations(net, survey.form, slack_by_form(net, surveyed, laws)));
     Identification result{.law = law};
     if (tell_impossible_edge(result, net, balanced.impossible_edge)) {
         return result;

@@ -29,12 +29,14 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
     if (survey.is_exact()) {
         result = identify_by_exact_balance(net, survey, law);
     } else {
+        const PriorKnowledge knowledge(net, law);
         for (const double width : prior_widths) {
-            SurveyFit fit(net, survey, law,
+            SurveyFit fit(net, survey, knowledge,
                           {.max_iterations = max_iterations, .prior_width = width});
             const GaussNewtonResult fitted = fit.run();
             if (fitted.converged || width == prior_widths.back()) {
-                result = identification_of(net, survey, law, fit, fitted, fit.observations());
+                result = identification_of(net, net, survey, law, knowledge, fit, fitted,
+                                           fit.observations());
                 predict_form(result, net, survey, fitted.iterate.form);
                 break;
             }

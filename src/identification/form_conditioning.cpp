@@ -33,7 +33,7 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& be
       m_nominal_form(std::move(nominal_form)),
       m_noise(with_noise_floor(net, survey)),
       m_free_noise(free_coordinates(net, m_noise)),
-      m_snooping(net, survey, m_noise, false_alarm_rate) {
+      m_snooping(net, survey, m_noise, m_no_readings, false_alarm_rate) {
     condition();
     if (!m_snooping.is_active()) {
         return;

@@ -65,6 +65,7 @@ private:
     std::optional<Cholesky> m_factor;  ///< of K = C_oo + Sigma
     Eigen::MatrixXd m_precision;       ///< P = K^-1, its lower triangle; made by evaluate()
     Eigen::VectorXd m_mean;
+    std::vector<ForceReading> m_no_readings;
     DataSnooping m_snooping;
 };
 

@@ -43,6 +43,12 @@ Choice choose_method(const Survey& survey, const IdentifyOptions& options) {
     if (survey.is_noisy()) {
         return {.method = IdentificationMethod::map, .reason = "the survey has noise"};
     }
+    if (!options.forces.empty()) {
+        return {.method = IdentificationMethod::map, .reason = "forces are told"};
+    }
+    if (!options.unknowns.empty()) {
+        return {.method = IdentificationMethod::map, .reason = "more than lengths is unknown"};
+    }
     return {.method = IdentificationMethod::balance,
             .reason = "all free nodes were surveyed, and no noise is told"};
 }
@@ -58,10 +64,39 @@ void check_survey_for(const CableNet& net, const Survey& survey, IdentificationM
     }
 }
 
+/// What only one method makes use of is not left aside in silence by another.
+void check_for_method(const IdentifyOptions& options, IdentificationMethod method) {
+    if (options.model != nullptr && method != IdentificationMethod::gp) {
+        throw std::invalid_argument(
+            fmt::format("--model is for --method gp, not for {}", to_string(method)));
+    }
+    if (method == IdentificationMethod::map) {
+        return;
+    }
+    if (!options.forces.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "--forces, --taut and --slack are for --method map, not for {}", to_string(method)));
+    }
+    if (options.unknowns.empty()) {
+        return;
+    }
+    if (method != IdentificationMethod::gp) {
+        throw std::invalid_argument(
+            fmt::format("--unknown is for --method map and gp, not for {}", to_string(method)));
+    }
+    if (options.model != nullptr && options.model->unknowns != options.unknowns) {
+        throw std::invalid_argument(fmt::format(
+            "the model was trained with the unknowns {}, expected {}: taut sample --unknown draws "
+            "them",
+            to_string(options.model->unknowns), to_string(options.unknowns)));
+    }
+}
+
 /// A model for the net and the law, on samples drawn now.
-LengthModel trained_model(const CableNet& net, const LengthLaw& law, int samples,
+LengthModel trained_model(const CableNet& net, const LengthLaw& law,
+                          const std::vector<Unknown>& unknowns, int samples,
                           const Progress& progress) {
-    const Sampler sampler(net, law, /*seed=*/1);
+    const Sampler sampler(net, law, /*seed=*/1, unknowns);
     const DataSet data = draw_samples(sampler, samples, progress);
     return train(net, data, data.converged_in(0, data.size()), {}, progress);
 }
@@ -70,6 +105,9 @@ std::string how_text(const LengthModel& model, bool is_given, const Survey& surv
     std::string text = fmt::format(
         "Gaussian processes trained on {} samples of {}{}", model.training_count(),
         model.law.to_string(), is_given ? "" : " (no --model was given, so they were drawn now)");
+    if (!model.unknowns.empty()) {
+        text += ", drawn with " + to_string(model.unknowns);
+    }
     if (model.as_in_paper && survey.is_noisy()) {
         text +=
             "\n  as in the paper, which takes the survey for exact: its noise is not in their "
@@ -80,7 +118,7 @@ std::string how_text(const LengthModel& model, bool is_given, const Survey& surv
 
 Identification identify_by_model(const CableNet& net, const Survey& survey,
                                  const LengthModel& model) {
-    if (survey.is_exact()) {
+    if (survey.is_exact() && model.unknowns.empty()) {
         // No process tells whether a form is that of any lengths: the balance does.
         Identification balance = check_exactness(net, survey, model.law);
         if (balance.status != IdentificationStatus::converged) {
@@ -157,11 +195,10 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     check_draws(net, options.draws);
     const auto [method, reason] = choose_method(survey, options);
     check_survey_for(net, survey, method);
+    check_forces(net, options.forces);
+    check_unknowns(net, options.unknowns);
+    check_for_method(options, method);
     if (options.model != nullptr) {
-        if (method != IdentificationMethod::gp) {
-            throw std::invalid_argument(
-                fmt::format("--model is for --method gp, not for {}", to_string(method)));
-        }
         check_model(net, *options.model, options.law);
     }
     Identification result;
@@ -171,16 +208,23 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
             result.how =
                 fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
             break;
-        case IdentificationMethod::map:
+        case IdentificationMethod::map: {
+            Told told(law);
+            told.unknowns = options.unknowns;
+            told.forces = options.forces;
             result = identify_by_maximum_a_posteriori(
-                net, survey, law, {}, {.count = options.draws, .seed = options.seed}, progress);
+                net, survey, told, {}, {.count = options.draws, .seed = options.seed}, progress);
             result.how =
                 fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string());
+            if (!options.unknowns.empty()) {
+                result.how += ", unknown besides: " + to_string(options.unknowns);
+            }
             break;
+        }
         case IdentificationMethod::gp: {
             std::optional<LengthModel> own;
             if (options.model == nullptr) {
-                own = trained_model(net, law, options.training_samples, progress);
+                own = trained_model(net, law, options.unknowns, options.training_samples, progress);
             }
             const LengthModel& model = own ? *own : *options.model;
             result = identify_by_model(net, survey, model);

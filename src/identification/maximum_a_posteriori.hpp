@@ -7,25 +7,40 @@
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
+#include "taut/survey/forces.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
 
+/// What is told besides net and survey.
+struct Told {
+    LengthLaw law;  ///< of the length deviations
+    std::vector<Unknown> unknowns;
+    Forces forces;
+
+    /// The law, and nothing else.
+    Told(const LengthLaw& with_law) : law(with_law) {}  // NOLINT(google-explicit-constructor)
+};
+
 /// Maximum a posteriori under the statics: SurveyFit with the law as prior, then the posterior
 /// mean, by propagate_law(). Standard deviations are those of the posterior linearised at the
 /// result (Laplace), as the law itself cuts it (posterior_of()). Of an exact survey of all nodes
-/// the lengths are those of the balance.
-/// @throws std::invalid_argument as SurveyFit
+/// the lengths are those of the balance, unless more than them is unknown, or forces are told.
+/// @throws std::invalid_argument as SurveyFit, check_unknowns()
 /// @throws std::runtime_error where the statics are singular at the surveyed form
 [[nodiscard]] Identification identify_by_maximum_a_posteriori(
-    const CableNet& net, const Survey& survey, const LengthLaw& law,
+    const CableNet& net, const Survey& survey, const Told& told,
     const SurveyFitSettings& settings = {}, const DrawSettings& draws = {},
     const Progress& progress = {});
 
 /// What a fit tells of the lengths, under the law; no form is predicted yet.
+/// @param fit_net of the fit, net_to_fit()
 /// @param observations with the prior that the fit was made with
-[[nodiscard]] Identification identification_of(const CableNet& net, const Survey& survey,
-                                               const LengthLaw& law, const SurveyFit& fit,
+[[nodiscard]] Identification identification_of(const CableNet& net, const CableNet& fit_net,
+                                               const Survey& survey, const LengthLaw& law,
+                                               const PriorKnowledge& knowledge,
+                                               const SurveyFit& fit,
                                                const GaussNewtonResult& fitted,
                                                const Observations& observations);
 

@@ -76,6 +76,7 @@ LengthModel train(const CableNet& net, const DataSet& data, const std::vector<in
     LengthModel model{.net_fingerprint = data.net_fingerprint,
                       .law = data.law,
                       .seed = data.seed,
+                      .unknowns = data.unknowns,
                       .mean = settings.mean,
                       .metric = settings.metric,
                       .as_in_paper = settings.as_in_paper,

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "estimation/prior_knowledge.hpp"
+#include "identification/unknown_estimates.hpp"
 #include "taut/estimation/length_posterior.hpp"
-#include "taut/identification/best_possible.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -34,6 +38,92 @@ EdgeStatus probable_status(const LengthLaw& law, double std) {
     return 2 * unobserved > count * count ? EdgeStatus::unobserved : EdgeStatus::identified;
 }
 
+/// Linearised at the design, with all that is told.
+class Prospect {
+public:
+    Prospect(const CableNet& net, const Points& form, const Survey& survey, const LengthLaw& law,
+             const Forces& forces, const std::vector<Unknown>& unknowns)
+        : m_net(net),
+          m_fit_net(net_to_fit(net, unknowns)),
+          m_knowledge(knowledge_of(net, m_fit_net, law, unknowns, forces)),
+          m_statics(m_fit_net, unknowns) {
+        std::vector<bool> slack(net.edge_count(), false);
+        for (const int edge : slack_edges(net, net.unstressed_lengths(), form)) {
+            slack[edge] = true;
+        }
+        m_statics.set_slack(std::move(slack));
+        LawBlur blur = blur_by(m_fit_net, law.std(), unknowns);
+        blur.strain_stds.resize(0);  // laws as they are at the design
+        blur.missed.resize(0);
+        m_statics.set_blur(std::move(blur));
+        const int common = m_statics.common().count();
+        Iterate design = nominal_iterate(m_fit_net, common);
+        design.form = form;
+        const std::vector<bool> none_rejected(net.node_count(), false);
+        const Observations observations = observe(m_fit_net, survey, with_noise_floor(net, survey),
+                                                  none_rejected, m_knowledge, common);
+        if (!m_statics.linearise(design, observations)) {
+            throw std::runtime_error("the statics of the net are singular at this form");
+        }
+        m_statics.invert();
+        m_tensions = m_statics.tensions(design);
+    }
+    Prospect(const Prospect&) = delete;
+    Prospect& operator=(const Prospect&) = delete;
+
+    /// Of the lengths' deviations (m_I) [m2].
+    [[nodiscard]] Eigen::VectorXd length_variances(const LengthLaw& law) const {
+        const double of_law = law.std() * law.std();
+        const Eigen::VectorXd unknown =
+            m_statics.blur().length_variances(m_fit_net.interior_edge_count());
+        const Eigen::VectorXd found = m_statics.length_variances();
+        const bool has_all = m_fit_net.interior_edge_count() > m_net.interior_edge_count();
+        Eigen::VectorXd result(m_net.interior_edge_count());
+        for (int k = 0; k < result.size(); ++k) {
+            const int i = has_all ? m_net.interior_edges()[k] : k;
+            // At loose nodes they can be lost in rounding errors: then the law is all that is
+            // known. Where an edge has a stiffness of its own, the sum of both is found.
+            const double own = of_law / (of_law + unknown(i));
+            result(k) = found(i) > 0.0 ? own * unknown(i) + own * own * found(i) : of_law;
+        }
+        return result;
+    }
+
+    void tell_tensions(SurveyProspect& result, double reading_noise) const {
+        const Eigen::VectorXd variances = m_statics.tension_variances();
+        const Eigen::VectorXd with_mean = m_statics.covariances_with_mean_tension();
+        const double of_mean = with_mean.mean();
+        result.mean_tension = m_tensions.mean();
+        result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
+        std::vector<bool> is_read(m_net.edge_count(), false);
+        for (const ForceReading& reading : m_knowledge.forces.readings) {
+            is_read[reading.edge] = true;
+        }
+        for (int e = 0; e < m_net.edge_count(); ++e) {
+            if (is_read[e] || !(m_tensions(e) > 0.0) || !(variances(e) > 0.0)) {
+                continue;
+            }
+            const double noise = reading_noise * m_tensions(e);
+            const double left =
+                of_mean - with_mean(e) * with_mean(e) / (variances(e) + noise * noise);
+            result.readings.push_back({.edge = e,
+                                       .tension = m_tensions(e),
+                                       .std = std::sqrt(variances(e)),
+                                       .mean_std_with_reading = std::sqrt(std::max(0.0, left))});
+        }
+        std::ranges::sort(result.readings, {}, [](const TensionProspect& t) {
+            return std::pair(t.mean_std_with_reading, t.edge);
+        });
+    }
+
+private:
+    const CableNet& m_net;
+    CableNet m_fit_net;
+    PriorKnowledge m_knowledge;
+    LinearisedStatics m_statics;
+    Eigen::VectorXd m_tensions;
+};
+
 }  // namespace
 
 int SurveyProspect::count(EdgeStatus status) const {
@@ -49,18 +139,22 @@ double SurveyProspect::rms_std() const {
 }
 
 SurveyProspect survey_prospect(const CableNet& net, const Eigen::Ref<const Points>& form,
-                               const Survey& survey, const LengthLaw& law) {
+                               const Survey& survey, const LengthLaw& law, const Forces& forces,
+                               const std::vector<Unknown>& unknowns, double reading_noise) {
     if (net.interior_edge_count() == 0) {
         throw std::invalid_argument(
             "the net has no interior edge: every unstressed length is known and set");
     }
+    law.check();
     check_survey(net, survey);
+    check_forces(net, forces);
+    check_unknowns(net, unknowns);
     if (survey.is_exact()) {
         require_whole(net, survey, "all, or their noise (--noise, or sx, sy, sz in the file)");
     }
-    const Eigen::VectorXd& lengths = net.unstressed_lengths();
-    const Eigen::VectorXd variances = best_possible_variances(net, lengths, form, survey, law);
-    const std::vector<int> slack = slack_edges(net, lengths, form);
+    const Prospect prospect(net, form, survey, law, forces, unknowns);
+    const Eigen::VectorXd variances = prospect.length_variances(law);
+    const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
     SurveyProspect result{.prior_std = law.std(), .edges = {}};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
@@ -71,6 +165,7 @@ SurveyProspect survey_prospect(const CableNet& net, const Eigen::Ref<const Point
              .std = std,
              .status = is_slack ? EdgeStatus::slack : probable_status(law, std)});
     }
+    prospect.tell_tensions(result, reading_noise);
     return result;
 }
 

@@ -44,6 +44,7 @@ std::string data_set_bytes(const DataSet& data, const NetFile& net) {
                 .net_fingerprint = data.net_fingerprint,
                 .law = data.law,
                 .seed = data.seed,
+                .unknowns = data.unknowns,
                 .nominal_form = data.nominal_form},
                net);
     writer.matrix("form_deviation", data.form_deviations, "m");
@@ -72,6 +73,7 @@ StoredDataSet read_data_set(const std::filesystem::path& path) {
         .net_fingerprint = head.net_fingerprint,
         .law = head.law,
         .seed = head.seed,
+        .unknowns = std::move(head.unknowns),
         .nominal_form = std::move(head.nominal_form),
         .form_deviations = reader.matrix("form_deviation", coordinates, n),
         .length_deviations = reader.matrix("length_deviation", net.interior_edge_count(), n),

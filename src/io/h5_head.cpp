@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "files/message.hpp"
@@ -29,6 +31,35 @@ LengthLaw read_law(const hdf5::Reader& reader) {
     } catch (const std::invalid_argument& error) {
         reader.fail("law", error.what());
     }
+}
+
+std::string unknowns_text(const std::vector<Unknown>& unknowns) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Unknown& unknown : unknowns) {
+        list.push_back(unknown.to_string());
+    }
+    return list.dump();
+}
+
+std::vector<Unknown> read_unknowns(const hdf5::Reader& reader, const CableNet& net) {
+    std::vector<Unknown> unknowns;
+    if (!reader.has_attribute("unknowns")) {
+        return unknowns;
+    }
+    const auto list = nlohmann::json::parse(reader.text_attribute("unknowns"), nullptr, false);
+    const auto is_text = [](const nlohmann::json& entry) { return entry.is_string(); };
+    if (!list.is_array() || !std::ranges::all_of(list, is_text)) {
+        reader.fail("unknowns", R"(is no list of texts, as in ["stiffness:5%"])");
+    }
+    try {
+        for (const auto& entry : list) {
+            unknowns.push_back(parse_unknown(entry.get_ref<const std::string&>()));
+        }
+        check_unknowns(net, unknowns);
+    } catch (const std::invalid_argument& error) {
+        reader.fail("unknowns", error.what());
+    }
+    return unknowns;
 }
 
 void require_list(const hdf5::Reader& reader, const std::string& name,
@@ -64,6 +95,9 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
     writer.attribute("version", head.version);
     writer.attribute("law", head.law.to_string());
     writer.attribute("seed", head.seed);
+    if (!head.unknowns.empty()) {
+        writer.attribute("unknowns", unknowns_text(head.unknowns));
+    }
     writer.attribute("net_fingerprint", head.net_fingerprint);
     writer.text("net", net_to_json(net, file.unknown_keys));
     writer.integers("free_nodes", net.free_nodes());
@@ -89,6 +123,7 @@ std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader, const std::stri
                 .net_fingerprint = fingerprint,
                 .law = read_law(reader),
                 .seed = reader.number_attribute("seed"),
+                .unknowns = read_unknowns(reader, net),
                 .nominal_form = reader.vector("nominal_form", 3 * net.free_node_count())};
     return {std::move(head), std::move(file)};
 }

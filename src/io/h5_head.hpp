@@ -5,11 +5,13 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "files/hdf5_reader.hpp"
 #include "files/hdf5_writer.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
 
 /// What data sets and models have in common: both belong to one net, one law and one seed.
 namespace taut {
@@ -21,7 +23,8 @@ struct H5Head {
     std::string net_fingerprint;
     LengthLaw law;
     std::uint64_t seed = 1;
-    Eigen::VectorXd nominal_form;  ///< 3 n_I [m]
+    std::vector<Unknown> unknowns;  ///< an attribute, JSON text, where there are any
+    Eigen::VectorXd nominal_form;   ///< 3 n_I [m]
 };
 
 /// @throws std::invalid_argument where the head does not fit the net

@@ -195,6 +195,7 @@ std::string model_bytes(const LengthModel& model, const NetFile& net) {
                 .net_fingerprint = model.net_fingerprint,
                 .law = model.law,
                 .seed = model.seed,
+                .unknowns = model.unknowns,
                 .nominal_form = model.nominal_form},
                net);
     writer.attribute("mean_function", std::string(to_string(model.mean)));
@@ -242,6 +243,7 @@ StoredModel read_model(const std::filesystem::path& path) {
     return {.model = {.net_fingerprint = head.net_fingerprint,
                       .law = head.law,
                       .seed = head.seed,
+                      .unknowns = std::move(head.unknowns),
                       .mean = mean,
                       .metric = metric,
                       .as_in_paper = read_as_in_paper(reader, mean, metric),

@@ -17,12 +17,11 @@ namespace {
 
 NetOrResult identified_net(const IdentificationResult& result, const NetFile& designed,
                            const std::string& file_name) {
-    CableNetData data = designed.net.data();
-    data.nodes = result.form;
+    Eigen::VectorXd lengths = designed.net.unstressed_lengths();
     std::vector<int> slack;
     std::vector<int> unobserved;
     for (const IdentifiedEdge& edge : result.edges) {
-        data.unstressed_lengths(edge.edge) += edge.length_deviation;
+        lengths(edge.edge) += edge.length_deviation;
         if (edge.status == EdgeStatus::slack) {
             slack.push_back(edge.edge);
         } else if (edge.status == EdgeStatus::unobserved) {
@@ -30,6 +29,13 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
         }
     }
     try {
+        CableNetData data = designed.net.data();
+        data.unstressed_lengths = lengths;
+        if (!result.unknowns.empty()) {
+            data = net_under(designed.net, circumstances_of(designed.net, result.unknowns), lengths)
+                       .data();
+        }
+        data.nodes = result.form;
         return {.file = {.net = CableNet(std::move(data)), .unknown_keys = designed.unknown_keys},
                 .is_identified = true,
                 .slack = std::move(slack),

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
+#include <string_view>
 
 #include "files/json_parse.hpp"
 #include "files/message.hpp"
@@ -181,6 +183,32 @@ std::vector<IdentificationResult::Residual> read_residuals(const JsonValue& surv
     return residuals;
 }
 
+UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
+    UnknownEstimate estimate{.mean = member(value, "mean").number(),
+                             .std = member(value, "std").number()};
+    const JsonValue told = member(value, "told");
+    try {
+        estimate.unknown = parse_unknown(told.text());
+        check_unknowns(net, {estimate.unknown});
+    } catch (const std::invalid_argument& error) {
+        told.fail(error.what());
+    }
+    const Unknown::Kind kind = estimate.unknown.kind;
+    if (kind == Unknown::Kind::stiffness_each || kind == Unknown::Kind::adjustable) {
+        const JsonValue edge = value.require("edge", "the edge whose it is");
+        estimate.edge = edge.integer();
+        if (estimate.edge < 0 || estimate.edge >= net.edge_count()) {
+            edge.fail(fmt::format("is {}, expected an edge of the net", estimate.edge));
+        }
+    }
+    if (kind == Unknown::Kind::supports || kind == Unknown::Kind::loads_each) {
+        estimate.node = read_node(value.require("node", "the node whose it is"), net);
+        const std::string axis = value.require("axis", R"("x", "y" or "z")").text();
+        estimate.axis = static_cast<int>(std::string_view("xyz").find(axis));
+    }
+    return estimate;
+}
+
 IdentificationResult read_identification(const JsonValue& root) {
     IdentificationResult result{.net = require_net(root)};
     result.edges = read_edges(member(root, "edges"), result.net);
@@ -188,6 +216,9 @@ IdentificationResult read_identification(const JsonValue& root) {
     if (root.find("tension")) {
         static_cast<void>(
             require_list(root, "tension", result.net.edge_count(), "a number for each edge"));
+    }
+    for (const JsonValue& unknown : entries(root, "unknowns")) {
+        result.unknowns.push_back(read_unknown(unknown, result.net));
     }
     const JsonValue survey = member(root, "survey");
     for (const JsonValue& node : entries(survey, "missing_nodes")) {

@@ -10,6 +10,8 @@
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
+#include "taut/survey/forces.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -30,11 +32,16 @@ enum class IdentificationMethod {
 [[nodiscard]] IdentificationMethod parse_identification_method(std::string_view name);
 
 struct IdentifyOptions {
-    /// Empty: gp where a model is given; map where the survey has noise or misses nodes; balance
-    /// else.
+    /// Empty: gp where a model is given; map where the survey has noise or misses nodes, forces are
+    /// told or more than lengths is unknown; balance else.
     std::optional<IdentificationMethod> method;
     /// Of the length deviations. Empty: the model's, or uniform:5mm.
     std::optional<LengthLaw> law;
+    /// What was read and seen of the forces besides the form; for map.
+    Forces forces;
+    /// What else is not known: map estimates it with the lengths; the samples of gp are drawn with
+    /// it. A model has its own.
+    std::vector<Unknown> unknowns;
     /// For gp; not copied. Null: one is trained now, on `training_samples` samples of the law, and
     /// forgotten.
     const LengthModel* model = nullptr;
@@ -65,8 +72,9 @@ void check_draws(const CableNet& net, std::int64_t draws);
 /// @param progress of the training, where a model has to be trained
 /// @return status and message tell whether it may be relied on; misuse throws
 /// @throws std::invalid_argument for draws as check_draws(), a law that the net does not bear
-///   (check_law()), a model of another net (both fingerprints are named) or law, a model for
-///   another method than gp
+///   (check_law()), forces as check_forces(), or for another method than map; unknowns as
+///   check_unknowns(), for balance, or others than the model's; a model of another net (both
+///   fingerprints are named) or law, a model for another method than gp
 /// @throws SurveyError as check_survey(), and where a free node was not surveyed though the survey
 ///   is exact, or the method (balance, a model as in the paper) needs all
 /// @throws std::runtime_error where the statics are singular at the surveyed form

@@ -47,6 +47,7 @@ struct LengthModel {
     std::string net_fingerprint;
     LengthLaw law;  ///< of the data it was trained on
     std::uint64_t seed = 1;
+    std::vector<Unknown> unknowns;  ///< that its data were drawn with
     MeanFunction mean = MeanFunction::zero;
     KernelMetric metric = KernelMetric::isotropic;
     /// Trained for the paper's algorithm: eq. ident as it stands, which takes every survey for

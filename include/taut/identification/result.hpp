@@ -11,6 +11,7 @@
 #include "taut/estimation/edge_status.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/identification/posterior_draws.hpp"
+#include "taut/identification/unknown_estimate.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/survey/survey.hpp"
@@ -52,7 +53,8 @@ struct Identification {
     IdentificationStatus status = IdentificationStatus::converged;
     std::string message;                ///< why it did not converge, and what may help; else empty
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order
-    Equilibrium predicted;              ///< of the net with the identified lengths
+    Equilibrium predicted;     ///< of the net with the identified lengths, and all else identified
+    Eigen::VectorXd tensions;  ///< of all edges in that form (m); empty where there is none [N]
     /// |predicted - surveyed| at the surveyed free nodes, in the order of Survey::surveyed [m]
     Eigen::VectorXd residuals;
 
@@ -62,6 +64,16 @@ struct Identification {
     /// Root mean square of the residuals over what the stated noise lets expect; about 1 where the
     /// noise is stated right. 0 where it was not computed.
     double noise_ratio = 0.0;
+
+    int readings = 0;                              ///< of forces, that were told
+    std::vector<ReadingOutlier> reading_outliers;  ///< those left out, the worst first
+    /// Edges that were told taut though all else tells that they are slack, or slack though no
+    /// length of the law is so long: what was told was kept to.
+    std::vector<int> contradicted_taut;
+    std::vector<int> contradicted_slack;
+
+    /// What else was unknown, in the order in which it was told.
+    std::vector<UnknownEstimate> unknowns;
 
     /// Of the posterior; empty where none were asked for, or the method gives none.
     std::optional<PosteriorDraws> draws;

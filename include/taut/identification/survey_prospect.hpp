@@ -6,6 +6,8 @@
 
 #include "taut/estimation/edge_status.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
+#include "taut/survey/forces.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -17,10 +19,25 @@ struct EdgeProspect {
     EdgeStatus status = EdgeStatus::identified;
 };
 
-/// What a survey can tell of all lengths, before it is made.
+/// What a survey can tell of one edge's tension, before it is made, and what a reading of it would
+/// add.
+struct TensionProspect {
+    int edge = 0;
+    double tension = 0.0;  ///< in the form that it is reckoned at [N]
+    double std = 0.0;      ///< of the tension, after the survey and the readings told [N]
+    /// Of the mean tension, if this edge's were read besides [N].
+    double mean_std_with_reading = 0.0;
+};
+
+/// What a survey can tell of all lengths and tensions, before it is made.
 struct SurveyProspect {
     double prior_std = 0.0;           ///< of each length deviation, before the survey [m]
     std::vector<EdgeProspect> edges;  ///< one an interior edge, in their order
+
+    double mean_tension = 0.0;      ///< over all edges, in the form that it is reckoned at [N]
+    double mean_tension_std = 0.0;  ///< after the survey and the readings told [N]
+    /// All taut edges of which no reading is told, those first of which one would tell most.
+    std::vector<TensionProspect> readings;
 
     [[nodiscard]] int count(EdgeStatus status) const;
     /// Root mean square of the edges' standard deviations [m].
@@ -34,11 +51,17 @@ struct SurveyProspect {
 /// the law itself (posterior_of(), status_of()). Slack are the edges without tension in this form.
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
-/// @throws std::invalid_argument as best_possible_variances(), and where the net has no interior
-///   edge
+/// @param forces of which edges tensions are read, and their noise; the tensions are not used
+/// @param reading_noise standard deviation of one more reading, as a part of the tension
+/// @throws std::invalid_argument as best_possible_variances(), check_forces(), check_unknowns(),
+/// and
+///   where the net has no interior edge
 /// @throws SurveyError where the survey is exact and not whole
 [[nodiscard]] SurveyProspect survey_prospect(const CableNet& net,
                                              const Eigen::Ref<const Points>& form,
-                                             const Survey& survey, const LengthLaw& law);
+                                             const Survey& survey, const LengthLaw& law,
+                                             const Forces& forces = {},
+                                             const std::vector<Unknown>& unknowns = {},
+                                             double reading_noise = 0.02);
 
 }  // namespace taut

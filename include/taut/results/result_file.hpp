@@ -37,6 +37,7 @@ struct IdentificationResult {
     CableNet net;
     std::vector<IdentifiedEdge> edges;  ///< in the order of the file
     Points form;                        ///< predicted (3 x n) [m]
+    std::vector<UnknownEstimate> unknowns;
     struct Residual {
         int node = 0;
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/sampling/circumstances.hpp"
+#include "taut/sampling/unknown.hpp"
+
+namespace taut {
+
+/// What a survey tells of one number that was unknown besides the lengths, in the unit of its kind:
+/// the logarithm of a factor of the stiffness, K, m, a part of the loads, N.
+struct UnknownEstimate {
+    Unknown unknown;    ///< as it was told, with its standard deviation before the survey
+    int edge = -1;      ///< whose it is, of stiffness-each and adjustable; else -1
+    int node = -1;      ///< whose it is, of supports and of loads in newtons; else -1
+    int axis = -1;      ///< of the node: 0, 1, 2 for x, y, z
+    double mean = 0.0;  ///< deviation from what the net tells
+    double std = 0.0;
+    /// Whether the survey shows it at all: whether it is known better than before.
+    [[nodiscard]] bool is_observed() const;
+};
+
+/// The means of unknowns as circumstances of their net.
+[[nodiscard]] Circumstances circumstances_of(const CableNet& net,
+                                             const std::vector<UnknownEstimate>& unknowns);
+
+}  // namespace taut

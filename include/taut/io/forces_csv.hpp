@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/survey/forces.hpp"
+
+namespace taut {
+
+/// How readings of forces are told.
+struct ForceFormat {
+    double unit = 1.0;           ///< of the file's numbers [N]
+    double relative_std = 0.02;  ///< of readings that tell no std, as a part of each
+    double std = 0.0;            ///< of them, in newtons; 0: relative_std holds [N]
+};
+
+/// Reads tensions, one edge a line: edge,tension[,std]. The header with these names may be left
+/// out, if all lines are alike; empty lines and those that start with # are. An edge is a name of
+/// the net, else an index.
+/// @param file_name for messages
+/// @return in the order of the file, at least one
+/// @throws InputError with the line, for anything else, an edge that is not of the net or comes
+///   twice, a tension that is negative, a std that is not positive, and a tension of 0 whose std is
+///   told as a part of it
+[[nodiscard]] std::vector<ForceReading> parse_force_readings(const CableNet& net,
+                                                             std::string_view text,
+                                                             const std::string& file_name,
+                                                             const ForceFormat& format = {});
+
+/// Reads a list of edges, one a line, with or without the header "edge".
+/// @return in the order of the file, at least one
+/// @throws InputError with the line, for an edge that is not of the net or comes twice
+[[nodiscard]] std::vector<int> parse_edge_list(const CableNet& net, std::string_view text,
+                                               const std::string& file_name);
+
+/// Whether the first line with anything has one field: a list of edges, not readings.
+/// @throws InputError as CSV
+[[nodiscard]] bool is_edge_list(std::string_view text, const std::string& file_name);
+
+/// What most likely is told in another unit, in words; empty: nothing. Tensions are held against
+/// those of the design.
+[[nodiscard]] std::string force_unit_warning(const CableNet& net,
+                                             const std::vector<ForceReading>& readings);
+
+}  // namespace taut

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/unknown_estimates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "taut/estimation/edge_status.hpp"
+
+namespace taut {
+namespace {
+
+using Kind = Unknown::Kind;
+
+/// Of the deviation x of a length that is the sum of the edge's own and of one that nobody knows,
+/// with prior variances P and v: the part of the sum that a term of variance `part` is.
+struct Share {
+    double mean;
+    double variance;
+};
+Share share_of(double part, double prior_variance, double deviation_from_prior, double variance) {
+    const double ratio = part / prior_variance;
+    return {.mean = ratio * deviation_from_prior,
+            .variance = part * (1.0 - ratio) + ratio * ratio * variance};
+}
+
+class Estimates {
+public:
+    Estimates(const CableNet& net, const PriorKnowledge& knowledge,
+              const LinearisedStatics& statics, const Observations& sites, const Iterate& fitted)
+        : m_net(net),
+          m_knowledge(knowledge),
+          m_statics(statics),
+          m_sites(sites),
+          m_fitted(fitted),
+          m_unknown_lengths(statics.blur().length_variances(sites.variance.size())),
+          m_length_variances(statics.length_variances()) {}
+
+    [[nodiscard]] std::vector<UnknownEstimate> run() && {
+        int common = 0;
+        for (const Unknown& unknown : m_knowledge.unknowns) {
+            switch (unknown.kind) {
+                case Kind::stiffness:
+                case Kind::temperature:
+                case Kind::loads:
+                    add_common(unknown, common++);
+                    break;
+                case Kind::stiffness_each:
+                    add_own_stiffness(unknown);
+                    break;
+                case Kind::adjustable:
+                    add_adjustable(unknown);
+                    break;
+                case Kind::supports:
+                    add_supports(unknown);
+                    break;
+                case Kind::loads_each:
+                    add_own_loads(unknown);
+                    break;
+            }
+        }
+        return std::move(m_result);
+    }
+
+private:
+    /// @param k place among the common unknowns
+    void add_common(const Unknown& unknown, int k) {
+        m_result.push_back(
+            {.unknown = unknown,
+             .mean = unknown.std * m_fitted.common(k),
+             .std = unknown.std * std::sqrt(std::max(0.0, m_statics.common_covariance()(k, k)))});
+    }
+
+    /// What of an edge's deviation a part of its prior variance stands for.
+    [[nodiscard]] Share share(int edge, double part) const {
+        const double prior = m_sites.variance(edge) + m_unknown_lengths(edge);
+        return share_of(part, prior, m_fitted.deviations(edge) - m_sites.mean(edge),
+                        m_length_variances(edge));
+    }
+
+    /// (own-stiffness). All edges are interior ones of the net to fit.
+    void add_own_stiffness(const Unknown& unknown) {
+        const Eigen::VectorXd stds = own_stiffness_stds(m_net, m_knowledge.unknowns);
+        for (const int edge : edges_of(m_net, unknown)) {
+            UnknownEstimate estimate{.unknown = unknown, .edge = edge, .std = unknown.std};
+            if (const double part = m_statics.blur().stiffness(edge); part > 0.0) {
+                // The edge's own stiffness, of which this unknown is a part where there are two.
+                const double by_length = stds(edge) / std::sqrt(part);
+                const double own = std::pow(unknown.std / stds(edge), 2);
+                const Share length = share(edge, part);
+                estimate.mean = -own * by_length * length.mean;
+                estimate.std = std::sqrt(own * own * by_length * by_length * length.variance +
+                                         (1.0 - own) * unknown.std * unknown.std);
+            }
+            m_result.push_back(std::move(estimate));
+        }
+    }
+
+    void add_adjustable(const Unknown& unknown) {
+        for (const int edge : m_net.adjustable_edges()) {
+            const Share length = share(edge, m_sites.variance(edge));
+            m_result.push_back({.unknown = unknown,
+                                .edge = edge,
+                                .mean = m_sites.mean(edge) + length.mean,
+                                .std = std::sqrt(std::max(0.0, length.variance))});
+        }
+    }
+
+    void add_supports(const Unknown& unknown) {
+        for (const int node : m_net.supports()) {
+            const Eigen::Vector3d shift = m_fitted.form.col(node) - m_net.nodes().col(node);
+            add_node(unknown, node, shift, m_statics.form_covariance(node));
+        }
+    }
+
+    void add_own_loads(const Unknown& unknown) {
+        for (const int node : m_net.free_nodes()) {
+            const Eigen::Vector3d load = m_fitted.loads.col(node);
+            add_node(unknown, node, load, m_statics.load_covariance(node));
+        }
+    }
+
+    void add_node(const Unknown& unknown, int node, const Eigen::Vector3d& mean,
+                  const Eigen::Matrix3d& covariance) {
+        for (int axis = 0; axis < 3; ++axis) {
+            m_result.push_back({.unknown = unknown,
+                                .node = node,
+                                .axis = axis,
+                                .mean = mean(axis),
+                                .std = std::sqrt(std::max(0.0, covariance(axis, axis)))});
+        }
+    }
+
+    const CableNet& m_net;
+    const PriorKnowledge& m_knowledge;
+    const LinearisedStatics& m_statics;
+    const Observations& m_sites;
+    const Iterate& m_fitted;
+    Eigen::VectorXd m_unknown_lengths;
+    Eigen::VectorXd m_length_variances;
+    std::vector<UnknownEstimate> m_result;
+};
+
+}  // namespace
+
+bool UnknownEstimate::is_observed() const {
+    return std < unobserved_ratio * unknown.std;
+}
+
+Circumstances circumstances_of(const CableNet& net, const std::vector<UnknownEstimate>& unknowns) {
+    Circumstances result = as_told(net);
+    for (const UnknownEstimate& estimate : unknowns) {
+        const double mean = estimate.mean;
+        switch (estimate.unknown.kind) {
+            case Kind::stiffness:
+                result.stiffness(edges_of(net, estimate.unknown)).array() += mean;
+                break;
+            case Kind::stiffness_each:
+                result.stiffness(estimate.edge) += mean;
+                break;
+            case Kind::temperature: {
+                const std::vector<int> edges = edges_of(net, estimate.unknown);
+                result.thermal(edges) += mean * net.data().expansion(edges);
+                break;
+            }
+            case Kind::supports:
+                result.supports(estimate.axis, estimate.node) = mean;
+                break;
+            case Kind::adjustable:
+                result.adjustable(estimate.edge) = mean;
+                break;
+            case Kind::loads:
+                result.loads = mean;
+                break;
+            case Kind::loads_each:
+                result.own_loads(estimate.axis, estimate.node) = mean;
+                break;
+        }
+    }
+    return result;
+}
+
+CableNet net_to_fit(const CableNet& net, const std::vector<Unknown>& unknowns) {
+    const bool needs_all_lengths =
+        std_of(unknowns, Kind::adjustable) > 0.0 || std_of(unknowns, Kind::stiffness_each) > 0.0;
+    if (!needs_all_lengths) {
+        return net;
+    }
+    CableNetData data = net.data();
+    data.adjustable.clear();
+    return CableNet(std::move(data));
+}
+
+PriorKnowledge knowledge_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& law,
+                            const std::vector<Unknown>& unknowns, const Forces& forces) {
+    PriorKnowledge knowledge(fit_net, law);
+    knowledge.unknowns = unknowns;
+    knowledge.forces = forces;
+    if (fit_net.interior_edge_count() > net.interior_edge_count()) {
+        constexpr double as_good_as_known = 1e-7;  // of a length, as of exact places
+        const double told = std_of(unknowns, Kind::adjustable);
+        for (const int edge : net.adjustable_edges()) {
+            const double least = as_good_as_known * net.unstressed_lengths()(edge);
+            knowledge.laws[edge] = {LengthLaw::Kind::normal, std::max(told, least)};
+        }
+    }
+    return knowledge;
+}
+
+std::vector<UnknownEstimate> unknown_estimates(const CableNet& net, const PriorKnowledge& knowledge,
+                                               const LinearisedStatics& statics,
+                                               const Observations& sites, const Iterate& fitted) {
+    return Estimates(net, knowledge, statics, sites, fitted).run();
+}
+
+}  // namespace taut

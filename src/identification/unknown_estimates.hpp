@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "estimation/prior_knowledge.hpp"
+#include "taut/identification/unknown_estimate.hpp"
+
+namespace taut {
+
+/// The net with all lengths unknown, where those of adjustable edges are, or where each edge has a
+/// stiffness of its own, which acts as a length; else the net itself. docs/theory.md, (unknown).
+[[nodiscard]] CableNet net_to_fit(const CableNet& net, const std::vector<Unknown>& unknowns);
+
+/// Everything that is told besides net and survey, of the net to fit: adjustable edges follow a
+/// normal law of their own there.
+[[nodiscard]] PriorKnowledge knowledge_of(const CableNet& net, const CableNet& fit_net,
+                                          const LengthLaw& law,
+                                          const std::vector<Unknown>& unknowns,
+                                          const Forces& forces);
+
+/// All unknowns of a net after a fit, in the order in which they were told.
+/// @param statics linearised and inverted at the fit, of the net to fit
+/// @param sites with the prior that the fit was made with
+[[nodiscard]] std::vector<UnknownEstimate> unknown_estimates(const CableNet& net,
+                                                             const PriorKnowledge& knowledge,
+                                                             const LinearisedStatics& statics,
+                                                             const Observations& sites,
+                                                             const Iterate& fitted);
+
+}  // namespace taut

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/io/forces_csv.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "files/csv_reader.hpp"
+#include "files/message.hpp"
+#include "files/parse_number.hpp"
+#include "files/plain_text.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+/// The edges of a file, each named once.
+class EdgeColumn {
+public:
+    EdgeColumn(const CableNet& net, const std::string& file_name)
+        : m_net(net), m_file_name(file_name), m_line_of(net.edge_count(), 0) {
+        for (int e = 0; e < net.edge_count(); ++e) {
+            m_edge_of.emplace(net.edge_id(e), e);
+        }
+    }
+
+    [[noreturn]] void fail(const CsvRecord& record, const std::string& what) const {
+        throw InputError(m_file_name, std::to_string(record.line), what);
+    }
+
+    /// The edge that the first field of a record names.
+    int edge(const CsvRecord& record) {
+        const std::string& id = record.fields[0];
+        const auto found = m_edge_of.find(id);
+        if (found == m_edge_of.end()) {
+            fail(record, fmt::format("{} is no edge of the net '{}'", quote(id), m_net.name()));
+        }
+        int& line = m_line_of[found->second];
+        if (line != 0) {
+            fail(record,
+                 fmt::format("names edge {} a second time, first in line {}", quote(id), line));
+        }
+        line = record.line;
+        return found->second;
+    }
+
+private:
+    const CableNet& m_net;
+    const std::string& m_file_name;
+    std::map<std::string, int> m_edge_of;
+    std::vector<int> m_line_of;
+};
+
+/// @throws InputError where the field is no finite number of 0 or more
+double force_in(const EdgeColumn& edges, const CsvRecord& record, size_t column,
+                std::string_view name) {
+    const auto value = parse_number(record.fields[column]);
+    if (!value || *value < 0.0) {
+        edges.fail(record, fmt::format("{} is {}, expected a finite number of 0 or more", name,
+                                       quote(record.fields[column])));
+    }
+    return *value;
+}
+
+}  // namespace
+
+std::vector<ForceReading> parse_force_readings(const CableNet& net, std::string_view text,
+                                               const std::string& file_name,
+                                               const ForceFormat& format) {
+    CsvReader reader(plain_text(text, file_name), file_name);
+    EdgeColumn edges(net, file_name);
+    std::vector<ForceReading> readings;
+    size_t columns = 0;
+    while (const auto record = reader.next()) {
+        const bool is_first = columns == 0;
+        const size_t found = record->fields.size();
+        if (is_first) {
+            columns = found;
+        }
+        if (found != columns || (found != 2 && found != 3)) {
+            edges.fail(*record, is_first || found == 2 || found == 3
+                                    ? fmt::format("has {} fields, expected edge,tension[,std]{}",
+                                                  found, is_first ? "" : " as in the lines before")
+                                    : fmt::format("has {} fields, expected {}", found, columns));
+        }
+        if (is_first && record->fields[0] == "edge" && record->fields[1] == "tension" &&
+            (columns == 2 || record->fields[2] == "std")) {
+            continue;
+        }
+        ForceReading reading{.edge = edges.edge(*record),
+                             .tension = format.unit * force_in(edges, *record, 1, "tension")};
+        reading.std = columns == 3       ? format.unit * force_in(edges, *record, 2, "std")
+                      : format.std > 0.0 ? format.std
+                                         : format.relative_std * reading.tension;
+        if (!(reading.std > 0.0)) {
+            edges.fail(*record,
+                       columns == 3
+                           ? "std is 0, expected a positive one"
+                           : "tension is 0, of which no part is a standard deviation: tell std in "
+                             "the file, or --force-noise in newtons");
+        }
+        readings.push_back(reading);
+    }
+    if (readings.empty()) {
+        throw InputError(file_name, "", "holds no reading, expected lines edge,tension[,std]");
+    }
+    return readings;
+}
+
+std::vector<int> parse_edge_list(const CableNet& net, std::string_view text,
+                                 const std::string& file_name) {
+    CsvReader reader(plain_text(text, file_name), file_name);
+    EdgeColumn edges(net, file_name);
+    std::vector<int> result;
+    bool is_first = true;
+    while (const auto record = reader.next()) {
+        if (record->fields.size() != 1) {
+            edges.fail(*record, fmt::format("has {} fields, expected the name of one edge",
+                                            record->fields.size()));
+        }
+        if (!is_first || record->fields[0] != "edge") {
+            result.push_back(edges.edge(*record));
+        }
+        is_first = false;
+    }
+    if (result.empty()) {
+        throw InputError(file_name, "", "names no edge, expected one a line");
+    }
+    return result;
+}
+
+bool is_edge_list(std::string_view text, const std::string& file_name) {
+    CsvReader reader(plain_text(text, file_name), file_name);
+    const auto first = reader.next();
+    return first && first->fields.size() == 1;
+}
+
+std::string force_unit_warning(const CableNet& net, const std::vector<ForceReading>& readings) {
+    const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
+    std::vector<double> ratios;
+    for (const ForceReading& reading : readings) {
+        if (designed(reading.edge) > 0.0) {
+            ratios.push_back(reading.tension / designed(reading.edge));
+        }
+    }
+    if (ratios.empty()) {
+        return {};
+    }
+    std::ranges::sort(ratios);
+    const double median = ratios[ratios.size() / 2];
+    constexpr double another_unit = 100.0;
+    if (median * another_unit < 1.0) {
+        return fmt::format(
+            "the tensions read are {:.2g} times those designed: are they in kN? --force-unit kN "
+            "tells it",
+            median);
+    }
+    if (median > another_unit) {
+        return fmt::format(
+            "the tensions read are {:.2g} times those designed: are they in another unit than "
+            "told?",
+            median);
+    }
+    return {};
+}
+
+}  // namespace taut
