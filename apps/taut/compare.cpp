@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "comparison_table.hpp"
+#include "force_input.hpp"
 #include "net_summary.hpp"
 #include "output_directory.hpp"
 #include "progress_line.hpp"
@@ -29,6 +30,7 @@ struct CompareOptions : CommonOptions {
     std::string training = "100,200,500,950,2000";
     std::string hidden = "0,10%";
     std::string law = "uniform:5mm";
+    std::vector<std::string> unknowns;
     ComparisonSettings comparison;
 };
 
@@ -99,6 +101,7 @@ void run(CompareOptions options) {
     const auto threads = options.limit_threads();
     parse(options);
     const CableNet net = read_net(options.net).net;
+    options.comparison.unknowns = unknowns_of(net, options.unknowns, options.net);
     const std::filesystem::path directory(options.directory);
     check_output_directory(directory, {"comparison.json", "comparison.csv", "report.html"},
                            {options.net});
@@ -134,7 +137,8 @@ void add_compare(CLI::App& program) {
         "Compare the methods of identification with each other and with the best possible.\n"
         "Along three axes, not over all combinations: the noise of the survey, at 950 training\n"
         "samples (or the most, where 950 is none of them); the training samples, at noise 0 and\n"
-        "0.5 mm (or the largest); the part of hidden nodes, at 950 samples and 0.5 mm.",
+        "0.5 mm (or the largest); the part of hidden nodes, at 950 samples and 0.5 mm. And with\n"
+        "--unknown on nets that differ in more than lengths, told to the methods and not.",
         "  taut compare net.json -o comparison\n"
         "  taut compare net.json -o comparison --noise 0,0.5mm --training 100,300 --hidden 0,20%",
         *options);
@@ -156,6 +160,7 @@ void add_compare(CLI::App& program) {
         ->capture_default_str();
     command.add_option("--law", options->law, "Law of the length deviations")
         ->capture_default_str();
+    add_unknown_option(command, options->unknowns);
     add_seed_option(command, options->comparison.seed);
     command.callback([options] { run(*options); });
 }

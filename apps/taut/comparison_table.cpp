@@ -129,6 +129,18 @@ std::string comparison_table(const Comparison& comparison) {
         text += fmt::format("\nOver the hidden nodes, noise {:.4g} mm, {} training samples\n{}",
                             1e3 * settings.common_noise(), training, hidden);
     }
+    if (!comparison.model_error_rows.empty()) {
+        text += fmt::format(
+            "\nOn nets that differ in more than lengths, noise {:.4g} mm, {} training samples: "
+            "{}\n{}",
+            1e3 * settings.common_noise(), training, to_string(settings.unknowns), head("these"));
+        std::string_view last;
+        for (const ComparisonRow& row : comparison.model_error_rows) {
+            const std::string_view place = to_string(row.model_errors);
+            text += line(std::string(place == last ? "" : place), row);
+            last = place;
+        }
+    }
     text += fmt::format(
         "\nSeconds: sampling {:.2f}, training {:.2f}, identification {:.2f}, in all {:.2f}\n",
         comparison.seconds.sampling, comparison.seconds.training, comparison.seconds.identification,

@@ -49,8 +49,8 @@ struct Iterate {
 /// instrument's, and no harder on the factorisation than it bears [m].
 [[nodiscard]] Points with_noise_floor(const CableNet& net, const Survey& survey);
 
-/// No target and no reading, length deviations of mean zero and one standard deviation, and all else
-/// known.
+/// No target and no reading, length deviations of mean zero and one standard deviation, and all
+/// else known.
 [[nodiscard]] Observations nothing_observed(const CableNet& net, double length_std,
                                             int common_unknowns = 0);
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "taut/results/comparison_files.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 #include "files/csv_field.hpp"
 #include "results/result_parts.hpp"
 #include "taut/version.hpp"
@@ -25,6 +29,7 @@ ResultJson row_json(const ComparisonRow& row) {
     return {{"method", result.name},
             {"noise", row.kind.noise_std},
             {"hidden_fraction", row.kind.hidden_part},
+            {"model_errors", to_string(row.model_errors)},
             {"training_samples", or_null(row.training_samples)},
             {"surveys", result.surveys},
             {"failed", result.failed},
@@ -42,9 +47,9 @@ ResultJson row_json(const ComparisonRow& row) {
             {"seconds", number(any, result.seconds)}};
 }
 
-ResultJson rows_json(const Comparison& comparison) {
+ResultJson rows_json(const std::vector<ComparisonRow>& all) {
     ResultJson rows = ResultJson::array();
-    for (const ComparisonRow& row : comparison.rows) {
+    for (const ComparisonRow& row : all) {
         rows.push_back(row_json(row));
     }
     return rows;
@@ -73,13 +78,20 @@ std::string comparison_to_json(const Comparison& comparison, const RunRecord& ru
                           {"identification", comparison.seconds.identification},
                           {"total", comparison.seconds.total}}}};
     add_run(document, run);
-    document["rows"] = rows_json(comparison);
+    document["unknowns"] = ResultJson::array();
+    for (const Unknown& unknown : settings.unknowns) {
+        document["unknowns"].push_back(unknown.to_string());
+    }
+    document["rows"] = rows_json(comparison.rows);
+    document["model_error_rows"] = rows_json(comparison.model_error_rows);
     return to_text(document);
 }
 
 std::string comparison_to_csv(const Comparison& comparison) {
     std::string csv;
-    for (const ResultJson& row : rows_json(comparison)) {
+    std::vector<ComparisonRow> all = comparison.rows;
+    std::ranges::copy(comparison.model_error_rows, std::back_inserter(all));
+    for (const ResultJson& row : rows_json(all)) {
         const auto add = [&](const auto& text) {
             const char* separator = "";
             for (const auto& [key, value] : row.items()) {

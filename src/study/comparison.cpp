@@ -121,6 +121,46 @@ private:
             }
         }
         m_comparison.seconds.identification += identification.seconds();
+        if (count == m_comparison.settings.common_training() &&
+            !m_comparison.settings.unknowns.empty()) {
+            run_with_model_errors(count, methods);
+        }
+    }
+
+    /// On nets that differ in more than lengths: the methods as they are, then those that can be
+    /// told, and so trained on such nets.
+    void run_with_model_errors(int count, const std::vector<Method>& untold) {
+        const CableNet& net = m_comparison.net;
+        const ComparisonSettings& settings = m_comparison.settings;
+        const Stopwatch sampling;
+        const Sampler sampler(net, settings.law, settings.seed, settings.unknowns);
+        const DataSet data = draw_samples(sampler, count + settings.surveys);
+        m_comparison.seconds.sampling += sampling.seconds();
+        const Stopwatch training;
+        const LengthModel model = train(net, data, data.converged_in(0, count));
+        const double training_seconds = training.seconds();
+        m_comparison.seconds.training += training_seconds;
+        std::vector told{method_by_processes(net, model),
+                         method_by_maximum_a_posteriori(net, settings.law, settings.unknowns)};
+        told[0].training_seconds = training_seconds;
+        const SurveyKind kind{.noise_std = settings.common_noise()};
+        const std::vector<Trial> trials =
+            simulate_trials(net, data, data.converged_in(count, data.size()), kind, settings.seed);
+        const Stopwatch identification;
+        const auto add = [&](const std::vector<Method>& methods, ModelErrors errors) {
+            for (const Method& method : methods) {
+                m_comparison.model_error_rows.push_back(
+                    {.kind = kind,
+                     .model_errors = errors,
+                     .training_samples =
+                         method.training_samples ? std::optional(count) : std::nullopt,
+                     .result = evaluate(net, method, trials, {}).result,
+                     .best_possible = {}});
+            }
+        };
+        add(untold, ModelErrors::untold);
+        add(told, ModelErrors::told);
+        m_comparison.seconds.identification += identification.seconds();
     }
 
     [[nodiscard]] LengthModel train_next(const std::vector<int>& samples,
@@ -185,6 +225,18 @@ int count_with_slack(const DataSet& data, const std::vector<int>& samples) {
 
 }  // namespace
 
+std::string_view to_string(ModelErrors errors) {
+    switch (errors) {
+        case ModelErrors::none:
+            return "none";
+        case ModelErrors::untold:
+            return "untold";
+        case ModelErrors::told:
+            return "told";
+    }
+    return "unknown";
+}
+
 int ComparisonSettings::common_training() const {
     constexpr int as_in_paper = 950;
     return std::ranges::find(training_samples, as_in_paper) != training_samples.end()
@@ -237,6 +289,7 @@ void ComparisonSettings::check() const {
 Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
                            const Progress& progress) {
     settings.check();
+    check_unknowns(net, settings.unknowns);
     const Stopwatch total;
     Comparison comparison{.net = net, .settings = settings};
     sort_once(comparison.settings.noises);

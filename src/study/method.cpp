@@ -40,9 +40,12 @@ Method method_by_force_balance(const CableNet& net, const LengthLaw& law) {
         }};
 }
 
-Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law) {
-    return {.name = "map", .identify = [&net, law](const Survey& survey) {
-                return identify_by_maximum_a_posteriori(net, survey, law);
+Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law,
+                                      const std::vector<Unknown>& unknowns) {
+    Told told(law);
+    told.unknowns = unknowns;
+    return {.name = "map", .identify = [&net, told](const Survey& survey) {
+                return identify_by_maximum_a_posteriori(net, survey, told);
             }};
 }
 

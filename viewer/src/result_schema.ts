@@ -30,6 +30,14 @@ export type EdgeStatus = "identified" | "slack" | "unobserved";
  * Of all edges, in the predicted form [N].
  */
 export type Numbers1 = number[];
+/**
+ * Told taut, though all else tells that they are slack.
+ */
+export type Indices1 = Index[];
+/**
+ * Told slack, though no length of the law is so long.
+ */
+export type Indices2 = Index[];
 export type CountOrNull = number | null;
 
 /**
@@ -183,6 +191,11 @@ export interface Identification {
    */
   mean_tension?: DrawnEstimate | null;
   /**
+   * What else was unknown, and what the survey tells of it; of an edge or a node where one is named.
+   */
+  unknowns?: Unknown[];
+  forces?: Forces;
+  /**
    * What the draws tell of the adjustable edges; empty without.
    */
   adjustable_edges?: DrawnTension[];
@@ -243,6 +256,52 @@ export interface DrawnEstimate {
   std: number;
   lower: number;
   upper: number;
+}
+export interface Unknown {
+  name: string;
+  /**
+   * Of edges; null: all.
+   */
+  group: string | null;
+  /**
+   * "stiffness:5%", its standard deviation before the survey.
+   */
+  told: string;
+  /**
+   * Deviation from what the net tells; of a stiffness the logarithm of its factor.
+   */
+  mean: number;
+  std: number;
+  unit: string;
+  /**
+   * Whether it is known better than before the survey.
+   */
+  observed: boolean;
+  edge?: Index;
+  node?: Index;
+  axis?: "x" | "y" | "z";
+  id?: string;
+}
+/**
+ * What was told of forces besides the survey.
+ */
+export interface Forces {
+  readings: Count;
+  /**
+   * Readings that contradict all else, and were left out.
+   */
+  outliers: {
+    edge: Index;
+    id: string;
+    read: number;
+    /**
+     * By all else [N].
+     */
+    expected: number;
+    statistic: number;
+  }[];
+  contradicted_taut?: Indices1;
+  contradicted_slack?: Indices2;
 }
 export interface DrawnTension {
   edge: Index;
@@ -390,6 +449,14 @@ export interface Comparison {
    * @minItems 1
    */
   rows: [ComparisonRow, ...ComparisonRow[]];
+  /**
+   * Besides the lengths: ["supports:1mm"].
+   */
+  unknowns?: string[];
+  /**
+   * On nets that differ from the design in these.
+   */
+  model_error_rows?: ComparisonRow[];
 }
 /**
  * One method at one noise, training size and part of hidden nodes. What the method does not have is null.
@@ -401,6 +468,10 @@ export interface ComparisonRow {
    */
   noise: number;
   hidden_fraction?: SizeOrNull;
+  /**
+   * Whether the surveyed nets differ from the design in more than lengths, and whether the method was told in what.
+   */
+  model_errors?: "none" | "untold" | "told";
   training_samples?: CountOrNull;
   surveys?: CountOrNull;
   failed?: CountOrNull;

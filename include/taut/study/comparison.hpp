@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
@@ -16,7 +17,8 @@ namespace taut {
 /// Over what the methods of identification are compared. Not over all combinations, but along three
 /// axes: noise, at common_training() samples; training samples, without noise (if that is one of
 /// the noises) and at common_noise(); hidden nodes, at both common ones. Only the third hides
-/// nodes.
+/// nodes. And where more than lengths is unknown, at both common ones: nets that differ in it, with
+/// that told to the methods and not.
 struct ComparisonSettings {
     std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
@@ -24,6 +26,7 @@ struct ComparisonSettings {
     int surveys = 50;  ///< of samples that no model was trained on; the same for all methods
     LengthLaw law;
     std::uint64_t seed = 1;
+    std::vector<Unknown> unknowns;  ///< besides the lengths; empty: no such axis
 
     /// 950, as in the paper, where that is among the training samples; else the most.
     [[nodiscard]] int common_training() const;
@@ -36,9 +39,17 @@ struct ComparisonSettings {
     void check() const;
 };
 
+/// Whether the surveyed nets differ from the design in more than lengths, and whether a method was
+/// told in what.
+enum class ModelErrors { none, untold, told };
+
+/// "none", "untold", "told".
+[[nodiscard]] std::string_view to_string(ModelErrors errors);
+
 /// One method on surveys of one kind.
 struct ComparisonRow {
     SurveyKind kind;
+    ModelErrors model_errors = ModelErrors::none;
     std::optional<int> training_samples;  ///< empty: the method learns from none
     MethodResult result;
     /// Of these surveys, whatever the method. Empty without noise and hidden nodes, where every
@@ -53,6 +64,9 @@ struct Comparison {
     /// The axis of noise, then of training samples, then of hidden nodes, each kind of survey once;
     /// of each "gp_as_in_paper", "gp", "balance", "map".
     std::vector<ComparisonRow> rows;
+    /// Of nets that differ in more than lengths: of each method untold, then of "gp" and "map"
+    /// told.
+    std::vector<ComparisonRow> model_error_rows;
     int samples = 0;             ///< drawn
     int not_converged = 0;       ///< of these, neither trained on nor surveyed
     int surveys = 0;             ///< of each kind
@@ -65,7 +79,8 @@ struct Comparison {
     } seconds;
 };
 
-/// @throws std::invalid_argument as ComparisonSettings::check(), Sampler and simulate_trials()
+/// @throws std::invalid_argument as ComparisonSettings::check(), check_unknowns(), Sampler and
+///   simulate_trials()
 /// @throws std::runtime_error where too few samples converge
 /// @param progress told of the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested

@@ -5,10 +5,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
 
 namespace taut {
 
@@ -35,6 +37,8 @@ struct Method {
 [[nodiscard]] Method method_by_force_balance(const CableNet& net, const LengthLaw& law);
 
 /// "map".
-[[nodiscard]] Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law);
+/// @param unknowns what is told to be unknown besides the lengths
+[[nodiscard]] Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law,
+                                                    const std::vector<Unknown>& unknowns = {});
 
 }  // namespace taut
