@@ -383,7 +383,7 @@ void add_identify(CLI::App& program) {
                        "Draws of lengths, forms and tensions from the posterior, for map; they "
                        "are kept beside the result (_draws.h5). 0: none, and what is slack is told "
                        "by the linearised fit alone (default: 200; 40 for more than 10,000 "
-                       "interior edges)");
+                       "interior edges and for tension laws)");
     add_seed_option(command, options->seed);
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
     command.callback([options] { run(*options); });

@@ -113,6 +113,27 @@ double LinearisedStatics::unstressed_length(int edge, const Iterate& iterate) co
     return cold * (1.0 + m_common.thermal_strain(edge, iterate.common));
 }
 
+TensionLaw::Tangent LinearisedStatics::law_tangent(int edge, double strain) const {
+    if (!m_held_laws.empty()) {  // (drawn-law)
+        const auto& [at, tangent] = m_held_laws[edge];
+        return {.tension = tangent.tension + tangent.slope * (strain - at), .slope = tangent.slope};
+    }
+    const double strain_std = m_blur.strain_stds.size() > 0 ? m_blur.strain_stds(edge) : 0.0;
+    return m_net.tension_law(edge)->blurred(strain, strain_std);
+}
+
+void LinearisedStatics::hold_laws(const Iterate& iterate) {
+    std::vector<HeldLaw> held(m_net.edge_count());
+    const Eigen::VectorXd lengths = edge_lengths(m_net, iterate.form);
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        if (m_net.tension_law(e) != nullptr) {
+            const double strain = lengths(e) / unstressed_length(e, iterate) - 1.0;
+            held[e] = {.strain = strain, .tangent = law_tangent(e, strain)};
+        }
+    }
+    m_held_laws = std::move(held);
+}
+
 /// docs/theory.md, (edge rates)
 LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& iterate) const {
     const auto [s, t] = m_net.edges()[edge];
@@ -123,9 +144,8 @@ LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& i
     const Stretch e = stretch(length - unstressed, m_corner_width);
     double axial = stiffness * m_net.axial_stiffness()(edge) / unstressed;
     double tension = axial * e.value;
-    if (const TensionLaw* law = m_net.tension_law(edge); law != nullptr) {
-        const double strain_std = m_blur.strain_stds.size() > 0 ? m_blur.strain_stds(edge) : 0.0;
-        const auto [at_strain, slope] = law->blurred(e.value / unstressed, strain_std);
+    if (m_net.tension_law(edge) != nullptr) {
+        const auto [at_strain, slope] = law_tangent(edge, e.value / unstressed);
         axial = stiffness * slope / unstressed;
         tension = stiffness * at_strain;
     }

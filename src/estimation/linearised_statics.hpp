@@ -71,6 +71,10 @@ public:
     /// less than half of what it was.
     [[nodiscard]] LawBlur blur_found(const Iterate& iterate) const;
 
+    /// From now on tension laws are seen by their tangents at an iterate, however far from it:
+    /// draws around it then have the mean tension that the fit found. docs/theory.md (drawn-law)
+    void hold_laws(const Iterate& iterate);
+
     /// With a width [m] above 0 no edge carries pressure: with e = l - l_0 its tension is
     ///
     ///   T = EA/l_0 (e + sqrt(e^2 + 4 w^2)) / 2,
@@ -132,6 +136,8 @@ private:
         [[nodiscard]] Eigen::Vector3d length_rate() const { return by_length * direction; }
     };
     [[nodiscard]] EdgeRates rates(int edge, const Iterate& iterate) const;
+    /// Of its law as it is seen, of the strain, without unknown factors.
+    [[nodiscard]] TensionLaw::Tangent law_tangent(int edge, double strain) const;
     [[nodiscard]] double unstressed_length(int edge, const Iterate& iterate) const;
     [[nodiscard]] Eigen::VectorXd prior_variances(const Observations& observations) const {
         return observations.variance + m_blur.length_variances(observations.variance.size());
@@ -157,6 +163,11 @@ private:
     std::vector<int> m_nodes;        ///< the same, then the supports where these are unknown
     std::vector<bool> m_slack;
     LawBlur m_blur;
+    struct HeldLaw {
+        double strain = 0.0;
+        TensionLaw::Tangent tangent{};
+    };
+    std::vector<HeldLaw> m_held_laws;  ///< one an edge; empty: they are not held
     double m_corner_width = 0.0;
     BorderedFactor m_matrix;
     BorderedFactor::Covariance m_covariance;

@@ -140,8 +140,11 @@ private:
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    [[nodiscard]] Eigen::VectorXd tell_lengths(Eigen::VectorXd& deviations, const Points& form,
-                                               bool refit, RandomNumbers& random) const;
+    [[nodiscard]] Eigen::VectorXd tell_lengths(Iterate& drawn, bool refit,
+                                               RandomNumbers& random) const;
+    [[nodiscard]] double length_of_tension(int edge, double length, double tension,
+                                           double own_stiffness,
+                                           const Eigen::VectorXd& common) const;
     [[nodiscard]] Circumstances circumstances_of(const Iterate& drawn,
                                                  const Eigen::VectorXd& own_stiffness) const;
     [[nodiscard]] double squared_departure(const Iterate& drawn, const Points& form,
@@ -159,20 +162,26 @@ private:
 };
 
 /// Steps with the factor of the fit, each with the misfit and the forces where the one before
-/// ended: nothing where they do not contract.
+/// ended; shorter ones where these overshoot. Nothing where they do not end.
 std::optional<Iterate> Perturbation::followed(const Observations& observations) const {
-    constexpr double slowest_contraction = 0.7;
-    constexpr int most_steps = 20;
+    constexpr double slow_contraction = 0.7;
+    constexpr double shortest_part = 0.1;
+    const int most_steps = m_net.is_linear() ? 20 : 60;
     const double small = small_step * smallest_noise(m_sites);
     Iterate iterate = m_fitted;
     double before = std::numeric_limits<double>::infinity();
+    double part = 1.0;
     for (int k = 0; k < most_steps; ++k) {
         const Iterate change = m_statics.step(iterate, observations);
         const double size = change.largest_change();
-        if (!(size < slowest_contraction * before)) {
-            return std::nullopt;
+        if (!(size < slow_contraction * before)) {
+            // Of a linear net such a draw is fitted by itself.
+            part *= 0.5;
+            if (m_net.is_linear() || part < shortest_part || !std::isfinite(size)) {
+                return std::nullopt;
+            }
         }
-        iterate = iterate.moved(change);
+        iterate = iterate.moved(change, part);
         if (size < small) {
             return iterate;
         }
@@ -196,40 +205,53 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
     return std::move(fit.iterate);
 }
 
-/// The part of the drawn deviation that is the edge's own; of a slack edge what the law tells
-/// beyond the form.
+/// From what the draw gave, (own-stiffness) and (blurred-law) included, to the edges' own lengths:
+/// of an edge with a tension law the one with which it carries what it does in the draw; of a slack
+/// edge what the law of lengths tells beyond the form.
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
-Eigen::VectorXd Perturbation::tell_lengths(Eigen::VectorXd& deviations, const Points& form,
-                                           bool refit, RandomNumbers& random) const {
-    const Eigen::VectorXd spans = edge_lengths(m_net, form) - m_net.unstressed_lengths();
+Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, bool refit,
+                                           RandomNumbers& random) const {
+    const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
+    const Eigen::VectorXd tensions = m_statics.tensions(drawn);
     const Eigen::VectorXd& of_stiffness = m_statics.blur().stiffness;
     Eigen::VectorXd own_stiffness = Eigen::VectorXd::Zero(m_net.edge_count());
-    for (int i = 0; i < deviations.size(); ++i) {
+    for (int i = 0; i < drawn.deviations.size(); ++i) {
         const int edge = m_net.interior_edges()[i];
         const LengthLaw& law = m_knowledge.laws[i];
-        if (const double unknown = m_unknown_lengths(i); unknown > 0.0) {
-            const double own = m_sites.variance(i) / (m_sites.variance(i) + unknown);
-            const double drawn = m_sites.mean(i) + own * (deviations(i) - m_sites.mean(i)) +
-                                 std::sqrt(own * unknown) * random.normal();
-            if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
-                const double part = of_stiffness(i) / unknown;
-                const double length =
-                    part * (deviations(i) - drawn) +
-                    std::sqrt(part * (unknown - of_stiffness(i))) * random.normal();
-                own_stiffness(edge) =
-                    -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
-            }
-            deviations(i) = drawn;
+        double& deviation = drawn.deviations(i);
+        if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
+            const double part = of_stiffness(i) / (m_sites.variance(i) + m_unknown_lengths(i));
+            const double length = part * (deviation - m_sites.mean(i)) +
+                                  std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
+            own_stiffness(edge) = -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
+            deviation -= length;
         }
+        const double nominal = m_net.unstressed_lengths()(edge);
+        if (const TensionLaw* of_edge = m_net.tension_law(edge);
+            of_edge != nullptr && tensions(edge) > 0.0) {
+            deviation = length_of_tension(edge, lengths(edge), tensions(edge), own_stiffness(edge),
+                                          drawn.common) -
+                        nominal;
+        }
+        const double span = lengths(edge) - nominal;
         const double bound = law.kind == LengthLaw::Kind::uniform
                                  ? law.scale
                                  : std::numeric_limits<double>::infinity();
-        const bool is_slack = refit ? deviations(i) > spans(edge) : m_statics.slack()[edge];
-        if (is_slack && spans(edge) < bound) {
-            deviations(i) = slack_deviation(law, spans(edge), random);
+        const bool is_slack = refit ? deviation > span : m_statics.slack()[edge];
+        if (is_slack && span < bound) {
+            deviation = slack_deviation(law, span, random);
         }
     }
     return own_stiffness;
+}
+
+/// The unstressed length with which an edge of a tension law carries a tension at its length.
+double Perturbation::length_of_tension(int edge, double length, double tension,
+                                       double own_stiffness, const Eigen::VectorXd& common) const {
+    const CommonUnknowns& unknowns = m_statics.common();
+    const double stiffness = unknowns.stiffness_factor(edge, common) * std::exp(own_stiffness);
+    const double strain = m_net.tension_law(edge)->strain_at(tension / stiffness);
+    return length / (1.0 + strain) / (1.0 + unknowns.thermal_strain(edge, common));
 }
 
 /// What the draw tells besides the lengths.
@@ -277,7 +299,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
     }
     Iterate& drawn = *fit;
     const Iterate by_fit = drawn;
-    const Eigen::VectorXd own_stiffness = tell_lengths(drawn.deviations, drawn.form, refit, random);
+    const Eigen::VectorXd own_stiffness = tell_lengths(drawn, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -363,7 +385,7 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
 }  // namespace
 
 bool PerturbedDraws::in_doubt() const {
-    const auto asked = static_cast<double>(deviations.cols() + left_out);
+    const auto asked = static_cast<double>(count() + left_out);
     return left_out > most_left_out * asked || !(departure <= largest_departure);
 }
 

@@ -28,6 +28,7 @@ struct PerturbedDraws {
     /// Whether more than 2 % were left out, or forms lie farther than 0.3 standard deviations from
     /// what the draws gave: then they are not of this posterior.
     [[nodiscard]] bool in_doubt() const;
+    [[nodiscard]] int count() const { return static_cast<int>(tensions.cols()); }
 };
 
 /// By perturbation, docs/theory.md (perturbed): the fit to observations with another noise and

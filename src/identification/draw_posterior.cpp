@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,11 +17,46 @@
 namespace taut {
 namespace {
 
+/// How far the mean of draws is from that of the posterior of each length, in its standard
+/// deviations, over the edges.
+struct LengthShift {
+    double mean = 0.0;
+    double rms = 0.0;  ///< without what so few draws differ by
+};
+
+LengthShift length_shift(const Eigen::MatrixXd& deviations, const Identification& result) {
+    LengthShift shift;
+    const auto edges = static_cast<double>(result.edges.size());
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const IdentifiedEdge& edge = result.edges[i];
+        const double drawn = deviations.row(static_cast<Eigen::Index>(i)).mean();
+        const double z = edge.std > 0.0 ? (drawn - edge.length_deviation) / edge.std : 0.0;
+        shift.mean += z / edges;
+        shift.rms += z * z / edges;
+    }
+    shift.rms = std::sqrt(std::max(0.0, shift.rms - 1.0 / static_cast<double>(deviations.cols())));
+    return shift;
+}
+
 /// Why draws are not to be relied on; empty where they are.
-std::string doubt_of(const PerturbedDraws& drawn, const Identification& result,
-                     const CableNet& net) {
+std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviations,
+                     const Identification& result, const CableNet& net) {
     if (!drawn.in_doubt()) {
-        return {};
+        // A little at each edge is much for the mean tension where all agree in it.
+        constexpr double largest_common_shift = 0.1;
+        constexpr double largest_shift = 0.3;
+        if (net.is_linear() || deviations.cols() == 0) {
+            return {};
+        }
+        const LengthShift shift = length_shift(deviations, result);
+        if (std::abs(shift.mean) <= largest_common_shift && shift.rms <= largest_shift) {
+            return {};
+        }
+        return fmt::format(
+            "the tension laws bend within what the survey leaves open: the draws' lengths lie "
+            "{:.2g} "
+            "standard deviations from those identified, RMS, and {:+.2g} in the mean",
+            shift.rms, shift.mean);
     }
     const double stretch =
         (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
@@ -38,7 +74,7 @@ std::string doubt_of(const PerturbedDraws& drawn, const Identification& result,
         "the statics bend within what the survey leaves open: {} of {} draws found no "
         "equilibrium, and the forms of the others lie {:.2g} standard deviations of the survey "
         "from where they should",
-        drawn.left_out, drawn.deviations.cols() + drawn.left_out, drawn.departure);
+        drawn.left_out, drawn.count() + drawn.left_out, drawn.departure);
 }
 
 /// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges
@@ -93,11 +129,12 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         .tensions = {},
         .seed = settings.seed,
         .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
-        .doubt = doubt_of(drawn, result, net)};
+        .doubt = {}};
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
     draws.length_deviations =
         has_all_lengths ? Eigen::MatrixXd(drawn.deviations(net.interior_edges(), Eigen::all))
                         : std::move(drawn.deviations);
+    draws.doubt = doubt_of(drawn, draws.length_deviations, result, net);
     draws.forms = std::move(drawn.forms);
     draws.tensions = std::move(drawn.tensions);
     const bool is_told = draws.doubt.empty() && draws.count() > 0;

@@ -155,7 +155,8 @@ IdentificationMethod parse_identification_method(std::string_view name) {
 
 int default_draws(const CableNet& net) {
     constexpr int few_edges = 10'000;
-    return net.interior_edge_count() > few_edges ? 40 : 200;
+    // Of a net of tension laws each takes long.
+    return net.interior_edge_count() > few_edges || !net.is_linear() ? 40 : 200;
 }
 
 void check_draws(const CableNet& net, std::int64_t draws) {

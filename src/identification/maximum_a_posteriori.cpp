@@ -108,6 +108,9 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     result.contradicted_slack = before_law.contradicted_slack;
     result.unknowns =
         unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
+    if (!fit_net.is_linear()) {
+        fit.statics().hold_laws(fitted.iterate);  // (drawn-law)
+    }
     draw_posterior(result, net, fit_net, survey, told.law, knowledge, fit.statics(), observations,
                    fitted.iterate, draws, progress);
     predict_form(result, net, survey, fitted.iterate.form);

@@ -54,8 +54,8 @@ struct IdentifyOptions {
 };
 
 /// Draws that the program makes unless told otherwise: 200, of which the 95 % interval ends at the
-/// fifth from either side; for more than 10,000 interior edges, where each takes long, 40, of
-/// which it ends at the outermost.
+/// fifth from either side; for more than 10,000 interior edges and for tension laws, where each
+/// takes long, 40, of which it ends at the outermost.
 [[nodiscard]] int default_draws(const CableNet& net);
 
 /// @throws std::invalid_argument for draws below 0, or more than the memory of the machine holds
