@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against normal equations that are not those of the problem: a derivative, a weight or a
+// sign that is wrong for supports, loads, common numbers or readings. The same problem is built
+// here as one dense matrix, its derivatives by differences of forces written down once more.
+
+#include "estimation/linearised_statics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "support/finite_differences.hpp"
+#include "support/random_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+
+CableNet loaded_net() {
+    CableNetData data = hypar(2, 3).data();
+    const auto edges = static_cast<int>(data.edges.size());
+    data.loads = Points::Constant(3, data.nodes.cols(), 40.0);
+    data.loads.row(2).setConstant(-150.0);
+    data.expansion.setConstant(edges, 1.2e-5);
+    data.expansion(0) = 0.0;
+    data.groups["half"] = {0, 2, 5, 7, edges - 1};
+    return CableNet(std::move(data));
+}
+
+class Linearised : public testing::Test {
+protected:
+    Linearised() {
+        Random random(3);
+        m_iterate.form += uniform_points(random, m_net.node_count(), 2e-3);
+        m_iterate.deviations = uniform_vector(random, m_iterate.deviations.size(), 1e-3);
+        m_iterate.common = uniform_vector(random, 3, 0.7);
+        for (const int node : m_net.free_nodes()) {
+            m_iterate.loads.col(node) = uniform_points(random, 1, 15.0);
+        }
+        for (size_t k = 1; k < m_net.free_nodes().size(); ++k) {  // the first is hidden
+            m_observed.weights.col(m_net.free_nodes()[k]).setConstant(1.0 / 0.25e-6);
+        }
+        for (const int node : m_net.supports()) {
+            m_observed.weights.col(node).setConstant(1e6);
+        }
+        m_observed.form += uniform_points(random, m_net.node_count(), 1e-3);
+        for (const int node : m_net.free_nodes()) {
+            m_observed.load_variance.col(node).setConstant(400.0);
+            m_observed.load_mean.col(node) = uniform_points(random, 1, 5.0);
+        }
+        m_observed.common_mean = uniform_vector(random, 3, 0.2);
+        for (const int edge :
+             {1, m_net.adjustable_edges().front()}) {  // the length of one is known
+            m_observed.tension(edge) = 3e3;
+            m_observed.tension_weights(edge) = 1.0 / (60.0 * 60.0);
+        }
+        EXPECT_TRUE(m_statics.linearise(m_iterate, m_observed));
+        m_statics.invert();
+    }
+
+    // All unknowns as one vector: places of all nodes, lengths, loads of free nodes, common ones.
+    [[nodiscard]] Eigen::VectorXd together(const Iterate& it) const {
+        Eigen::VectorXd x(m_size);
+        x << it.form.reshaped(), it.deviations, it.loads(Eigen::all, m_net.free_nodes()).reshaped(),
+            it.common;
+        return x;
+    }
+    [[nodiscard]] Iterate apart(const Eigen::VectorXd& x) const {
+        Iterate it = nominal_iterate(m_net, 3);
+        it.form = x.head(m_places).reshaped(3, m_net.node_count());
+        it.deviations = x.segment(m_places, m_lengths);
+        it.loads(Eigen::all, m_net.free_nodes()) =
+            x.segment(m_places + m_lengths, m_loads).reshaped(3, m_net.free_node_count());
+        it.common = x.tail(3);
+        return it;
+    }
+
+    /// T of all edges.
+    [[nodiscard]] Eigen::VectorXd edge_tensions(const Eigen::VectorXd& x) const {
+        const Iterate it = apart(x);
+        Eigen::VectorXd l_0 = with_length_deviations(m_net, it.deviations);
+        Eigen::VectorXd stiffness = m_net.axial_stiffness();
+        for (const int edge : m_net.data().groups.at("half")) {
+            stiffness(edge) *= std::exp(0.05 * it.common(0));
+        }
+        l_0 =
+            l_0.cwiseProduct((1.0 + 15.0 * it.common(1) * m_net.data().expansion.array()).matrix());
+        Eigen::VectorXd result(m_net.edge_count());
+        for (int e = 0; e < m_net.edge_count(); ++e) {
+            const auto [s, t] = m_net.edges()[e];
+            result(e) = stiffness(e) * ((it.form.col(s) - it.form.col(t)).norm() / l_0(e) - 1.0);
+        }
+        return result;
+    }
+
+    /// Out-of-balance forces of the free nodes.
+    [[nodiscard]] Eigen::VectorXd imbalance(const Eigen::VectorXd& x) const {
+        const Iterate it = apart(x);
+        const Eigen::VectorXd tension = edge_tensions(x);
+        Points forces = -(1.0 + 0.1 * it.common(2)) * m_net.loads() - it.loads;
+        for (int e = 0; e < m_net.edge_count(); ++e) {
+            const auto [s, t] = m_net.edges()[e];
+            const Eigen::Vector3d u = (it.form.col(s) - it.form.col(t)).normalized();
+            forces.col(s) += tension(e) * u;
+            forces.col(t) -= tension(e) * u;
+        }
+        return forces(Eigen::all, m_net.free_nodes()).reshaped();
+    }
+
+    const CableNet m_net = loaded_net();
+    const std::vector<Unknown> m_unknowns{
+        parse_unknown("supports:1mm"), parse_unknown("stiffness:5%@half"),
+        parse_unknown("temperature:15K"), parse_unknown("loads:20N"), parse_unknown("loads:10%")};
+    const Eigen::Index m_places = 3 * m_net.node_count();
+    const Eigen::Index m_lengths = m_net.interior_edge_count();
+    const Eigen::Index m_loads = 3 * m_net.free_node_count();
+    const Eigen::Index m_size = m_places + m_lengths + m_loads + 3;
+    Iterate m_iterate = nominal_iterate(m_net, 3);
+    Observations m_observed = nothing_observed(m_net, 0.002, 3);
+    LinearisedStatics m_statics{m_net, m_unknowns};
+};
+
+/// The dense system [Q A'; A 0], with Q the weights and A the derivative of the forces.
+class Dense : public Linearised {
+protected:
+    Dense() {
+        const Eigen::VectorXd x = together(m_iterate);
+        // Forces are linear in loads: one step does for metres, newtons and numbers.
+        m_rates = finite_differences([this](const auto& at) { return imbalance(at); }, x, 1e-5);
+        m_tension_rates =
+            finite_differences([this](const auto& at) { return edge_tensions(at); }, x, 1e-5);
+        Eigen::VectorXd weights(m_size);
+        weights << m_observed.weights.reshaped(), m_observed.variance.cwiseInverse(),
+            Eigen::VectorXd::Constant(m_loads, 1.0 / 400.0), Eigen::VectorXd::Ones(3);
+        Iterate means = m_iterate;
+        means.form = m_observed.form;
+        means.deviations = m_observed.mean;
+        means.loads = m_observed.load_mean;
+        means.common = m_observed.common_mean;
+        const Eigen::VectorXd misfit = m_observed.tension - edge_tensions(x);
+        const auto constraints = m_rates.rows();
+        m_matrix.setZero(m_size + constraints, m_size + constraints);
+        m_matrix.topLeftCorner(m_size, m_size) =
+            m_tension_rates.transpose() * m_observed.tension_weights.asDiagonal() * m_tension_rates;
+        m_matrix.topLeftCorner(m_size, m_size).diagonal() += weights;
+        m_matrix.bottomLeftCorner(constraints, m_size) = m_rates;
+        m_matrix.topRightCorner(m_size, constraints) = m_rates.transpose();
+        m_right_side.resize(m_size + constraints);
+        m_right_side << weights.cwiseProduct(together(means) - x) +
+                            m_tension_rates.transpose() *
+                                m_observed.tension_weights.cwiseProduct(misfit),
+            -imbalance(x);
+        m_covariance = m_matrix.inverse().topLeftCorner(m_size, m_size);
+    }
+
+    Eigen::MatrixXd m_rates;
+    Eigen::MatrixXd m_tension_rates;
+    Eigen::MatrixXd m_matrix;
+    Eigen::VectorXd m_right_side;
+    Eigen::MatrixXd m_covariance;
+};
+
+void expect_near(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected) {
+    EXPECT_LT((found - expected).norm(), 1e-5 * expected.norm());
+}
+
+TEST_F(Dense, TheStepIsThatOfTheWholeProblem) {
+    const Eigen::VectorXd expected = m_matrix.partialPivLu().solve(m_right_side).head(m_size);
+    const Iterate step = m_statics.step(m_iterate, m_observed);
+    const Iterate exact = apart(expected);
+    expect_near(step.form, exact.form);
+    expect_near(step.deviations, exact.deviations);
+    expect_near(step.loads, exact.loads);
+    expect_near(step.common, exact.common);
+}
+
+TEST_F(Dense, TheCovariancesAreThoseOfTheWholeProblem) {
+    for (int node = 0; node < m_net.node_count(); ++node) {
+        expect_near(m_statics.form_covariance(node), m_covariance.block<3, 3>(3 * node, 3 * node));
+    }
+    expect_near(m_statics.length_variances(), m_covariance.diagonal().segment(m_places, m_lengths));
+    const Eigen::Index loads = m_places + m_lengths;
+    for (int k = 0; k < m_net.free_node_count(); ++k) {
+        expect_near(m_statics.load_covariance(m_net.free_nodes()[k]),
+                    m_covariance.block<3, 3>(loads + 3 * k, loads + 3 * k));
+    }
+    expect_near(m_statics.common_covariance(), m_covariance.bottomRightCorner<3, 3>());
+}
+
+TEST_F(Dense, TheVariancesOfTensionsAndTheirMeanAreThoseOfTheWholeProblem) {
+    const Eigen::MatrixXd of_tensions =
+        m_tension_rates * m_covariance * m_tension_rates.transpose();
+    expect_near(m_statics.tension_variances(), of_tensions.diagonal());
+    expect_near(m_statics.covariances_with_mean_tension(), of_tensions.rowwise().mean());
+}
+
+TEST_F(Dense, TheSquaredNormHoldsAllThatIsObserved) {
+    const Iterate step = m_statics.step(m_iterate, m_observed);
+    const Eigen::VectorXd dx = together(step);
+    EXPECT_NEAR(m_statics.squared_norm(m_observed, step),
+                dx.dot(m_matrix.topLeftCorner(m_size, m_size) * dx),
+                1e-5 * m_statics.squared_norm(m_observed, step));
+}
+
+}  // namespace

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against an unknown that is taken for another, or taken though it makes no sense.
+
+#include "taut/sampling/unknown.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "taut/design/builtin_nets.hpp"
+#include "taut/sampling/circumstances.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace {
+
+using namespace taut;
+using testing::HasSubstr;
+
+std::string refusal_of(const auto& action) {
+    try {
+        static_cast<void>(action());
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "taken";
+}
+
+TEST(Unknown, IsReadBackAsItIsTold) {
+    for (const std::string text :
+         {"stiffness:5%", "stiffness:0.5%@ridge", "stiffness-each:3%", "temperature:10K",
+          "temperature:2.5K@a@b", "supports:1mm", "adjustable:0.5mm", "loads:20N", "loads:10%"}) {
+        EXPECT_EQ(parse_unknown(text).to_string(), text);
+    }
+    EXPECT_EQ(parse_unknown("loads:0.2kN"), parse_unknown("loads:200N"));
+    EXPECT_DOUBLE_EQ(parse_unknown("stiffness:5 %").std, 0.05);
+    EXPECT_EQ(parse_unknown("loads:10%").kind, Unknown::Kind::loads);
+    EXPECT_EQ(parse_unknown("loads:10N").kind, Unknown::Kind::loads_each);
+}
+
+struct BadUnknown {
+    const char* text;
+    const char* told;
+};
+
+class RefusedUnknown : public testing::TestWithParam<BadUnknown> {};
+
+TEST_P(RefusedUnknown, WithWhatIsWrong) {
+    EXPECT_THAT(refusal_of([] { return parse_unknown(GetParam().text); }),
+                AllOf(HasSubstr(GetParam().text), HasSubstr(GetParam().told)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Unknown, RefusedUnknown,
+    testing::Values(BadUnknown{"wind:5%", "nothing that can be unknown"},
+                    BadUnknown{"stiffness", "tells no width"},
+                    BadUnknown{"stiffness@ridge", "nothing that can be unknown"},
+                    BadUnknown{"stiffness:", "percentage"}, BadUnknown{"stiffness:5", "percentage"},
+                    BadUnknown{"stiffness:0%", "positive"}, BadUnknown{"stiffness:-5%", "positive"},
+                    BadUnknown{"stiffness:nan%", "percentage"},
+                    BadUnknown{"stiffness:30%", "not known to 30 %"},
+                    BadUnknown{"stiffness:5%@", "no group"},
+                    BadUnknown{"temperature:10", "temperature"},
+                    BadUnknown{"supports:1mm@ridge", "no group of edges"},
+                    BadUnknown{"supports:5%", "length"}, BadUnknown{"loads:5mm", "force"}));
+
+CableNet net_with(const auto& change) {
+    CableNetData data = hypar(3, 3).data();
+    change(data);
+    return CableNet(std::move(data));
+}
+
+TEST(Unknown, IsRefusedWhereTheNetHasNothingOfIt) {
+    const CableNet net = net_with([](CableNetData& data) { data.groups["ridge"] = {0, 1}; });
+    const auto told = [&net](std::vector<std::string> texts) {
+        std::vector<Unknown> unknowns;
+        for (const std::string& text : texts) {
+            unknowns.push_back(parse_unknown(text));
+        }
+        return refusal_of([&] {
+            check_unknowns(net, unknowns);
+            return 0;
+        });
+    };
+    EXPECT_EQ(told({"stiffness:5%", "stiffness:5%@ridge", "supports:1mm", "loads:20N"}), "taken");
+    EXPECT_THAT(told({"stiffness:5%@valley"}), HasSubstr("expected one of ridge"));
+    EXPECT_THAT(told({"stiffness:5%", "stiffness:3%"}), HasSubstr("twice"));
+    EXPECT_THAT(told({"temperature:10K"}), HasSubstr("no expansion"));
+    EXPECT_THAT(told({"loads:10%"}), HasSubstr("the net has none"));
+    EXPECT_THAT(told({"adjustable:400mm"}), HasSubstr("third of the shortest"));
+    EXPECT_THAT(told({"supports:2m"}), HasSubstr("third of the shortest"));
+    const CableNet fixed = net_with([](CableNetData& data) { data.adjustable.clear(); });
+    EXPECT_THAT(refusal_of([&] {
+                    check_unknowns(fixed, {parse_unknown("adjustable:1mm")});
+                    return 0;
+                }),
+                HasSubstr("adjustable edges"));
+}
+
+TEST(Circumstances, AsToldLeaveTheNetAsItIs) {
+    const CableNet net = hypar(3, 4);
+    const CableNet same = net_under(net, as_told(net), net.unstressed_lengths());
+    EXPECT_EQ(same.unstressed_lengths(), net.unstressed_lengths());
+    EXPECT_EQ(same.axial_stiffness(), net.axial_stiffness());
+    EXPECT_EQ(same.nodes(), net.nodes());
+    EXPECT_EQ(same.loads(), net.loads());
+}
+
+TEST(Circumstances, ChangeTheNetByWhatTheyAre) {
+    const CableNet net = net_with([](CableNetData& data) {
+        data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
+        data.mass = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 0.3);
+        data.tension_laws = {{.name = "two slopes",
+                              .strain = Eigen::Vector3d(0.0, 0.01, 0.02),
+                              .tension = Eigen::Vector3d(0.0, 2e3, 5e3)}};
+        data.tension_law.assign(data.edges.size(), -1);
+        data.tension_law[2] = 0;
+    });
+    Circumstances c = as_told(net);
+    c.stiffness(1) = std::log(1.1);
+    c.stiffness(2) = std::log(0.9);
+    c.thermal(3) = 1e-3;
+    c.adjustable(net.adjustable_edges()[0]) = 2e-3;
+    c.supports.col(net.supports()[1]) << 1e-3, 0.0, 0.0;
+    c.loads = 0.5;
+    c.own_loads.col(net.free_nodes()[0]) << 0.0, 3.0, 0.0;
+    const CableNet changed = net_under(net, c, net.unstressed_lengths());
+    EXPECT_DOUBLE_EQ(changed.axial_stiffness()(1), 1.1 * net.axial_stiffness()(1));
+    EXPECT_DOUBLE_EQ(changed.tension_law(2)->tension(1), 0.9 * 2e3);
+    EXPECT_DOUBLE_EQ(changed.unstressed_lengths()(3), 1.001 * net.unstressed_lengths()(3));
+    const int adjustable = net.adjustable_edges()[0];
+    EXPECT_DOUBLE_EQ(changed.unstressed_lengths()(adjustable),
+                     net.unstressed_lengths()(adjustable) + 2e-3);
+    EXPECT_DOUBLE_EQ(changed.nodes()(0, net.supports()[1]),
+                     net.nodes()(0, net.supports()[1]) + 1e-3);
+    const int node = net.free_nodes()[0];
+    EXPECT_LT(
+        (changed.loads().col(node) - 1.5 * net.loads().col(node) - Eigen::Vector3d(0, 3, 0)).norm(),
+        1e-9);
+}
+
+TEST(Circumstances, AreDrawnWithTheWidthsTold) {
+    const CableNet net = net_with([](CableNetData& data) {
+        data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
+        data.expansion =
+            Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 1e-5);
+    });
+    const std::vector<Unknown> unknowns{
+        parse_unknown("stiffness:5%"), parse_unknown("temperature:10K"),
+        parse_unknown("supports:1mm"), parse_unknown("adjustable:0.5mm"),
+        parse_unknown("loads:10%"),    parse_unknown("loads:20N")};
+    constexpr int count = 2000;
+    double squares[6] = {};
+    for (int k = 0; k < count; ++k) {
+        const Circumstances c = draw_circumstances(net, unknowns, 1, k);
+        const double values[6] = {c.stiffness(0) / 0.05,
+                                  c.thermal(0) / 1e-4,
+                                  c.supports(1, net.supports()[0]) / 1e-3,
+                                  c.adjustable(net.adjustable_edges()[1]) / 0.5e-3,
+                                  c.loads / 0.1,
+                                  c.own_loads(2, net.free_nodes()[2]) / 20.0};
+        for (int i = 0; i < 6; ++i) {
+            squares[i] += values[i] * values[i] / count;
+        }
+        EXPECT_EQ(c.stiffness(3), c.stiffness(0));  // one factor for all
+        EXPECT_TRUE(c.supports(Eigen::all, net.free_nodes()).isZero(0.0));
+    }
+    for (const double square : squares) {
+        EXPECT_NEAR(square, 1.0, 5.0 * std::sqrt(2.0 / count));
+    }
+    const Circumstances again = draw_circumstances(net, unknowns, 1, 7);
+    EXPECT_EQ(again.supports, draw_circumstances(net, unknowns, 1, 7).supports);
+    EXPECT_NE(again.loads, draw_circumstances(net, unknowns, 2, 7).loads);
+}
+
+}  // namespace
