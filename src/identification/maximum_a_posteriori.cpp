@@ -139,6 +139,12 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
         likelihoods = std::move(interior);
     }
     tell_edges(result, net, law, likelihoods);
+    for (IdentifiedEdge& edge : result.edges) {
+        // Seen, where the form leaves next to no length of the law for it.
+        if (std::ranges::find(knowledge.forces.slack, edge.edge) != knowledge.forces.slack.end()) {
+            edge.status = EdgeStatus::slack;
+        }
+    }
     return result;
 }
 

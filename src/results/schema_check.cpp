@@ -48,6 +48,7 @@ const Type& type_named(const json& name) {
         {"object", {"an object", &json::is_object}},
         {"array", {"an array", &json::is_array}},
         {"number", {"a number", &json::is_number}},
+        {"boolean", {"true or false", &json::is_boolean}},
         {"integer", {"a whole number", &json::is_number_integer}},
         {"string", {"text", &json::is_string}},
         {"null", {"null", &json::is_null}},

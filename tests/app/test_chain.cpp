@@ -141,6 +141,62 @@ TEST_F(Chain, SampleWritesTheSameBytesOnOneThreadAndOnTwo) {
     EXPECT_NE(read("one.h5"), read("other.h5"));
 }
 
+TEST_F(Chain, SampleDrawsWhatElseIsUnknown) {
+    const std::vector<std::string> command{
+        "sample", "net.json", "-n", "40", "--unknown", "supports:1mm", "--unknown", "stiffness:5%"};
+    const auto with = [&command](std::vector<std::string> more) {
+        std::vector<std::string> all = command;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    must_run(with({"-o", "drawn.h5"}));
+    must_run({"sample", "net.json", "-n", "40", "-o", "plain.h5"});
+    const DataSet drawn = read_data_set(folder() / "drawn.h5").data;
+    const DataSet plain = read_data_set(folder() / "plain.h5").data;
+    EXPECT_EQ(to_string(drawn.unknowns), "supports:1mm, stiffness:5%");
+    EXPECT_TRUE(plain.unknowns.empty());
+    EXPECT_EQ(drawn.length_deviations, plain.length_deviations);
+    EXPECT_NE(drawn.form_deviations, plain.form_deviations);
+    // The same whatever the threads, and no other data set goes on from it.
+    must_run(with({"-o", "one.h5", "--threads", "1"}));
+    EXPECT_EQ(read("one.h5"), read("drawn.h5"));
+    expect_error(run({"sample", "net.json", "-n", "50", "--resume", "-o", "drawn.h5"}), 2,
+                 "was made with the unknowns supports:1mm, stiffness:5%, expected none to resume");
+    // A model learns from it and says so.
+    must_run({"train", "drawn.h5", "-o", "drawn_model.h5"});
+    must_run({"form", "net.json", "-o", "form.csv"});
+    EXPECT_THAT(must_run({"identify", "net.json", "form.csv", "--noise", "0.5mm", "--model",
+                          "drawn_model.h5"}),
+                testing::HasSubstr("drawn with supports:1mm, stiffness:5%"));
+}
+
+TEST_F(Chain, IdentifyTakesForcesAndUnknowns) {
+    must_run({"form", "net.json", "--law", "uniform:2mm", "-o", "form.csv"});
+    must_run({"survey", "net.json", "form.csv", "--noise", "0.5mm", "-o", "survey.csv"});
+    const json plain = json::parse(must_run({"inspect", "net.json", "--json"}));
+    write("forces.csv", "edge,tension\n3," +
+                            std::to_string(plain["tensions"]["mean"].get<double>() / 1000.0) +
+                            "\n");
+    const std::string text =
+        must_run({"identify", "net.json", "survey.csv", "--law", "uniform:2mm", "--forces",
+                  "forces.csv", "--force-unit", "kN", "--force-noise", "50%", "--unknown",
+                  "stiffness:5%", "--unknown", "supports:1mm", "-o", "result.json"});
+    EXPECT_THAT(text, testing::HasSubstr("forces: 1 readings, 0 left out"));
+    EXPECT_THAT(text, testing::HasSubstr("stiffness:5%: "));
+    EXPECT_THAT(text, testing::HasSubstr("loads taken as told"));
+    const json result = json::parse(read("result.json"));
+    EXPECT_EQ(result["forces"]["readings"], 1);
+    ASSERT_GT(result["unknowns"].size(), 1U);
+    EXPECT_EQ(result["unknowns"][0]["name"], "stiffness");
+    EXPECT_EQ(result["unknowns"][0]["unit"], "1");
+    EXPECT_EQ(result["unknowns"][1]["axis"], "x");
+    // The net as it was identified is in balance, moved supports and all.
+    must_run({"export", "result.json", "--to", "net", "-o", "built.json"});
+    const json built = json::parse(must_run({"inspect", "built.json", "--json"}));
+    EXPECT_LT(built["out_of_balance"].get<double>(),
+              1e-6 * built["tensions"]["mean"].get<double>());
+}
+
 TEST_F(Chain, IdentifyFindsNoDeviationInTheNominalForm) {
     sample_and_train();
     must_run({"form", "net.json", "-o", "form.csv"});

@@ -97,6 +97,23 @@ TEST_F(InspectSurvey, TellsTheSameOfAListAndOfASurvey) {
     EXPECT_EQ(statuses(survey({"survey.csv"})), statuses(list));
 }
 
+TEST_F(InspectSurvey, TellsWhatAReadingWouldAdd) {
+    plan(30, 70);
+    const json before = survey({"targets.txt", "--noise", "0.5mm"});
+    const json& best = before["readings"][0];
+    EXPECT_LT(best["mean_tension_std"], before["mean_tension"]["std"]);
+    write("cells.txt", best["id"].get<std::string>() + "\n");
+    const json after = survey({"targets.txt", "--noise", "0.5mm", "--forces", "cells.txt"});
+    EXPECT_NEAR(after["mean_tension"]["std"].get<double>(), best["mean_tension_std"].get<double>(),
+                1e-6 * best["mean_tension_std"].get<double>());
+    EXPECT_EQ(after["readings"].size() + 1, before["readings"].size());
+    const json less_known =
+        survey({"targets.txt", "--noise", "0.5mm", "--unknown", "stiffness:5%"});
+    EXPECT_GT(less_known["mean_tension"]["std"], before["mean_tension"]["std"]);
+    EXPECT_THAT(must_run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"}),
+                testing::HasSubstr("with one more reading of 2 %"));
+}
+
 TEST_F(InspectSurvey, NeedsNoNoiseWhereAllNodesAreTargeted) {
     plan(0, 0);
     const json told = survey({"targets.txt"});

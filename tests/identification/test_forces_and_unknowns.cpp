@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against intervals that leave out what was told to be unknown, and against readings of
+// forces that are not used, or believed though all else contradicts them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/survey_prospect.hpp"
+#include "taut/sampling/circumstances.hpp"
+#include "taut/threads.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+
+constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.002};
+constexpr double noise = 0.5e-3;
+
+CableNet loaded_net() {
+    CableNetData data = hypar(5, 5).data();
+    const auto edges = static_cast<Eigen::Index>(data.edges.size());
+    data.loads = Points::Zero(3, data.nodes.cols());
+    data.loads.row(2).setConstant(-60.0);
+    data.expansion = Eigen::VectorXd::Constant(edges, 1.2e-5);
+    const CableNet draft{CableNetData(data)};
+    data.nodes = solve_equilibrium(draft).form;
+    return CableNet(std::move(data));
+}
+
+/// A built net that differs from the design in lengths and in what else is unknown.
+struct Built {
+    Circumstances circumstances;
+    SimulatedSurvey simulated;
+    Eigen::VectorXd tensions;  ///< m, the truth [N]
+};
+
+Built built(const CableNet& net, const std::vector<Unknown>& unknowns, std::uint64_t seed) {
+    Built result;
+    result.circumstances = draw_circumstances(net, unknowns, 5, seed);
+    const CableNet changed = net_under(net, result.circumstances, net.unstressed_lengths());
+    result.simulated = simulate(changed, law, noise, seed);
+    const Eigen::VectorXd lengths = with_length_deviations(changed, result.simulated.deviations);
+    result.tensions = tensions(changed, lengths, result.simulated.truth.form);
+    return result;
+}
+
+IdentifyOptions options_with(const std::vector<Unknown>& unknowns, int draws = 0) {
+    IdentifyOptions options;
+    options.method = IdentificationMethod::map;
+    options.law = law;
+    options.unknowns = unknowns;
+    options.draws = draws;
+    return options;
+}
+
+/// Of an unknown's estimate.
+double truth_of(const Circumstances& c, const CableNet& net, const UnknownEstimate& estimate) {
+    switch (estimate.unknown.kind) {
+        case Unknown::Kind::stiffness:
+            return c.stiffness(0);
+        case Unknown::Kind::stiffness_each:
+            return c.stiffness(estimate.edge);
+        case Unknown::Kind::temperature:
+            return c.thermal(0) / net.data().expansion(0);
+        case Unknown::Kind::supports:
+            return c.supports(estimate.axis, estimate.node);
+        case Unknown::Kind::adjustable:
+            return c.adjustable(estimate.edge);
+        case Unknown::Kind::loads:
+            return c.loads;
+        case Unknown::Kind::loads_each:
+            return c.own_loads(estimate.axis, estimate.node);
+    }
+    return 0.0;
+}
+
+class Unknowns : public testing::TestWithParam<std::vector<const char*>> {
+protected:
+    [[nodiscard]] static std::vector<Unknown> told() {
+        std::vector<Unknown> result;
+        for (const char* text : GetParam()) {
+            result.push_back(parse_unknown(text));
+        }
+        return result;
+    }
+};
+
+struct Count {
+    int inside = 0;
+    int all = 0;
+    void add(bool is_inside) {
+        inside += is_inside ? 1 : 0;
+        ++all;
+    }
+    [[nodiscard]] double part() const { return static_cast<double>(inside) / all; }
+};
+
+TEST_P(Unknowns, AreInTheIntervalsOfLengthsAndTensions) {
+    const CableNet net = loaded_net();
+    const std::vector<Unknown> unknowns = told();
+    Count lengths;
+    Count tensions;
+    std::map<Unknown::Kind, Count> of_unknowns;
+    constexpr int surveys = 16;
+    for (int k = 0; k < surveys; ++k) {
+        const Built truth = built(net, unknowns, 100 + k);
+        const Identification found =
+            identify(net, truth.simulated.survey, options_with(unknowns, 100));
+        ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
+        for (size_t i = 0; i < found.edges.size(); ++i) {
+            const IdentifiedEdge& edge = found.edges[i];
+            const double deviation = truth.simulated.deviations(static_cast<Eigen::Index>(i));
+            lengths.add(edge.lower <= deviation && deviation <= edge.upper);
+        }
+        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
+        for (const DrawnTension& told : found.drawn.tensions) {
+            const double tension = truth.tensions(told.edge);
+            tensions.add(told.tension.lower <= tension && tension <= told.tension.upper);
+        }
+        for (const UnknownEstimate& estimate : found.unknowns) {
+            EXPECT_LE(estimate.std, 1.0001 * estimate.unknown.std);
+            of_unknowns[estimate.unknown.kind].add(
+                std::abs(estimate.mean - truth_of(truth.circumstances, net, estimate)) <=
+                half_interval_95 * estimate.std);
+        }
+    }
+    EXPECT_NEAR(lengths.part(), 0.95, 0.03);
+    EXPECT_NEAR(tensions.part(), 0.95, 0.04);
+    for (const auto& [kind, count] : of_unknowns) {
+        // 16 of a common one, far more of the others.
+        EXPECT_GE(count.part(), count.all > 100 ? 0.92 : 0.75) << Unknown{.kind = kind}.name();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Map, Unknowns,
+                         testing::Values(std::vector{"supports:1mm"},
+                                         std::vector{"stiffness-each:3%"},
+                                         std::vector{"adjustable:0.5mm"}, std::vector{"loads:20N"},
+                                         std::vector{"stiffness:5%", "loads:10%"},
+                                         std::vector{"stiffness:5%", "supports:1mm",
+                                                     "temperature:15K", "adjustable:0.5mm",
+                                                     "loads:20N"}));
+
+TEST(Unknown, ThatIsAsGoodAsKnownChangesNothing) {
+    const CableNet net = loaded_net();
+    const Survey survey = built(net, {}, 3).simulated.survey;
+    const Identification as_known = identify(net, survey, options_with({}));
+    const Identification found = identify(
+        net, survey,
+        options_with({parse_unknown("supports:0.0001mm"), parse_unknown("stiffness:0.0001%"),
+                      parse_unknown("adjustable:0.0001mm"), parse_unknown("loads:0.0001N")}));
+    ASSERT_EQ(found.edges.size(), as_known.edges.size());
+    for (size_t i = 0; i < found.edges.size(); ++i) {
+        EXPECT_NEAR(found.edges[i].length_deviation, as_known.edges[i].length_deviation,
+                    0.02 * as_known.edges[i].std);
+        EXPECT_NEAR(found.edges[i].std, as_known.edges[i].std, 0.02 * as_known.edges[i].std);
+    }
+}
+
+// Of a net without loads the form shows no level of all stiffnesses: it is told as not observed,
+// and a load cell shows it.
+TEST(Unknown, IsToldWhereNothingShowsIt) {
+    const CableNet net = hypar(5, 5);
+    const std::vector<Unknown> stiffness{parse_unknown("stiffness:5%")};
+    const Built truth = built(net, stiffness, 4);
+    IdentifyOptions options = options_with(stiffness);
+    const Identification by_form = identify(net, truth.simulated.survey, options);
+    ASSERT_EQ(by_form.unknowns.size(), 1U);
+    EXPECT_FALSE(by_form.unknowns[0].is_observed());
+    EXPECT_NEAR(by_form.unknowns[0].std, 0.05, 0.001);
+    for (int edge = 0; edge < net.edge_count(); edge += 5) {
+        const double tension = truth.tensions(edge);
+        options.forces.readings.push_back(
+            {.edge = edge, .tension = tension, .std = 0.005 * tension});
+    }
+    const Identification by_cells = identify(net, truth.simulated.survey, options);
+    EXPECT_TRUE(by_cells.unknowns[0].is_observed());
+    EXPECT_NEAR(by_cells.unknowns[0].mean, truth.circumstances.stiffness(0),
+                3.0 * by_cells.unknowns[0].std);
+}
+
+class Readings : public testing::Test {
+protected:
+    [[nodiscard]] Identification found(const Forces& forces, int draws = 200) const {
+        IdentifyOptions options = options_with({}, draws);
+        options.forces = forces;
+        return identify(m_net, m_truth.simulated.survey, options);
+    }
+    [[nodiscard]] ForceReading read(int edge, double part) const {
+        return {
+            .edge = edge, .tension = m_truth.tensions(edge), .std = part * m_truth.tensions(edge)};
+    }
+
+    const CableNet m_net = hypar(6, 6);
+    const Built m_truth = built(m_net, {}, 6);
+};
+
+TEST_F(Readings, AreBelievedAsFarAsTheyAreTrue) {
+    const Identification without = found({});
+    const Forces forces{.readings = {read(3, 0.001), read(30, 0.001)}, .taut = {}, .slack = {}};
+    const Identification with = found(forces);
+    ASSERT_FALSE(with.drawn.tensions.empty());
+    EXPECT_EQ(with.readings, 2);
+    EXPECT_TRUE(with.reading_outliers.empty());
+    for (const ForceReading& reading : forces.readings) {
+        const DrawnEstimate& before = without.drawn.tensions[reading.edge].tension;
+        const DrawnEstimate& after = with.drawn.tensions[reading.edge].tension;
+        EXPECT_NEAR(after.mean, reading.tension, 4.0 * reading.std);
+        EXPECT_LT(after.std, 2.0 * reading.std);
+        EXPECT_GT(before.std, 10.0 * reading.std);
+    }
+    EXPECT_LT(with.drawn.mean_tension.std, without.drawn.mean_tension.std);
+}
+
+TEST_F(Readings, PromiseWhatTheyThenTell) {
+    Forces forces{
+        .readings = {read(3, 0.02), read(30, 0.02), read(50, 0.02)}, .taut = {}, .slack = {}};
+    const SurveyProspect prospect = survey_prospect(m_net, solve_equilibrium(m_net).form,
+                                                    m_truth.simulated.survey, law, forces);
+    const Identification then = found(forces);
+    EXPECT_NEAR(prospect.mean_tension_std, then.drawn.mean_tension.std,
+                0.25 * then.drawn.mean_tension.std);
+    // And the next best edge holds what it promises, at the design.
+    const TensionProspect& best = prospect.readings.front();
+    forces.readings.push_back(
+        {.edge = best.edge, .tension = best.tension, .std = 0.02 * best.tension});
+    const SurveyProspect next = survey_prospect(m_net, solve_equilibrium(m_net).form,
+                                                m_truth.simulated.survey, law, forces);
+    EXPECT_NEAR(next.mean_tension_std, best.mean_std_with_reading,
+                1e-6 * best.mean_std_with_reading);
+    EXPECT_LT(next.mean_tension_std, prospect.mean_tension_std);
+}
+
+TEST_F(Readings, ThatContradictAllElseAreLeftOutAndNamed) {
+    Forces forces;
+    for (int edge = 0; edge < m_net.edge_count(); edge += 6) {
+        forces.readings.push_back(read(edge, 0.01));
+    }
+    const Identification sound = found(forces, 0);
+    EXPECT_TRUE(sound.reading_outliers.empty());
+    forces.readings[4].tension *= 3.0;
+    const Identification mended = found(forces, 0);
+    ASSERT_EQ(mended.reading_outliers.size(), 1U);
+    EXPECT_EQ(mended.reading_outliers[0].edge, forces.readings[4].edge);
+    EXPECT_NEAR(mended.reading_outliers[0].expected, m_truth.tensions(forces.readings[4].edge),
+                0.5 * m_truth.tensions(forces.readings[4].edge));
+    EXPECT_TRUE(mended.outliers.empty());  // no sound target is blamed
+}
+
+TEST_F(Readings, AreDrawnTheSameOnAnyNumberOfThreads) {
+    const Forces forces{.readings = {read(3, 0.02)}, .taut = {}, .slack = {}};
+    const auto on = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return found(forces, 20).draws->tensions;
+    };
+    EXPECT_EQ(on(1), on(4));
+}
+
+TEST_F(Readings, AreRefusedByMethodsThatDoNotUseThem) {
+    IdentifyOptions options;
+    options.law = law;
+    options.method = IdentificationMethod::balance;
+    options.forces.readings = {read(3, 0.02)};
+    EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
+    options.forces = {};
+    options.unknowns = {parse_unknown("supports:1mm")};
+    EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
+    options.method = IdentificationMethod::map;
+    options.forces.readings = {read(3, 0.02), read(3, 0.02)};
+    EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
+}
+
+// What was seen of a net that stretches by less than its lengths deviate.
+TEST(Seen, TautAndSlackEdgesAreKeptTo) {
+    const CableNet net = stiffened(hypar(6, 6), 10.0);
+    const SimulatedSurvey s = simulate(net, law, noise, 8);
+    const Eigen::VectorXd tension =
+        tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+    IdentifyOptions options = options_with({});
+    for (const int edge : net.interior_edges()) {
+        (tension(edge) > 0.0 ? options.forces.taut : options.forces.slack).push_back(edge);
+    }
+    ASSERT_GT(options.forces.slack.size(), 0U);
+    const Identification found = identify(net, s.survey, options);
+    ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
+    EXPECT_TRUE(found.contradicted_taut.empty());
+    EXPECT_TRUE(found.contradicted_slack.empty());
+    for (size_t i = 0; i < found.edges.size(); ++i) {
+        EXPECT_EQ(found.edges[i].status == EdgeStatus::slack, tension(found.edges[i].edge) <= 0.0);
+    }
+}
+
+TEST(Seen, WhatAllElseContradictsIsNamed) {
+    const CableNet net = hypar(6, 6);  // stretches by more than its lengths deviate: all are taut
+    const Built truth = built(net, {}, 9);
+    // One edge hangs: 30 mm too long, with its neighbours as they are.
+    const int hanging = net.interior_edges()[20];
+    Eigen::VectorXd lengths = with_length_deviations(net, truth.simulated.deviations);
+    lengths(hanging) += 0.03;
+    Survey survey = truth.simulated.survey;
+    survey.form += EquilibriumSolver(net).solve(lengths, truth.simulated.truth.form).form -
+                   truth.simulated.truth.form;
+    IdentifyOptions options = options_with({});
+    options.law = LengthLaw{LengthLaw::Kind::normal, 0.01};
+    options.forces.taut = {hanging, net.interior_edges()[3]};
+    const Identification found = identify(net, survey, options);
+    EXPECT_THAT(found.contradicted_taut, testing::ElementsAre(hanging));
+}
+
+}  // namespace
