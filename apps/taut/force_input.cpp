@@ -67,7 +67,7 @@ Forces read_forces(const CableNet& net, const ForceOptions& options) {
     if (!options.forces.empty()) {
         forces.readings = parse_force_readings(net, read_file(options.forces), options.forces,
                                                format_of(options));
-        if (const std::string warning = force_unit_warning(net, forces.readings);
+        if (const std::string warning = force_unit_warning(net, forces.readings, options.forces);
             !warning.empty()) {
             warn(options.forces, {warning});
         }

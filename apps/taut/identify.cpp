@@ -91,37 +91,54 @@ std::string tension_text(const DrawnEstimate& tension) {
 /// What was told of forces, and what contradicts all else.
 void print_forces(const CableNet& net, const Identification& result) {
     if (result.readings > 0) {
-        fmt::print("forces: {} readings, {} left out\n", result.readings,
-                   result.reading_outliers.size());
+        fmt::print("forces: {} reading{}, {} left out\n", result.readings,
+                   result.readings == 1 ? "" : "s", result.reading_outliers.size());
     }
     for (const ReadingOutlier& outlier : result.reading_outliers) {
         fmt::print("  {:<12} read as {:.4g} kN, where all else tells {:.4g} kN\n",
                    net.edge_id(outlier.edge), 1e-3 * outlier.read, 1e-3 * outlier.expected);
     }
+    if (result.reading_bias) {
+        fmt::print(
+            "  together they contradict the survey, which asks for {:.2g} times what was read (std "
+            "{:.2g}):\n  are unit, calibration and the net's stiffness right? All are left out\n",
+            1.0 - result.reading_bias->part, result.reading_bias->std);
+    }
+    const bool is_contradicted =
+        !result.contradicted_taut.empty() || !result.contradicted_slack.empty();
+    if (!is_contradicted) {
+        return;
+    }
+    fmt::print("what was seen contradicts the survey, and is left out, all of it\n");
     if (!result.contradicted_taut.empty()) {
-        fmt::print("told taut, though all else tells that they are slack: {}\n",
+        fmt::print("  taut, where the survey tells otherwise: {}\n",
                    edges_text(net, result.contradicted_taut));
     }
     if (!result.contradicted_slack.empty()) {
-        fmt::print("told slack, though no length of the law is so long: {}\n",
+        fmt::print("  slack, where the survey tells otherwise: {}\n",
                    edges_text(net, result.contradicted_slack));
     }
 }
 
 /// A number of an unknown, in the unit that people use.
 std::string in_unit(Unknown::Kind kind, double value) {
+    const auto told = [value](double scale, int digits) {
+        const double unit = std::pow(10.0, digits);
+        const double rounded = std::round(scale * value * unit) / unit + 0.0;  // no -0
+        return fmt::format("{:+.{}f}", rounded, digits);
+    };
     switch (kind) {
         case Unknown::Kind::stiffness:
         case Unknown::Kind::stiffness_each:
         case Unknown::Kind::loads:
-            return fmt::format("{:+.2f} %", 100.0 * value);
+            return told(100.0, 2) + " %";
         case Unknown::Kind::temperature:
-            return fmt::format("{:+.1f} K", value);
+            return told(1.0, 1) + " K";
         case Unknown::Kind::supports:
         case Unknown::Kind::adjustable:
-            return fmt::format("{:+.2f} mm", 1e3 * value);
+            return told(1e3, 2) + " mm";
         case Unknown::Kind::loads_each:
-            return fmt::format("{:+.2f} N", value);
+            return told(1.0, 2) + " N";
     }
     return {};
 }
@@ -137,9 +154,15 @@ void print_unknowns(const CableNet& net, const Identification& result) {
         const auto text = [&](double value) { return in_unit(unknown.kind, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
-            fmt::print("{}: {} from what was told, std {}{}\n", unknown.to_string(),
+            constexpr double beyond_chance = 3.0;
+            const bool is_far = std::abs(first->mean) > beyond_chance * unknown.std;
+            fmt::print("{}: {} from what was told, std {}{}{}\n", unknown.to_string(),
                        text(first->mean), text(first->std).substr(1),
-                       first->is_observed() ? "" : ": nothing that was measured shows it");
+                       first->is_observed() ? "" : ": nothing that was measured shows it",
+                       is_far ? fmt::format("\n  {:.1f} times its width: is it told right, or is "
+                                            "something else wrong?",
+                                            std::abs(first->mean) / unknown.std)
+                              : "");
         } else {
             const auto shown = std::count_if(
                 first, last, [](const UnknownEstimate& one) { return one.is_observed(); });

@@ -83,7 +83,7 @@ std::string prospect_text(const CableNet& net, const Prospect& prospect,
     }
     text += fmt::format(
         "  mean tension: std {:.3g} % of its {:.4g} kN\n"
-        "  with one more reading of 2 %, of the edge that tells most:\n"
+        "  with one reading of 2 % more, at one of the edges that tell most:\n"
         "  {:<12}{:>14}{:>20}\n",
         100.0 * lengths.mean_tension_std / lengths.mean_tension, 1e-3 * lengths.mean_tension,
         "edge", "tension [kN]", "std of the mean [%]");

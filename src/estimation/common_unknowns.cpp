@@ -42,6 +42,15 @@ double CommonUnknowns::thermal_strain(int edge, const Eigen::VectorXd& values) c
     return count() > 0 ? m_thermal.row(edge).dot(values) : 0.0;
 }
 
+Eigen::VectorXd CommonUnknowns::cold(const Eigen::VectorXd& lengths,
+                                     const Eigen::VectorXd& values) const {
+    Eigen::VectorXd result = lengths;
+    for (int e = 0; count() > 0 && e < lengths.size(); ++e) {
+        result(e) = cold(e, lengths(e), values);
+    }
+    return result;
+}
+
 double CommonUnknowns::load_factor(const Eigen::VectorXd& values) const {
     double factor = 1.0;
     for (int k = 0; k < count(); ++k) {

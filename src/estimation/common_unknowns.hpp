@@ -25,6 +25,15 @@ public:
     [[nodiscard]] double stiffness_factor(int edge, const Eigen::VectorXd& values) const;
     /// By which an edge's unstressed length is longer, relative.
     [[nodiscard]] double thermal_strain(int edge, const Eigen::VectorXd& values) const;
+    /// The length that an edge of another has at the reference temperature.
+    [[nodiscard]] double cold(int edge, double length, const Eigen::VectorXd& values) const {
+        return length / (1.0 + thermal_strain(edge, values));
+    }
+    /// Of all edges (m).
+    [[nodiscard]] Eigen::VectorXd cold(const Eigen::VectorXd& lengths,
+                                       const Eigen::VectorXd& values) const;
+    /// Standard deviation of each edge's thermal strain (m); before anything is found.
+    [[nodiscard]] Eigen::VectorXd thermal_stds() const { return m_thermal.rowwise().norm(); }
     /// The factor of the loads.
     [[nodiscard]] double load_factor(const Eigen::VectorXd& values) const;
 

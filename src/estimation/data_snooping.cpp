@@ -111,7 +111,12 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
 }
 
 void DataSnooping::evaluate_readings(const Eigen::VectorXd& tensions,
-                                     const Eigen::VectorXd& variances, double inflation) {
+                                     const Eigen::VectorXd& variances,
+                                     const SumVariance& sum_variance, double inflation) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(tensions.size());
+    double along = 0.0;  // c' W e, c the tensions read
+    double told = 0.0;   // c' W c
+    int in_use = 0;
     for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
         const ForceReading& reading = m_readings[k];
         const double noise = std::pow(inflation * reading.std, 2);
@@ -122,6 +127,21 @@ void DataSnooping::evaluate_readings(const Eigen::VectorXd& tensions,
         m_reading_statistics(k) = variance > smallest_redundancy * noise
                                       ? residual * residual / variance / m_residual_scale
                                       : 0.0;  // (snooping)
+        if (!m_rejected_readings[k]) {
+            weights(reading.edge) = reading.tension / noise;
+            along += reading.tension * residual / noise;
+            told += reading.tension * reading.tension / noise;
+            ++in_use;
+        }
+    }
+    m_bias_statistic = 0.0;
+    if (in_use > 1) {  // (common-bias)
+        const double redundant = told - sum_variance(weights);
+        constexpr double rounding = 1e-7;
+        if (redundant > rounding * told) {
+            m_found_bias = {.part = along / redundant, .std = 1.0 / std::sqrt(redundant)};
+            m_bias_statistic = along * along / redundant / m_residual_scale;
+        }
     }
 }
 
@@ -167,10 +187,12 @@ bool DataSnooping::revise() {
     for (const int node : changing) {
         largest = std::max(largest, m_statistics(node) / m_threshold);
     }
-    if (reject_worst_reading(largest)) {
+    if (reject_all_readings(largest) || reject_worst_reading(largest)) {
         return true;
     }
+    bool has_changed = false;
     if (changing.empty()) {
+        has_changed = readmit_readings();
         for (const int node : m_survey.surveyed) {
             if (is_rejected(node) && m_statistics(node) <= m_threshold) {
                 changing.push_back(node);
@@ -181,7 +203,33 @@ bool DataSnooping::revise() {
     for (const int node : changing) {
         m_rejected[node] = !is_rejected(node);
     }
-    return readmit_readings() || !changing.empty();
+    return has_changed || !changing.empty();
+}
+
+/// Where they stand out together by more than each by itself.
+/// @param than statistic over threshold that they have to exceed
+bool DataSnooping::reject_all_readings(double than) {
+    const double ratio = m_bias_statistic / m_reading_threshold;
+    double worst = than;
+    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
+        if (!m_rejected_readings[k]) {
+            worst = std::max(worst, m_reading_statistics(k) / m_reading_threshold);
+        }
+    }
+    if (ratio <= worst) {
+        return false;
+    }
+    m_reading_bias = m_found_bias;
+    m_rejected_readings.assign(m_readings.size(), true);
+    return true;
+}
+
+double DataSnooping::rejected_cost() const {
+    if (!is_active()) {
+        return 0.0;
+    }
+    const auto readings = std::ranges::count(m_rejected_readings, true);
+    return m_threshold * rejected_count() + m_reading_threshold * static_cast<double>(readings);
 }
 
 /// @param than statistic over threshold that it has to exceed
@@ -203,7 +251,7 @@ bool DataSnooping::reject_worst_reading(double than) {
 
 bool DataSnooping::readmit_readings() {
     bool has_changed = false;
-    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
+    for (Eigen::Index k = 0; !m_reading_bias && k < std::ssize(m_readings); ++k) {
         if (m_rejected_readings[k] && m_reading_statistics(k) <= m_reading_threshold) {
             m_rejected_readings[k] = false;
             m_readmitted_readings[k] = true;
@@ -224,6 +272,7 @@ void DataSnooping::reject_suspicious() {
 void DataSnooping::readmit_all() {
     m_rejected.assign(m_rejected.size(), false);
     m_rejected_readings.assign(m_readings.size(), false);
+    m_reading_bias.reset();
 }
 void DataSnooping::reopen() {
     m_readmitted.assign(m_readmitted.size(), false);

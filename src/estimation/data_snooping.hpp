@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,22 +62,42 @@ public:
     ///   the true noise. docs/theory.md, (continuation)
     void evaluate(const Points& fitted_form, const FormCovariance& covariance,
                   double inflation = 1.0);
-    /// The same for the readings: tensions of the fit and their posterior variances (m).
+    /// Posterior variance of a sum of tensions with weights (m) [N2 of the weights].
+    using SumVariance = std::function<double(const Eigen::VectorXd& weights)>;
+
+    /// The same for the readings: tensions of the fit and their posterior variances (m). And for
+    /// all of them together: whether they fit only if each is off by the same part, (common-bias).
     void evaluate_readings(const Eigen::VectorXd& tensions, const Eigen::VectorXd& variances,
-                           double inflation = 1.0);
+                           const SumVariance& sum_variance, double inflation = 1.0);
+
+    /// Part by which all readings are too high, and its standard deviation, where they were
+    /// rejected together for that.
+    [[nodiscard]] const std::optional<ReadingBias>& reading_bias() const { return m_reading_bias; }
 
     /// Rejects the targets above the threshold, of those two edges or less apart only the largest,
     /// since a gross error shows in the residuals around it, too. Where there are none, readmits
     /// for good those that agree with all others. To first order the statistic of a target is the
     /// same in use and rejected; where it is not, that of the rejected one is the one to trust: it
     /// does not hang on a small difference of Sigma and C. A reading that stands out more than
-    /// every target is rejected before them, the largest alone: it tells of the whole net.
+    /// every target is rejected before them, the largest alone: it tells of the whole net; all of
+    /// them where they stand out together more than each by itself.
     /// @return whether anything changed
     [[nodiscard]] bool revise();
 
     void reject_suspicious();
-    /// Rejects these (one flag a node), and no others.
-    void reject(std::vector<bool> rejected) { m_rejected = std::move(rejected); }
+    /// What is rejected: one flag a node, one a reading.
+    struct Rejected {
+        std::vector<bool> targets;
+        std::vector<bool> readings;
+    };
+    [[nodiscard]] Rejected all_rejected() const { return {m_rejected, m_rejected_readings}; }
+    /// Rejects these, and no others.
+    void reject(Rejected rejected) {
+        m_rejected = std::move(rejected.targets);
+        m_rejected_readings = std::move(rejected.readings);
+    }
+    /// Sum of the thresholds of all that is rejected.
+    [[nodiscard]] double rejected_cost() const;
     /// Begins anew, with all targets in use.
     void readmit_all();
     /// Lets targets that were readmitted be rejected again.
@@ -94,6 +115,7 @@ private:
     [[nodiscard]] bool is_too_many(int targets) const;
     [[nodiscard]] std::vector<int> largest_above_threshold() const;
     [[nodiscard]] double median_statistic() const;
+    [[nodiscard]] bool reject_all_readings(double than);
     [[nodiscard]] bool reject_worst_reading(double than);
     [[nodiscard]] bool readmit_readings();
 
@@ -111,6 +133,9 @@ private:
     std::vector<bool> m_readmitted_readings;  ///< for good
     Eigen::VectorXd m_reading_statistics;
     Eigen::VectorXd m_expected;     ///< tensions of the edges that were read, by the fit [N]
+    ReadingBias m_found_bias;       ///< of the readings in use
+    double m_bias_statistic = 0.0;  ///< its square in its variances
+    std::optional<ReadingBias> m_reading_bias;
     double m_residual_scale = 1.0;  ///< squared, of a fit as if the noise were larger
     double m_squares = 0.0;
     double m_redundancy = 0.0;

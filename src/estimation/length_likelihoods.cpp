@@ -18,7 +18,8 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
     const Eigen::VectorXd extension_variances = statics.extension_variances();
     const Eigen::VectorXd law_variances = statics.blur().length_variances(
         net.interior_edge_count());  // (blurred-law), (own-stiffness)
-    const Eigen::VectorXd lengths = edge_lengths(net, fitted.form);
+    const Eigen::VectorXd lengths =
+        statics.common().cold(edge_lengths(net, fitted.form), fitted.common);
     const std::vector<bool> can_be_slack =
         knowledge.as_seen(std::vector<bool>(net.edge_count(), true));
     std::vector<LengthLikelihood> result;

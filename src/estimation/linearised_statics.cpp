@@ -190,7 +190,7 @@ LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
         const int i = m_interior_of[e];
         if (i >= 0 && m_blur.stiffness.size() > 0 && !m_slack[e]) {
             found.stiffness(i) =
-                std::min(stiffness_as_length(e, iterate), most_variance * squared_unit);
+                std::min(stiffness_as_length(e, iterate), most_variance * m_widest_prior);
         }
         const TensionLaw* law = m_net.tension_law(e);
         if (law == nullptr || m_slack[e]) {
@@ -207,17 +207,25 @@ LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
             const double slope = std::max(law->blurred(strain, std).slope, 1e-6 * law->steepest());
             found.missed(i) =
                 std::min(law->missed_by_blurred(strain, std) * std::pow(unstressed / slope, 2),
-                         most_variance * squared_unit);
+                         most_variance * m_widest_prior);
         }
     }
     return found;
 }
 
 void LinearisedStatics::set_weights(const Observations& observations) {
-    // By the mean precision: a wide prior, which tells next to nothing, sets no scale. Lengths that
-    // are all but known set none, either.
-    const auto known = (1e-6 * observations.variance.maxCoeff());
-    m_length_unit = 1.0 / std::sqrt(observations.variance.cwiseMax(known).cwiseInverse().mean());
+    // By the mean precision: a wide prior, which tells next to nothing, sets no scale. Nor does one
+    // that is all but known.
+    m_widest_prior = observations.variance.maxCoeff();
+    double precision = 0.0;
+    int count = 0;
+    for (const double variance : observations.variance) {
+        if (variance > 1e-10 * m_widest_prior) {
+            precision += 1.0 / variance;
+            ++count;
+        }
+    }
+    m_length_unit = std::sqrt(count / precision);
     m_multiplier_unit =
         1.0 /
         (m_length_unit * m_net.axial_stiffness().cwiseQuotient(m_net.unstressed_lengths()).mean());
@@ -249,10 +257,11 @@ void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
                                         Eigen::Matrix3d::Identity());
         }
     }
+    const double heated = 1.0 + m_common.thermal_strain(edge, iterate.common);
     for (int k = 0; k < m_common.count(); ++k) {  // (common)
-        const double rate =
-            e.tension * m_common.stiffness_rate(k, edge) +
-            e.by_length * unstressed_length(edge, iterate) * m_common.thermal_rate(k, edge);
+        const double rate = e.tension * m_common.stiffness_rate(k, edge) +
+                            e.by_length * unstressed_length(edge, iterate) *
+                                m_common.thermal_rate(k, edge) / (heated * heated);
         m_tension_rates(edge, k) = rate;
         m_matrix.reading_rates(edge, k) = m_multiplier_unit * rate;
         m_matrix.extension_rates(edge, k) =
@@ -486,35 +495,36 @@ Eigen::Matrix3d LinearisedStatics::load_covariance(int node) const {
            (m_multiplier_unit * m_multiplier_unit);
 }
 
-/// a' Z g, with g the mean of all a.
-Eigen::VectorXd LinearisedStatics::covariances_with_mean_tension() const {
+/// a' Z g, with g the weighted sum of all a.
+Eigen::VectorXd LinearisedStatics::covariances_with(const Eigen::VectorXd& weights) const {
     const SaddlePointFactor& matrix = m_matrix.inner;
     const auto node_count = std::ssize(m_nodes);
-    BorderedFactor::Vector mean{
+    BorderedFactor::Vector sum{
         .inner = {.places = Eigen::Matrix3Xd::Zero(3, node_count),
-                  .lengths = matrix.reading_length_rates,
+                  .lengths = weights.cwiseProduct(matrix.reading_length_rates),
                   .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)},
-        .border = m_multiplier_unit * m_tension_rates.colwise().sum().transpose()};
+        .border = m_multiplier_unit * m_tension_rates.transpose() * weights};
     for (int e = 0; e < m_net.edge_count(); ++e) {
         const auto [s, t] = m_local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < node_count) {
-                mean.inner.places.col(node) += sign * matrix.reading_place_rates.col(e);
+                sum.inner.places.col(node) += sign * weights(e) * matrix.reading_place_rates.col(e);
             }
         }
     }
-    const BorderedFactor::Vector varied = m_matrix.solve(mean);
+    const BorderedFactor::Vector varied = m_matrix.solve(sum);
     Eigen::VectorXd result(m_net.edge_count());
     for (int e = 0; e < m_net.edge_count(); ++e) {
-        double sum = matrix.reading_length_rates(e) * varied.inner.lengths(e) +
-                     m_multiplier_unit * m_tension_rates.row(e).dot(varied.border);
+        double of_edge = matrix.reading_length_rates(e) * varied.inner.lengths(e) +
+                         m_multiplier_unit * m_tension_rates.row(e).dot(varied.border);
         const auto [s, t] = m_local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < node_count) {
-                sum += sign * matrix.reading_place_rates.col(e).dot(varied.inner.places.col(node));
+                of_edge +=
+                    sign * matrix.reading_place_rates.col(e).dot(varied.inner.places.col(node));
             }
         }
-        result(e) = sum / (m_net.edge_count() * m_multiplier_unit * m_multiplier_unit);
+        result(e) = of_edge / (m_multiplier_unit * m_multiplier_unit);
     }
     return result;
 }

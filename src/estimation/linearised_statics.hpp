@@ -113,8 +113,13 @@ public:
     [[nodiscard]] Eigen::Matrix3d load_covariance(int node) const;
     /// Of the common unknowns, in their standard deviations.
     [[nodiscard]] const Eigen::MatrixXd& common_covariance() const { return m_covariance.border; }
-    /// How all edges' tensions vary with the mean of them (m): covariances [N2].
-    [[nodiscard]] Eigen::VectorXd covariances_with_mean_tension() const;
+    /// Of all edges' tensions with a sum of them with weights (m) (m) [N2 of the weights].
+    [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights) const;
+    /// Of all edges' tensions with the mean of them (m) [N2].
+    [[nodiscard]] Eigen::VectorXd covariances_with_mean_tension() const {
+        return covariances_with(
+            Eigen::VectorXd::Constant(m_net.edge_count(), 1.0 / m_net.edge_count()));
+    }
 
 private:
     /// What an edge does at an iterate.
@@ -180,6 +185,7 @@ private:
 
     // Units that make all blocks of order 1: of places and lengths, and of multipliers.
     double m_length_unit = 1.0;
+    double m_widest_prior = 1.0;  ///< variance of a length [m2]
     double m_multiplier_unit = 1.0;
 };
 

@@ -42,8 +42,8 @@ constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
 /// In the smallest standard deviation of the survey.
 constexpr double small_step = 0.1;
 
-double smallest_noise(const Observations& observations) {
-    return 1.0 / std::sqrt(observations.weights.maxCoeff());
+double smallest_noise(const CableNet& net, const Observations& observations) {
+    return 1.0 / std::sqrt(observations.weights(Eigen::all, net.free_nodes()).maxCoeff());
 }
 
 /// (perturbed): as if surveyed, read and known beforehand once more.
@@ -142,11 +142,13 @@ private:
                                                   Workspace& workspace) const;
     [[nodiscard]] Eigen::VectorXd tell_lengths(Iterate& drawn, bool refit,
                                                RandomNumbers& random) const;
+    [[nodiscard]] std::vector<bool> slack_in(const Eigen::VectorXd& deviations,
+                                             const Eigen::VectorXd& spans, bool refit) const;
     [[nodiscard]] double length_of_tension(int edge, double length, double tension,
                                            double own_stiffness,
                                            const Eigen::VectorXd& common) const;
-    [[nodiscard]] Circumstances circumstances_of(const Iterate& drawn,
-                                                 const Eigen::VectorXd& own_stiffness) const;
+    [[nodiscard]] Circumstances drawn_circumstances(const Iterate& drawn,
+                                                    const Eigen::VectorXd& own_stiffness) const;
     [[nodiscard]] double squared_departure(const Iterate& drawn, const Points& form,
                                            const Eigen::VectorXd& tensions_in_balance) const;
 
@@ -167,7 +169,7 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
     constexpr double slow_contraction = 0.7;
     constexpr double shortest_part = 0.1;
     const int most_steps = m_net.is_linear() ? 20 : 60;
-    const double small = small_step * smallest_noise(m_sites);
+    const double small = small_step * smallest_noise(m_net, m_sites);
     Iterate iterate = m_fitted;
     double before = std::numeric_limits<double>::infinity();
     double part = 1.0;
@@ -195,7 +197,9 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
     if (!workspace.statics) {
         workspace.statics = std::make_unique<LinearisedStatics>(m_net, m_knowledge.unknowns);
         workspace.statics->set_blur(m_statics.blur());
-        workspace.statics->round_corners(corner_of_draws * smallest_noise(m_sites));
+        workspace.statics->set_slack(
+            m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
+        workspace.statics->round_corners(corner_of_draws * smallest_noise(m_net, m_sites));
     }
     GaussNewtonResult fit = feasible_descent(*workspace.statics, observations, m_all_taut,
                                              decrement_of_draw, most_descents_a_draw);
@@ -212,6 +216,9 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
 Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, bool refit,
                                            RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
+    const Eigen::VectorXd spans =
+        m_statics.common().cold(lengths, drawn.common) - m_net.unstressed_lengths();
+    const std::vector<bool> slack = slack_in(drawn.deviations, spans, refit);
     const Eigen::VectorXd tensions = m_statics.tensions(drawn);
     const Eigen::VectorXd& of_stiffness = m_statics.blur().stiffness;
     Eigen::VectorXd own_stiffness = Eigen::VectorXd::Zero(m_net.edge_count());
@@ -233,16 +240,29 @@ Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, bool refit,
                                           drawn.common) -
                         nominal;
         }
-        const double span = lengths(edge) - nominal;
         const double bound = law.kind == LengthLaw::Kind::uniform
                                  ? law.scale
                                  : std::numeric_limits<double>::infinity();
-        const bool is_slack = refit ? deviation > span : m_statics.slack()[edge];
-        if (is_slack && span < bound) {
-            deviation = slack_deviation(law, span, random);
+        if (slack[edge] && spans(edge) < bound) {
+            deviation = slack_deviation(law, spans(edge), random);
         }
     }
     return own_stiffness;
+}
+
+/// Edges (m) that hang in a draw: of a fit of its own those that came out longer than they span,
+/// but for what was seen.
+std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
+                                         const Eigen::VectorXd& spans, bool refit) const {
+    if (!refit) {
+        return m_statics.slack();
+    }
+    std::vector<bool> slack(m_net.edge_count(), false);
+    for (int i = 0; i < deviations.size(); ++i) {
+        const int edge = m_net.interior_edges()[i];
+        slack[edge] = deviations(i) > spans(edge);
+    }
+    return m_knowledge.as_seen(std::move(slack));
 }
 
 /// The unstressed length with which an edge of a tension law carries a tension at its length.
@@ -255,8 +275,8 @@ double Perturbation::length_of_tension(int edge, double length, double tension,
 }
 
 /// What the draw tells besides the lengths.
-Circumstances Perturbation::circumstances_of(const Iterate& drawn,
-                                             const Eigen::VectorXd& own_stiffness) const {
+Circumstances Perturbation::drawn_circumstances(const Iterate& drawn,
+                                                const Eigen::VectorXd& own_stiffness) const {
     Circumstances result = as_told(m_net);
     const CommonUnknowns& common = m_statics.common();
     for (int e = 0; e < m_net.edge_count(); ++e) {
@@ -305,23 +325,28 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
         return std::nullopt;
     }
     Draw result;
+    const auto balance = [&](EquilibriumSolver& solver, const CableNet& net,
+                             const Eigen::VectorXd& l_0) {
+        const Equilibrium found = solver.solve(l_0, drawn.form);
+        result.form = found.form;
+        result.tensions = tensions(net, l_0, found.form);
+        return found.balanced();
+    };
     if (m_knowledge.unknowns.empty()) {
-        const Equilibrium found = workspace.solver.solve(lengths, drawn.form);
-        if (!found.balanced()) {
+        if (!balance(workspace.solver, m_net, lengths)) {
             return std::nullopt;
         }
-        result.form = found.form;
-        result.tensions = tensions(m_net, lengths, found.form);
     } else {
-        const CableNet drawn_net =
-            net_under(m_net, circumstances_of(drawn, own_stiffness), lengths);
-        const Equilibrium found =
-            EquilibriumSolver(drawn_net).solve(drawn_net.unstressed_lengths(), drawn.form);
-        if (!found.balanced()) {
-            return std::nullopt;
+        try {
+            const CableNet net =
+                net_under(m_net, drawn_circumstances(drawn, own_stiffness), lengths);
+            EquilibriumSolver solver(net);
+            if (!balance(solver, net, net.unstressed_lengths())) {
+                return std::nullopt;
+            }
+        } catch (const NetError&) {
+            return std::nullopt;  // a length that is no longer positive
         }
-        result.form = found.form;
-        result.tensions = tensions(drawn_net, drawn_net.unstressed_lengths(), found.form);
     }
     result.squared_departure = squared_departure(by_fit, result.form, result.tensions);
     result.deviations = std::move(drawn.deviations);

@@ -14,7 +14,16 @@ double PriorKnowledge::length_std() const {
     return std::sqrt(sum / static_cast<double>(laws.size()));
 }
 
-std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack) const {
+std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
+                                          const std::vector<bool>& rejected_readings) const {
+    constexpr double surely_taut = 4.0;  // standard deviations
+    for (size_t k = 0; k < forces.readings.size(); ++k) {
+        const ForceReading& reading = forces.readings[k];
+        const bool is_rejected = !rejected_readings.empty() && rejected_readings[k];
+        if (!is_rejected && reading.tension > surely_taut * reading.std) {
+            slack[reading.edge] = false;
+        }
+    }
     for (const int edge : forces.taut) {
         slack[edge] = false;
     }

@@ -24,8 +24,11 @@ struct PriorKnowledge {
 
     /// Root mean square standard deviation of the laws [m].
     [[nodiscard]] double length_std() const;
-    /// Corrects which edges (m) are taken to be slack by what was seen.
-    [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack) const;
+    /// Corrects which edges (m) are taken to be slack by what was seen; and by what was read, where
+    /// that is more than four standard deviations above nothing.
+    /// @param rejected_readings by reading; empty: none
+    [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack,
+                                            const std::vector<bool>& rejected_readings = {}) const;
 };
 
 /// A survey without the targets that are rejected (one flag a node), and all that is known besides,

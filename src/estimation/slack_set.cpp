@@ -45,9 +45,8 @@ double measured_std(const CableNet& net, const Observations& observations, int e
 
 }  // namespace
 
-std::vector<bool> slack_by_form(const CableNet& net, const Iterate& iterate,
-                                const std::vector<LengthLaw>& laws) {
-    const Eigen::VectorXd lengths = edge_lengths(net, iterate.form);
+std::vector<bool> slack_by_lengths(const CableNet& net, const Eigen::VectorXd& lengths,
+                                   const std::vector<LengthLaw>& laws) {
     const Eigen::VectorXd shortest = shortest_taut(net, laws);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -57,12 +56,15 @@ std::vector<bool> slack_by_form(const CableNet& net, const Iterate& iterate,
 }
 
 std::vector<bool> slack_by_survey(const CableNet& net, const Observations& observations,
-                                  const std::vector<LengthLaw>& laws) {
+                                  const std::vector<LengthLaw>& laws,
+                                  const Eigen::VectorXd& thermal_stds) {
     const Eigen::VectorXd measured = edge_lengths(net, observations.form);
     const Eigen::VectorXd shortest = shortest_taut(net, laws);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        slack[e] = measured(e) + reach * measured_std(net, observations, e) < shortest(e);
+        const double thermal = thermal_stds.size() > 0 ? thermal_stds(e) * measured(e) : 0.0;
+        const double std = std::hypot(measured_std(net, observations, e), thermal);
+        slack[e] = measured(e) + reach * std < shortest(e);
     }
     return slack;
 }

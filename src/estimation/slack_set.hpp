@@ -9,19 +9,23 @@
 
 namespace taut {
 
-/// Edges (m) that a form shows to be slack, whatever the survey tells of their lengths: adjustable
-/// ones, of known length, that are shorter than it; and interior ones that would be taut only at a
-/// deviation beyond three standard deviations of its law (beyond the bound of a uniform one).
+/// Edges (m) that their lengths show to be slack, whatever the survey tells of their unstressed
+/// ones: adjustable ones, of known length, that are shorter than it; and interior ones that would
+/// be taut only at a deviation beyond three standard deviations of its law (beyond the bound of a
+/// uniform one). docs/theory.md, (slack-form)
+/// @param lengths of all edges, at the reference temperature (m) [m]
 /// @param laws one an interior edge (m_I)
-/// docs/theory.md, (slack-form)
-[[nodiscard]] std::vector<bool> slack_by_form(const CableNet& net, const Iterate& iterate,
-                                              const std::vector<LengthLaw>& laws);
+[[nodiscard]] std::vector<bool> slack_by_lengths(const CableNet& net,
+                                                 const Eigen::VectorXd& lengths,
+                                                 const std::vector<LengthLaw>& laws);
 
 /// Edges (m) that were measured shorter than they can be while taut (see above), by more than three
 /// standard deviations of that measurement. docs/theory.md, (slack-survey)
+/// @param thermal_stds standard deviation of each edge's thermal strain (m); empty: known
 [[nodiscard]] std::vector<bool> slack_by_survey(const CableNet& net,
                                                 const Observations& observations,
-                                                const std::vector<LengthLaw>& laws);
+                                                const std::vector<LengthLaw>& laws,
+                                                const Eigen::VectorXd& thermal_stds = {});
 
 /// Of edges named slack (m), those of which both ends were measured.
 [[nodiscard]] std::vector<bool> where_measured(const CableNet& net,

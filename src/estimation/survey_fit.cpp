@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -77,14 +78,21 @@ Iterate SurveyFit::nominal() const {
     return nominal_iterate(m_net, m_statics.common().count());
 }
 
+std::vector<bool> SurveyFit::as_seen(std::vector<bool> slack) const {
+    return m_knowledge.as_seen(std::move(slack), m_snooping.rejected_readings());
+}
+
 /// Edges (m) that a form shows to be slack, and no one saw taut.
 std::vector<bool> SurveyFit::shown_slack(const Iterate& iterate) const {
-    return m_knowledge.as_seen(slack_by_form(m_net, iterate, m_knowledge.laws));
+    const Eigen::VectorXd lengths =
+        m_statics.common().cold(edge_lengths(m_net, iterate.form), iterate.common);
+    return as_seen(slack_by_lengths(m_net, lengths, m_knowledge.laws));
 }
 
 /// Edges (m) that were measured so.
 std::vector<bool> SurveyFit::measured_slack(double inflation) const {
-    return m_knowledge.as_seen(slack_by_survey(m_net, observations(inflation), m_knowledge.laws));
+    return as_seen(slack_by_survey(m_net, observations(inflation), m_knowledge.laws,
+                                   m_statics.common().thermal_stds()));
 }
 
 GaussNewtonResult SurveyFit::run() {
@@ -93,7 +101,7 @@ GaussNewtonResult SurveyFit::run() {
         fitted = by_rounded_laws();
     }
     if (!fitted.converged) {
-        m_statics.set_slack(m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
+        m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
         if (!m_statics.linearise(fitted.iterate, observations())) {
             throw std::runtime_error(
                 "the statics of the net are singular at the surveyed form: are net and law right?");
@@ -101,7 +109,13 @@ GaussNewtonResult SurveyFit::run() {
         m_statics.invert();
     }
     evaluate(fitted, 1.0);
+    m_cost = fitted.converged ? 2.0 * m_statics.objective(observations(), fitted.iterate) +
+                                    m_snooping.rejected_cost()
+                              : std::numeric_limits<double>::infinity();
     m_contradicts_too_many = m_snooping.is_active() && m_snooping.contradicts_too_many();
+    if (m_contradicts_too_many) {
+        m_cost = std::numeric_limits<double>::infinity();
+    }
     if (m_contradicts_too_many) {
         m_snooping.reject_suspicious();
     }
@@ -180,7 +194,7 @@ GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation)
     const double last =
         std::min(widest_corner(),
                  corner_in_noise * inflation * m_noise(Eigen::all, m_survey.surveyed).minCoeff());
-    m_statics.set_slack(m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
+    m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
     GaussNewtonResult fitted{.iterate = start};
     m_corner_width = std::max(m_corner_width, last);
     while (true) {
@@ -223,10 +237,9 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<boo
         if (!m_snooping.revise() || m_snooping.rejects_too_many()) {
             break;
         }
-        fitted = fit(
-            fitted.iterate,
-            m_knowledge.as_seen(where_measured(m_net, observations(inflation), m_statics.slack())),
-            inflation);
+        fitted = fit(fitted.iterate,
+                     as_seen(where_measured(m_net, observations(inflation), m_statics.slack())),
+                     inflation);
     }
     return fitted;
 }
@@ -244,13 +257,12 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
     m_snooping.readmit_all();
     m_corner_width = widest_corner();
     Iterate settled = nominal();
-    std::vector<bool> slack = m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false));
+    std::vector<bool> slack = as_seen(std::vector<bool>(m_net.edge_count(), false));
     const auto refine = [&](double inflation) {
         GaussNewtonResult fitted = fit_and_snoop(settled, inflation);
         if (!fitted.converged) {
             fitted = fit_and_snoop(
-                settled, m_knowledge.as_seen(where_measured(m_net, observations(inflation), slack)),
-                inflation);
+                settled, as_seen(where_measured(m_net, observations(inflation), slack)), inflation);
         }
         if (fitted.converged) {
             settled = fitted.iterate;
@@ -279,7 +291,7 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
     m_corner_width = widest_corner();
     GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal(), 1.0); });
     const bool is_rounded_settled = is_settled(rounded);
-    const std::vector<bool> rejected = m_snooping.rejected();
+    const DataSnooping::Rejected rejected = m_snooping.all_rejected();
     if (is_rounded_settled) {
         GaussNewtonResult fitted =
             fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), 1.0);
@@ -325,8 +337,14 @@ void SurveyFit::evaluate(const GaussNewtonResult& fitted, double inflation) {
     m_snooping.evaluate(
         fitted.iterate.form, [this](int node) { return m_statics.form_covariance(node); },
         inflation);
-    m_snooping.evaluate_readings(m_statics.tensions(fitted.iterate), m_statics.tension_variances(),
-                                 inflation);
+    if (!m_knowledge.forces.readings.empty()) {
+        m_snooping.evaluate_readings(
+            m_statics.tensions(fitted.iterate), m_statics.tension_variances(),
+            [this](const Eigen::VectorXd& weights) {
+                return m_statics.covariances_with(weights).dot(weights);
+            },
+            inflation);
+    }
 }
 
 }  // namespace taut

@@ -41,6 +41,9 @@ public:
     /// @throws std::runtime_error where the statics are singular at what the search ended with
     [[nodiscard]] GaussNewtonResult run();
 
+    /// Of the result: twice the objective of (map), and for what was rejected as much as it takes
+    /// to be rejected; infinite where nothing settles. To compare fits of one survey.
+    [[nodiscard]] double cost() const { return m_cost; }
     /// Whether so many targets contradict the others that it is not they who are wrong.
     [[nodiscard]] bool contradicts_too_many() const { return m_contradicts_too_many; }
     [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
@@ -56,6 +59,7 @@ public:
 private:
     [[nodiscard]] Observations observations(double inflation) const;
     [[nodiscard]] Iterate nominal() const;
+    [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack) const;
     [[nodiscard]] std::vector<bool> shown_slack(const Iterate& iterate) const;
     [[nodiscard]] std::vector<bool> measured_slack(double inflation) const;
     void follow_laws(GaussNewtonResult& fitted, const Observations& observed, double inflation);
@@ -90,6 +94,7 @@ private:
     double m_tolerance;
     LinearisedStatics m_statics;
     DataSnooping m_snooping;
+    double m_cost = 0.0;
     bool m_contradicts_too_many = false;
     bool m_is_rounded = false;    ///< (rounded-law) takes the place of the slack set
     double m_corner_width = 0.0;  ///< where the rounded fits have got to [m]

@@ -70,7 +70,8 @@ public:
           m_knowledge(net, law),
           m_statics(net) {
         m_balanced.form = survey.form;
-        m_statics.set_slack(slack_by_form(net, m_balanced, m_knowledge.laws));
+        m_statics.set_slack(
+            slack_by_lengths(net, edge_lengths(net, m_balanced.form), m_knowledge.laws));
         const BalanceEquations balance(net, m_balanced.form, m_statics.slack());
         const BalancedDeviations balanced = balanced_deviations(net, m_balanced.form, balance);
         m_balanced.deviations = balanced.deviations;
@@ -195,11 +196,10 @@ Identification identify_by_exact_balance(const CableNet& net, const Survey& surv
 }
 
 Identification check_exactness(const CableNet& net, const Survey& survey, const LengthLaw& law) {
-    Iterate surveyed = nominal_iterate(net);
-    surveyed.form = survey.form;
     const std::vector<LengthLaw> laws(net.interior_edge_count(), law);
-    const BalancedDeviations balanced = balanced_deviations(
-        net, survey.form, BalanceEquations(net, survey.form, slack_by_form(net, surveyed, laws)));
+    const std::vector<bool> slack = slack_by_lengths(net, edge_lengths(net, survey.form), laws);
+    const BalancedDeviations balanced =
+        balanced_deviations(net, survey.form, BalanceEquations(net, survey.form, slack));
     Identification result{.law = law};
     if (tell_impossible_edge(result, net, balanced.impossible_edge)) {
         return result;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,34 +42,52 @@ std::string why_unsettled(const CableNet& net, const Survey& survey, const Lengt
     return text;
 }
 
-/// What was told of forces, and what all else says to it.
-void tell_forces(Identification& result, const CableNet& fit_net, const PriorKnowledge& knowledge,
-                 const SurveyFit& fit, const Iterate& fitted) {
-    constexpr double beyond_chance = 4.0;  // standard deviations
-    const Forces& forces = knowledge.forces;
-    result.readings = static_cast<int>(forces.readings.size());
-    result.reading_outliers = fit.snooping().reading_outliers();
-    const Eigen::VectorXd tensions = fit.statics().tensions(fitted);
-    const Eigen::VectorXd variances = fit.statics().tension_variances();
-    for (const int edge : forces.taut) {
-        if (tensions(edge) < -beyond_chance * std::sqrt(std::max(0.0, variances(edge)))) {
-            result.contradicted_taut.push_back(edge);
-        }
-    }
-    const Eigen::VectorXd lengths = edge_lengths(fit_net, fitted.form);
-    for (const int edge : forces.slack) {
-        const auto interior = std::ranges::lower_bound(fit_net.interior_edges(), edge);
-        const bool is_interior = interior != fit_net.interior_edges().end() && *interior == edge;
-        const double longest =
-            fit_net.unstressed_lengths()(edge) +
-            (is_interior
-                 ? beyond_chance * knowledge.laws[interior - fit_net.interior_edges().begin()].std()
-                 : 0.0);
-        const double noise =
-            std::sqrt(fit.statics().form_covariance(fit_net.free_nodes()[0]).trace());
-        if (lengths(edge) > longest + beyond_chance * noise) {
-            result.contradicted_slack.push_back(edge);
-        }
+/// A fit and how it ended.
+struct Search {
+    std::unique_ptr<SurveyFit> fit;
+    GaussNewtonResult fitted;
+};
+
+Search search(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
+              const SurveyFitSettings& settings) {
+    Search result{.fit = std::make_unique<SurveyFit>(net, survey, knowledge, settings)};
+    result.fitted = result.fit->run();  // (map), (slack-set), (snooping)
+    return result;
+}
+
+/// What was seen is believed where the survey does not speak against it: where the fit that keeps
+/// to it costs no more, beyond chance, than the one that knows nothing of it.
+bool is_believable(const Search& with, const Search& without, const Forces& seen) {
+    constexpr double beyond_chance = 20.0;  // a normal error of 4.5 standard deviations
+    constexpr double a_slack_edge = 9.0;    // may be as far from the mean of its law
+    // Kept to as taut it may carry pressure in the fit, which costs nothing.
+    constexpr double surely = 4.0;  // standard deviations
+    const LinearisedStatics& statics = with.fit->statics();
+    const Eigen::VectorXd tensions = statics.tensions(with.fitted.iterate);
+    const Eigen::VectorXd variances = statics.tension_variances();
+    const bool has_pressure = std::ranges::any_of(seen.taut, [&](int edge) {
+        return tensions(edge) < -surely * std::sqrt(std::max(0.0, variances(edge)));
+    });
+    return !has_pressure &&
+           with.fit->cost() <= without.fit->cost() + beyond_chance +
+                                   a_slack_edge * static_cast<double>(seen.slack.size());
+}
+
+/// Of edges seen taut or slack those that a fit which knows nothing of it finds to be otherwise;
+/// where there are none, all.
+void tell_contradicted(Identification& result, const Search& without, const Forces& seen) {
+    constexpr double surely = 3.0;  // standard deviations
+    const Eigen::VectorXd tensions = without.fit->statics().tensions(without.fitted.iterate);
+    const Eigen::VectorXd stds =
+        without.fit->statics().tension_variances().cwiseMax(0.0).cwiseSqrt();
+    std::ranges::copy_if(seen.taut, std::back_inserter(result.contradicted_taut), [&](int edge) {
+        return without.fit->statics().slack()[edge] || tensions(edge) < -surely * stds(edge);
+    });
+    std::ranges::copy_if(seen.slack, std::back_inserter(result.contradicted_slack),
+                         [&](int edge) { return tensions(edge) > surely * stds(edge); });
+    if (result.contradicted_taut.empty() && result.contradicted_slack.empty()) {
+        result.contradicted_taut = seen.taut;
+        result.contradicted_slack = seen.slack;
     }
 }
 
@@ -87,12 +107,22 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
         return result;
     }
     const CableNet fit_net = net_to_fit(net, told.unknowns);
-    const PriorKnowledge knowledge =
-        knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
-    SurveyFit fit(fit_net, survey, knowledge, settings);  // (map), (slack-set), (snooping)
-    GaussNewtonResult fitted = fit.run();
-    Identification before_law;
-    tell_forces(before_law, fit_net, knowledge, fit, fitted.iterate);
+    PriorKnowledge knowledge = knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
+    Search found = search(fit_net, survey, knowledge, settings);
+    Identification verdict;
+    if (!told.forces.taut.empty() || !told.forces.slack.empty()) {
+        PriorKnowledge unseen = knowledge;
+        unseen.forces.taut.clear();
+        unseen.forces.slack.clear();
+        const Search without = search(fit_net, survey, unseen, settings);
+        if (!is_believable(found, without, told.forces)) {
+            tell_contradicted(verdict, without, told.forces);
+            knowledge = unseen;
+            found = search(fit_net, survey, knowledge, settings);
+        }
+    }
+    SurveyFit& fit = *found.fit;
+    GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
     if (fitted.converged) {
         Propagated settled = propagate_law(fit_net, knowledge, fit.statics(), observations,
@@ -102,10 +132,11 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     }
     result =
         identification_of(net, fit_net, survey, told.law, knowledge, fit, fitted, observations);
-    result.readings = before_law.readings;
-    result.reading_outliers = before_law.reading_outliers;
-    result.contradicted_taut = before_law.contradicted_taut;
-    result.contradicted_slack = before_law.contradicted_slack;
+    result.readings = static_cast<int>(told.forces.readings.size());
+    result.reading_outliers = fit.snooping().reading_outliers();
+    result.reading_bias = fit.snooping().reading_bias();
+    result.contradicted_taut = std::move(verdict.contradicted_taut);
+    result.contradicted_slack = std::move(verdict.contradicted_slack);
     result.unknowns =
         unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
     if (!fit_net.is_linear()) {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include "identification/unknown_estimates.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,6 +22,11 @@ Share share_of(double part, double prior_variance, double deviation_from_prior, 
     const double ratio = part / prior_variance;
     return {.mean = ratio * deviation_from_prior,
             .variance = part * (1.0 - ratio) + ratio * ratio * variance};
+}
+
+/// The root of a variance; where that was lost in rounding errors, what was known before.
+double told_or(double variance, double before) {
+    return variance > 0.0 ? std::sqrt(variance) : before;
 }
 
 class Estimates {
@@ -69,14 +73,17 @@ private:
         m_result.push_back(
             {.unknown = unknown,
              .mean = unknown.std * m_fitted.common(k),
-             .std = unknown.std * std::sqrt(std::max(0.0, m_statics.common_covariance()(k, k)))});
+             .std = told_or(unknown.std * unknown.std * m_statics.common_covariance()(k, k),
+                            unknown.std)});
     }
 
     /// What of an edge's deviation a part of its prior variance stands for.
     [[nodiscard]] Share share(int edge, double part) const {
         const double prior = m_sites.variance(edge) + m_unknown_lengths(edge);
+        // Lost in rounding errors: then nothing is told.
+        const double found = m_length_variances(edge);
         return share_of(part, prior, m_fitted.deviations(edge) - m_sites.mean(edge),
-                        m_length_variances(edge));
+                        found > 0.0 ? found : prior);
     }
 
     /// (own-stiffness). All edges are interior ones of the net to fit.
@@ -90,8 +97,9 @@ private:
                 const double own = std::pow(unknown.std / stds(edge), 2);
                 const Share length = share(edge, part);
                 estimate.mean = -own * by_length * length.mean;
-                estimate.std = std::sqrt(own * own * by_length * by_length * length.variance +
-                                         (1.0 - own) * unknown.std * unknown.std);
+                estimate.std = told_or(own * own * by_length * by_length * length.variance +
+                                           (1.0 - own) * unknown.std * unknown.std,
+                                       unknown.std);
             }
             m_result.push_back(std::move(estimate));
         }

@@ -95,6 +95,12 @@ std::vector<ForceReading> parse_force_readings(const CableNet& net, std::string_
         reading.std = columns == 3       ? format.unit * force_in(edges, *record, 2, "std")
                       : format.std > 0.0 ? format.std
                                          : format.relative_std * reading.tension;
+        constexpr double finest = 1e-6;  // no reading is finer, and rounding errors are not far
+        if (reading.std > 0.0 && reading.std < finest * std::max(1.0, reading.tension)) {
+            edges.fail(*record, fmt::format("the standard deviation is {:.3g} N, expected at least "
+                                            "a millionth of the reading",
+                                            reading.std));
+        }
         if (!(reading.std > 0.0)) {
             edges.fail(*record,
                        columns == 3
@@ -138,11 +144,12 @@ bool is_edge_list(std::string_view text, const std::string& file_name) {
     return first && first->fields.size() == 1;
 }
 
-std::string force_unit_warning(const CableNet& net, const std::vector<ForceReading>& readings) {
+std::string force_unit_warning(const CableNet& net, const std::vector<ForceReading>& readings,
+                               const std::string& file_name) {
     const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
     std::vector<double> ratios;
     for (const ForceReading& reading : readings) {
-        if (designed(reading.edge) > 0.0) {
+        if (designed(reading.edge) > 0.0 && reading.tension > 0.0) {
             ratios.push_back(reading.tension / designed(reading.edge));
         }
     }
@@ -151,20 +158,20 @@ std::string force_unit_warning(const CableNet& net, const std::vector<ForceReadi
     }
     std::ranges::sort(ratios);
     const double median = ratios[ratios.size() / 2];
-    constexpr double another_unit = 100.0;
-    if (median * another_unit < 1.0) {
-        return fmt::format(
-            "the tensions read are {:.2g} times those designed: are they in kN? --force-unit kN "
-            "tells it",
-            median);
+    constexpr double far = 2.5;
+    constexpr double impossible = 50.0;
+    if (median >= 1.0 / far && median <= far) {
+        return {};
     }
-    if (median > another_unit) {
-        return fmt::format(
-            "the tensions read are {:.2g} times those designed: are they in another unit than "
-            "told?",
-            median);
+    constexpr double kilo = 1e3;
+    const bool is_kilo = median * kilo > 1.0 / far && median * kilo < far;
+    const std::string text = fmt::format(
+        "the tensions read are {:.2g} times those designed, in the middle: {}", median,
+        is_kilo ? "are they in kN? --force-unit kN tells it" : "is their unit the one told?");
+    if (median < 1.0 / impossible || median > impossible) {
+        throw InputError(file_name, "", text);
     }
-    return {};
+    return text;
 }
 
 }  // namespace taut

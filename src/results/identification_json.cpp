@@ -177,6 +177,9 @@ Json forces_json(const CableNet& net, const Identification& identification) {
     }
     return {{"readings", identification.readings},
             {"outliers", outliers},
+            {"bias", identification.reading_bias ? Json{{"part", identification.reading_bias->part},
+                                                        {"std", identification.reading_bias->std}}
+                                                 : Json()},
             {"contradicted_taut", identification.contradicted_taut},
             {"contradicted_slack", identification.contradicted_slack}};
 }

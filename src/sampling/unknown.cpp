@@ -74,12 +74,31 @@ std::string width_text(const Unknown& unknown) {
     return {};
 }
 
+/// @param text as it was told
+/// @throws std::invalid_argument where no width is so
+void check_width(const Unknown& unknown, std::string_view text) {
+    constexpr double widest_part = 0.3;
+    if (!(unknown.std > 0.0) || !std::isfinite(unknown.std)) {
+        throw std::invalid_argument(
+            fmt::format("the unknown '{}' has no positive width, expected {}", text, examples));
+    }
+    if (is_relative(unknown.kind) && unknown.std >= widest_part) {
+        throw std::invalid_argument(
+            fmt::format("the unknown '{}' is as wide as 30 % or wider, expected less", text));
+    }
+}
+
 [[noreturn]] void refuse(const Unknown& unknown, std::string_view problem) {
     throw std::invalid_argument(fmt::format("the unknown '{}' {}", unknown.to_string(), problem));
 }
 
 void check_one(const CableNet& net, const Unknown& unknown) {
     constexpr double widest_part = 1.0 / 3.0;
+    check_width(unknown, unknown.to_string());
+    const auto* const named = std::ranges::find(names, unknown.kind, &Named::kind);
+    if (!unknown.group.empty() && !named->has_groups) {
+        refuse(unknown, "takes no group: only stiffness, stiffness-each and temperature do");
+    }
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     if (!unknown.group.empty() && !net.data().groups.contains(unknown.group)) {
         std::string groups;
@@ -97,7 +116,7 @@ void check_one(const CableNet& net, const Unknown& unknown) {
             if (expansion.size() == 0 || (expansion(edges).array() == 0.0).all()) {
                 refuse(unknown, "needs edges that expand, and the net tells no expansion [1/K]");
             }
-            if (expansion.cwiseAbs().maxCoeff() * unknown.std > 0.01) {
+            if (expansion(edges).cwiseAbs().maxCoeff() * unknown.std > 0.01) {
                 refuse(unknown, "strains edges by more than 1 %, expected less");
             }
             break;
@@ -122,9 +141,16 @@ void check_one(const CableNet& net, const Unknown& unknown) {
                        "them in newtons");
             }
             break;
+        case Kind::loads_each: {
+            // More than any cable bears is no load of this net.
+            const double strongest = net.axial_stiffness().maxCoeff();
+            if (unknown.std > widest_part * strongest) {
+                refuse(unknown, "is wider than a third of the largest axial stiffness");
+            }
+            break;
+        }
         case Kind::stiffness:
         case Kind::stiffness_each:
-        case Kind::loads_each:
             break;
     }
 }
@@ -172,20 +198,15 @@ Unknown parse_unknown(std::string_view text) {
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(fmt::format("the unknown '{}': {}", text, error.what()));
     }
-    if (!(unknown.std > 0.0) || !std::isfinite(unknown.std)) {
-        throw std::invalid_argument(fmt::format(
-            "the unknown '{}' has the width {:g}, expected a positive one", text, unknown.std));
-    }
-    if (is_relative(unknown.kind) && unknown.std >= 0.3) {
-        throw std::invalid_argument(
-            fmt::format("the unknown '{}' is not known to 30 %, expected less", text));
-    }
+    check_width(unknown, text);
     if (at != std::string_view::npos) {
         unknown.group = text.substr(at + 1);
         if (!found->has_groups || unknown.group.empty()) {
             throw std::invalid_argument(fmt::format(
                 "the unknown '{}' {}", text,
-                found->has_groups ? "names no group behind @" : "is of no group of edges"));
+                found->has_groups
+                    ? "names no group behind @"
+                    : "takes no group: only stiffness, stiffness-each and temperature do"));
         }
     }
     return unknown;

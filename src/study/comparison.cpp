@@ -134,10 +134,10 @@ private:
         const ComparisonSettings& settings = m_comparison.settings;
         const Stopwatch sampling;
         const Sampler sampler(net, settings.law, settings.seed, settings.unknowns);
-        const DataSet data = draw_samples(sampler, count + settings.surveys);
+        const DataSet data = draw_samples(sampler, count + settings.surveys, m_progress);
         m_comparison.seconds.sampling += sampling.seconds();
         const Stopwatch training;
-        const LengthModel model = train(net, data, data.converged_in(0, count));
+        const LengthModel model = train(net, data, data.converged_in(0, count), {}, m_progress);
         const double training_seconds = training.seconds();
         m_comparison.seconds.training += training_seconds;
         std::vector told{method_by_processes(net, model),
@@ -154,7 +154,7 @@ private:
                      .model_errors = errors,
                      .training_samples =
                          method.training_samples ? std::optional(count) : std::nullopt,
-                     .result = evaluate(net, method, trials, {}).result,
+                     .result = evaluate(net, method, trials, m_progress).result,
                      .best_possible = {}});
             }
         };

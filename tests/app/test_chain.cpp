@@ -181,7 +181,7 @@ TEST_F(Chain, IdentifyTakesForcesAndUnknowns) {
         must_run({"identify", "net.json", "survey.csv", "--law", "uniform:2mm", "--forces",
                   "forces.csv", "--force-unit", "kN", "--force-noise", "50%", "--unknown",
                   "stiffness:5%", "--unknown", "supports:1mm", "-o", "result.json"});
-    EXPECT_THAT(text, testing::HasSubstr("forces: 1 readings, 0 left out"));
+    EXPECT_THAT(text, testing::HasSubstr("forces: 1 reading, 0 left out"));
     EXPECT_THAT(text, testing::HasSubstr("stiffness:5%: "));
     EXPECT_THAT(text, testing::HasSubstr("loads taken as told"));
     const json result = json::parse(read("result.json"));

@@ -111,7 +111,7 @@ TEST_F(InspectSurvey, TellsWhatAReadingWouldAdd) {
         survey({"targets.txt", "--noise", "0.5mm", "--unknown", "stiffness:5%"});
     EXPECT_GT(less_known["mean_tension"]["std"], before["mean_tension"]["std"]);
     EXPECT_THAT(must_run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"}),
-                testing::HasSubstr("with one more reading of 2 %"));
+                testing::HasSubstr("with one reading of 2 % more"));
 }
 
 TEST_F(InspectSurvey, NeedsNoNoiseWhereAllNodesAreTargeted) {

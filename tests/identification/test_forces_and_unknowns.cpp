@@ -257,6 +257,29 @@ TEST_F(Readings, ThatContradictAllElseAreLeftOutAndNamed) {
     EXPECT_TRUE(mended.outliers.empty());  // no sound target is blamed
 }
 
+// As of cells in another unit, or with one calibration for all: none stands out by itself.
+TEST_F(Readings, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
+    for (const double factor : {0.1, 0.7, 1.3}) {
+        Forces forces;
+        for (int edge = 0; edge < m_net.edge_count(); edge += 4) {
+            forces.readings.push_back(read(edge, 0.02));
+            forces.readings.back().tension *= factor;
+            forces.readings.back().std *= factor;
+        }
+        const Identification result = found(forces, 100);
+        ASSERT_TRUE(result.reading_bias) << factor;
+        EXPECT_EQ(result.reading_outliers.size(), forces.readings.size());
+        EXPECT_TRUE(result.outliers.empty());
+        // Linearised, so for a small bias only: true tensions are 1 - part times those read.
+        if (factor > 0.5) {
+            EXPECT_NEAR(1.0 - result.reading_bias->part, 1.0 / factor,
+                        5.0 * result.reading_bias->std);
+        }
+        EXPECT_NEAR(result.drawn.mean_tension.mean, m_truth.tensions.mean(),
+                    4.0 * result.drawn.mean_tension.std);
+    }
+}
+
 TEST_F(Readings, AreDrawnTheSameOnAnyNumberOfThreads) {
     const Forces forces{.readings = {read(3, 0.02)}, .taut = {}, .slack = {}};
     const auto on = [&](int threads) {
@@ -300,21 +323,30 @@ TEST(Seen, TautAndSlackEdgesAreKeptTo) {
     }
 }
 
-TEST(Seen, WhatAllElseContradictsIsNamed) {
+TEST(Seen, WhatTheSurveyContradictsIsNamedAndNotUsed) {
     const CableNet net = hypar(6, 6);  // stretches by more than its lengths deviate: all are taut
     const Built truth = built(net, {}, 9);
-    // One edge hangs: 30 mm too long, with its neighbours as they are.
+    const Identification without = identify(net, truth.simulated.survey, options_with({}));
+    IdentifyOptions options = options_with({});
+    options.forces.slack = {net.interior_edges()[20]};
+    const Identification with = identify(net, truth.simulated.survey, options);
+    EXPECT_THAT(with.contradicted_slack, testing::ElementsAre(net.interior_edges()[20]));
+    EXPECT_TRUE(with.outliers.empty());
+    for (size_t i = 0; i < with.edges.size(); ++i) {
+        EXPECT_EQ(with.edges[i].length_deviation, without.edges[i].length_deviation);
+    }
+    // One cable hangs by far, and is told taut.
     const int hanging = net.interior_edges()[20];
     Eigen::VectorXd lengths = with_length_deviations(net, truth.simulated.deviations);
     lengths(hanging) += 0.03;
     Survey survey = truth.simulated.survey;
     survey.form += EquilibriumSolver(net).solve(lengths, truth.simulated.truth.form).form -
                    truth.simulated.truth.form;
-    IdentifyOptions options = options_with({});
+    options = options_with({});
     options.law = LengthLaw{LengthLaw::Kind::normal, 0.01};
     options.forces.taut = {hanging, net.interior_edges()[3]};
-    const Identification found = identify(net, survey, options);
-    EXPECT_THAT(found.contradicted_taut, testing::ElementsAre(hanging));
+    const Identification taut = identify(net, survey, options);
+    EXPECT_THAT(taut.contradicted_taut, testing::ElementsAre(hanging));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "support/bad_input.hpp"
 #include "support/errors.hpp"
 #include "support/small_nets.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace {
 
@@ -54,10 +55,16 @@ TEST(ForcesCsv, AListOfEdgesIsNoReadings) {
 
 TEST(ForcesCsv, AUnitThatIsMostLikelyAnotherIsNamed) {
     const CableNet tense = net();
-    EXPECT_THAT(force_unit_warning(tense, {{.edge = 2, .tension = 4.0, .std = 0.1}}),
-                HasSubstr("--force-unit kN"));
-    const auto designed = parse_force_readings(tense, "ab,5000\n", "f.csv");
-    EXPECT_EQ(force_unit_warning(tense, designed), "");
+    const double designed = tensions(tense, tense.unstressed_lengths(), tense.nodes())(2);
+    const auto told_of = [&](double part) {
+        return force_unit_warning(tense, {{.edge = 2, .tension = part * designed, .std = 1.0}},
+                                  "f.csv");
+    };
+    EXPECT_EQ(told_of(1.0), "");
+    EXPECT_EQ(told_of(0.5), "");
+    EXPECT_THAT(told_of(0.1), HasSubstr("is their unit the one told?"));  // kgf
+    EXPECT_THAT(input_error_of([&] { return told_of(1e-3); }),
+                AllOf(HasSubstr("f.csv: "), HasSubstr("--force-unit kN")));
 }
 
 class RefusedForces : public testing::TestWithParam<BadText> {};

@@ -61,10 +61,10 @@ INSTANTIATE_TEST_SUITE_P(
                     BadUnknown{"stiffness:", "percentage"}, BadUnknown{"stiffness:5", "percentage"},
                     BadUnknown{"stiffness:0%", "positive"}, BadUnknown{"stiffness:-5%", "positive"},
                     BadUnknown{"stiffness:nan%", "percentage"},
-                    BadUnknown{"stiffness:30%", "not known to 30 %"},
+                    BadUnknown{"stiffness:30%", "as wide as 30 %"},
                     BadUnknown{"stiffness:5%@", "no group"},
                     BadUnknown{"temperature:10", "temperature"},
-                    BadUnknown{"supports:1mm@ridge", "no group of edges"},
+                    BadUnknown{"supports:1mm@ridge", "takes no group"},
                     BadUnknown{"supports:5%", "length"}, BadUnknown{"loads:5mm", "force"}));
 
 CableNet net_with(const auto& change) {
@@ -91,6 +91,16 @@ TEST(Unknown, IsRefusedWhereTheNetHasNothingOfIt) {
     EXPECT_THAT(told({"temperature:10K"}), HasSubstr("no expansion"));
     EXPECT_THAT(told({"loads:10%"}), HasSubstr("the net has none"));
     EXPECT_THAT(told({"adjustable:400mm"}), HasSubstr("third of the shortest"));
+    EXPECT_THAT(told({"loads:1000kN"}), HasSubstr("third of the largest axial stiffness"));
+    // Made by hand, past the parser.
+    const auto by_hand = [&net](const Unknown& unknown) {
+        return refusal_of([&] {
+            check_unknowns(net, {unknown});
+            return 0;
+        });
+    };
+    EXPECT_THAT(by_hand({Unknown::Kind::adjustable, 0.0, ""}), HasSubstr("no positive width"));
+    EXPECT_THAT(by_hand({Unknown::Kind::supports, 1e-3, "ridge"}), HasSubstr("takes no group"));
     EXPECT_THAT(told({"supports:2m"}), HasSubstr("third of the shortest"));
     const CableNet fixed = net_with([](CableNetData& data) { data.adjustable.clear(); });
     EXPECT_THAT(refusal_of([&] {

@@ -186,6 +186,18 @@ export function settingsSection(result: Result): HTMLElement {
     if (result.frame === null) add("frame of the survey", "the net's");
     add("surveyed free nodes", result.survey.used);
     add("hidden free nodes", result.survey.missing);
+    for (const one of result.unknowns ?? []) {
+      if (one.edge === undefined && one.node === undefined) {
+        const unit = one.unit === "1" ? "%" : one.unit;
+        const scale = one.unit === "1" ? 100 : 1;
+        const doubt = one.observed ? "" : "; nothing that was measured shows it";
+        add(`unknown: ${one.told}`, `${number(scale * one.mean)} ${unit} from what was told, standard deviation ${number(scale * one.std)} ${unit}${doubt}`);
+      }
+    }
+    const single = new Map<string, number>();
+    for (const one of result.unknowns ?? []) if (one.edge !== undefined || one.node !== undefined) single.set(one.told, (single.get(one.told) ?? 0) + (one.observed ? 1 : 0));
+    for (const [told, observed] of single) add(`unknown: ${told}`, `${observed} of them better known than before`);
+    if (result.forces && result.forces.readings > 0) add("readings of forces", `${result.forces.readings}, ${result.forces.outliers.length} left out`);
     if (result.draws) add("draws of the posterior", `${result.draws.count}: ${result.draws.how}`);
     if (result.draws?.doubt) add("no tensions are told", result.draws.doubt);
     if (result.mean_tension) {

@@ -31,11 +31,11 @@ export type EdgeStatus = "identified" | "slack" | "unobserved";
  */
 export type Numbers1 = number[];
 /**
- * Told taut, though all else tells that they are slack.
+ * Seen taut, though the survey tells otherwise: then nothing that was seen is used.
  */
 export type Indices1 = Index[];
 /**
- * Told slack, though no length of the law is so long.
+ * Seen slack, likewise.
  */
 export type Indices2 = Index[];
 export type CountOrNull = number | null;
@@ -300,6 +300,13 @@ export interface Forces {
     expected: number;
     statistic: number;
   }[];
+  /**
+   * Part by which all readings are too high against all else, where they were left out for it; else null.
+   */
+  bias?: {
+    part: number;
+    std: number;
+  } | null;
   contradicted_taut?: Indices1;
   contradicted_slack?: Indices2;
 }

@@ -124,11 +124,30 @@ function ratioWords(ratio = 0): string {
 }
 
 /** How tight the cables are, as far as the draws tell; none without draws. */
-function tensionWords({ mean_tension, draws }: Identification): string {
+function tensionWords(result: Identification): string {
+  const { mean_tension, draws } = result;
   if (draws?.doubt) return ` How tight the cables are is not told: ${draws.doubt}.`;
   if (!mean_tension) return "";
   const kN = (newton: number): string => number(newton / 1e3);
-  return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %, where stiffness, loads and supports are as told.`;
+  return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %${asToldWords(result)}.`;
+}
+
+/** What the tensions rest on that nobody told to be unknown. */
+function asToldWords({ unknowns = [] }: Identification): string {
+  const told = ["stiffness", "loads", "supports"].filter((name) => !unknowns.some((one) => one.name === name));
+  if (told.length === 0) return "";
+  const list = told.length === 1 ? told[0] : `${told.slice(0, -1).join(", ")} and ${told[told.length - 1]}`;
+  return `, where ${list} are as told`;
+}
+
+/** Readings that were left out, and what was seen that the survey contradicts. */
+function forceWords({ forces }: Identification): string {
+  if (!forces) return "";
+  const out = forces.outliers.length;
+  const bias = forces.bias ? `: together they contradict the survey, which asks for ${number(1 - forces.bias.part)} times what was read` : "";
+  const readings = out > 0 ? ` ${out} of ${counted(forces.readings, "reading")} of forces ${out === 1 ? "is" : "are"} left out${bias}.` : "";
+  const seen = (forces.contradicted_taut?.length ?? 0) + (forces.contradicted_slack?.length ?? 0);
+  return readings + (seen > 0 ? " What was seen of taut and slack cables contradicts the survey, and is not used." : "");
 }
 
 function frameWords(result: Identification): string {
@@ -153,7 +172,7 @@ function ofIdentification(result: Identification): Summary {
       `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}${law}.${noise}`,
     sentences: [
       `${identified.length} of ${counted(edges.length, "interior cable")} are identified${identified.length > 0 ? `, to ${median} mm (95 %, median)` : ""}${longestWords(result, tense)}.${tensionWords(result)}`,
-      fitWords(result),
+      fitWords(result) + forceWords(result),
       warnings(result),
     ],
     figures: [

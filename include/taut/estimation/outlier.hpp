@@ -19,6 +19,12 @@ struct ReadingOutlier {
     double statistic = 0.0;  ///< squared difference in its variances
 };
 
+/// What all readings of forces have in common against all else: a wrong unit, a calibration.
+struct ReadingBias {
+    double part = 0.0;  ///< by which they are too high
+    double std = 0.0;   ///< of that
+};
+
 /// Probability that a survey without gross errors loses a target by the test for them. Small: a
 /// target less can cost the edges around it all that is known of them, while gross errors worth the
 /// name stand far above any threshold.

@@ -67,8 +67,10 @@ struct Identification {
 
     int readings = 0;                              ///< of forces, that were told
     std::vector<ReadingOutlier> reading_outliers;  ///< those left out, the worst first
-    /// Edges that were told taut though all else tells that they are slack, or slack though no
-    /// length of the law is so long: what was told was kept to.
+    /// Where all of them were left out, since they fit only if each is off by the same part.
+    std::optional<ReadingBias> reading_bias;
+    /// Edges seen taut or slack where the survey tells otherwise: then nothing that was seen is
+    /// used.
     std::vector<int> contradicted_taut;
     std::vector<int> contradicted_slack;
 

@@ -41,9 +41,12 @@ struct ForceFormat {
 /// @throws InputError as CSV
 [[nodiscard]] bool is_edge_list(std::string_view text, const std::string& file_name);
 
-/// What most likely is told in another unit, in words; empty: nothing. Tensions are held against
-/// those of the design.
+/// What most likely is told in another unit, in words; empty: nothing. The median of the tensions
+/// read is held against those of the design.
+/// @param file_name for messages
+/// @throws InputError where it is 50 times as large or as small: that cannot be meant
 [[nodiscard]] std::string force_unit_warning(const CableNet& net,
-                                             const std::vector<ForceReading>& readings);
+                                             const std::vector<ForceReading>& readings,
+                                             const std::string& file_name);
 
 }  // namespace taut
