@@ -138,7 +138,7 @@ bool follow_sites(LinearisedStatics& statics, Propagated& state) {
     statics.invert();
     const Iterate step = statics.step(state.iterate, state.observations);
     state.iterate = state.iterate.moved(step);
-    return step.form.allFinite() && step.deviations.allFinite();
+    return std::isfinite(statics.size_of(step));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ double length_of(const LinearisedStatics& statics, const Observations& observati
 /// The observations with P (1 + damping) for P and the same slope P (mean - d) at the iterate.
 Observations damped(const Observations& observations, const Iterate& iterate, double damping) {
     Observations result = observations;
-    result.variance /= 1.0 + damping;
+    result.length_damping = damping;
     result.mean = iterate.deviations + (observations.mean - iterate.deviations) / (1.0 + damping);
     return result;
 }

@@ -42,9 +42,10 @@ Trial try_part(const LinearisedStatics& statics, const Observations& observation
 }
 
 /// (monotonicity): forces and misfit are held against each other in metres.
-bool leads_astray(const Trial& trial, const Iterate& step, double tolerance) {
-    const double size = trial.next.largest_change();
-    return size > (1.0 - 0.5 * trial.part) * step.largest_change() && size > tolerance;
+bool leads_astray(const LinearisedStatics& statics, const Trial& trial, const Iterate& step,
+                  double tolerance) {
+    const double size = statics.size_of(trial.next);
+    return size > (1.0 - 0.5 * trial.part) * statics.size_of(step) && size > tolerance;
 }
 
 }  // namespace
@@ -58,8 +59,8 @@ GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& o
         step = linearised_step(statics, observations, result.iterate);
         is_linearised_here = true;
     };
-    while (result.iterations < max_iterations && std::isfinite(step.largest_change())) {
-        if (step.largest_change() <= tolerance) {
+    while (result.iterations < max_iterations && std::isfinite(statics.size_of(step))) {
+        if (statics.size_of(step) <= tolerance) {
             // The covariance is to be that of the result.
             if (is_linearised_here) {
                 result.iterate = result.iterate.moved(step);
@@ -72,11 +73,11 @@ GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& o
         ++result.iterations;
         Trial trial = try_part(statics, observations, result.iterate, step, 1.0);
         // A matrix from elsewhere need not even give a direction of descent.
-        if (!is_linearised_here && leads_astray(trial, step, tolerance)) {
+        if (!is_linearised_here && leads_astray(statics, trial, step, tolerance)) {
             relinearise();
             continue;
         }
-        while (trial.part > shortest_part && leads_astray(trial, step, tolerance)) {
+        while (trial.part > shortest_part && leads_astray(statics, trial, step, tolerance)) {
             trial = try_part(statics, observations, result.iterate, step, 0.5 * trial.part);
         }
         if (trial.part <= shortest_part) {
@@ -84,14 +85,14 @@ GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& o
         }
         result.iterate = std::move(trial.iterate);
         if (trial.part < 1.0 ||
-            trial.next.largest_change() > fast_contraction * step.largest_change()) {
+            statics.size_of(trial.next) > fast_contraction * statics.size_of(step)) {
             relinearise();
         } else {
             step = std::move(trial.next);
             is_linearised_here = false;
         }
     }
-    result.has_factor = std::isfinite(step.largest_change());
+    result.has_factor = std::isfinite(statics.size_of(step));
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -127,7 +128,9 @@ void LinearisedStatics::hold_laws(const Iterate& iterate) {
     const Eigen::VectorXd lengths = edge_lengths(m_net, iterate.form);
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (m_net.tension_law(e) != nullptr) {
-            const double strain = lengths(e) / unstressed_length(e, iterate) - 1.0;
+            const double unstressed = unstressed_length(e, iterate);
+            const double strain =
+                stretch(lengths(e) - unstressed, m_corner_width).value / unstressed;
             held[e] = {.strain = strain, .tangent = law_tangent(e, strain)};
         }
     }
@@ -420,6 +423,16 @@ Iterate LinearisedStatics::step(const Iterate& iterate, const Observations& obse
         m_matrix.inner.load_variances.cwiseProduct(m_multipliers + solution.inner.multipliers) /
         m_multiplier_unit;
     return change;
+}
+
+double LinearisedStatics::size_of(const Iterate& step) const {
+    double size = std::max(step.form.cwiseAbs().maxCoeff(), step.deviations.cwiseAbs().maxCoeff());
+    if (step.common.size() > 0) {
+        size = std::max(size, m_length_unit * step.common.cwiseAbs().maxCoeff());
+    }
+    const bool is_finite = std::isfinite(size) && step.form.allFinite() &&
+                           step.deviations.allFinite() && step.common.allFinite();
+    return is_finite ? size : std::numeric_limits<double>::infinity();
 }
 
 double LinearisedStatics::squared_norm(const Observations& observations,

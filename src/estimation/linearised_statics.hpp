@@ -90,6 +90,10 @@ public:
     /// iterate: with its misfit and forces, but the matrix as linearised.
     [[nodiscard]] Iterate step(const Iterate& iterate, const Observations& observations) const;
 
+    /// Of a step: the largest change of a place or length, and of a common unknown by as many
+    /// standard deviations of the lengths; infinite where it is not finite [m].
+    [[nodiscard]] double size_of(const Iterate& step) const;
+
     /// Squared length of a change in standard deviations of what is observed and expected; forces
     /// to first order, as linearised.
     [[nodiscard]] double squared_norm(const Observations& observations,
@@ -145,7 +149,8 @@ private:
     [[nodiscard]] TensionLaw::Tangent law_tangent(int edge, double strain) const;
     [[nodiscard]] double unstressed_length(int edge, const Iterate& iterate) const;
     [[nodiscard]] Eigen::VectorXd prior_variances(const Observations& observations) const {
-        return observations.variance + m_blur.length_variances(observations.variance.size());
+        return (observations.variance + m_blur.length_variances(observations.variance.size())) /
+               (1.0 + observations.length_damping);
     }
     [[nodiscard]] double length_variance(int edge, const Iterate& iterate) const;
     [[nodiscard]] double stiffness_as_length(int edge, const Iterate& iterate) const;

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/observations.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -15,11 +11,6 @@ Iterate Iterate::moved(const Iterate& step, double part) const {
             .deviations = deviations + part * step.deviations,
             .loads = loads + part * step.loads,
             .common = common + part * step.common};
-}
-
-double Iterate::largest_change() const {
-    const double size = std::max(form.cwiseAbs().maxCoeff(), deviations.cwiseAbs().maxCoeff());
-    return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
 }
 
 Iterate nominal_iterate(const CableNet& net, int common_unknowns) {

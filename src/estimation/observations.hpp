@@ -18,7 +18,9 @@ struct Observations {
     /// 3 x n, 1 / variance of each measured coordinate and of each unknown one of a support, else 0
     /// [1/m2].
     Points weights;
-    Eigen::VectorXd mean;             ///< m_I, prior mean of the length deviations [m]
+    Eigen::VectorXd mean;  ///< m_I, prior mean of the length deviations [m]
+    /// Of the precision of all lengths, as a part of it: for a search that damps its steps.
+    double length_damping = 0.0;
     Eigen::VectorXd variance;         ///< m_I, prior variance, positive [m2]
     Points load_mean;                 ///< 3 x n, of deviations of the nodes' loads [N]
     Points load_variance;             ///< 3 x n, of the same; 0: known [N2]
@@ -33,12 +35,10 @@ struct Iterate {
     Points form;                 ///< 3 x n, supports included [m]
     Eigen::VectorXd deviations;  ///< m_I [m]
     Points loads;                ///< 3 x n, deviations of the nodes' loads [N]
-    Eigen::VectorXd common;      ///< the common unknowns, in their standard deviations
+    Eigen::VectorXd common;      ///< the common unknowns, each divided by its standard deviation
 
     /// Itself and a part of a step.
     [[nodiscard]] Iterate moved(const Iterate& step, double part = 1.0) const;
-    /// Of a step: the largest change of a place or length; infinite where it is not finite [m].
-    [[nodiscard]] double largest_change() const;
 };
 
 /// The nominal form, and no deviation of anything.

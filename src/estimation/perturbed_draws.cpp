@@ -4,6 +4,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,7 +176,7 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
     double part = 1.0;
     for (int k = 0; k < most_steps; ++k) {
         const Iterate change = m_statics.step(iterate, observations);
-        const double size = change.largest_change();
+        const double size = m_statics.size_of(change);
         if (!(size < slow_contraction * before)) {
             // Of a linear net such a draw is fitted by itself.
             part *= 0.5;
@@ -362,7 +363,8 @@ void Perturbation::add_draws(std::vector<std::optional<Draw>>& draws, int count,
         if (progress.stopped()) {
             throw Interrupted();
         }
-        draws[k] = draw(k, refit_all, workspaces.local());
+        // A thread that waits within takes no other draw up: the workspace is this one's.
+        tbb::this_task_arena::isolate([&] { draws[k] = draw(k, refit_all, workspaces.local()); });
     });
 }
 

@@ -53,9 +53,10 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
             return {};
         }
         return fmt::format(
-            "the tension laws bend within what the survey leaves open: the draws' lengths lie "
-            "{:.2g} "
-            "standard deviations from those identified, RMS, and {:+.2g} in the mean",
+            "within what the survey leaves open the tension laws are too far from straight: the "
+            "draws' lengths lie {:.2g} standard deviations from those identified, RMS, and {:+.2g} "
+            "in "
+            "the mean",
             shift.rms, shift.mean);
     }
     const double stretch =
@@ -70,11 +71,21 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
             "mean, and their lengths are known to {:.2g} mm",
             1e3 * stretch, 1e3 * known);
     }
+    std::string reasons;
+    if (drawn.left_out > 0) {
+        reasons = fmt::format("{} of {} draws found no equilibrium", drawn.left_out,
+                              drawn.count() + drawn.left_out);
+    }
+    if (drawn.count() > 0) {
+        reasons += fmt::format(
+            "{}forms in equilibrium lie {:.2g} standard deviations of what was measured from those "
+            "drawn",
+            reasons.empty() ? "" : ", ", drawn.departure);
+    }
     return fmt::format(
-        "the statics bend within what the survey leaves open: {} of {} draws found no "
-        "equilibrium, and the forms of the others lie {:.2g} standard deviations of the survey "
-        "from where they should",
-        drawn.left_out, drawn.count() + drawn.left_out, drawn.departure);
+        "within what the survey leaves open the net is too far from linear: {}. A closer survey, a "
+        "narrower --law if it is true, or load cells would help",
+        reasons);
 }
 
 /// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges

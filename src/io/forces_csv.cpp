@@ -95,6 +95,12 @@ std::vector<ForceReading> parse_force_readings(const CableNet& net, std::string_
         reading.std = columns == 3       ? format.unit * force_in(edges, *record, 2, "std")
                       : format.std > 0.0 ? format.std
                                          : format.relative_std * reading.tension;
+        constexpr double largest = 1e12;  // no cable bears it, and its square is a number
+        if (reading.tension > largest || reading.std > largest) {
+            edges.fail(*record, fmt::format("the tension is {:.3g} N, with a standard deviation of "
+                                            "{:.3g} N, expected less than 1e12 N",
+                                            reading.tension, reading.std));
+        }
         constexpr double finest = 1e-6;  // no reading is finer, and rounding errors are not far
         if (reading.std > 0.0 && reading.std < finest * std::max(1.0, reading.tension)) {
             edges.fail(*record, fmt::format("the standard deviation is {:.3g} N, expected at least "

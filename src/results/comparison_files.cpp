@@ -29,7 +29,6 @@ ResultJson row_json(const ComparisonRow& row) {
     return {{"method", result.name},
             {"noise", row.kind.noise_std},
             {"hidden_fraction", row.kind.hidden_part},
-            {"model_errors", to_string(row.model_errors)},
             {"training_samples", or_null(row.training_samples)},
             {"surveys", result.surveys},
             {"failed", result.failed},
@@ -44,7 +43,8 @@ ResultJson row_json(const ComparisonRow& row) {
             {"forms_not_converged", result.forms_not_converged},
             {"coverage", number(any, result.coverage)},
             {"training_seconds", number(row.training_samples.has_value(), result.training_seconds)},
-            {"seconds", number(any, result.seconds)}};
+            {"seconds", number(any, result.seconds)},
+            {"model_errors", to_string(row.model_errors)}};
 }
 
 ResultJson rows_json(const std::vector<ComparisonRow>& all) {

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -121,7 +122,8 @@ void Sampler::draw_block(DataSet& data, int count, const Progress& progress) con
             if (progress.stopped()) {
                 throw Interrupted();
             }
-            m_state->draw(data, k);
+            // A thread that waits within takes no other sample up: the solver is this one's.
+            tbb::this_task_arena::isolate([&] { m_state->draw(data, k); });
         });
     } catch (...) {
         resize(first);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "app/program.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -92,6 +93,27 @@ TEST_F(Compare, WritesTheSameNumbersAsATable) {
         EXPECT_GE(std::ranges::count(line, ','), commas);
     }
     EXPECT_FALSE(std::getline(csv, line));
+}
+
+TEST_F(Compare, TriesNetsThatDifferInMoreThanLengthsToldAndNot) {
+    const std::string text =
+        must_run({"compare", "net.json", "-o", "out", "--noise", "0.5mm", "--training", "60",
+                  "--hidden", "0", "--surveys", "8", "--law", "uniform:2mm", "--unknown",
+                  "supports:2mm", "--unknown", "stiffness:5%"});
+    EXPECT_THAT(text, testing::HasSubstr("On nets that differ in more than lengths, noise 0.5 mm"));
+    const json document = json::parse(read("out/comparison.json"));
+    EXPECT_EQ(document["unknowns"], (json{"supports:2mm", "stiffness:5%"}));
+    std::map<std::string, double> coverage;
+    for (const json& row : document["model_error_rows"]) {
+        coverage[row["method"].get<std::string>() + " " + row["model_errors"].get<std::string>()] =
+            row["coverage"];
+    }
+    EXPECT_EQ(coverage.size(), 6U);  // four methods untold, gp and map told
+    EXPECT_LT(coverage["map untold"], 0.9);
+    EXPECT_GT(coverage["map told"], 0.9);
+    for (const json& row : document["rows"]) {
+        EXPECT_EQ(row["model_errors"], "none");
+    }
 }
 
 TEST_F(Compare, PrintsATableForEachAxis) {

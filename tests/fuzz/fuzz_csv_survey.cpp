@@ -1,16 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Surveys and forms.
+// Surveys and forms; readings of forces and lists of edges.
 
 #include "fuzz.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/forces_csv.hpp"
 #include "taut/io/survey_csv.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace taut;
+    const auto text = fuzz::text_of(data, size);
+    static const CableNet net = hypar(2, 3);
+    fuzz::refuse_or_read([&] {
+        for (const ForceReading& reading : parse_force_readings(net, text, "forces.csv")) {
+            fuzz::require(reading.tension >= 0.0 && reading.std > 0.0);
+        }
+    });
+    fuzz::refuse_or_read([&] {
+        for (const int edge : parse_edge_list(net, text, "edges.txt")) {
+            fuzz::require(edge >= 0 && edge < net.edge_count());
+        }
+    });
     return fuzz::refuse_or_read([&] {
-        for (const SurveyPoint& point :
-             parse_survey_points(fuzz::text_of(data, size), "survey.csv")) {
+        for (const SurveyPoint& point : parse_survey_points(text, "survey.csv")) {
             fuzz::require(point.position.allFinite());
         }
     });

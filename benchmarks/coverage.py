@@ -1,0 +1,215 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Counts how often the truth lies in the 95 % intervals that `taut identify` tells; prints docs/coverage.md.
+
+Nets are built by code of this file alone: lengths and all else that is unknown are drawn here, and tensions follow
+from EA (l / l_0 - 1), or from the tension law. Only the form of each net is `taut form`'s.
+
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py > docs/coverage.md
+"""
+
+import csv
+import json
+import pathlib
+import subprocess
+import tempfile
+import time
+
+import numpy as np
+
+UNKNOWNS = ["stiffness:5%", "supports:1mm", "temperature:15K", "adjustable:0.5mm", "loads:20N"]
+UNITS = {"mm": 1e-3, "N": 1.0, "K": 1.0, "%": 1e-2}
+
+# net, factor of its stiffness at the same tensions, law, noise, hidden, surveys, unknowns, load cells
+CASES = [
+    ("hilo-quarter", 1, "uniform:5mm", "0.5mm", "10%", 50, [], 0),
+    ("hypar:9x9", 1, "uniform:2mm", "0.5mm", "10%", 200, [], 0),
+    ("hypar:9x9", 1, "normal:2mm", "2mm", "10%", 200, [], 0),
+    ("hypar:9x9", 1, "uniform:2mm", "0.5mm", "10%", 200, UNKNOWNS, 0),
+    ("hypar:9x9", 1, "uniform:2mm", "0.5mm", "10%", 200, [*UNKNOWNS, "stiffness-each:3%"], 5),
+    ("hypar:9x9", 10, "uniform:0.5mm", "0.5mm", "10%", 100, [], 5),
+    ("hypar:9x9", 10, "uniform:2mm", "0.5mm", "10%", 50, [], 5),
+    ("steel-roof", 1, "uniform:5mm", "0.5mm", "10%", 50, [], 0),
+    ("steel-roof", 1, "uniform:2mm", "0.5mm", "10%", 50, [], 0),
+]
+CELL_NOISE = 0.02
+
+
+def taut(*words):
+    return subprocess.run(["taut", *map(str, words)], capture_output=True, text=True)
+
+
+def quantity(text):
+    unit = next(unit for unit in UNITS if text.endswith(unit))
+    return float(text.removesuffix(unit)) * UNITS[unit]
+
+
+class Net:
+    def __init__(self, name, factor, folder):
+        taut("example", name, "-o", folder / "net.json")
+        self.data = json.loads((folder / "net.json").read_text())
+        data = self.data
+        self.edges = np.array(data["edges"])
+        count = len(self.edges)
+        self.nodes = np.array(data["nodes"], float)
+        self.stiffness = np.broadcast_to(np.array(data["axial_stiffness"], float), count).copy()
+        self.lengths = np.array(data["unstressed_lengths"], float)
+        self.loads = np.array(data.get("loads") or np.zeros_like(self.nodes), float)
+        self.free = np.setdiff1d(np.arange(len(self.nodes)), data["supports"])
+        at_supports = np.isin(self.edges, data["supports"]).any(axis=1)
+        self.adjustable = np.array(data.get("adjustable", np.flatnonzero(at_supports)))
+        self.expansion = np.array(data.setdefault("expansion", [1.2e-5] * count))
+        strain = self.spans(self.nodes) / self.lengths - 1
+        if factor != 1:
+            self.lengths = self.spans(self.nodes) / (1 + strain / factor)
+            self.stiffness *= factor
+        data["unstressed_lengths"] = self.lengths.tolist()
+        data["axial_stiffness"] = self.stiffness.tolist()
+        (folder / "net.json").write_text(json.dumps(data))
+        self.folder = folder
+
+    def spans(self, form):
+        return np.linalg.norm(form[self.edges[:, 0]] - form[self.edges[:, 1]], axis=1)
+
+    def tensions(self, form, lengths, factor):
+        strain = np.maximum(self.spans(form) / lengths - 1, 0)
+        result = self.stiffness * factor * strain
+        for edge, law in enumerate(self.data.get("tension_law") or []):
+            if law is not None:
+                points = self.data["tension_laws"][law]
+                x, y = np.array(points["strain"]), np.array(points["tension"])
+                beyond = max(0.0, strain[edge] - x[-1]) * (y[-1] - y[-2]) / (x[-1] - x[-2])
+                result[edge] = factor[edge] * (np.interp(strain[edge], x, y) + beyond)
+        return result
+
+    def build(self, law, unknowns, seed):
+        """A net as it might be built: its form, tensions, length deviations and unknowns."""
+        random = np.random.default_rng(seed)
+        count, nodes = len(self.edges), self.nodes.copy()
+        factor, lengths, loads, truth = np.ones(count), self.lengths.copy(), self.loads.copy(), {}
+        for text in unknowns:
+            name, width = text.split(":")
+            std = quantity(width)
+            if name in ("stiffness", "stiffness-each"):
+                truth[name] = std * random.normal(size=count if name.endswith("each") else None)
+                factor = factor * np.exp(truth[name])
+            elif name == "temperature":
+                truth[name] = std * random.normal()
+            elif name == "supports":
+                truth[name] = std * random.normal(size=nodes.shape)
+                nodes[self.data["supports"]] += truth[name][self.data["supports"]]
+            elif name == "adjustable":
+                truth[name] = std * random.normal(size=count)
+                lengths[self.adjustable] += truth[name][self.adjustable]
+            elif name == "loads":
+                truth[name] = std * random.normal(size=nodes.shape)
+                loads[self.free] += truth[name][self.free]
+        built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
+        built["axial_stiffness"] = (self.stiffness * factor).tolist()
+        interior = np.setdiff1d(np.arange(count), self.adjustable)
+        kind, scale = law.split(":")
+        draw = random.uniform(-1, 1, len(interior)) if kind == "uniform" else random.normal(size=len(interior))
+        deviations = np.zeros(count)
+        deviations[interior] = quantity(scale) * draw
+        lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))
+        built["unstressed_lengths"] = lengths.tolist()
+        (self.folder / "built.json").write_text(json.dumps(built))
+        taut("form", self.folder / "built.json", "-o", self.folder / "built.csv")
+        form = nodes.copy()
+        for row in csv.DictReader((self.folder / "built.csv").open()):
+            form[int(row["id"])] = [float(row[axis]) for axis in "xyz"]
+        return form, self.tensions(form, lengths, factor), deviations, truth
+
+
+class Count:
+    def __init__(self):
+        self.inside = self.all = 0
+
+    def add(self, truth, entry, prefix=""):
+        self.inside += entry[prefix + "lower"] - 1e-9 <= truth <= entry[prefix + "upper"] + 1e-9
+        self.all += 1
+
+    def __str__(self):
+        return f"{100 * self.inside / self.all:.1f}" if self.all else "-"
+
+
+def truth_of(unknown, truth):
+    values = truth[unknown["name"]]
+    if "edge" in unknown:
+        return values[unknown["edge"]]
+    if "node" in unknown:
+        return values[unknown["node"]]["xyz".index(unknown["axis"])]
+    return values
+
+
+def row(case, folder):
+    name, factor, law, noise, hidden, surveys, unknowns, cells = case
+    net = Net(name, factor, folder)
+    lengths, slack, tensions, means, places, numbers = (Count() for _ in range(6))
+    errors, told, failed, seconds = [], 0, 0, []
+    for seed in range(surveys):
+        form, tension, deviations, truth = net.build(law, unknowns, seed)
+        random = np.random.default_rng(10_000 + seed)
+        with (folder / "survey.csv").open("w") as out:
+            for node in net.free:
+                place = form[node] + quantity(noise) * random.normal(size=3)
+                if random.random() >= quantity(hidden):
+                    out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
+        command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", noise, "--frame", "net"]
+        command += ["--law", law, "--quiet", "-o", folder / "result.json"]
+        for unknown in unknowns:
+            command += ["--unknown", unknown]
+        if cells:
+            read = random.choice(np.flatnonzero(tension > 0), cells, replace=False)
+            lines = [f"{e},{tension[e] * (1 + CELL_NOISE * random.normal())}\n" for e in read]
+            (folder / "forces.csv").write_text("".join(lines))
+            command += ["--forces", folder / "forces.csv", "--force-noise", f"{100 * CELL_NOISE:g}%"]
+        start = time.perf_counter()
+        failed += taut(*command).returncode != 0
+        seconds.append(time.perf_counter() - start)
+        if not (folder / "result.json").exists():
+            continue
+        result = json.loads((folder / "result.json").read_text())
+        (folder / "result.json").unlink()
+        for edge in result["edges"]:
+            (slack if edge["status"] == "slack" else lengths).add(deviations[edge["edge"]], edge)
+        for unknown in result["unknowns"]:
+            value, half = truth_of(unknown, truth), 1.96 * unknown["std"]
+            numbers.add(value, {"lower": unknown["mean"] - half, "upper": unknown["mean"] + half})
+        if not result["mean_tension"]:
+            continue
+        told += 1
+        for edge in result["edges"] + result["adjustable_edges"]:
+            tensions.add(tension[edge["edge"]], edge, "tension_")
+        means.add(tension.mean(), result["mean_tension"])
+        errors.append(result["mean_tension"]["mean"] / tension.mean() - 1)
+        for place in result["missing_places"]:
+            for axis in range(3):
+                bounds = {"lower": place["lower"][axis], "upper": place["upper"][axis]}
+                places.add(form[place["node"]][axis], bounds)
+    rms = f"{100 * np.sqrt(np.mean(np.square(errors))):.2f} %" if errors else "-"
+    of_net = f"`{name}`" + (f", {factor} times as stiff" if factor != 1 else "")
+    of_unknowns = ", ".join(unknowns) or "none"
+    return (
+        f"| {of_net} | {law}, {noise}, {hidden} | {of_unknowns} | {cells or 'none'} | {surveys}, {failed}, {told} | {lengths} | "
+        f"{slack} | {tensions} | {places} | {numbers} | {means}, {rms} | {np.median(seconds):.2f} |"
+    )
+
+
+def main():
+    print("# How often the truth is in the intervals\n")
+    print("Written by `benchmarks/coverage.py`. Nets are built at random, surveyed with noise and hidden nodes, and")
+    print("identified with the law and the unknowns that they were built with; cells read five taut edges, drawn at")
+    print("random, to 2 %. The columns count, in percent, how many true values lie inside their 95 % interval: the")
+    print("lengths of edges told taut and of those told slack, the tensions of all edges, the places of hidden nodes,")
+    print("the unknowns, and the mean tension with the root mean square of its error. Tensions are told where")
+    print("the draws are not in doubt, see [theory.md](theory.md): the third number behind the surveys.\n")
+    print("| net | law, noise, hidden | unknown | cells | surveys, failed, tensions told | lengths | slack | tensions | places | unknowns | mean tension, error | seconds |")
+    print("|" + "---|" * 12, flush=True)
+    for case in CASES:
+        with tempfile.TemporaryDirectory() as folder:
+            print(row(case, pathlib.Path(folder)), flush=True)
+
+
+if __name__ == "__main__":
+    main()
