@@ -67,10 +67,11 @@ void warn_of_imbalance(Exported& exported) {
     constexpr double balanced = 0.01;  // of the mean tension: it may be rounded to 0.01 mm, say
     if (exported.balance.share() > balanced) {
         exported.warnings.push_back(fmt::format(
-            "with the lengths of {} it is {}: its tensions are of no net. Name the lengths of this "
-            "form by --lengths, or export the result of identify",
-            exported.lengths,
-            balance_text(exported.balance.largest, exported.balance.mean_tension)));
+            "with the lengths of {} it is {}: its tensions are of no net. {}", exported.lengths,
+            balance_text(exported.balance.largest, exported.balance.mean_tension),
+            exported.source.is_identified
+                ? "Leave the form away: a result is exported in its own"
+                : "Name the lengths of this form by --lengths, or export the result of identify"));
     }
 }
 
@@ -92,8 +93,13 @@ Exported gather(const ExportOptions& options) {
             throw std::invalid_argument(fmt::format(
                 "--lengths is for a net; {} is a result, which holds its own", options.net));
         }
-        net = changed(net, parse_lengths(net, read_file(options.lengths), options.lengths),
-                      net.nodes(), options.lengths);
+        const std::string text = read_file(options.lengths);
+        if (text.starts_with('{')) {
+            throw InputError(options.lengths, "",
+                             "is JSON, expected a CSV file of lengths, as taut form --lengths "
+                             "writes it; a result is exported by itself: taut export RESULT");
+        }
+        net = changed(net, parse_lengths(net, text, options.lengths), net.nodes(), options.lengths);
         it.lengths = options.lengths;
     }
     if (!options.form.empty()) {

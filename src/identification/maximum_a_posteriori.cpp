@@ -43,21 +43,21 @@ std::string why_unsettled(const CableNet& net, const Survey& survey, const Lengt
 }
 
 /// A fit and how it ended.
-struct Search {
+struct SurveySearch {
     std::unique_ptr<SurveyFit> fit;
     GaussNewtonResult fitted;
 };
 
-Search search(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
-              const SurveyFitSettings& settings) {
-    Search result{.fit = std::make_unique<SurveyFit>(net, survey, knowledge, settings)};
+SurveySearch search_fit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
+                        const SurveyFitSettings& settings) {
+    SurveySearch result{.fit = std::make_unique<SurveyFit>(net, survey, knowledge, settings)};
     result.fitted = result.fit->run();  // (map), (slack-set), (snooping)
     return result;
 }
 
 /// What was seen is believed where the survey does not speak against it: where the fit that keeps
 /// to it costs no more, beyond chance, than the one that knows nothing of it.
-bool is_believable(const Search& with, const Search& without, const Forces& seen) {
+bool is_believable(const SurveySearch& with, const SurveySearch& without, const Forces& seen) {
     constexpr double beyond_chance = 20.0;  // a normal error of 4.5 standard deviations
     constexpr double a_slack_edge = 9.0;    // may be as far from the mean of its law
     // Kept to as taut it may carry pressure in the fit, which costs nothing.
@@ -75,7 +75,7 @@ bool is_believable(const Search& with, const Search& without, const Forces& seen
 
 /// Of edges seen taut or slack those that a fit which knows nothing of it finds to be otherwise;
 /// where there are none, all.
-void tell_contradicted(Identification& result, const Search& without, const Forces& seen) {
+void tell_contradicted(Identification& result, const SurveySearch& without, const Forces& seen) {
     constexpr double surely = 3.0;  // standard deviations
     const Eigen::VectorXd tensions = without.fit->statics().tensions(without.fitted.iterate);
     const Eigen::VectorXd stds =
@@ -108,17 +108,17 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     }
     const CableNet fit_net = net_to_fit(net, told.unknowns);
     PriorKnowledge knowledge = knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
-    Search found = search(fit_net, survey, knowledge, settings);
+    SurveySearch found = search_fit(fit_net, survey, knowledge, settings);
     Identification verdict;
     if (!told.forces.taut.empty() || !told.forces.slack.empty()) {
         PriorKnowledge unseen = knowledge;
         unseen.forces.taut.clear();
         unseen.forces.slack.clear();
-        const Search without = search(fit_net, survey, unseen, settings);
+        const SurveySearch without = search_fit(fit_net, survey, unseen, settings);
         if (!is_believable(found, without, told.forces)) {
             tell_contradicted(verdict, without, told.forces);
             knowledge = unseen;
-            found = search(fit_net, survey, knowledge, settings);
+            found = search_fit(fit_net, survey, knowledge, settings);
         }
     }
     SurveyFit& fit = *found.fit;

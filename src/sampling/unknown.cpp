@@ -23,15 +23,15 @@ struct Named {
     bool has_groups;
 };
 
-constexpr std::array names{Named{"stiffness", Kind::stiffness, true},
-                           Named{"stiffness-each", Kind::stiffness_each, true},
-                           Named{"temperature", Kind::temperature, true},
-                           Named{"supports", Kind::supports, false},
-                           Named{"adjustable", Kind::adjustable, false},
-                           Named{"loads", Kind::loads, false},
-                           Named{"loads", Kind::loads_each, false}};
+constexpr std::array unknown_names{Named{"stiffness", Kind::stiffness, true},
+                                   Named{"stiffness-each", Kind::stiffness_each, true},
+                                   Named{"temperature", Kind::temperature, true},
+                                   Named{"supports", Kind::supports, false},
+                                   Named{"adjustable", Kind::adjustable, false},
+                                   Named{"loads", Kind::loads, false},
+                                   Named{"loads", Kind::loads_each, false}};
 
-constexpr std::string_view examples =
+constexpr std::string_view unknown_examples =
     "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N "
     "or loads:10%";
 
@@ -79,8 +79,8 @@ std::string width_text(const Unknown& unknown) {
 void check_width(const Unknown& unknown, std::string_view text) {
     constexpr double widest_part = 0.3;
     if (!(unknown.std > 0.0) || !std::isfinite(unknown.std)) {
-        throw std::invalid_argument(
-            fmt::format("the unknown '{}' has no positive width, expected {}", text, examples));
+        throw std::invalid_argument(fmt::format(
+            "the unknown '{}' has no positive width, expected {}", text, unknown_examples));
     }
     if (is_relative(unknown.kind) && unknown.std >= widest_part) {
         throw std::invalid_argument(
@@ -95,7 +95,7 @@ void check_width(const Unknown& unknown, std::string_view text) {
 void check_one(const CableNet& net, const Unknown& unknown) {
     constexpr double widest_part = 1.0 / 3.0;
     check_width(unknown, unknown.to_string());
-    const auto* const named = std::ranges::find(names, unknown.kind, &Named::kind);
+    const auto* const named = std::ranges::find(unknown_names, unknown.kind, &Named::kind);
     if (!unknown.group.empty() && !named->has_groups) {
         refuse(unknown, "takes no group: only stiffness, stiffness-each and temperature do");
     }
@@ -158,7 +158,7 @@ void check_one(const CableNet& net, const Unknown& unknown) {
 }  // namespace
 
 std::string_view Unknown::name() const {
-    const auto* const found = std::ranges::find(names, kind, &Named::kind);
+    const auto* const found = std::ranges::find(unknown_names, kind, &Named::kind);
     return found->name;
 }
 
@@ -180,12 +180,13 @@ Unknown parse_unknown(std::string_view text) {
     const size_t at = text.find('@');
     const bool has_width =
         colon != std::string_view::npos && (at == std::string_view::npos || at > colon);
-    const auto* found = std::ranges::find(names, name, &Named::name);
-    if (found == names.end() || !has_width) {
+    const auto* found = std::ranges::find(unknown_names, name, &Named::name);
+    if (found == unknown_names.end() || !has_width) {
         throw std::invalid_argument(
-            found == names.end()
-                ? fmt::format("'{}' is nothing that can be unknown: expected {}", text, examples)
-                : fmt::format("'{}' tells no width: expected {}", text, examples));
+            found == unknown_names.end()
+                ? fmt::format("'{}' is nothing that can be unknown: expected {}", text,
+                              unknown_examples)
+                : fmt::format("'{}' tells no width: expected {}", text, unknown_examples));
     }
     const std::string_view width =
         text.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1);
@@ -205,7 +206,7 @@ Unknown parse_unknown(std::string_view text) {
             throw std::invalid_argument(fmt::format(
                 "the unknown '{}' {}", text,
                 found->has_groups
-                    ? "names no group behind @"
+                    ? "unknown_names no group behind @"
                     : "takes no group: only stiffness, stiffness-each and temperature do"));
         }
     }

@@ -102,6 +102,17 @@ TEST_F(Export, GivesTheNetAsAnIdentificationFoundIt) {
     EXPECT_LT(form["largest_move"], 1e-9);
 }
 
+TEST_F(Export, SaysWhatAResultIsExportedBy) {
+    identify({});
+    must_run({"form", "net.json", "-o", "nominal.csv"});
+    const Outcome told =
+        run({"export", "result.json", "nominal.csv", "--to", "vtk", "-o", "net.vtk"});
+    EXPECT_THAT(told.err, HasSubstr("Leave the form away: a result is exported in its own"));
+    expect_error(run({"export", "net.json", "built.csv", "--lengths", "result.json", "--to", "vtk",
+                      "-o", "net.vtk"}),
+                 2, "result.json: is JSON, expected a CSV file of lengths");
+}
+
 TEST_F(Export, CountsTheLengthsThatTheSurveyDoesNotTell) {
     identify({});
     json result = json::parse(read("result.json"));
