@@ -154,15 +154,9 @@ void print_unknowns(const CableNet& net, const Identification& result) {
         const auto text = [&](double value) { return in_unit(unknown.kind, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
-            constexpr double beyond_chance = 3.0;
-            const bool is_far = std::abs(first->mean) > beyond_chance * unknown.std;
-            fmt::print("{}: {} from what was told, std {}{}{}\n", unknown.to_string(),
+            fmt::print("{}: {} from what was told, std {}{}\n", unknown.to_string(),
                        text(first->mean), text(first->std).substr(1),
-                       first->is_observed() ? "" : ": nothing that was measured shows it",
-                       is_far ? fmt::format("\n  {:.1f} times its width: is it told right, or is "
-                                            "something else wrong?",
-                                            std::abs(first->mean) / unknown.std)
-                              : "");
+                       first->is_observed() ? "" : ": nothing that was measured shows it");
         } else {
             const auto shown = std::count_if(
                 first, last, [](const UnknownEstimate& one) { return one.is_observed(); });
@@ -176,6 +170,14 @@ void print_unknowns(const CableNet& net, const Identification& result) {
                 farthest->edge >= 0 ? net.edge_id(farthest->edge) : net.node_id(farthest->node),
                 farthest->axis >= 0 ? fmt::format(" ({})", "xyz"[farthest->axis]) : "",
                 text(farthest->mean), text(farthest->std).substr(1));
+        }
+        // Many correlated numbers are seldom half as wide again by chance, one seldom three times.
+        const double most = count >= 20 ? 1.5 : 3.0;
+        if (const double ratio = spread_ratio({first, last}); ratio > most) {
+            fmt::print(
+                "  {:.1f} times what its width lets expect: is it told right, or is something "
+                "else wrong? All intervals are then too narrow\n",
+                ratio);
         }
         first = last;
     }

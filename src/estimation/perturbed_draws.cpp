@@ -391,9 +391,11 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
         result.tensions.col(k) = found[k]->tensions;
         squares += found[k]->squared_departure;
     }
-    const auto observed = static_cast<double>(
-        (m_sites.weights(Eigen::all, m_net.free_nodes()).array() > 0.0).count() +
-        std::ssize(m_knowledge.forces.readings));
+    const auto places = (m_sites.weights(Eigen::all, m_net.free_nodes()).array() > 0.0).count();
+    const auto readings = std::ranges::count_if(
+        m_knowledge.forces.readings,
+        [this](const ForceReading& one) { return m_sites.tension_weights(one.edge) > 0.0; });
+    const auto observed = static_cast<double>(places + readings);
     result.departure = std::sqrt(squares / std::max(1.0, observed * static_cast<double>(count)));
     return result;
 }

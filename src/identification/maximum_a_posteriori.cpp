@@ -107,20 +107,22 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
         return result;
     }
     const CableNet fit_net = net_to_fit(net, told.unknowns);
-    PriorKnowledge knowledge = knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
-    SurveySearch found = search_fit(fit_net, survey, knowledge, settings);
+    const PriorKnowledge all = knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
+    PriorKnowledge unseen = all;
+    unseen.forces.taut.clear();
+    unseen.forces.slack.clear();
+    SurveySearch found = search_fit(fit_net, survey, all, settings);
     Identification verdict;
+    bool is_seen_used = true;
     if (!told.forces.taut.empty() || !told.forces.slack.empty()) {
-        PriorKnowledge unseen = knowledge;
-        unseen.forces.taut.clear();
-        unseen.forces.slack.clear();
-        const SurveySearch without = search_fit(fit_net, survey, unseen, settings);
-        if (!is_believable(found, without, told.forces)) {
+        SurveySearch without = search_fit(fit_net, survey, unseen, settings);
+        is_seen_used = is_believable(found, without, told.forces);
+        if (!is_seen_used) {
             tell_contradicted(verdict, without, told.forces);
-            knowledge = unseen;
-            found = search_fit(fit_net, survey, knowledge, settings);
+            found = std::move(without);
         }
     }
+    const PriorKnowledge& knowledge = is_seen_used ? all : unseen;
     SurveyFit& fit = *found.fit;
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();

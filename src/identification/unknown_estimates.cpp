@@ -156,6 +156,19 @@ bool UnknownEstimate::is_observed() const {
     return std < unobserved_ratio * unknown.std;
 }
 
+double spread_ratio(std::span<const UnknownEstimate> estimates) {
+    double found = 0.0;
+    double expected = 0.0;
+    double told = 0.0;
+    for (const UnknownEstimate& one : estimates) {
+        found += one.mean * one.mean;
+        told += one.unknown.std * one.unknown.std;
+        expected += std::max(0.0, one.unknown.std * one.unknown.std - one.std * one.std);
+    }
+    constexpr double rounding = 1e-6;
+    return expected > rounding * told ? std::sqrt(found / expected) : 0.0;
+}
+
 Circumstances circumstances_of(const CableNet& net, const std::vector<UnknownEstimate>& unknowns) {
     Circumstances result = as_told(net);
     for (const UnknownEstimate& estimate : unknowns) {

@@ -189,6 +189,22 @@ TEST(Unknown, IsToldWhereNothingShowsIt) {
                 3.0 * by_cells.unknowns[0].std);
 }
 
+// Supports three times as far off as told leave too narrow intervals: their own estimates show it.
+TEST(Unknown, ThatIsWiderThanToldShowsInItsSpread) {
+    const CableNet net = loaded_net();
+    const std::vector<Unknown> told{parse_unknown("supports:1mm")};
+    for (int seed = 0; seed < 5; ++seed) {
+        const auto ratio_of = [&](const char* truth) {
+            const Built built_net = built(net, {parse_unknown(truth)}, 40 + seed);
+            return spread_ratio(
+                identify(net, built_net.simulated.survey, options_with(told)).unknowns);
+        };
+        EXPECT_NEAR(ratio_of("supports:1mm"), 1.0, 0.4);
+        EXPECT_GT(ratio_of("supports:3mm"), 1.5);
+    }
+    EXPECT_EQ(spread_ratio({}), 0.0);
+}
+
 class Readings : public testing::Test {
 protected:
     [[nodiscard]] Identification found(const Forces& forces, int draws = 200) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
@@ -22,6 +23,11 @@ struct UnknownEstimate {
     /// Whether the survey shows it at all: whether it is known better than before.
     [[nodiscard]] bool is_observed() const;
 };
+
+/// How far estimates of one width are from what was told, root mean square, over what that width
+/// lets expect of them, sqrt(told^2 - std^2): about 1 where it is told right. 0 where nothing shows
+/// them.
+[[nodiscard]] double spread_ratio(std::span<const UnknownEstimate> estimates);
 
 /// The means of unknowns as circumstances of their net.
 [[nodiscard]] Circumstances circumstances_of(const CableNet& net,
