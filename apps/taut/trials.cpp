@@ -69,6 +69,26 @@ std::string table(const std::vector<SettlingRecord>& records) {
     return text;
 }
 
+/// The numbers of a reliability diagram, over all nets.
+std::string reliability_table(const std::vector<SettlingRecord>& records) {
+    SlackReliability reliability;
+    for (const SettlingRecord& record : records) {
+        reliability.add(record.slack_reliability());
+    }
+    constexpr const char* format = "{:<24}{:>10}{:>16}{:>16}\n";
+    std::string text =
+        fmt::format(format, "slack, probability told", "edges", "told, mean [%]", "are slack [%]");
+    for (const SlackReliability::Bin& bin : reliability.bins()) {
+        text += fmt::format(
+            format,
+            bin.up_to > 0.0 ? fmt::format("{:g} to {:g}", bin.above, bin.up_to) : std::string("0"),
+            bin.edges, percent_text(bin.told, bin.edges),
+            bin.edges > 0 ? fmt::format("{:.3g}", 100.0 * bin.slack / bin.edges)
+                          : std::string("-"));
+    }
+    return text;
+}
+
 std::string failures(const std::vector<SettlingRecord>& records) {
     std::string text;
     for (const SettlingRecord& record : records) {
@@ -106,8 +126,8 @@ void run(const TrialsOptions& options) {
         fmt::print("{}", json);
         return;
     }
-    fmt::print("{}\n{}written to {}: trials.json, trials.csv\n", table(records), failures(records),
-               options.directory);
+    fmt::print("{}\n{}\n{}written to {}: trials.json, trials.csv\n", table(records),
+               reliability_table(records), failures(records), options.directory);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "taut/results/settling_files.hpp"
 
+#include <algorithm>
+
 #include "files/csv_field.hpp"
 #include "results/result_parts.hpp"
 #include "taut/version.hpp"
@@ -28,6 +30,18 @@ ResultJson outcome_json(const SettlingOutcome& outcome, const SettlingSettings& 
             {"message", outcome.message}};
 }
 
+ResultJson reliability_json(const SlackReliability& reliability) {
+    ResultJson bins = ResultJson::array();
+    for (const SlackReliability::Bin& bin : reliability.bins()) {
+        bins.push_back({{"above", std::max(0.0, bin.above)},
+                        {"up_to", bin.up_to},
+                        {"edges", bin.edges},
+                        {"slack", bin.slack},
+                        {"told", bin.edges > 0 ? ResultJson(bin.told / bin.edges) : ResultJson()}});
+    }
+    return bins;
+}
+
 ResultJson record_json(const SettlingRecord& record, const SettlingSettings& settings) {
     ResultJson surveys = ResultJson::array();
     for (const SettlingOutcome& outcome : record.outcomes) {
@@ -41,6 +55,7 @@ ResultJson record_json(const SettlingRecord& record, const SettlingSettings& set
             {"median_seconds", record.median_seconds()},
             {"largest_seconds", record.largest_seconds()},
             {"coverage", record.settled() > 0 ? ResultJson(record.coverage()) : ResultJson()},
+            {"slack_reliability", reliability_json(record.slack_reliability())},
             {"surveys", surveys}};
 }
 

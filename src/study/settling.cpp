@@ -139,6 +139,7 @@ void hold_against_truth(SettlingOutcome& outcome, const Identification& result,
         const double tension = truth.tensions(of_edge.edge);
         outcome.tensions_inside +=
             of_edge.tension.lower <= tension && tension <= of_edge.tension.upper ? 1 : 0;
+        outcome.slack_reliability.add(of_edge.slack_probability, tension <= 0.0);
     }
 }
 
@@ -226,6 +227,16 @@ int SettlingRecord::sum(int SettlingOutcome::* count) const {
     int result = 0;
     for (const SettlingOutcome& outcome : outcomes) {
         result += outcome.settled ? outcome.*count : 0;
+    }
+    return result;
+}
+
+SlackReliability SettlingRecord::slack_reliability() const {
+    SlackReliability result;
+    for (const SettlingOutcome& outcome : outcomes) {
+        if (outcome.settled) {
+            result.add(outcome.slack_reliability);
+        }
     }
     return result;
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -111,6 +112,37 @@ TEST(SettlingRecord, HoldsTensionsAgainstTheTruth) {
     EXPECT_GE(told, 6);
     const double inside = record.sum(&SettlingOutcome::tensions_inside);
     EXPECT_GT(inside, 0.85 * record.sum(&SettlingOutcome::tensions_told));
+}
+
+TEST(SettlingRecord, HoldsToldProbabilitiesOfSlackAgainstTheTruth) {
+    const CableNet net = stiff_hypar();
+    const SettlingRecord record = try_settling(net, {.surveys = 6, .first = 1});
+    int edges = 0;
+    double told = 0.0;
+    double slack = 0.0;
+    const SlackReliability reliability = record.slack_reliability();
+    for (const SlackReliability::Bin& bin : reliability.bins()) {
+        edges += bin.edges;
+        told += bin.told;
+        slack += bin.slack;
+    }
+    EXPECT_EQ(edges, record.sum(&SettlingOutcome::tensions_told));
+    EXPECT_GT(slack, 0.0);
+    EXPECT_NEAR(told, slack, 4.0 * std::sqrt(slack));
+}
+
+TEST(SlackReliability, PutsEachProbabilityIntoTheBinThatHoldsIt) {
+    SlackReliability reliability;
+    reliability.add(0.0, false);
+    reliability.add(0.05, true);
+    reliability.add(0.051, false);
+    reliability.add(1.0, true);
+    reliability.add(reliability);
+    EXPECT_EQ(reliability.bins().front().edges, 2);
+    EXPECT_EQ(reliability.bins()[1].slack, 2);
+    EXPECT_EQ(reliability.bins()[2].edges, 2);
+    EXPECT_DOUBLE_EQ(reliability.bins()[2].told, 0.102);
+    EXPECT_EQ(reliability.bins().back().slack, 2);
 }
 
 TEST(SettlingNets, AreInEquilibriumAtTheirNodes) {

@@ -9,6 +9,7 @@
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/study/slack_reliability.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -59,6 +60,7 @@ struct SettlingOutcome {
     int slack_called = 0;     ///< edges called slack
     int taut_as_slack = 0;    ///< of these, taut
     int slack_as_taut = 0;    ///< slack and called identified
+    SlackReliability slack_reliability;  ///< of all edges whose tension was told
 };
 
 /// All surveys of one net. Coverage and the calls of slack count those that settled.
@@ -74,6 +76,7 @@ struct SettlingRecord {
     [[nodiscard]] double coverage() const;  ///< of the 95 % intervals; 0 where none settled
     /// Sum of a count over the surveys that settled.
     [[nodiscard]] int sum(int SettlingOutcome::* count) const;
+    [[nodiscard]] SlackReliability slack_reliability() const;
 };
 
 /// Identifies random surveys of a net by maximum a posteriori, one after the other, so that times
