@@ -44,8 +44,20 @@ def quantity(text):
     return float(text.removesuffix(unit)) * UNITS[unit]
 
 
+def drawn(law, count, random):
+    """Deviations of lengths."""
+    kind, scale = law.split(":")
+    if kind == "uniform":
+        return quantity(scale) * random.uniform(-1, 1, count)
+    if kind == "bimodal":
+        return quantity(scale) * (random.choice([-1, 1], count) + 0.2 * random.normal(size=count))
+    return quantity(scale) * random.normal(size=count)
+
+
 class Net:
-    def __init__(self, name, factor, folder):
+    """A net of `taut example`; alter(deviations, nodes, random) builds it otherwise than told."""
+
+    def __init__(self, name, factor, folder, alter=None):
         taut("example", name, "-o", folder / "net.json")
         self.data = json.loads((folder / "net.json").read_text())
         data = self.data
@@ -58,6 +70,8 @@ class Net:
         self.free = np.setdiff1d(np.arange(len(self.nodes)), data["supports"])
         at_supports = np.isin(self.edges, data["supports"]).any(axis=1)
         self.adjustable = np.array(data.get("adjustable", np.flatnonzero(at_supports)))
+        self.interior = np.setdiff1d(np.arange(count), self.adjustable)
+        self.alter = alter or (lambda deviations, nodes, random: None)
         self.expansion = np.array(data.setdefault("expansion", [1.2e-5] * count))
         strain = self.spans(self.nodes) / self.lengths - 1
         if factor != 1:
@@ -106,11 +120,9 @@ class Net:
                 loads[self.free] += truth[name][self.free]
         built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
         built["axial_stiffness"] = (self.stiffness * factor).tolist()
-        interior = np.setdiff1d(np.arange(count), self.adjustable)
-        kind, scale = law.split(":")
-        draw = random.uniform(-1, 1, len(interior)) if kind == "uniform" else random.normal(size=len(interior))
         deviations = np.zeros(count)
-        deviations[interior] = quantity(scale) * draw
+        deviations[self.interior] = drawn(law, len(self.interior), random)
+        self.alter(deviations, nodes, random)
         lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))
         built["unstressed_lengths"] = lengths.tolist()
         (self.folder / "built.json").write_text(json.dumps(built))

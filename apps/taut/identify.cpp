@@ -171,14 +171,6 @@ void print_unknowns(const CableNet& net, const Identification& result) {
                 farthest->axis >= 0 ? fmt::format(" ({})", "xyz"[farthest->axis]) : "",
                 text(farthest->mean), text(farthest->std).substr(1));
         }
-        // Many correlated numbers are seldom half as wide again by chance, one seldom three times.
-        const double most = count >= 20 ? 1.5 : 3.0;
-        if (const double ratio = spread_ratio({first, last}); ratio > most) {
-            fmt::print(
-                "  {:.1f} times what its width lets expect: is it told right, or is something "
-                "else wrong? All intervals are then too narrow\n",
-                ratio);
-        }
         first = last;
     }
 }
@@ -264,31 +256,26 @@ void print_slack(const CableNet& net, const Identification& result) {
     }
 }
 
+/// May I act on this?
+void print_trust(const Trust& trust) {
+    fmt::print("trust: {}{}\n", to_string(trust.verdict()),
+               trust.findings.empty() ? ", no test speaks against it" : "");
+    for (const Trust::Finding& finding : trust.findings) {
+        fmt::print("  {}: {}\n{}", to_string(finding.verdict), finding.reason,
+                   finding.next.empty() ? "" : fmt::format("    {}\n", finding.next));
+    }
+    fmt::print("\n");
+}
+
 void print(const Options& options, const CableNet& net, const Survey& survey,
            const Identification& result) {
+    print_trust(result.trust);
     fmt::print("{}\n{}", counts_text(net), survey_text(net, options, survey));
     fmt::print("method {}: {}\n  chosen because: {}\n\n", result.method, result.how,
                result.method_reason);
-    if (!result.outliers.empty()) {
-        fmt::print("gross errors, left out: {} {}\n", result.outliers.size(),
-                   result.outliers.size() == 1 ? "target" : "targets");
-        for (const Outlier& outlier : result.outliers) {
-            fmt::print("  {:<12}{:>12.3f} mm from where all others tell\n",
-                       net.node_id(outlier.node), 1e3 * outlier.distance);
-        }
-    }
     if (result.noise_ratio > 0.0) {
         fmt::print("the survey's residuals are {:.2f} times what its noise lets expect\n",
                    result.noise_ratio);
-        constexpr double least = 0.7;
-        constexpr double most = 1.3;
-        if (result.noise_ratio < least || result.noise_ratio > most) {
-            const double told = survey.largest_noise_std();
-            fmt::print(
-                "  the noise told seems too {}, and so all standard deviations: {:.2g} mm "
-                "would fit\n",
-                result.noise_ratio > 1.0 ? "small" : "large", 1e3 * told * result.noise_ratio);
-        }
     }
     fmt::print("edges: {} identified, {} slack, {} unobserved\n",
                count(result, EdgeStatus::identified), count(result, EdgeStatus::slack),

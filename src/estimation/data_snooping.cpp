@@ -163,47 +163,61 @@ double DataSnooping::median_statistic() const {
 
 /// Of the targets in use that were not readmitted, those above the threshold with the largest
 /// statistic of all in use that are two edges away or less.
-std::vector<int> DataSnooping::largest_above_threshold() const {
-    const auto statistic = [this](int node) {
-        return m_rejected[node] || m_readmitted[node] ? 0.0 : m_statistics(node);
-    };
+/// @param rivals scores of other tests by node, that are to be no larger; empty: none
+std::vector<int> DataSnooping::largest_above_threshold(const Eigen::VectorXd& rivals) const {
+    const Eigen::VectorXd own_scores = scores();
+    const Eigen::VectorXd all = rivals.size() > 0 ? own_scores.cwiseMax(rivals) : own_scores;
     std::vector<int> result;
     for (const int node : m_survey.surveyed) {
-        const double own = statistic(node);
-        const auto is_no_smaller = [&](int other) { return own >= statistic(other); };
-        const bool is_largest = std::ranges::all_of(m_neighbours[node], [&](int near) {
-            return is_no_smaller(near) && std::ranges::all_of(m_neighbours[near], is_no_smaller);
-        });
-        if (own > m_threshold && is_largest) {
+        const double own = own_scores(node);
+        const auto is_no_smaller = [&](int other) { return own >= all(other); };
+        const bool is_largest =
+            is_no_smaller(node) && std::ranges::all_of(m_neighbours[node], [&](int near) {
+                return is_no_smaller(near) &&
+                       std::ranges::all_of(m_neighbours[near], is_no_smaller);
+            });
+        if (own > 1.0 && is_largest) {
             result.push_back(node);
         }
     }
     return result;
 }
 
-bool DataSnooping::revise() {
-    std::vector<int> changing = largest_above_threshold();
-    double largest = 1.0;
+Eigen::VectorXd DataSnooping::scores() const {
+    Eigen::VectorXd scores = Eigen::VectorXd::Zero(m_statistics.size());
+    for (const int node : m_survey.surveyed) {
+        if (!m_rejected[node] && !m_readmitted[node]) {
+            scores(node) = m_statistics(node) / m_threshold;
+        }
+    }
+    return scores;
+}
+
+bool DataSnooping::reject(const Eigen::VectorXd& rivals) {
+    const std::vector<int> changing = largest_above_threshold(rivals);
+    double largest = rivals.size() > 0 ? std::max(1.0, rivals.maxCoeff()) : 1.0;
     for (const int node : changing) {
         largest = std::max(largest, m_statistics(node) / m_threshold);
     }
     if (reject_all_readings(largest) || reject_worst_reading(largest)) {
         return true;
     }
-    bool has_changed = false;
-    if (changing.empty()) {
-        has_changed = readmit_readings();
-        for (const int node : m_survey.surveyed) {
-            if (is_rejected(node) && m_statistics(node) <= m_threshold) {
-                changing.push_back(node);
-                m_readmitted[node] = true;
-            }
+    for (const int node : changing) {
+        m_rejected[node] = true;
+    }
+    return !changing.empty();
+}
+
+bool DataSnooping::readmit() {
+    bool has_changed = readmit_readings();
+    for (const int node : m_survey.surveyed) {
+        if (is_rejected(node) && m_statistics(node) <= m_threshold) {
+            m_rejected[node] = false;
+            m_readmitted[node] = true;
+            has_changed = true;
         }
     }
-    for (const int node : changing) {
-        m_rejected[node] = !is_rejected(node);
-    }
-    return has_changed || !changing.empty();
+    return has_changed;
 }
 
 /// Where they stand out together by more than each by itself.

@@ -82,7 +82,16 @@ public:
     /// every target is rejected before them, the largest alone: it tells of the whole net; all of
     /// them where they stand out together more than each by itself.
     /// @return whether anything changed
-    [[nodiscard]] bool revise();
+    [[nodiscard]] bool revise() { return reject(Eigen::VectorXd()) || readmit(); }
+    /// Its first half.
+    /// @param rivals scores of other tests by node (n), that a target has to stand out from, too;
+    ///   empty: none
+    [[nodiscard]] bool reject(const Eigen::VectorXd& rivals);
+    /// Its second half.
+    [[nodiscard]] bool readmit();
+    /// The statistic over its threshold of the target in use at each node (n), to be held against
+    /// those of other tests.
+    [[nodiscard]] Eigen::VectorXd scores() const;
 
     void reject_suspicious();
     /// What is rejected: one flag a node, one a reading.
@@ -92,7 +101,7 @@ public:
     };
     [[nodiscard]] Rejected all_rejected() const { return {m_rejected, m_rejected_readings}; }
     /// Rejects these, and no others.
-    void reject(Rejected rejected) {
+    void set_rejected(Rejected rejected) {
         m_rejected = std::move(rejected.targets);
         m_rejected_readings = std::move(rejected.readings);
     }
@@ -113,7 +122,7 @@ private:
     [[nodiscard]] bool is_rejected(int node) const { return m_rejected[node]; }
     [[nodiscard]] int suspicious_count() const;
     [[nodiscard]] bool is_too_many(int targets) const;
-    [[nodiscard]] std::vector<int> largest_above_threshold() const;
+    [[nodiscard]] std::vector<int> largest_above_threshold(const Eigen::VectorXd& rivals) const;
     [[nodiscard]] double median_statistic() const;
     [[nodiscard]] bool reject_all_readings(double than);
     [[nodiscard]] bool reject_worst_reading(double than);

@@ -542,4 +542,15 @@ Eigen::VectorXd LinearisedStatics::covariances_with(const Eigen::VectorXd& weigh
     return result;
 }
 
+double LinearisedStatics::length_sum_variance(const Eigen::VectorXd& weights) const {
+    BorderedFactor::Vector sum{
+        .inner = {.places = Eigen::Matrix3Xd::Zero(3, std::ssize(m_nodes)),
+                  .lengths = Eigen::VectorXd::Zero(m_net.edge_count()),
+                  .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)},
+        .border = Eigen::VectorXd::Zero(m_common.count())};
+    sum.inner.lengths(m_net.interior_edges()) = weights;
+    const Eigen::VectorXd varied = m_matrix.solve(sum).inner.lengths(m_net.interior_edges());
+    return m_length_unit * m_length_unit * weights.dot(varied);
+}
+
 }  // namespace taut

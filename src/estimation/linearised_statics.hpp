@@ -119,6 +119,8 @@ public:
     [[nodiscard]] const Eigen::MatrixXd& common_covariance() const { return m_covariance.border; }
     /// Of all edges' tensions with a sum of them with weights (m) (m) [N2 of the weights].
     [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights) const;
+    /// Of the sum of length deviations with weights (m_I) [m2 of the weights].
+    [[nodiscard]] double length_sum_variance(const Eigen::VectorXd& weights) const;
     /// Of all edges' tensions with the mean of them (m) [N2].
     [[nodiscard]] Eigen::VectorXd covariances_with_mean_tension() const {
         return covariances_with(

@@ -33,6 +33,18 @@ std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
     return slack;
 }
 
+std::vector<LengthLaw> interior_laws(const CableNet& net, const PriorKnowledge& knowledge) {
+    if (knowledge.laws.size() == net.interior_edges().size()) {
+        return knowledge.laws;
+    }
+    std::vector<LengthLaw> laws;
+    laws.reserve(net.interior_edges().size());
+    for (const int edge : net.interior_edges()) {
+        laws.push_back(knowledge.laws[edge]);
+    }
+    return laws;
+}
+
 Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
                      const std::vector<bool>& rejected, const PriorKnowledge& knowledge,
                      int common_unknowns) {

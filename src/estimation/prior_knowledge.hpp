@@ -31,6 +31,10 @@ struct PriorKnowledge {
                                             const std::vector<bool>& rejected_readings = {}) const;
 };
 
+/// Of the net's own interior edges (m_I), where those of the fit may be more.
+[[nodiscard]] std::vector<LengthLaw> interior_laws(const CableNet& net,
+                                                   const PriorKnowledge& knowledge);
+
 /// A survey without the targets that are rejected (one flag a node), and all that is known besides,
 /// docs/theory.md (prior), (unknown), (reading).
 /// @param common_unknowns how many there are

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "estimation/feasible_descent.hpp"
+#include "estimation/length_likelihoods.hpp"
 #include "estimation/slack_set.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -58,6 +59,14 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey,
     return settings;
 }
 
+/// One false alarm in all tests together, as seldom as among the targets. A wide prior is no law.
+double length_threshold(const Survey& survey, const PriorKnowledge& knowledge,
+                        const SurveyFitSettings& settings) {
+    const bool is_tested = survey.is_noisy() && settings.prior_width == 1.0;
+    return snooping_threshold(is_tested ? settings.false_alarm_rate : 0.0, knowledge.laws.size(),
+                              1);
+}
+
 }  // namespace
 
 SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
@@ -70,7 +79,8 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_noise(with_noise_floor(net, survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net, knowledge.unknowns),
-      m_snooping(net, survey, m_noise, knowledge.forces.readings, settings.false_alarm_rate) {
+      m_snooping(net, survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
+      m_length_snooping(net, knowledge.laws, length_threshold(survey, knowledge, settings)) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.unknowns));
 }
 
@@ -110,7 +120,8 @@ GaussNewtonResult SurveyFit::run() {
     }
     evaluate(fitted, 1.0);
     m_cost = fitted.converged ? 2.0 * m_statics.objective(observations(), fitted.iterate) +
-                                    m_snooping.rejected_cost()
+                                    m_snooping.rejected_cost() +
+                                    m_length_snooping.released_cost()
                               : std::numeric_limits<double>::infinity();
     m_contradicts_too_many = m_snooping.is_active() && m_snooping.contradicts_too_many();
     if (m_contradicts_too_many) {
@@ -227,6 +238,7 @@ double SurveyFit::widest_corner() const {
 GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<bool> slack,
                                            double inflation) {
     m_snooping.reopen();
+    m_length_snooping.reopen();
     GaussNewtonResult fitted = fit(start, std::move(slack), inflation);
     // A descent that was cut short tells the largest gross errors, too.
     const auto can_be_tested = [&] {
@@ -234,7 +246,7 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<boo
     };
     for (int revision = 0; can_be_tested() && revision < most_revisions; ++revision) {
         evaluate(fitted, inflation);
-        if (!m_snooping.revise() || m_snooping.rejects_too_many()) {
+        if (!revise() || m_snooping.rejects_too_many()) {
             break;
         }
         fitted = fit(fitted.iterate,
@@ -254,7 +266,7 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, double inflatio
 /// errors that led it astray show one after the other, the largest first. As soon as some were
 /// rejected, a fit from the nominal net is tried.
 GaussNewtonResult SurveyFit::from_coarse_to_fine() {
-    m_snooping.readmit_all();
+    readmit_all();
     m_corner_width = widest_corner();
     Iterate settled = nominal();
     std::vector<bool> slack = as_seen(std::vector<bool>(m_net.edge_count(), false));
@@ -287,11 +299,12 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
 /// the objective. What it finds is a start for the fit with a slack set, whose result is taken
 /// where that settles; else that of a continuation with slack sets; else the rounded one.
 GaussNewtonResult SurveyFit::by_rounded_laws() {
-    m_snooping.readmit_all();
+    readmit_all();
     m_corner_width = widest_corner();
     GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal(), 1.0); });
     const bool is_rounded_settled = is_settled(rounded);
     const DataSnooping::Rejected rejected = m_snooping.all_rejected();
+    const std::vector<bool> released = m_length_snooping.released();
     if (is_rounded_settled) {
         GaussNewtonResult fitted =
             fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), 1.0);
@@ -306,8 +319,36 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
     if (!is_rounded_settled) {
         return without_slack_set([this] { return from_coarse_to_fine(); });
     }
-    m_snooping.reject(rejected);
+    m_snooping.set_rejected(rejected);
+    release(released);
     return fit_rounded(rounded.iterate, 1.0);
+}
+
+/// One step of data snooping: targets, readings and lengths stand against each other.
+bool SurveyFit::revise() {
+    const Eigen::VectorXd of_lengths = m_length_snooping.scores();
+    const bool has_released = m_length_snooping.release(m_snooping.scores());
+    bool has_changed = m_snooping.reject(of_lengths) || has_released;
+    if (!has_changed) {
+        const bool has_readmitted = m_snooping.readmit();
+        has_changed = m_length_snooping.readmit() || has_readmitted;
+    }
+    if (m_length_snooping.releases_too_many()) {
+        m_length_snooping.give_up();  // (length-snooping): not so many are mis-cut
+    }
+    m_knowledge.laws = m_length_snooping.laws();
+    return has_changed;
+}
+
+void SurveyFit::readmit_all() {
+    m_snooping.readmit_all();
+    release(std::vector<bool>(m_knowledge.laws.size(), false));
+}
+
+/// These edges, and no others.
+void SurveyFit::release(std::vector<bool> edges) {
+    m_length_snooping.set_released(std::move(edges));
+    m_knowledge.laws = m_length_snooping.laws();
 }
 
 double SurveyFit::first_inflation() const {
@@ -344,6 +385,10 @@ void SurveyFit::evaluate(const GaussNewtonResult& fitted, double inflation) {
                 return m_statics.covariances_with(weights).dot(weights);
             },
             inflation);
+    }
+    if (m_length_snooping.is_active() && !m_is_rounded) {
+        m_length_snooping.evaluate(length_likelihoods(m_net, m_knowledge, m_statics,
+                                                      observations(inflation), fitted.iterate));
     }
 }
 

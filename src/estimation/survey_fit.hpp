@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "estimation/data_snooping.hpp"
+#include "estimation/length_snooping.hpp"
 #include "estimation/gauss_newton.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
@@ -28,7 +29,7 @@ struct SurveyFitSettings {
 /// from wide corners to narrow ones, and where that does not do by continuation over the noise.
 class SurveyFit {
 public:
-    /// Keeps references to net, survey and knowledge. Not copied: its parts refer to each other.
+    /// Keeps references to net and survey. Not copied: its parts refer to each other.
     /// @throws std::invalid_argument for settings out of range, and as check_forces()
     /// @throws SurveyError as check_survey()
     SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
@@ -47,6 +48,10 @@ public:
     /// Whether so many targets contradict the others that it is not they who are wrong.
     [[nodiscard]] bool contradicts_too_many() const { return m_contradicts_too_many; }
     [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
+    [[nodiscard]] const LengthSnooping& length_snooping() const { return m_length_snooping; }
+    /// What was told, with the laws that the fit was made with: those of edges beyond theirs are
+    /// wide.
+    [[nodiscard]] const PriorKnowledge& knowledge() const { return m_knowledge; }
     /// Linearised and inverted at the result.
     [[nodiscard]] const LinearisedStatics& statics() const { return m_statics; }
     /// To go on from there, with other observations.
@@ -79,6 +84,9 @@ private:
         m_is_rounded = false;
         return fitted;
     }
+    [[nodiscard]] bool revise();
+    void readmit_all();
+    void release(std::vector<bool> edges);
     [[nodiscard]] bool is_settled(const GaussNewtonResult& fitted) const {
         return fitted.converged && !m_snooping.rejects_too_many();
     }
@@ -87,13 +95,14 @@ private:
 
     const CableNet& m_net;
     const Survey& m_survey;
-    const PriorKnowledge& m_knowledge;
+    PriorKnowledge m_knowledge;
     double m_length_std;  ///< of the laws, together [m]
     SurveyFitSettings m_settings;
     Points m_noise;
     double m_tolerance;
     LinearisedStatics m_statics;
     DataSnooping m_snooping;
+    LengthSnooping m_length_snooping;
     double m_cost = 0.0;
     bool m_contradicts_too_many = false;
     bool m_is_rounded = false;    ///< (rounded-law) takes the place of the slack set

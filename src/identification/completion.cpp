@@ -23,19 +23,18 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
     }
 }
 
-void tell_edges(Identification& result, const CableNet& net, const LengthLaw& law,
+void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthLaw>& laws,
                 const std::vector<LengthLikelihood>& likelihoods) {
-    result.law = law;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
-        const LengthPosterior posterior = posterior_of(law, likelihoods[i]);
+        const LengthPosterior posterior = posterior_of(laws[i], likelihoods[i]);
         result.edges.push_back({.edge = edge,
                                 .nominal = net.unstressed_lengths()(edge),
                                 .length_deviation = posterior.mean,
                                 .std = posterior.std,
                                 .lower = posterior.lower,
                                 .upper = posterior.upper,
-                                .status = status_of(law, posterior)});
+                                .status = status_of(laws[i], posterior)});
     }
 }
 

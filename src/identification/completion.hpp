@@ -16,9 +16,8 @@ namespace taut {
 void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
                    bool contradicts_too_many);
 
-/// Fills the edges of a result from their likelihoods (m_I) and the law, docs/theory.md
-/// (posterior).
-void tell_edges(Identification& result, const CableNet& net, const LengthLaw& law,
+/// Fills the edges of a result from their likelihoods and laws (m_I), docs/theory.md (posterior).
+void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthLaw>& laws,
                 const std::vector<LengthLikelihood>& likelihoods);
 
 /// Predicts the form of a result's edges and unknowns, from a start, and compares it with the

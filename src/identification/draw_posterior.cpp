@@ -90,11 +90,12 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
 
 /// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges
 /// of the slack set are slack: no length of the law makes them taut.
-void tell_open_edges(Identification& result, const LengthLaw& law,
+void tell_open_edges(Identification& result, const std::vector<LengthLaw>& laws,
                      const std::vector<bool>& slack_set) {
-    const LengthPosterior by_law = posterior_of(law, {});
-    for (IdentifiedEdge& edge : result.edges) {
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        IdentifiedEdge& edge = result.edges[i];
         if (edge.status == EdgeStatus::slack && !slack_set[edge.edge]) {
+            const LengthPosterior by_law = posterior_of(laws[i], {});
             edge.length_deviation = by_law.mean;
             edge.std = by_law.std;
             edge.lower = by_law.lower;
@@ -106,7 +107,8 @@ void tell_open_edges(Identification& result, const LengthLaw& law,
 
 /// The status of each interior edge; and its length, where the draws tell it better than the
 /// linearisation.
-void tell_drawn_edges(Identification& result, const LengthLaw& law, bool tells_lengths) {
+void tell_drawn_edges(Identification& result, const std::vector<LengthLaw>& laws,
+                      bool tells_lengths) {
     const Eigen::MatrixXd& deviations = result.draws->length_deviations;
     for (size_t i = 0; i < result.edges.size(); ++i) {
         IdentifiedEdge& edge = result.edges[i];
@@ -119,14 +121,14 @@ void tell_drawn_edges(Identification& result, const LengthLaw& law, bool tells_l
             edge.upper = std::max(estimate.upper, estimate.mean);
         }
         const double slack = result.drawn.tensions[edge.edge].slack_probability;
-        edge.status = status_of(law, {.std = edge.std, .slack_probability = slack});
+        edge.status = status_of(laws[i], {.std = edge.std, .slack_probability = slack});
     }
 }
 
 }  // namespace
 
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
-                    const Survey& survey, const LengthLaw& law, const PriorKnowledge& knowledge,
+                    const Survey& survey, const PriorKnowledge& knowledge,
                     const LinearisedStatics& statics, const Observations& sites,
                     const Iterate& fitted, const DrawSettings& settings, const Progress& progress) {
     if (settings.count == 0 || result.status != IdentificationStatus::converged) {
@@ -148,10 +150,11 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     draws.doubt = doubt_of(drawn, draws.length_deviations, result, net);
     draws.forms = std::move(drawn.forms);
     draws.tensions = std::move(drawn.tensions);
+    const std::vector<LengthLaw> laws = interior_laws(net, knowledge);
     const bool is_told = draws.doubt.empty() && draws.count() > 0;
     result.draws = std::move(draws);
     if (!is_told) {
-        tell_open_edges(result, law, statics.slack());
+        tell_open_edges(result, laws, statics.slack());
         return;  // no interval rather than a wrong one
     }
     std::vector<int> missing;
@@ -160,7 +163,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         missing.push_back(net.free_index(node));
     }
     result.drawn = summary_of(*result.draws, survey.missing, missing);
-    tell_drawn_edges(result, law, drawn.is_refitted);
+    tell_drawn_edges(result, laws, drawn.is_refitted);
 }
 
 }  // namespace taut

@@ -24,12 +24,11 @@ struct DrawSettings {
 /// so, and nothing is told from them. docs/theory.md, (perturbed), (drawn).
 /// @param result of the fit
 /// @param fit_net of the fit, net_to_fit()
-/// @param law of the lengths of interior edges
 /// @param statics linearised at the fit
 /// @param sites what the fit was made with, the law as normal distributions
 /// @throws Interrupted
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
-                    const Survey& survey, const LengthLaw& law, const PriorKnowledge& knowledge,
+                    const Survey& survey, const PriorKnowledge& knowledge,
                     const LinearisedStatics& statics, const Observations& sites,
                     const Iterate& fitted, const DrawSettings& settings, const Progress& progress);
 

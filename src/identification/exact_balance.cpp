@@ -189,7 +189,8 @@ Identification identify_by_exact_balance(const CableNet& net, const Survey& surv
     if (tell_impossible_edge(result, net, exact.impossible_edge())) {
         return result;
     }
-    tell_edges(result, net, law, exact.likelihoods(law));
+    result.law = law;
+    tell_edges(result, net, std::vector(net.interior_edge_count(), law), exact.likelihoods(law));
     predict_form(result, net, survey, exact.form());
     tell_exactness(result, net, law);
     return result;

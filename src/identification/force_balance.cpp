@@ -35,7 +35,7 @@ Identification identify_by_force_balance(const CableNet& net, const Survey& surv
                           {.max_iterations = max_iterations, .prior_width = width});
             const GaussNewtonResult fitted = fit.run();
             if (fitted.converged || width == prior_widths.back()) {
-                result = identification_of(net, net, survey, law, knowledge, fit, fitted,
+                result = identification_of(net, net, survey, law, fit.knowledge(), fit, fitted,
                                            fit.observations());
                 predict_form(result, net, survey, fitted.iterate.form);
                 break;

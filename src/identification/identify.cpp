@@ -129,6 +129,70 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
                              : identify_by_processes(net, model, survey);
 }
 
+/// What the statics show of noise, law and lengths, whatever the method was: a fit of its own.
+void audit(Identification& result, const CableNet& net, const Survey& survey, const LengthLaw& law,
+           const std::vector<Unknown>& unknowns) {
+    if (!survey.is_noisy() || result.status != IdentificationStatus::converged) {
+        return;
+    }
+    Told told(law);
+    told.unknowns = unknowns;
+    const Identification fit = identify_by_maximum_a_posteriori(net, survey, told);
+    if (fit.status != IdentificationStatus::converged) {
+        return;
+    }
+    result.scales = fit.scales;
+    result.law_check = fit.law_check;
+    result.lengths_beyond_law = fit.lengths_beyond_law;
+    for (const LengthOutlier& outlier : fit.lengths_beyond_law) {
+        const auto same = [&](const IdentifiedEdge& edge) { return edge.edge == outlier.edge; };
+        if (const auto edge = std::ranges::find_if(result.edges, same);
+            edge != result.edges.end()) {
+            *edge = *std::ranges::find_if(fit.edges, same);
+        }
+    }
+}
+
+Identification identify_by(IdentificationMethod method, const CableNet& net, const Survey& survey,
+                           const LengthLaw& law, const IdentifyOptions& options,
+                           const Progress& progress) {
+    Identification result;
+    switch (method) {
+        case IdentificationMethod::balance:
+            result = identify_by_force_balance(net, survey, law);
+            result.how =
+                fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
+            break;
+        case IdentificationMethod::map: {
+            Told told(law);
+            told.unknowns = options.unknowns;
+            told.forces = options.forces;
+            result = identify_by_maximum_a_posteriori(
+                net, survey, told, {}, {.count = options.draws, .seed = options.seed}, progress);
+            result.how =
+                fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string());
+            if (!options.unknowns.empty()) {
+                result.how += ", unknown besides: " + to_string(options.unknowns);
+            }
+            break;
+        }
+        case IdentificationMethod::gp: {
+            std::optional<LengthModel> own;
+            if (options.model == nullptr) {
+                own = trained_model(net, law, options.unknowns, options.training_samples, progress);
+            }
+            const LengthModel& model = own ? *own : *options.model;
+            result = identify_by_model(net, survey, model);
+            result.how = how_text(model, !own, survey);
+            break;
+        }
+    }
+    if (method != IdentificationMethod::map) {
+        audit(result, net, survey, law, options.unknowns);
+    }
+    return result;
+}
+
 }  // namespace
 
 std::string_view to_string(IdentificationMethod method) {
@@ -202,39 +266,21 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (options.model != nullptr) {
         check_model(net, *options.model, options.law);
     }
-    Identification result;
-    switch (method) {
-        case IdentificationMethod::balance:
-            result = identify_by_force_balance(net, survey, law);
-            result.how =
-                fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
-            break;
-        case IdentificationMethod::map: {
-            Told told(law);
-            told.unknowns = options.unknowns;
-            told.forces = options.forces;
-            result = identify_by_maximum_a_posteriori(
-                net, survey, told, {}, {.count = options.draws, .seed = options.seed}, progress);
-            result.how =
-                fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string());
-            if (!options.unknowns.empty()) {
-                result.how += ", unknown besides: " + to_string(options.unknowns);
-            }
-            break;
-        }
-        case IdentificationMethod::gp: {
-            std::optional<LengthModel> own;
-            if (options.model == nullptr) {
-                own = trained_model(net, law, options.unknowns, options.training_samples, progress);
-            }
-            const LengthModel& model = own ? *own : *options.model;
-            result = identify_by_model(net, survey, model);
-            result.how = how_text(model, !own, survey);
-            break;
-        }
+    Identification result = identify_by(method, net, survey, law, options, progress);
+    const bool may_find_law = !options.law && options.model == nullptr;
+    if (may_find_law && survey.is_noisy() && result.law_check.is_contradicted() &&
+        !result.law_check.has_mean() && result.law_check.gain > 0.0) {
+        // (default-law)
+        const LawCheck of_default = result.law_check;
+        result = identify_by(method, net, survey, of_default.likeliest, options, progress);
+        result.law_was_found = true;
+        result.how += fmt::format(
+            "\n  found from the survey: no law was told, and the lengths contradict {}",
+            law.to_string());
     }
     result.method = to_string(method);
     result.method_reason = reason;
+    result.trust = trust_of(net, survey, result);
     return result;
 }
 

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "estimation/expectation_propagation.hpp"
+#include "estimation/law_check.hpp"
 #include "estimation/length_likelihoods.hpp"
+#include "estimation/variance_components.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/unknown_estimates.hpp"
@@ -91,6 +93,54 @@ void tell_contradicted(Identification& result, const SurveySearch& without, cons
     }
 }
 
+/// What a fit shows of noise and law, whether they were told right or not.
+struct Doubt {
+    VarianceComponents scales;
+    LawCheck law;
+};
+
+/// The mean that all deviations have in common: score and information of a shift of the law.
+void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observations& observations,
+               const Iterate& fitted, const std::vector<bool>& left_out) {
+    Eigen::VectorXd weights = observations.variance.cwiseInverse();
+    for (size_t i = 0; i < left_out.size(); ++i) {
+        if (left_out[i]) {
+            weights(static_cast<Eigen::Index>(i)) = 0.0;
+        }
+    }
+    const double information = weights.sum() - statics.length_sum_variance(weights);
+    constexpr double rounding = 1e-6;
+    if (information > rounding * weights.sum()) {
+        check.mean = weights.dot(fitted.deviations - observations.mean) / information;
+        check.mean_std = 1.0 / std::sqrt(information);
+    }
+}
+
+/// (components), (law-check). The fit stands as it was afterwards.
+Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& law, SurveyFit& fit,
+               Iterate fitted) {
+    Doubt doubt;
+    const Iterate at = fitted;
+    const Observations told = fit.observations();
+    Observations scaled = told;
+    std::vector<bool> left_out = fit.length_snooping().released();
+    const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
+    for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
+        const int edge = fit_net.interior_edges()[i];
+        left_out[i] = left_out[i] || fit.statics().slack()[edge] ||
+                      (has_all_lengths && std::ranges::binary_search(net.adjustable_edges(), edge));
+    }
+    doubt.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
+    doubt.law = check_law_by_lengths(
+        law, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted), left_out);
+    doubt.law.beyond = fit.length_snooping().given_up();
+    tell_mean(doubt.law, fit.statics(), scaled, fitted, left_out);
+    if (fit.statics().linearise(at, told)) {
+        fit.statics().invert();
+    }
+    return doubt;
+}
+
 }  // namespace
 
 Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
@@ -113,19 +163,19 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     unseen.forces.slack.clear();
     SurveySearch found = search_fit(fit_net, survey, all, settings);
     Identification verdict;
-    bool is_seen_used = true;
     if (!told.forces.taut.empty() || !told.forces.slack.empty()) {
         SurveySearch without = search_fit(fit_net, survey, unseen, settings);
-        is_seen_used = is_believable(found, without, told.forces);
-        if (!is_seen_used) {
+        if (!is_believable(found, without, told.forces)) {
             tell_contradicted(verdict, without, told.forces);
             found = std::move(without);
         }
     }
-    const PriorKnowledge& knowledge = is_seen_used ? all : unseen;
     SurveyFit& fit = *found.fit;
+    const PriorKnowledge& knowledge = fit.knowledge();
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
+    const Doubt doubt =
+        fitted.converged ? doubt_of(net, fit_net, told.law, fit, fitted.iterate) : Doubt();
     if (fitted.converged) {
         Propagated settled = propagate_law(fit_net, knowledge, fit.statics(), observations,
                                            fitted.iterate, fit.tolerance());
@@ -137,6 +187,9 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     result.readings = static_cast<int>(told.forces.readings.size());
     result.reading_outliers = fit.snooping().reading_outliers();
     result.reading_bias = fit.snooping().reading_bias();
+    result.scales = doubt.scales;
+    result.law_check = doubt.law;
+    result.lengths_beyond_law = fit.length_snooping().outliers();
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
     result.unknowns =
@@ -144,7 +197,7 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     if (!fit_net.is_linear()) {
         fit.statics().hold_laws(fitted.iterate);  // (drawn-law)
     }
-    draw_posterior(result, net, fit_net, survey, told.law, knowledge, fit.statics(), observations,
+    draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
                    fitted.iterate, draws, progress);
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";
@@ -171,7 +224,8 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
         }
         likelihoods = std::move(interior);
     }
-    tell_edges(result, net, law, likelihoods);
+    result.law = law;
+    tell_edges(result, net, interior_laws(net, knowledge), likelihoods);
     for (IdentifiedEdge& edge : result.edges) {
         // Seen, where the form leaves next to no length of the law for it.
         if (std::ranges::find(knowledge.forces.slack, edge.edge) != knowledge.forces.slack.end()) {

@@ -63,7 +63,8 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
         deviation = after->mean();
         tell_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());
     }
-    tell_edges(result, net, model.law,
+    result.law = model.law;
+    tell_edges(result, net, std::vector(net.interior_edge_count(), model.law),
                process_likelihoods(net, model, deviation, after ? &*after : nullptr));
     predict_form(result, net, survey, with_free_coordinates(net, model.nominal_form + deviation));
     return result;

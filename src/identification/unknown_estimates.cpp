@@ -169,6 +169,26 @@ double spread_ratio(std::span<const UnknownEstimate> estimates) {
     return expected > rounding * told ? std::sqrt(found / expected) : 0.0;
 }
 
+bool UnknownSpread::is_contradicted() const {
+    // Many correlated numbers are seldom half as wide again by chance, one seldom three times.
+    constexpr int many = 20;
+    return ratio > (count >= many ? 1.5 : 3.0);
+}
+
+std::vector<UnknownSpread> spreads_of(const std::vector<UnknownEstimate>& estimates) {
+    std::vector<UnknownSpread> result;
+    for (auto first = estimates.begin(); first != estimates.end();) {
+        const auto last = std::find_if(first, estimates.end(), [&](const UnknownEstimate& one) {
+            return one.unknown != first->unknown;
+        });
+        result.push_back({.unknown = first->unknown,
+                          .count = static_cast<int>(last - first),
+                          .ratio = spread_ratio({first, last})});
+        first = last;
+    }
+    return result;
+}
+
 Circumstances circumstances_of(const CableNet& net, const std::vector<UnknownEstimate>& unknowns) {
     Circumstances result = as_told(net);
     for (const UnknownEstimate& estimate : unknowns) {

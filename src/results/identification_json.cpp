@@ -70,6 +70,44 @@ Json frame_json(const Registration& frame) {
 }
 
 /// What the draws tell of an edge; null without them.
+Json trust_json(const Trust& trust) {
+    Json findings = Json::array();
+    for (const Trust::Finding& finding : trust.findings) {
+        findings.push_back({{"verdict", to_string(finding.verdict)},
+                            {"reason", finding.reason},
+                            {"next", finding.next}});
+    }
+    return {{"verdict", to_string(trust.verdict())}, {"findings", findings}};
+}
+
+Json scale_json(const FoundScale& scale) {
+    return {{"ratio", scale.ratio}, {"std", scale.std}};
+}
+
+/// What the trust rests on, in numbers.
+Json doubt_json(const CableNet& net, const Identification& identification) {
+    const LawCheck& law = identification.law_check;
+    Json beyond = Json::array();
+    for (const LengthOutlier& outlier : identification.lengths_beyond_law) {
+        beyond.push_back({{"edge", outlier.edge},
+                          {"id", net.edge_id(outlier.edge)},
+                          {"deviation", outlier.deviation},
+                          {"std", outlier.std},
+                          {"statistic", outlier.statistic}});
+    }
+    return {{"noise", scale_json(identification.scales.noise)},
+            {"lengths", scale_json(identification.scales.lengths)},
+            {"law",
+             {{"likeliest", law.lengths > 0 ? law.likeliest.to_string() : ""},
+              {"gain", law.gain},
+              {"lengths", law.lengths},
+              {"mean", law.mean},
+              {"mean_std", law.mean_std},
+              {"beyond", law.beyond},
+              {"found", identification.law_was_found}}},
+            {"lengths_beyond_law", beyond}};
+}
+
 Json drawn_tension_json(const DrawnSummary& drawn, int edge) {
     if (drawn.tensions.empty()) {
         return {{"tension", nullptr},
@@ -226,6 +264,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                   {"method", identification.method},
                   {"method_reason", identification.method_reason},
                   {"status", to_string(identification.status)},
+                  {"trust", trust_json(identification.trust)},
                   {"law", identification.law.to_string()},
                   {"noise", noise},
                   {"net_fingerprint", net.fingerprint()},
@@ -243,6 +282,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                     {"max_residual", residuals.lpNorm<Eigen::Infinity>()}}}};
     add_run(document, run);
     document["net"] = counts_json(net);
+    document["doubt"] = doubt_json(net, identification);
     document["survey"]["residuals"] = residuals_json(survey, identification.predicted.form);
     document["survey"]["missing_nodes"] = survey.missing;
     document["survey"]["unmatched"] = unmatched_json(net, survey);

@@ -19,6 +19,14 @@ struct ReadingOutlier {
     double statistic = 0.0;  ///< squared difference in its variances
 };
 
+/// An edge whose length the survey shows to be beyond the law of the others: mis-cut, most likely.
+struct LengthOutlier {
+    int edge = 0;
+    double deviation = 0.0;  ///< of its length by the survey alone [m]
+    double std = 0.0;        ///< of that [m]
+    double statistic = 0.0;  ///< squared distance from the law in its variances
+};
+
 /// What all readings of forces have in common against all else: a wrong unit, a calibration.
 struct ReadingBias {
     double part = 0.0;  ///< by which they are too high

@@ -8,9 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/estimation/doubt.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/identification/posterior_draws.hpp"
+#include "taut/identification/trust.hpp"
 #include "taut/identification/unknown_estimate.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -65,6 +67,13 @@ struct Identification {
     /// noise is stated right. 0 where it was not computed.
     double noise_ratio = 0.0;
 
+    /// Edges beyond the law: their intervals are those of the survey alone; the worst first.
+    std::vector<LengthOutlier> lengths_beyond_law;
+
+    VarianceComponents scales;  ///< of noise and lengths; as here where not computed
+    LawCheck law_check;
+    bool law_was_found = false;  ///< no law was told, and the survey contradicts the default
+
     int readings = 0;                              ///< of forces, that were told
     std::vector<ReadingOutlier> reading_outliers;  ///< those left out, the worst first
     /// Where all of them were left out, since they fit only if each is off by the same part.
@@ -79,6 +88,8 @@ struct Identification {
 
     /// Of the posterior; empty where none were asked for, or the method gives none.
     std::optional<PosteriorDraws> draws;
+    Trust trust;  ///< whether all this may be acted on; identify() tells it
+
     DrawnSummary drawn;  ///< what follows from them; empty without, and where they are in doubt
 };
 

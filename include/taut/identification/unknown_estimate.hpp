@@ -29,6 +29,19 @@ struct UnknownEstimate {
 /// them.
 [[nodiscard]] double spread_ratio(std::span<const UnknownEstimate> estimates);
 
+/// The spread_ratio() of the estimates of one unknown.
+struct UnknownSpread {
+    Unknown unknown;
+    int count = 0;  ///< of numbers
+    double ratio = 0.0;
+
+    /// Whether chance does not explain it.
+    [[nodiscard]] bool is_contradicted() const;
+};
+
+/// Of each unknown, in their order.
+[[nodiscard]] std::vector<UnknownSpread> spreads_of(const std::vector<UnknownEstimate>& estimates);
+
 /// The means of unknowns as circumstances of their net.
 [[nodiscard]] Circumstances circumstances_of(const CableNet& net,
                                              const std::vector<UnknownEstimate>& unknowns);

@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""What taut says where something that it was told is not true; prints docs/doubt.md.
+
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/doubt.py > docs/doubt.md
+"""
+
+import json
+import pathlib
+import sys
+import tempfile
+from collections import Counter
+
+import numpy as np
+from coverage import Net, quantity, taut
+
+SURVEYS = 20
+NET = "hilo-quarter"
+NOISE = "0.5mm"
+
+
+class Case:
+    """One false premise. All that is not given is true."""
+
+    def __init__(self, name, truth="uniform:5mm", told=None, alter=None, survey=None, noise=NOISE, told_noise=None,
+                 frame="net", culprits=0, options=(), net=NET):
+        self.name, self.truth, self.told, self.alter, self.survey = name, truth, told, alter, survey
+        self.noise, self.told_noise, self.frame = noise, told_noise or noise, frame
+        self.culprits, self.options, self.net = culprits, list(options), net
+
+
+def mis_cut(count, by):
+    def alter(net, deviations, nodes, random):
+        edges = random.choice(net.interior, count, replace=False)
+        deviations[edges] = by
+        return set(edges.tolist())
+
+    return alter
+
+
+def shifted(by):
+    def alter(net, deviations, nodes, random):
+        deviations[net.interior] += by
+        return set()
+
+    return alter
+
+
+def moved(shift=(0, 0, 0), scale=1.0):
+    return lambda places, random: scale * places + np.array(shift)
+
+
+CASES = [
+    Case("nothing is wrong"),
+    Case("nothing is wrong, the law told", told="uniform:5mm"),
+    Case("five cables 15 mm too long", alter=mis_cut(5, 0.015), culprits=5),
+    Case("five cables 15 mm too long, the law told", told="uniform:5mm", alter=mis_cut(5, 0.015), culprits=5),
+    Case("lengths uniform:7mm", truth="uniform:7mm", told="uniform:5mm"),
+    Case("lengths normal:2.9mm", truth="normal:2.9mm", told="uniform:5mm"),
+    Case("lengths bimodal:4mm", truth="bimodal:4mm", told="uniform:5mm"),
+    Case("lengths 3 mm too long in common", told="uniform:5mm", alter=shifted(0.003)),
+    Case("lengths uniform:5mm told uniform:3.5mm", told="uniform:3.5mm"),
+    Case("lengths uniform:5mm told uniform:2.5mm", told="uniform:2.5mm"),
+    Case("lengths uniform:5mm told uniform:1.67mm", told="uniform:1.67mm"),
+    Case("lengths normal:2.9mm, no law told", truth="normal:2.9mm"),
+    Case("lengths uniform:7mm, no law told", truth="uniform:7mm"),
+    Case("lengths uniform:2mm, no law told", truth="uniform:2mm"),
+    Case("noise told three times too small", told="uniform:5mm", told_noise="0.1667mm"),
+    Case("noise told 1.5 times too small", told="uniform:5mm", told_noise="0.333mm"),
+    Case("noise told two times too large", told="uniform:5mm", told_noise="1mm"),
+    Case("survey 3 mm off as a whole", told="uniform:5mm", survey=moved((0.003, 0, 0)), frame=None),
+    Case("survey scaled by 1.001", told="uniform:5mm", survey=moved(scale=1.001)),
+]
+
+
+def try_survey(net, case, folder, seed):
+    culprits = set()
+
+    def alter(deviations, nodes, random):
+        if case.alter:
+            culprits.update(case.alter(net, deviations, nodes, random))
+
+    net.alter = alter
+    form, tension, deviations, _ = net.build(case.truth, [], seed)
+    random = np.random.default_rng(10_000 + seed)
+    seen = set()
+    with (folder / "survey.csv").open("w") as out:
+        for node in net.free:
+            place = form[node] + quantity(case.noise) * random.normal(size=3)
+            if case.survey:
+                place = case.survey(place, random)
+            if random.random() >= 0.1:
+                seen.add(int(node))
+                out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
+    command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", case.told_noise, *case.options]
+    command += ["--draws", "0", "--quiet", "-o", folder / "result.json"]
+    command += ["--frame", case.frame] if case.frame else []
+    command += ["--law", case.told] if case.told else []
+    ended = taut(*command)
+    if not (folder / "result.json").exists():
+        return {"said": "refused", "why": ended.stderr.strip()}
+    result = json.loads((folder / "result.json").read_text())
+    (folder / "result.json").unlink()
+    inside = [e["lower"] - 1e-9 <= deviations[e["edge"]] <= e["upper"] + 1e-9 for e in result["edges"]]
+    errors = [e["length_deviation"] - deviations[e["edge"]] for e in result["edges"]]
+    named = {e["edge"] for e in result["doubt"]["lengths_beyond_law"]}
+    shown = {c for c in culprits if set(net.edges[c].tolist()) <= seen | set(net.data["supports"])}
+    return {
+        "said": result["trust"]["verdict"],
+        "why": "; ".join(f["reason"] for f in result["trust"]["findings"]),
+        "inside": np.mean(inside),
+        "squares": np.mean(np.square(errors)),
+        "shown": len(shown),
+        "named": len(named & shown),
+        "innocent": len(named - culprits) + len(result["survey"]["outliers"]),
+    }
+
+
+def row(case, folder, surveys):
+    net = Net(case.net, 1, folder)
+    tried = [try_survey(net, case, folder, seed) for seed in range(surveys)]
+    told = [one for one in tried if "inside" in one]
+    said = ", ".join(f"{name} {count}" for name, count in Counter(one["said"] for one in tried).most_common())
+    silent = sum(one["said"] == "passed" and one["inside"] < 0.85 for one in told)
+    why = Counter(one["why"].split("; ")[0].split(":")[0] for one in tried if one["why"])
+    inside = f"{100 * np.mean([one['inside'] for one in told]):.1f}" if told else "-"
+    rms = f"{1e3 * np.sqrt(np.mean([one['squares'] for one in told])):.2f}" if told else "-"
+    named = f"{sum(one['named'] for one in told)} of {sum(one['shown'] for one in told)}" if case.culprits else "-"
+    innocent = sum(one["innocent"] for one in told)
+    return (f"| {case.name} | {inside} | {rms} | {named} | {innocent} | {said} | {silent} | "
+            f"{why.most_common(1)[0][0] if why else ''} |")
+
+
+def main():
+    surveys = int(sys.argv[1]) if len(sys.argv) > 1 else SURVEYS
+    wanted = sys.argv[2] if len(sys.argv) > 2 else ""
+    print("| what is wrong | lengths inside 95 % [%] | RMSE [mm] | mis-cut cables named | sound ones blamed | said | passed below 85 % | the first reason |")
+    print("|" + "---|" * 8, flush=True)
+    for case in CASES:
+        if wanted in case.name:
+            with tempfile.TemporaryDirectory() as folder:
+                print(row(case, pathlib.Path(folder), surveys), flush=True)
+
+
+if __name__ == "__main__":
+    main()

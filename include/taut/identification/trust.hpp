@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+struct Identification;
+
+/// Whether a result may be acted on, from all tests of it together.
+struct Trust {
+    enum class Verdict {
+        passed,    ///< nothing speaks against it
+        doubtful,  ///< something was found that should be looked at first
+        failed,    ///< something that was told is not true: its intervals are not to be relied on
+    };
+    /// What one test found.
+    struct Finding {
+        Verdict verdict = Verdict::passed;
+        std::string reason;  ///< in words
+        std::string next;    ///< what to do about it; may be empty
+    };
+    std::vector<Finding> findings;  ///< the worst first
+
+    /// The worst of all findings.
+    [[nodiscard]] Verdict verdict() const;
+};
+
+/// "passed", "doubtful", "failed".
+[[nodiscard]] std::string_view to_string(Trust::Verdict verdict);
+
+/// What the tests of a result found, docs/theory.md (trust).
+[[nodiscard]] Trust trust_of(const CableNet& net, const Survey& survey,
+                             const Identification& result);
+
+}  // namespace taut

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/length_snooping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace taut {
+namespace {
+
+/// More edges beyond the law than this part, and than a few: the law is wrong.
+constexpr double most_released = 0.1;
+constexpr int a_few = 3;
+
+/// Of a released edge's law, in standard deviations of its own.
+constexpr double released_width = 20.0;
+
+/// An edge that may be slack as well as taut is not tested: its length is known by a bound alone.
+constexpr double tested_extension = 4.0;  // standard deviations
+
+/// Where the density of a law begins to fall, and the standard deviation by which it falls there.
+struct Core {
+    double end = 0.0;
+    double fall = 0.0;
+};
+
+Core core_of(const LengthLaw& law) {
+    switch (law.kind) {
+        case LengthLaw::Kind::uniform:
+            return {.end = law.scale, .fall = 0.0};
+        case LengthLaw::Kind::normal:
+            return {.end = 0.0, .fall = law.scale};
+        case LengthLaw::Kind::bimodal:
+            return {.end = law.scale,
+                    .fall = std::sqrt(law.std() * law.std() - law.scale * law.scale)};
+    }
+    return {};
+}
+
+}  // namespace
+
+LengthSnooping::LengthSnooping(const CableNet& net, std::vector<LengthLaw> laws, double threshold)
+    : m_net(net),
+      m_laws(std::move(laws)),
+      m_threshold(threshold),
+      m_released_std(released_width * std::ranges::max(m_laws, {}, &LengthLaw::std).std()),
+      m_released(m_laws.size(), false),
+      m_readmitted(m_laws.size(), false),
+      m_statistics(Eigen::VectorXd::Zero(std::ssize(m_laws))),
+      m_core_statistics(m_statistics) {}
+
+void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told) {
+    m_told = told;
+    m_statistics.setZero();
+    m_core_statistics.setZero();
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        const LengthLikelihood& of_edge = m_told[i];
+        const double variance = of_edge.std * of_edge.std;
+        if (!std::isfinite(variance) || of_edge.extension < tested_extension) {
+            continue;
+        }
+        const auto k = static_cast<Eigen::Index>(i);
+        const double std = m_laws[i].std();
+        const auto [end, fall] = core_of(m_laws[i]);
+        const double beyond = std::max(0.0, std::abs(of_edge.mean) - end);
+        m_statistics(k) = of_edge.mean * of_edge.mean / (std * std + variance);
+        m_core_statistics(k) = beyond * beyond / (fall * fall + variance);
+    }
+}
+
+/// (length-snooping)
+bool LengthSnooping::is_beyond(size_t i) const {
+    const auto k = static_cast<Eigen::Index>(i);
+    return std::max(m_statistics(k), m_core_statistics(k)) > m_threshold;
+}
+
+Eigen::VectorXd LengthSnooping::scores() const {
+    Eigen::VectorXd scores = Eigen::VectorXd::Zero(m_net.node_count());
+    if (!is_active()) {
+        return scores;
+    }
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        if (m_released[i] || m_readmitted[i]) {
+            continue;
+        }
+        const double own = m_statistics(static_cast<Eigen::Index>(i)) / m_threshold;
+        for (const int node : m_net.edges()[m_net.interior_edges()[i]]) {
+            scores(node) = std::max(scores(node), own);
+        }
+    }
+    return scores;
+}
+
+bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
+    if (!is_active()) {
+        return false;
+    }
+    const Eigen::VectorXd own_scores = scores();
+    const Eigen::VectorXd at_node = own_scores.cwiseMax(rivals);
+    Eigen::VectorXd nearby = at_node;  // the largest at a node and those next to it
+    for (const auto& [s, t] : m_net.edges()) {
+        nearby(s) = std::max(nearby(s), at_node(t));
+        nearby(t) = std::max(nearby(t), at_node(s));
+    }
+    bool has_changed = false;
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        const auto [s, t] = m_net.edges()[m_net.interior_edges()[i]];
+        const double own = m_statistics(static_cast<Eigen::Index>(i)) / m_threshold;
+        if (!m_released[i] && !m_readmitted[i] && is_beyond(i) && own >= nearby(s) &&
+            own >= nearby(t)) {
+            m_released[i] = true;
+            has_changed = true;
+        }
+    }
+    return has_changed;
+}
+
+bool LengthSnooping::readmit() {
+    bool has_changed = false;
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        if (m_released[i] && !is_beyond(i)) {
+            m_released[i] = false;
+            m_readmitted[i] = true;
+            has_changed = true;
+        }
+    }
+    return has_changed;
+}
+
+int LengthSnooping::released_count() const {
+    return static_cast<int>(std::ranges::count(m_released, true));
+}
+
+bool LengthSnooping::releases_too_many() const {
+    return released_count() > std::max<double>(a_few, most_released * static_cast<double>(m_laws.size()));
+}
+
+std::vector<LengthLaw> LengthSnooping::laws() const {
+    std::vector<LengthLaw> result = m_laws;
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        if (m_released[i]) {
+            result[i] = {LengthLaw::Kind::normal, m_released_std};
+        }
+    }
+    return result;
+}
+
+double LengthSnooping::released_cost() const {
+    const int count = released_count();
+    return count > 0 ? m_threshold * count : 0.0;
+}
+
+std::vector<LengthOutlier> LengthSnooping::outliers() const {
+    std::vector<LengthOutlier> result;
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        if (m_released[i] && i < m_told.size()) {
+            const auto k = static_cast<Eigen::Index>(i);
+            result.push_back({.edge = m_net.interior_edges()[i],
+                              .deviation = m_told[i].mean,
+                              .std = m_told[i].std,
+                              .statistic = std::max(m_statistics(k), m_core_statistics(k))});
+        }
+    }
+    std::ranges::sort(result, std::greater{}, &LengthOutlier::statistic);
+    return result;
+}
+
+}  // namespace taut

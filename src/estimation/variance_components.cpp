@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/variance_components.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+constexpr int most_scalings = 12;
+constexpr double settled_scale = 0.01;
+constexpr double largest_scaling = 3.0;  // of a round
+
+/// A group of observations of one scale: the squares of their standardised residuals, and how many
+/// of them the fit leaves free.
+struct Group {
+    double squares = 0.0;
+    double redundancy = 0.0;
+
+    /// Less than this, and chance alone decides.
+    static constexpr double least_redundancy = 5.0;
+    [[nodiscard]] double ratio() const {
+        return redundancy > least_redundancy ? std::sqrt(squares / redundancy) : 0.0;
+    }
+    [[nodiscard]] double ratio_std() const {
+        return redundancy > least_redundancy ? 1.0 / std::sqrt(2.0 * redundancy) : 0.0;
+    }
+    [[nodiscard]] double scaling() const {
+        const double found = ratio();
+        return found > 0.0 ? std::clamp(found, 1.0 / largest_scaling, largest_scaling) : 1.0;
+    }
+};
+
+Group noise_group(const CableNet& net, const LinearisedStatics& statics,
+                  const Observations& observations, const Iterate& fitted) {
+    Group group;
+    for (const int node : net.free_nodes()) {
+        const Eigen::Vector3d weights = observations.weights.col(node);
+        if (weights.maxCoeff() <= 0.0) {
+            continue;
+        }
+        const Eigen::Vector3d residual = observations.form.col(node) - fitted.form.col(node);
+        group.squares += weights.dot(residual.cwiseAbs2());
+        group.redundancy += 3.0 - weights.dot(statics.form_covariance(node).diagonal());
+    }
+    return group;
+}
+
+/// Of the edges that are surely taut: the length of a slack one does not show.
+Group length_group(const CableNet& net, const LinearisedStatics& statics,
+                   const Observations& observations, const Iterate& fitted,
+                   const std::vector<bool>& left_out) {
+    Group group;
+    const Eigen::VectorXd variances = statics.length_variances();
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        const double prior = observations.variance(i);
+        if (left_out[i] || statics.slack()[net.interior_edges()[i]] || !(variances(i) > 0.0)) {
+            continue;
+        }
+        const double deviation = fitted.deviations(i) - observations.mean(i);
+        group.squares += deviation * deviation / prior;
+        group.redundancy += std::max(0.0, 1.0 - variances(i) / prior);
+    }
+    return group;
+}
+
+}  // namespace
+
+VarianceComponents estimate_components(const CableNet& net, LinearisedStatics& statics,
+                                       Observations& observations, Iterate& fitted,
+                                       const std::vector<bool>& left_out) {
+    VarianceComponents result;
+    for (int round = 0; round < most_scalings; ++round) {
+        const Group noise = noise_group(net, statics, observations, fitted);
+        const Group lengths = length_group(net, statics, observations, fitted, left_out);
+        if (round == 0) {
+            result.noise.std = noise.ratio_std();
+            result.lengths.std = lengths.ratio_std();
+        }
+        const double noise_scaling = noise.scaling();
+        const double length_scaling = lengths.scaling();
+        result.noise.ratio *= noise.ratio() > 0.0 ? noise_scaling : 0.0;
+        result.lengths.ratio *= lengths.ratio() > 0.0 ? length_scaling : 0.0;
+        if (std::max(std::abs(noise_scaling - 1.0), std::abs(length_scaling - 1.0)) <
+            settled_scale) {
+            break;
+        }
+        observations.weights /= noise_scaling * noise_scaling;
+        for (int i = 0; i < net.interior_edge_count(); ++i) {
+            observations.variance(i) *= left_out[i] ? 1.0 : length_scaling * length_scaling;
+        }
+        if (!statics.linearise(fitted, observations)) {
+            break;
+        }
+        const Iterate step = statics.step(fitted, observations);
+        if (!std::isfinite(statics.size_of(step))) {
+            break;
+        }
+        fitted = fitted.moved(step);
+        statics.invert();
+    }
+    return result;
+}
+
+}  // namespace taut

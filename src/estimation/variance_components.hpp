@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/estimation/doubt.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// The scales of noise and lengths by which both fit what a survey shows (W. Foerstner, Ein
+/// Verfahren zur Schaetzung von Varianz- und Kovarianzkomponenten, 1979), docs/theory.md
+/// (components): each sum of squares over its redundancy, until both are 1.
+///
+/// @param statics linearised and inverted at the fit; on return at what was found
+/// @param observations of the fit; on return with the scales that were found
+/// @param fitted on return the fit to these
+/// @param left_out interior edges (m_I) of another law
+[[nodiscard]] VarianceComponents estimate_components(const CableNet& net,
+                                                     LinearisedStatics& statics,
+                                                     Observations& observations, Iterate& fitted,
+                                                     const std::vector<bool>& left_out);
+
+}  // namespace taut

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/identification/trust.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "taut/identification/result.hpp"
+#include "taut/net/units.hpp"
+
+namespace taut {
+namespace {
+
+using Verdict = Trust::Verdict;
+
+/// By which scales a width told too small makes intervals hold less than 90 % instead of 95 %.
+constexpr double far_too_small = 1.2;
+
+/// Log likelihood by which another law makes that told untenable, not only doubtful.
+constexpr double untenable_gain = 20.0;
+
+/// Of the targets: fewer are left out in a sound survey.
+constexpr double few_outliers = 0.1;
+
+std::string and_more(std::vector<std::string> names) {
+    constexpr size_t shown = 6;
+    const size_t count = names.size();
+    names.resize(std::min(shown, count));
+    return fmt::format("{}{}", fmt::join(names, ", "),
+                       count > shown ? fmt::format(" and {} more", count - shown) : "");
+}
+
+class Tests {
+public:
+    Tests(const CableNet& net, const Survey& survey, const Identification& result)
+        : m_net(net), m_survey(survey), m_result(result) {}
+
+    Trust run() {
+        test_end();
+        test_noise();
+        test_law();
+        test_lengths();
+        test_targets();
+        test_forces();
+        test_unknowns();
+        test_draws();
+        std::ranges::stable_sort(m_trust.findings, std::greater{}, &Trust::Finding::verdict);
+        return std::move(m_trust);
+    }
+
+private:
+    void add(Verdict verdict, std::string reason, std::string next = {}) {
+        m_trust.findings.push_back({verdict, std::move(reason), std::move(next)});
+    }
+
+    void test_end() {
+        if (m_result.status != IdentificationStatus::converged) {
+            add(Verdict::failed, m_result.message);
+        }
+    }
+
+    void test_noise() {
+        const FoundScale& noise = m_result.scales.noise;
+        if (!noise.is_contradicted()) {
+            return;
+        }
+        const double told = m_survey.largest_noise_std();
+        const std::string found = format_length(told * noise.ratio);
+        add(noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
+            fmt::format("the noise told, {}, is contradicted: the survey shows {}, {:.2f} times "
+                        "that, where chance gives 1 +- {:.2f}",
+                        format_length(told), found, noise.ratio, noise.std),
+            noise.ratio > 1.0
+                ? fmt::format("if the frame is right, identify again with --noise {}", found)
+                : fmt::format("identify again with --noise {}", found));
+    }
+
+    void test_law() {
+        const LawCheck& check = m_result.law_check;
+        const std::string told = m_result.law.to_string();
+        if (check.has_mean()) {
+            add(Verdict::failed,
+                fmt::format("the lengths deviate by {:+.2f} mm in common, where the law {} gives 0 "
+                            "+- {:.2f} mm",
+                            1e3 * check.mean, told, 1e3 * check.mean_std),
+                "a wrong stiffness, temperature, scale of the survey or way of cutting does that: "
+                "tell what is not known by --unknown");
+        }
+        if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
+            const std::string likeliest = rounded(check.likeliest).to_string();
+            add(check.gain > untenable_gain ? Verdict::failed : Verdict::doubtful,
+                fmt::format("the law told, {}, is contradicted: {} lengths show {} (log likelihood "
+                            "{:.0f} higher)",
+                            told, check.lengths, likeliest, check.gain),
+                fmt::format("identify again with --law {}", likeliest));
+        } else if (check.beyond > 0) {
+            add(Verdict::failed,
+                fmt::format("{} edges are beyond the law {}: too many to be mis-cut", check.beyond,
+                            told),
+                "are law, net and frame right?");
+        }
+    }
+
+    static LengthLaw rounded(LengthLaw law) {
+        constexpr double step = 1e-5;
+        law.scale = std::max(step, step * std::round(law.scale / step));
+        return law;
+    }
+
+    void test_lengths() {
+        if (m_result.lengths_beyond_law.empty()) {
+            return;
+        }
+        std::vector<std::string> names;
+        for (const LengthOutlier& edge : m_result.lengths_beyond_law) {
+            names.push_back(fmt::format("{} ({:+.1f} +- {:.1f} mm)", m_net.edge_id(edge.edge),
+                                        1e3 * edge.deviation, 1e3 * edge.std));
+        }
+        const size_t count = names.size();
+        add(Verdict::doubtful,
+            fmt::format("{} beyond the law of lengths: {}",
+                        count == 1 ? "an edge is" : fmt::format("{} edges are", count),
+                        and_more(std::move(names))),
+            "mis-cut, most likely: look at them. Their intervals are by the survey alone");
+    }
+
+    void test_targets() {
+        if (m_result.outliers.empty()) {
+            return;
+        }
+        std::vector<std::string> names;
+        for (const Outlier& outlier : m_result.outliers) {
+            names.push_back(fmt::format("{} ({:.1f} mm)", m_net.node_id(outlier.node),
+                                        1e3 * outlier.distance));
+        }
+        const size_t count = names.size();
+        const bool is_few =
+            static_cast<double>(count) <= few_outliers * static_cast<double>(m_survey.surveyed.size());
+        add(is_few ? Verdict::passed : Verdict::doubtful,
+            fmt::format("{} all others and {} left out: {}",
+                        count == 1 ? "a target contradicts"
+                                   : fmt::format("{} targets contradict", count),
+                        count == 1 ? "is" : "are", and_more(std::move(names))),
+            is_few ? "" : "are frame, supports and noise right?");
+    }
+
+    void test_forces() {
+        if (!m_result.contradicted_taut.empty() || !m_result.contradicted_slack.empty()) {
+            add(Verdict::doubtful,
+                "the survey contradicts what was seen taut or slack: none of that is used",
+                "look at those edges again");
+        }
+        if (m_result.reading_bias) {
+            add(Verdict::doubtful,
+                fmt::format("all readings of force are off by the same part, {:+.0f} %: none is "
+                            "used",
+                            1e2 * m_result.reading_bias->part),
+                "is their unit right, and their calibration?");
+        } else if (!m_result.reading_outliers.empty()) {
+            add(Verdict::passed,
+                fmt::format("{} of {} readings of force contradict all else and are left out",
+                            m_result.reading_outliers.size(), m_result.readings));
+        }
+    }
+
+    void test_unknowns() {
+        for (const UnknownSpread& spread : spreads_of(m_result.unknowns)) {
+            if (spread.is_contradicted()) {
+                add(Verdict::failed,
+                    fmt::format("{} was told too narrow: its estimates are {:.1f} times as far out "
+                                "as that lets expect",
+                                spread.unknown.to_string(), spread.ratio),
+                    "tell it wider");
+            }
+        }
+    }
+
+    void test_draws() {
+        if (m_result.draws && m_result.drawn.tensions.empty()) {
+            add(Verdict::doubtful, fmt::format("no tension is told: {}", m_result.draws->doubt),
+                "lengths may be used, tensions not");
+        }
+    }
+
+    const CableNet& m_net;
+    const Survey& m_survey;
+    const Identification& m_result;
+    Trust m_trust;
+};
+
+}  // namespace
+
+Trust::Verdict Trust::verdict() const {
+    Verdict worst = Verdict::passed;
+    for (const Finding& finding : findings) {
+        worst = std::max(worst, finding.verdict);
+    }
+    return worst;
+}
+
+std::string_view to_string(Trust::Verdict verdict) {
+    switch (verdict) {
+        case Trust::Verdict::passed:
+            return "passed";
+        case Trust::Verdict::doubtful:
+            return "doubtful";
+        case Trust::Verdict::failed:
+            return "failed";
+    }
+    return "unknown";
+}
+
+Trust trust_of(const CableNet& net, const Survey& survey, const Identification& result) {
+    return Tests(net, survey, result).run();
+}
+
+}  // namespace taut
