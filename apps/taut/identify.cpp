@@ -327,7 +327,7 @@ void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
     const std::optional<LengthLaw> law = law_of(net, options);
-    const Survey survey = read_survey(net, options.survey, options.reading());
+    Survey survey = read_survey(net, options.survey, options.reading());
     warn(options.survey, survey.warnings);
     const std::optional<LengthModel> model = model_of(net, options, law);
     const Forces forces = read_forces(net, options);
@@ -342,6 +342,7 @@ void run(const Options& options) {
                              .unknowns = unknowns,
                              .model = model ? &*model : nullptr,
                              .draws = static_cast<int>(draws),
+                             .estimate_noise = options.noise == estimated_noise,
                              .seed = options.seed};
     if (!options.method.empty()) {
         settings.method = parse_identification_method(options.method);
@@ -349,6 +350,7 @@ void run(const Options& options) {
     ProgressLine line(options.quiet);
     const Identification result = with_survey_of(
         options.survey, [&] { return identify(net, survey, settings, line.progress()); });
+    survey.noise_std *= result.noise_scale;
     refuse_unless_converged(options, result);
     const std::string document = identification_to_json(net, survey, result, run_record());
     if (!options.output.empty()) {

@@ -13,6 +13,10 @@
 namespace taut::app {
 
 double parse_noise(const std::string& text) {
+    constexpr double first_guess = 0.001;
+    if (text == estimated_noise) {
+        return first_guess;
+    }
     const double noise_std = text.empty() ? 0.0 : parse_length(text);
     if (noise_std < 0.0) {
         throw std::invalid_argument(
@@ -25,7 +29,8 @@ std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& o
     CLI::Option* const noise =
         command.add_option("--noise", options.noise,
                            "Standard deviation of each surveyed coordinate, \"0.5mm\", where the "
-                           "file tells none (default: 0)");
+                           "file tells none (default: 0); identify takes estimate, too: its scale is "
+                           "then found from the survey");
     CLI::Option* const frame =
         command
             .add_option("--frame", options.frame,
@@ -52,7 +57,7 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
     std::string text = fmt::format("survey {}: {} free nodes, {} not surveyed, noise {:.4g} mm\n",
                                    options.survey, survey.surveyed.size(), survey.missing.size(),
                                    1e3 * survey.largest_noise_std());
-    if (!options.noise.empty()) {
+    if (!options.noise.empty() && options.noise != estimated_noise) {
         const double told = parse_noise(options.noise);
         const auto other = std::ranges::count_if(survey.surveyed, [&](int node) {
             return (survey.noise_std.col(node).array() != told).any();

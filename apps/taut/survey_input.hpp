@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string_view>
+
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
@@ -40,7 +42,10 @@ auto with_survey_of(const std::string& file, const Action& action) {
 /// What was read: targets, frame with its residuals, points on no node.
 std::string survey_text(const CableNet& net, const SurveyOptions& options, const Survey& survey);
 
-/// A length of at least 0, of an option; empty is 0 [m].
+/// Of --noise: its scale is to be found from the survey.
+inline constexpr std::string_view estimated_noise = "estimate";
+
+/// A length of at least 0, of an option; empty is 0; of estimated_noise a guess to begin with [m].
 /// @throws std::invalid_argument
 double parse_noise(const std::string& text);
 

@@ -20,6 +20,14 @@ constexpr double most_outliers = 0.25;
 /// Of three degrees of freedom.
 constexpr double median_of_chi_squared = 2.366;
 
+/// Of the median of so many statistics, over what it is where the noise is told right: five standard
+/// deviations, and as much as a quarter of the targets with gross errors adds.
+double largest_scale_by_chance(size_t targets) {
+    constexpr double std_of_median = 1.12;  // over the median, of one; pdf 0.188 at 2.366
+    constexpr double by_gross_errors = 1.5;
+    return by_gross_errors + 5.0 * std_of_median / std::sqrt(static_cast<double>(targets));
+}
+
 std::vector<std::vector<int>> neighbours_of(const CableNet& net) {
     std::vector<std::vector<int>> neighbours(net.node_count());
     for (const auto& [s, t] : net.edges()) {
@@ -104,9 +112,12 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
             m_redundancy += Q.trace();  // (redundancy)
         }
     }
-    m_residual_scale = inflation > 1.0 ? std::max(median_statistic() / median_of_chi_squared,
-                                                  1.0 / (inflation * inflation))
-                                       : 1.0;
+    const double scale = median_statistic() / median_of_chi_squared;
+    if (inflation > 1.0) {
+        m_residual_scale = std::max(scale, 1.0 / (inflation * inflation));
+    } else {  // (robust-scale)
+        m_residual_scale = scale > largest_scale_by_chance(m_survey.surveyed.size()) ? scale : 1.0;
+    }
     m_statistics /= m_residual_scale;
 }
 

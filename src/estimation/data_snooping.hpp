@@ -57,6 +57,8 @@ public:
     using FormCovariance = std::function<Eigen::Matrix3d(int node)>;
 
     /// The statistic of each target at a fit.
+    /// Where their median is beyond chance the noise is told too small, and all are measured by
+    /// the median, docs/theory.md (robust-scale).
     /// @param inflation where the fit was made as if the noise were larger, by this factor: the
     ///   scale of the residuals is then what the median of the statistics tells, no smaller than
     ///   the true noise. docs/theory.md, (continuation)

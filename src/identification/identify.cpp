@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -153,6 +154,34 @@ void audit(Identification& result, const CableNet& net, const Survey& survey, co
     }
 }
 
+/// By which the noise of a survey fits what it shows, gross errors left out, (components).
+double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw& law,
+                      const IdentifyOptions& options) {
+    if (!survey.is_noisy()) {
+        throw std::invalid_argument("--noise estimate is for a survey that is not exact");
+    }
+    constexpr int most_rounds = 8;
+    constexpr double settled = 0.01;
+    Told told(law);
+    told.unknowns = options.unknowns;
+    told.forces = options.forces;
+    Survey scaled = survey;
+    double scale = 1.0;
+    for (int round = 0; round < most_rounds; ++round) {
+        const Identification fit = identify_by_maximum_a_posteriori(net, scaled, told);
+        const double ratio = fit.scales.noise.ratio;
+        if (fit.status != IdentificationStatus::converged || !(ratio > 0.0)) {
+            break;
+        }
+        scaled.noise_std *= ratio;
+        scale *= ratio;
+        if (std::abs(ratio - 1.0) < settled) {
+            break;
+        }
+    }
+    return scale;
+}
+
 Identification identify_by(IdentificationMethod method, const CableNet& net, const Survey& survey,
                            const LengthLaw& law, const IdentifyOptions& options,
                            const Progress& progress) {
@@ -265,6 +294,16 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     check_for_method(options, method);
     if (options.model != nullptr) {
         check_model(net, *options.model, options.law);
+    }
+    if (options.estimate_noise) {
+        const double noise_scale = noise_scale_of(net, survey, law, options);
+        Survey scaled = survey;
+        scaled.noise_std *= noise_scale;
+        IdentifyOptions with_noise = options;
+        with_noise.estimate_noise = false;
+        Identification result = identify(net, scaled, with_noise, progress);
+        result.noise_scale = noise_scale;
+        return result;
     }
     Identification result = identify_by(method, net, survey, law, options, progress);
     const bool may_find_law = !options.law && options.model == nullptr;

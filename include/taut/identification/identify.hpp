@@ -50,6 +50,8 @@ struct IdentifyOptions {
     /// linearised fit alone: not to be relied on where cables stretch by less than their lengths
     /// are known to.
     int draws = 0;
+    /// The noise of the survey is known but for a common factor, which is found with the lengths.
+    bool estimate_noise = false;
     std::uint64_t seed = 1;  ///< of the draws
 };
 

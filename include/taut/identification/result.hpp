@@ -70,6 +70,7 @@ struct Identification {
     /// Edges beyond the law: their intervals are those of the survey alone; the worst first.
     std::vector<LengthOutlier> lengths_beyond_law;
 
+    double noise_scale = 1.0;   ///< that the survey's noise was multiplied by, where it was unknown
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
     LawCheck law_check;
     bool law_was_found = false;  ///< no law was told, and the survey contradicts the default
