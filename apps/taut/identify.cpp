@@ -256,6 +256,20 @@ void print_slack(const CableNet& net, const Identification& result) {
     }
 }
 
+void print_frame(const Identification& result) {
+    if (!result.frame_offset) {
+        return;
+    }
+    const FrameOffset& frame = *result.frame_offset;
+    const auto text = [](const Eigen::Vector3d& v, const Eigen::Vector3d& std) {
+        return fmt::format("({:.2f}, {:.2f}, {:.2f}) +- ({:.2f}, {:.2f}, {:.2f})", v.x(), v.y(),
+                           v.z(), std.x(), std.y(), std.z());
+    };
+    fmt::print("frame: the supports are moved by {} mm and turned by {} mrad in the survey's\n",
+               text(1e3 * frame.translation, 1e3 * frame.translation_std),
+               text(1e3 * frame.rotation, 1e3 * frame.rotation_std));
+}
+
 /// May I act on this?
 void print_trust(const Trust& trust) {
     fmt::print("trust: {}{}\n", to_string(trust.verdict()),
@@ -291,6 +305,7 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n",
                1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
                1e3 * residuals.maxCoeff());
+    print_frame(result);
     print_forces(net, result);
     print_unknowns(net, result);
     print_draws(result);

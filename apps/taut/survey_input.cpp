@@ -26,16 +26,18 @@ double parse_noise(const std::string& text) {
 }
 
 std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& options) {
-    CLI::Option* const noise =
-        command.add_option("--noise", options.noise,
-                           "Standard deviation of each surveyed coordinate, \"0.5mm\", where the "
-                           "file tells none (default: 0); identify takes estimate, too: its scale is "
-                           "then found from the survey");
+    CLI::Option* const noise = command.add_option(
+        "--noise", options.noise,
+        "Standard deviation of each surveyed coordinate, \"0.5mm\", where the "
+        "file tells none (default: 0); identify takes estimate, too: its scale is "
+        "then found from the survey");
     CLI::Option* const frame =
         command
-            .add_option("--frame", options.frame,
-                        "Frame of the survey: net (the net's), supports (fit a rigid motion to the "
-                        "supports it names), auto (the net's if its supports agree, else fit)")
+            .add_option(
+                "--frame", options.frame,
+                "Frame of the survey: net (the net's, known), supports (fit a rigid motion to the "
+                "supports it names), auto (the net's if its supports agree, else fit). "
+                "But for net, what is left of its motion is found with the lengths")
             ->check(CLI::IsMember({"auto", "net", "supports"}))
             ->capture_default_str();
     CLI::Option* const control =

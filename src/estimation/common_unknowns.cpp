@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/common_unknowns.hpp"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace taut {
@@ -14,7 +16,12 @@ bool is_common(const Unknown& unknown) {
 
 }  // namespace
 
-CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& unknowns) {
+CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& unknowns,
+                               bool frame_is_unknown)
+    : m_node_count(net.node_count()) {
+    if (frame_is_unknown) {
+        set_frame(net);
+    }
     for (const Unknown& unknown : unknowns) {
         if (is_common(unknown)) {
             m_unknowns.push_back(unknown);
@@ -22,7 +29,7 @@ CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& 
     }
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
-    for (int k = 0; k < count(); ++k) {
+    for (int k = 0; k < static_cast<int>(m_unknowns.size()); ++k) {
         const Unknown& unknown = m_unknowns[k];
         for (const int edge : edges_of(net, unknown)) {
             if (unknown.kind == Unknown::Kind::stiffness) {
@@ -30,6 +37,23 @@ CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& 
             } else if (unknown.kind == Unknown::Kind::temperature) {
                 m_thermal(edge, k) = unknown.std * net.data().expansion(edge);
             }
+        }
+    }
+}
+
+/// Three translations and three rotations about the middle of the supports, each by as much as
+/// moves the farthest of them by that.
+void CommonUnknowns::set_frame(const CableNet& net) {
+    const Points places = net.nodes()(Eigen::all, net.supports());
+    m_middle = places.rowwise().mean();
+    const double reach = (places.colwise() - m_middle).colwise().norm().maxCoeff();
+    m_reach = reach > 0.0 ? reach : 1.0;
+    m_motions.assign(6, Points::Zero(3, net.node_count()));
+    for (const int node : net.supports()) {
+        const Eigen::Vector3d arm = (net.nodes().col(node) - m_middle) / m_reach;
+        for (int k = 0; k < 3; ++k) {
+            m_motions[k].col(node) = m_translation_unit * Eigen::Vector3d::Unit(k);
+            m_motions[3 + k].col(node) = m_translation_unit * Eigen::Vector3d::Unit(k).cross(arm);
         }
     }
 }
@@ -49,6 +73,14 @@ Eigen::VectorXd CommonUnknowns::cold(const Eigen::VectorXd& lengths,
         result(e) = cold(e, lengths(e), values);
     }
     return result;
+}
+
+Points CommonUnknowns::support_motion(const Eigen::VectorXd& values) const {
+    Points motion = Points::Zero(3, m_node_count);
+    for (size_t k = 0; k < m_motions.size(); ++k) {
+        motion += values(std::ssize(m_unknowns) + static_cast<Eigen::Index>(k)) * m_motions[k];
+    }
+    return motion;
 }
 
 double CommonUnknowns::load_factor(const Eigen::VectorXd& values) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <iterator>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
@@ -11,14 +12,20 @@
 namespace taut {
 
 /// Unknown numbers that act on many edges or loads at once, in their standard deviations: common
-/// factors of the stiffness, temperatures, a factor of the loads. docs/theory.md, (common).
+/// factors of the stiffness, temperatures, a factor of the loads; and last the six of the frame
+/// that a survey is in, a small motion of all supports. docs/theory.md, (common), (frame).
 class CommonUnknowns {
 public:
     CommonUnknowns() = default;
     /// @param unknowns of the net; those of other kinds are left out
-    CommonUnknowns(const CableNet& net, const std::vector<Unknown>& unknowns);
+    /// @param frame_is_unknown whether the frame is among them
+    CommonUnknowns(const CableNet& net, const std::vector<Unknown>& unknowns,
+                   bool frame_is_unknown = false);
 
-    [[nodiscard]] int count() const { return static_cast<int>(m_unknowns.size()); }
+    [[nodiscard]] int count() const {
+        return static_cast<int>(m_unknowns.size() + m_motions.size());
+    }
+    /// Of those that are not of the frame.
     [[nodiscard]] const Unknown& operator[](int k) const { return m_unknowns[k]; }
 
     /// The factor of an edge's stiffness.
@@ -45,13 +52,37 @@ public:
         return m_thermal.size() > 0 ? m_thermal(edge, k) : 0.0;
     }
     [[nodiscard]] double load_rate(int k) const {
-        return m_unknowns[k].kind == Unknown::Kind::loads ? m_unknowns[k].std : 0.0;
+        return !is_of_frame(k) && m_unknowns[k].kind == Unknown::Kind::loads ? m_unknowns[k].std
+                                                                             : 0.0;
     }
+    /// Of a support's place; 0 for free nodes [m].
+    [[nodiscard]] Eigen::Vector3d support_rate(int k, int node) const {
+        return is_of_frame(k) ? Eigen::Vector3d(m_motions[k - std::ssize(m_unknowns)].col(node))
+                              : Eigen::Vector3d::Zero();
+    }
+    [[nodiscard]] bool is_of_frame(int k) const { return k >= std::ssize(m_unknowns); }
+    /// Place of the first unknown of the frame among all: three translations, three rotations.
+    [[nodiscard]] int first_of_frame() const { return static_cast<int>(m_unknowns.size()); }
+    /// The point that rotations of the frame are about.
+    [[nodiscard]] const Eigen::Vector3d& frame_middle() const { return m_middle; }
+    /// What one of a translation [m] and of a rotation [rad] is in its standard deviations.
+    [[nodiscard]] double translation_unit() const { return m_translation_unit; }
+    [[nodiscard]] double rotation_unit() const { return m_translation_unit / m_reach; }
+    [[nodiscard]] bool has_frame() const { return !m_motions.empty(); }
+    /// Motion of all supports, 0 elsewhere (3 x n) [m].
+    [[nodiscard]] Points support_motion(const Eigen::VectorXd& values) const;
 
 private:
+    void set_frame(const CableNet& net);
+
     std::vector<Unknown> m_unknowns;
-    Eigen::MatrixXd m_stiffness;  ///< m x count
-    Eigen::MatrixXd m_thermal;    ///< m x count
+    Eigen::MatrixXd m_stiffness;    ///< m x count
+    Eigen::MatrixXd m_thermal;      ///< m x count
+    std::vector<Points> m_motions;  ///< of the frame: six, or none
+    Eigen::Index m_node_count = 0;
+    Eigen::Vector3d m_middle = Eigen::Vector3d::Zero();
+    double m_reach = 1.0;                              ///< of the supports from there [m]
+    static constexpr double m_translation_unit = 0.1;  ///< much more than such a frame is off [m]
 };
 
 }  // namespace taut

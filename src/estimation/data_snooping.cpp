@@ -20,8 +20,8 @@ constexpr double most_outliers = 0.25;
 /// Of three degrees of freedom.
 constexpr double median_of_chi_squared = 2.366;
 
-/// Of the median of so many statistics, over what it is where the noise is told right: five standard
-/// deviations, and as much as a quarter of the targets with gross errors adds.
+/// Of the median of so many statistics, over what it is where the noise is told right: five
+/// standard deviations, and as much as a quarter of the targets with gross errors adds.
 double largest_scale_by_chance(size_t targets) {
     constexpr double std_of_median = 1.12;  // over the median, of one; pdf 0.188 at 2.366
     constexpr double by_gross_errors = 1.5;

@@ -16,8 +16,8 @@ constexpr double beyond_chance_std = 4.0;
 constexpr double beyond_chance_gain = 8.0;
 
 /// What is told so weakly says nothing of the law.
-constexpr double weakest_telling = 2.0;     // standard deviations of the law
-constexpr double surely_taut_law = 4.0;     // standard deviations
+constexpr double weakest_telling = 2.0;  // standard deviations of the law
+constexpr double surely_taut_law = 4.0;  // standard deviations
 constexpr int fewest_lengths = 8;
 
 /// Of all laws, so that one mis-cut edge does not speak for another law.

@@ -134,7 +134,8 @@ int LengthSnooping::released_count() const {
 }
 
 bool LengthSnooping::releases_too_many() const {
-    return released_count() > std::max<double>(a_few, most_released * static_cast<double>(m_laws.size()));
+    return released_count() >
+           std::max<double>(a_few, most_released * static_cast<double>(m_laws.size()));
 }
 
 std::vector<LengthLaw> LengthSnooping::laws() const {

@@ -86,9 +86,10 @@ LawBlur blur_by(const CableNet& net, double extension_std, const std::vector<Unk
     return result;
 }
 
-LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns)
+LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns,
+                                     bool frame_is_unknown)
     : m_net(net),
-      m_common(net, unknowns),
+      m_common(net, unknowns, frame_is_unknown),
       m_own_stiffness_stds(own_stiffness_stds(net, unknowns)),
       m_local(number_for_elimination(net)),
       m_local_of(net.node_count()),
@@ -234,7 +235,8 @@ void LinearisedStatics::set_weights(const Observations& observations) {
         (m_length_unit * m_net.axial_stiffness().cwiseQuotient(m_net.unstressed_lengths()).mean());
     const double squared_unit = m_length_unit * m_length_unit;
     SaddlePointFactor& matrix = m_matrix.inner;
-    matrix.place_weights = squared_unit * observations.weights(Eigen::all, m_nodes);
+    matrix.place_weights =
+        squared_unit * (observations.weights + observations.support_weights)(Eigen::all, m_nodes);
     matrix.length_weights(m_net.interior_edges()) =
         squared_unit * prior_variances(observations).cwiseInverse();
     matrix.load_variances = m_multiplier_unit * m_multiplier_unit *
@@ -262,15 +264,24 @@ void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
     }
     const double heated = 1.0 + m_common.thermal_strain(edge, iterate.common);
     for (int k = 0; k < m_common.count(); ++k) {  // (common)
-        const double rate = e.tension * m_common.stiffness_rate(k, edge) +
+        const auto [first, second] = m_net.edges()[edge];
+        // (frame): of known supports; unknown ones carry the motion in their own places.
+        const Eigen::Vector3d motion = are_supports_unknown()
+                                           ? Eigen::Vector3d::Zero()
+                                           : Eigen::Vector3d(m_common.support_rate(k, first) -
+                                                             m_common.support_rate(k, second));
+        const double along = e.direction.dot(motion);
+        const double rate = e.tension * m_common.stiffness_rate(k, edge) + e.axial * along +
                             e.by_length * unstressed_length(edge, iterate) *
                                 m_common.thermal_rate(k, edge) / (heated * heated);
         m_tension_rates(edge, k) = rate;
         m_matrix.reading_rates(edge, k) = m_multiplier_unit * rate;
         m_matrix.extension_rates(edge, k) =
-            -unstressed_length(edge, iterate) * m_common.thermal_rate(k, edge) / m_length_unit;
+            (along - unstressed_length(edge, iterate) * m_common.thermal_rate(k, edge)) /
+            m_length_unit;
         auto& column = m_matrix.border[k];
-        const Eigen::Vector3d force = m_multiplier_unit * rate * e.direction;
+        const Eigen::Vector3d force =
+            m_multiplier_unit * (rate * e.direction + e.across * (motion - along * e.direction));
         if (s < m_local.free_count) {
             column.multipliers.col(s) += force;
         }
@@ -300,6 +311,39 @@ void LinearisedStatics::set_border(const Observations& observations) {
     m_matrix.corner =
         Eigen::MatrixXd::Identity(m_common.count(), m_common.count()) +
         m_tension_rates.transpose() * observations.tension_weights.asDiagonal() * m_tension_rates;
+    if (m_common.has_frame()) {
+        add_frame_to_border(observations);
+    }
+}
+
+/// (frame): of known supports what was measured of them tells of it; of unknown ones what is known
+/// of them beforehand.
+void LinearisedStatics::add_frame_to_border(const Observations& observations) {
+    const Points& weights =
+        are_supports_unknown() ? observations.support_weights : observations.weights;
+    for (int k = 0; k < m_common.count(); ++k) {
+        for (const int node : m_net.supports()) {
+            const Eigen::Vector3d pull =
+                weights.col(node).cwiseProduct(m_common.support_rate(k, node));
+            for (int i = 0; i < m_common.count(); ++i) {
+                m_matrix.corner(i, k) += m_common.support_rate(i, node).dot(pull);
+            }
+            if (are_supports_unknown()) {
+                m_matrix.border[k].places.col(m_local_of[node]) -= m_length_unit * pull;
+            }
+        }
+    }
+}
+
+/// Of supports: what their prior expects, less where they are; where they are known, what was
+/// measured (3 x n) [m].
+Points LinearisedStatics::support_misfit(const Iterate& iterate,
+                                         const Observations& observations) const {
+    Points misfit = Points::Zero(3, m_net.node_count());
+    const Points expected = m_net.nodes() + m_common.support_motion(iterate.common) +
+                            observations.support_mean - iterate.form;
+    misfit(Eigen::all, m_net.supports()) = expected(Eigen::all, m_net.supports());
+    return misfit;
 }
 
 bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& observations) {
@@ -375,7 +419,10 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
     }
     // (unknown): a load gives way to its reaction.
     forces -= observations.load_mean - iterate.loads;
-    const Points misfit = observations.weights.cwiseProduct(observations.form - iterate.form);
+    const Points measured = observations.weights.cwiseProduct(observations.form - iterate.form);
+    const Points of_supports =
+        observations.support_weights.cwiseProduct(support_misfit(iterate, observations));
+    const Points misfit = measured + of_supports;
     BorderedFactor::Vector result{
         .inner = {.places = m_length_unit * misfit(Eigen::all, m_nodes) - m_place_reactions,
                   .lengths = -m_length_reactions,
@@ -385,6 +432,15 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
     result.inner.lengths(m_net.interior_edges()) +=
         m_length_unit *
         (observations.mean - iterate.deviations).cwiseQuotient(prior_variances(observations));
+    if (m_common.has_frame()) {
+        for (int k = 0; k < m_common.count(); ++k) {
+            for (const int node : m_net.supports()) {
+                result.border(k) += m_common.support_rate(k, node).dot(
+                    are_supports_unknown() ? Eigen::Vector3d(-of_supports.col(node))
+                                           : Eigen::Vector3d(measured.col(node)));
+            }
+        }
+    }
     add_readings(iterate, observations, result);
     return result;
 }
@@ -418,6 +474,7 @@ Iterate LinearisedStatics::step(const Iterate& iterate, const Observations& obse
                    .deviations = m_length_unit * solution.inner.lengths(m_net.interior_edges()),
                    .loads = observations.load_mean - iterate.loads,
                    .common = solution.border};
+    change.form = m_common.support_motion(solution.border);
     change.form(Eigen::all, m_nodes) = m_length_unit * solution.inner.places;
     change.loads(Eigen::all, m_free_nodes) +=
         m_matrix.inner.load_variances.cwiseProduct(m_multipliers + solution.inner.multipliers) /
@@ -440,6 +497,8 @@ double LinearisedStatics::squared_norm(const Observations& observations,
     double sum = observations.weights.cwiseProduct(change.form.cwiseAbs2()).sum() +
                  change.deviations.cwiseAbs2().cwiseQuotient(prior_variances(observations)).sum() +
                  change.common.squaredNorm();
+    const Points of_supports = change.form - m_common.support_motion(change.common);
+    sum += observations.support_weights.cwiseProduct(of_supports.cwiseAbs2()).sum();
     sum += (observations.load_variance.array() > 0.0)
                .select(change.loads.array().square() / observations.load_variance.array(), 0.0)
                .sum();
@@ -468,8 +527,12 @@ double LinearisedStatics::objective(const Observations& observations,
                          .common = iterate.common - observations.common_mean};
     Observations without_readings = observations;
     without_readings.tension_weights.setZero();
+    without_readings.support_weights.setZero();
     const Eigen::VectorXd read = observations.tension - tensions(iterate);
     return 0.5 * (squared_norm(without_readings, misfit) +
+                  observations.support_weights
+                      .cwiseProduct(support_misfit(iterate, observations).cwiseAbs2())
+                      .sum() +
                   observations.tension_weights.dot(read.cwiseAbs2()));
 }
 
@@ -492,6 +555,13 @@ Eigen::VectorXd LinearisedStatics::extension_variances() const {
 }
 
 Eigen::Matrix3d LinearisedStatics::form_covariance(int node) const {
+    if (m_local_of[node] >= std::ssize(m_nodes)) {  // (frame)
+        Eigen::Matrix3Xd rates(3, m_common.count());
+        for (int k = 0; k < m_common.count(); ++k) {
+            rates.col(k) = m_common.support_rate(k, node);
+        }
+        return rates * m_covariance.border * rates.transpose();
+    }
     return m_length_unit * m_length_unit * m_covariance.places[m_local_of[node]];
 }
 

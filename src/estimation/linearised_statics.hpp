@@ -56,7 +56,10 @@ struct LawBlur {
 class LinearisedStatics {
 public:
     /// @param unknowns of the net, checked; observations are to have places and loads as they say
-    explicit LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns = {});
+    /// @param frame_is_unknown of the survey: places are then told in its frame, in which the
+    ///   supports move together
+    explicit LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns = {},
+                               bool frame_is_unknown = false);
     LinearisedStatics(const LinearisedStatics&) = delete;  // the factor refers to the local net
     LinearisedStatics& operator=(const LinearisedStatics&) = delete;
 
@@ -110,7 +113,7 @@ public:
     void invert() { m_covariance = m_matrix.covariance(); }
     [[nodiscard]] Eigen::VectorXd length_variances() const;     ///< m_I [m2]
     [[nodiscard]] Eigen::VectorXd extension_variances() const;  ///< of l - l_0, m_I [m2]
-    /// Of a free node, or of a support where these are unknown [m2].
+    /// Of a free node, or of a support where these are unknown or the frame is [m2].
     [[nodiscard]] Eigen::Matrix3d form_covariance(int node) const;
     [[nodiscard]] Eigen::VectorXd tension_variances() const;  ///< m [N2]
     /// Of the deviation of a free node's load [N2].
@@ -159,6 +162,12 @@ private:
     void set_weights(const Observations& observations);
     void add_edge(int edge, const Iterate& iterate, const Observations& observations);
     void set_border(const Observations& observations);
+    void add_frame_to_border(const Observations& observations);
+    [[nodiscard]] Points support_misfit(const Iterate& iterate,
+                                        const Observations& observations) const;
+    [[nodiscard]] bool are_supports_unknown() const {
+        return std::ssize(m_nodes) > m_local.free_count;
+    }
     [[nodiscard]] BorderedFactor::Vector right_side(const Iterate& iterate,
                                                     const Observations& observations) const;
     void add_readings(const Iterate& iterate, const Observations& observations,

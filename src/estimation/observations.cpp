@@ -35,6 +35,8 @@ Observations nothing_observed(const CableNet& net, double length_std, int common
     return {
         .form = net.nodes(),
         .weights = none,
+        .support_mean = none,
+        .support_weights = none,
         .mean = Eigen::VectorXd::Zero(net.interior_edge_count()),
         .variance = Eigen::VectorXd::Constant(net.interior_edge_count(), length_std * length_std),
         .load_mean = none,

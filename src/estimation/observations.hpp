@@ -13,11 +13,12 @@ namespace taut {
 /// What is known of form, lengths and all else apart from the statics: independent normal
 /// distributions. docs/theory.md, (observation), (prior), (unknown), (reading).
 struct Observations {
-    /// 3 x n, as measured, and of supports as told; anything where the weight is 0 [m].
-    Points form;
-    /// 3 x n, 1 / variance of each measured coordinate and of each unknown one of a support, else 0
-    /// [1/m2].
-    Points weights;
+    Points form;     ///< 3 x n, as measured; anything where the weight is 0 [m]
+    Points weights;  ///< 3 x n, 1 / variance of each measured coordinate, else 0 [1/m2]
+    /// 3 x n, prior mean of the places of supports from where the net has them, in the frame of the
+    /// survey, and 1 / variance where they are unknown, else 0 [m, 1/m2].
+    Points support_mean;
+    Points support_weights;
     Eigen::VectorXd mean;  ///< m_I, prior mean of the length deviations [m]
     /// Of the precision of all lengths, as a part of it: for a search that damps its steps.
     double length_damping = 0.0;

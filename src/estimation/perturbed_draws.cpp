@@ -66,6 +66,11 @@ Observations perturbed(const CableNet& net, const Observations& observations,
         result.mean(i) += random.normal() * std::sqrt(observations.variance(i) + unknown(i));
     }
     perturb_places(net.supports());
+    for (Eigen::Index k = 0; k < result.support_mean.size(); ++k) {
+        if (const double weight = observations.support_weights(k); weight > 0.0) {
+            result.support_mean(k) += random.normal() / std::sqrt(weight);
+        }
+    }
     for (Eigen::Index k = 0; k < result.load_mean.size(); ++k) {
         if (const double variance = observations.load_variance(k); variance > 0.0) {
             result.load_mean(k) += random.normal() * std::sqrt(variance);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/prior_knowledge.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace taut {
@@ -45,6 +46,25 @@ std::vector<LengthLaw> interior_laws(const CableNet& net, const PriorKnowledge& 
     return laws;
 }
 
+Survey with_supports(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge) {
+    Survey result = survey;
+    const bool are_of_use =
+        knowledge.frame_is_unknown || std_of(knowledge.unknowns, Unknown::Kind::supports) > 0.0;
+    if (!are_of_use || survey.supports.empty()) {
+        return result;
+    }
+    if (result.noise_std.cols() == 0) {
+        result.noise_std = Points::Zero(3, net.node_count());
+    }
+    for (const SurveyedSupport& support : survey.supports) {
+        result.surveyed.push_back(support.node);
+        result.form.col(support.node) = support.position;
+        result.noise_std.col(support.node) = support.noise_std;
+    }
+    std::ranges::sort(result.surveyed);
+    return result;
+}
+
 Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
                      const std::vector<bool>& rejected, const PriorKnowledge& knowledge,
                      int common_unknowns) {
@@ -55,8 +75,7 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
     }
     if (const double std = std_of(knowledge.unknowns, Unknown::Kind::supports); std > 0.0) {
         for (const int node : net.supports()) {
-            result.weights.col(node).setConstant(1.0 / (std * std));
-            result.form.col(node) = net.nodes().col(node);
+            result.support_weights.col(node).setConstant(1.0 / (std * std));
         }
     }
     if (const double std = std_of(knowledge.unknowns, Unknown::Kind::loads_each); std > 0.0) {

@@ -17,6 +17,7 @@ struct PriorKnowledge {
     std::vector<LengthLaw> laws;  ///< of each interior edge's length deviation (m_I)
     std::vector<Unknown> unknowns;
     Forces forces;
+    bool frame_is_unknown = false;  ///< of the survey
 
     /// One law for all, and nothing else.
     PriorKnowledge(const CableNet& net, const LengthLaw& law)
@@ -34,6 +35,10 @@ struct PriorKnowledge {
 /// Of the net's own interior edges (m_I), where those of the fit may be more.
 [[nodiscard]] std::vector<LengthLaw> interior_laws(const CableNet& net,
                                                    const PriorKnowledge& knowledge);
+
+/// A survey with its supports as targets like others, where they tell something.
+[[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey,
+                                   const PriorKnowledge& knowledge);
 
 /// A survey without the targets that are rejected (one flag a node), and all that is known besides,
 /// docs/theory.md (prior), (unknown), (reading).

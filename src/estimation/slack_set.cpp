@@ -30,15 +30,15 @@ double measured_std(const CableNet& net, const Observations& observations, int e
     const Eigen::Vector3d u = (observations.form.col(s) - observations.form.col(t)).normalized();
     double variance = 0.0;
     for (const int node : {s, t}) {
-        const bool is_known =
-            net.free_index(node) < 0 && observations.weights.col(node).isZero(0.0);
-        if (is_known) {
-            continue;
+        const Eigen::Vector3d weights =
+            observations.weights.col(node) + observations.support_weights.col(node);
+        if (net.free_index(node) < 0 && weights.isZero(0.0)) {
+            continue;  // known
         }
-        if (!(observations.weights.col(node).minCoeff() > 0.0)) {
+        if (!(weights.minCoeff() > 0.0)) {
             return std::numeric_limits<double>::infinity();
         }
-        variance += u.cwiseAbs2().cwiseQuotient(observations.weights.col(node)).sum();
+        variance += u.cwiseAbs2().cwiseQuotient(weights).sum();
     }
     return std::sqrt(variance);
 }

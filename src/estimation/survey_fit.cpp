@@ -72,14 +72,14 @@ double length_threshold(const Survey& survey, const PriorKnowledge& knowledge,
 SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
                      const SurveyFitSettings& settings)
     : m_net(net),
-      m_survey(survey),
+      m_survey(with_supports(net, survey, knowledge)),
       m_knowledge(knowledge),
       m_length_std(knowledge.length_std()),
       m_settings(checked(net, survey, knowledge, settings)),
-      m_noise(with_noise_floor(net, survey)),
+      m_noise(with_noise_floor(net, m_survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
-      m_statics(net, knowledge.unknowns),
-      m_snooping(net, survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
+      m_statics(net, knowledge.unknowns, knowledge.frame_is_unknown),
+      m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
       m_length_snooping(net, knowledge.laws, length_threshold(survey, knowledge, settings)) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.unknowns));
 }
@@ -120,8 +120,7 @@ GaussNewtonResult SurveyFit::run() {
     }
     evaluate(fitted, 1.0);
     m_cost = fitted.converged ? 2.0 * m_statics.objective(observations(), fitted.iterate) +
-                                    m_snooping.rejected_cost() +
-                                    m_length_snooping.released_cost()
+                                    m_snooping.rejected_cost() + m_length_snooping.released_cost()
                               : std::numeric_limits<double>::infinity();
     m_contradicts_too_many = m_snooping.is_active() && m_snooping.contradicts_too_many();
     if (m_contradicts_too_many) {

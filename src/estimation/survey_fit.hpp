@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "estimation/data_snooping.hpp"
-#include "estimation/length_snooping.hpp"
 #include "estimation/gauss_newton.hpp"
+#include "estimation/length_snooping.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
@@ -29,7 +29,7 @@ struct SurveyFitSettings {
 /// from wide corners to narrow ones, and where that does not do by continuation over the noise.
 class SurveyFit {
 public:
-    /// Keeps references to net and survey. Not copied: its parts refer to each other.
+    /// Keeps a reference to the net. Not copied: its parts refer to each other.
     /// @throws std::invalid_argument for settings out of range, and as check_forces()
     /// @throws SurveyError as check_survey()
     SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
@@ -94,7 +94,7 @@ private:
     [[nodiscard]] double first_inflation() const;
 
     const CableNet& m_net;
-    const Survey& m_survey;
+    Survey m_survey;  ///< with its supports, where they tell something
     PriorKnowledge m_knowledge;
     double m_length_std;  ///< of the laws, together [m]
     SurveyFitSettings m_settings;

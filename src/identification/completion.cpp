@@ -56,10 +56,16 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         result.predicted = EquilibriumSolver(identified).solve(l_0, start);
         result.tensions = tensions(identified, l_0, result.predicted.form);
     };
-    if (result.unknowns.empty()) {
+    if (result.unknowns.empty() && !result.frame_offset) {
         balance(net, lengths);
     } else {
-        const CableNet identified = net_under(net, circumstances_of(net, result.unknowns), lengths);
+        Circumstances circumstances = circumstances_of(net, result.unknowns);
+        if (result.frame_offset) {
+            const Points motion = result.frame_offset->motion_of(net.nodes());
+            circumstances.supports(Eigen::all, net.supports()) +=
+                motion(Eigen::all, net.supports());
+        }
+        const CableNet identified = net_under(net, circumstances, lengths);
         balance(identified, identified.unstressed_lengths());
     }
     const Eigen::MatrixXd differences =

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
@@ -130,27 +131,48 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
                              : identify_by_processes(net, model, survey);
 }
 
-/// What the statics show of noise, law and lengths, whatever the method was: a fit of its own.
-void audit(Identification& result, const CableNet& net, const Survey& survey, const LengthLaw& law,
-           const std::vector<Unknown>& unknowns) {
-    if (!survey.is_noisy() || result.status != IdentificationStatus::converged) {
-        return;
+/// What the statics show of noise, law, lengths and frame, whatever the method is: a fit of its
+/// own.
+/// @return empty where the survey is exact, or the fit does not settle
+std::optional<Identification> audit(const CableNet& net, const Survey& survey, const LengthLaw& law,
+                                    const std::vector<Unknown>& unknowns) {
+    if (!survey.is_noisy()) {
+        return std::nullopt;
     }
     Told told(law);
     told.unknowns = unknowns;
-    const Identification fit = identify_by_maximum_a_posteriori(net, survey, told);
+    Identification fit = identify_by_maximum_a_posteriori(net, survey, told);
     if (fit.status != IdentificationStatus::converged) {
-        return;
+        return std::nullopt;
     }
+    return fit;
+}
+
+Survey brought_into_frame(const Survey& survey, const std::optional<Identification>& fit) {
+    Survey result = survey;
+    if (fit && fit->frame_offset) {
+        const Points motion = fit->frame_offset->motion_of(survey.form);
+        result.form(Eigen::all, survey.surveyed) -= motion(Eigen::all, survey.surveyed);
+    }
+    return result;
+}
+
+void take_over(Identification& result, const Identification& fit, const CableNet& net,
+               const Survey& survey) {
     result.scales = fit.scales;
     result.law_check = fit.law_check;
     result.lengths_beyond_law = fit.lengths_beyond_law;
     for (const LengthOutlier& outlier : fit.lengths_beyond_law) {
-        const auto same = [&](const IdentifiedEdge& edge) { return edge.edge == outlier.edge; };
-        if (const auto edge = std::ranges::find_if(result.edges, same);
-            edge != result.edges.end()) {
-            *edge = *std::ranges::find_if(fit.edges, same);
+        const auto is_same = [&](const IdentifiedEdge& edge) { return edge.edge == outlier.edge; };
+        const auto edge = std::ranges::find_if(result.edges, is_same);
+        if (edge != result.edges.end()) {
+            *edge = *std::ranges::find_if(fit.edges, is_same);
         }
+    }
+    result.frame_offset = fit.frame_offset;
+    const bool is_changed = !fit.lengths_beyond_law.empty() || fit.frame_offset;
+    if (is_changed && result.status == IdentificationStatus::converged) {
+        predict_form(result, net, survey, fit.predicted.form);
     }
 }
 
@@ -186,9 +208,13 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
                            const LengthLaw& law, const IdentifyOptions& options,
                            const Progress& progress) {
     Identification result;
+    const bool is_map = method == IdentificationMethod::map;
+    const std::optional<Identification> fit =
+        is_map ? std::nullopt : audit(net, survey, law, options.unknowns);
+    const Survey in_frame = brought_into_frame(survey, fit);
     switch (method) {
         case IdentificationMethod::balance:
-            result = identify_by_force_balance(net, survey, law);
+            result = identify_by_force_balance(net, in_frame, law);
             result.how =
                 fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
             break;
@@ -211,13 +237,13 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
                 own = trained_model(net, law, options.unknowns, options.training_samples, progress);
             }
             const LengthModel& model = own ? *own : *options.model;
-            result = identify_by_model(net, survey, model);
+            result = identify_by_model(net, in_frame, model);
             result.how = how_text(model, !own, survey);
             break;
         }
     }
-    if (method != IdentificationMethod::map) {
-        audit(result, net, survey, law, options.unknowns);
+    if (fit) {
+        take_over(result, *fit, net, survey);
     }
     return result;
 }
@@ -313,9 +339,9 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         const LawCheck of_default = result.law_check;
         result = identify_by(method, net, survey, of_default.likeliest, options, progress);
         result.law_was_found = true;
-        result.how += fmt::format(
-            "\n  found from the survey: no law was told, and the lengths contradict {}",
-            law.to_string());
+        result.how +=
+            fmt::format("\n  found from the survey: no law was told, and the lengths contradict {}",
+                        law.to_string());
     }
     result.method = to_string(method);
     result.method_reason = reason;

@@ -93,6 +93,20 @@ void tell_contradicted(Identification& result, const SurveySearch& without, cons
     }
 }
 
+/// (frame)
+FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fitted) {
+    const CommonUnknowns& common = statics.common();
+    const int first = common.first_of_frame();
+    const Eigen::Matrix<double, 6, 1> values = fitted.common.segment<6>(first);
+    const Eigen::Matrix<double, 6, 1> stds =
+        statics.common_covariance().diagonal().segment<6>(first).cwiseMax(0.0).cwiseSqrt();
+    return {.about = common.frame_middle(),
+            .translation = common.translation_unit() * values.head<3>(),
+            .translation_std = common.translation_unit() * stds.head<3>(),
+            .rotation = common.rotation_unit() * values.tail<3>(),
+            .rotation_std = common.rotation_unit() * stds.tail<3>()};
+}
+
 /// What a fit shows of noise and law, whether they were told right or not.
 struct Doubt {
     VarianceComponents scales;
@@ -157,7 +171,8 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
         return result;
     }
     const CableNet fit_net = net_to_fit(net, told.unknowns);
-    const PriorKnowledge all = knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
+    PriorKnowledge all = knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
+    all.frame_is_unknown = survey.frame_is_unknown;
     PriorKnowledge unseen = all;
     unseen.forces.taut.clear();
     unseen.forces.slack.clear();
@@ -192,6 +207,9 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     result.lengths_beyond_law = fit.length_snooping().outliers();
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
+    if (fit.statics().common().has_frame()) {
+        result.frame_offset = frame_offset_of(fit.statics(), fitted.iterate);
+    }
     result.unknowns =
         unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
     if (!fit_net.is_linear()) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "taut/identification/result.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace taut {
@@ -20,6 +22,14 @@ std::string_view to_string(IdentificationStatus status) {
             return "no equilibrium";
     }
     return "unknown";
+}
+
+Points FrameOffset::motion_of(const Points& places) const {
+    Points motion = places;
+    for (auto place : motion.colwise()) {
+        place = translation + rotation.cross(Eigen::Vector3d(place - about));
+    }
+    return motion;
 }
 
 Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey) {

@@ -132,17 +132,17 @@ private:
         }
         std::vector<std::string> names;
         for (const Outlier& outlier : m_result.outliers) {
-            names.push_back(fmt::format("{} ({:.1f} mm)", m_net.node_id(outlier.node),
-                                        1e3 * outlier.distance));
+            names.push_back(
+                fmt::format("{} ({:.1f} mm)", m_net.node_id(outlier.node), 1e3 * outlier.distance));
         }
         const size_t count = names.size();
-        const bool is_few =
-            static_cast<double>(count) <= few_outliers * static_cast<double>(m_survey.surveyed.size());
+        const bool is_few = static_cast<double>(count) <=
+                            few_outliers * static_cast<double>(m_survey.surveyed.size());
         add(is_few ? Verdict::passed : Verdict::doubtful,
-            fmt::format("{} all others and {} left out: {}",
-                        count == 1 ? "a target contradicts"
-                                   : fmt::format("{} targets contradict", count),
-                        count == 1 ? "is" : "are", and_more(std::move(names))),
+            fmt::format(
+                "{} all others and {} left out: {}",
+                count == 1 ? "a target contradicts" : fmt::format("{} targets contradict", count),
+                count == 1 ? "is" : "are", and_more(std::move(names))),
             is_few ? "" : "are frame, supports and noise right?");
     }
 

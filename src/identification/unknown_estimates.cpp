@@ -116,8 +116,10 @@ private:
     }
 
     void add_supports(const Unknown& unknown) {
+        const Points motion = m_statics.common().support_motion(m_fitted.common);
         for (const int node : m_net.supports()) {
-            const Eigen::Vector3d shift = m_fitted.form.col(node) - m_net.nodes().col(node);
+            const Eigen::Vector3d shift =
+                m_fitted.form.col(node) - m_net.nodes().col(node) - motion.col(node);
             add_node(unknown, node, shift, m_statics.form_covariance(node));
         }
     }

@@ -91,6 +91,8 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
                                            survey.largest_noise_std()),
                           std::back_inserter(survey.warnings));
         survey.frame = std::move(frame);
+        survey.frame_is_unknown =
+            options.frame != SurveyFrame::net && options.control.empty() && survey.is_noisy();
         std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;
     });

@@ -80,6 +80,18 @@ Json trust_json(const Trust& trust) {
     return {{"verdict", to_string(trust.verdict())}, {"findings", findings}};
 }
 
+/// From the frame of the survey to that of the net's supports, where it was unknown.
+Json offset_json(const std::optional<FrameOffset>& offset) {
+    if (!offset) {
+        return {};
+    }
+    return {{"about", to_json(offset->about)},
+            {"translation", to_json(offset->translation)},
+            {"translation_std", to_json(offset->translation_std)},
+            {"rotation", to_json(offset->rotation)},
+            {"rotation_std", to_json(offset->rotation_std)}};
+}
+
 Json scale_json(const FoundScale& scale) {
     return {{"ratio", scale.ratio}, {"std", scale.std}};
 }
@@ -282,6 +294,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                     {"max_residual", residuals.lpNorm<Eigen::Infinity>()}}}};
     add_run(document, run);
     document["net"] = counts_json(net);
+    document["frame_offset"] = offset_json(identification.frame_offset);
     document["doubt"] = doubt_json(net, identification);
     document["survey"]["residuals"] = residuals_json(survey, identification.predicted.form);
     document["survey"]["missing_nodes"] = survey.missing;

@@ -37,12 +37,16 @@ public:
 
     [[nodiscard]] bool seen(int node) const { return m_seen[node]; }
 
-    /// Of a support, only that it was seen: its place is known.
     void put(const SurveyPoint& point, int node) {
         m_seen[node] = true;
         if (m_net.free_index(node) >= 0) {
             m_survey.form.col(node) = point.position;
             m_survey.noise_std.col(node) = point.noise_std.value_or(m_default_noise_std);
+        } else {
+            m_survey.supports.push_back(
+                {.node = node,
+                 .position = point.position,
+                 .noise_std = point.noise_std.value_or(m_default_noise_std)});
         }
     }
 
@@ -52,6 +56,7 @@ public:
         for (const int node : m_net.free_nodes()) {
             (seen(node) ? m_survey.surveyed : m_survey.missing).push_back(node);
         }
+        std::ranges::sort(m_survey.supports, {}, &SurveyedSupport::node);
         std::ranges::stable_sort(m_survey.unmatched, {},
                                  [](const UnmatchedPoint& p) { return p.point.line; });
         if (!m_survey.surveyed.empty()) {

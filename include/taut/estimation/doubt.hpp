@@ -23,12 +23,12 @@ struct VarianceComponents {
 
 /// What the lengths that a survey shows tell of their law.
 struct LawCheck {
-    int lengths = 0;         ///< that it rests on
-    LengthLaw likeliest;     ///< of uniform, normal and bimodal, of any scale
-    double gain = 0.0;       ///< of its log likelihood over that of the law told
-    double mean = 0.0;       ///< that all deviations have in common [m]
-    double mean_std = 0.0;   ///< of that, if it is none [m]
-    int beyond = 0;          ///< edges beyond the law, where these were too many to be mis-cut
+    int lengths = 0;        ///< that it rests on
+    LengthLaw likeliest;    ///< of uniform, normal and bimodal, of any scale
+    double gain = 0.0;      ///< of its log likelihood over that of the law told
+    double mean = 0.0;      ///< that all deviations have in common [m]
+    double mean_std = 0.0;  ///< of that, if it is none [m]
+    int beyond = 0;         ///< edges beyond the law, where these were too many to be mis-cut
 
     /// Whether the mean is none that chance would give.
     [[nodiscard]] bool has_mean() const;

@@ -44,6 +44,19 @@ struct IdentifiedEdge {
     EdgeStatus status = EdgeStatus::identified;
 };
 
+/// How far the frame of a survey is from the net's, where it was unknown: a rotation about a point,
+/// then a translation, both small.
+struct FrameOffset {
+    Eigen::Vector3d about;            ///< [m]
+    Eigen::Vector3d translation;      ///< [m]
+    Eigen::Vector3d translation_std;  ///< [m]
+    Eigen::Vector3d rotation;         ///< about x, y and z [rad]
+    Eigen::Vector3d rotation_std;     ///< [rad]
+
+    /// What it moves these places by, to first order (3 x n) [m].
+    [[nodiscard]] Points motion_of(const Points& places) const;
+};
+
 /// The outcome of an identification, by whatever method. Only where the status is `converged` may
 /// lengths and form be relied on; else `message` says what was found, and `edges` and `predicted`
 /// are what the search ended with, or empty.
@@ -70,7 +83,9 @@ struct Identification {
     /// Edges beyond the law: their intervals are those of the survey alone; the worst first.
     std::vector<LengthOutlier> lengths_beyond_law;
 
-    double noise_scale = 1.0;   ///< that the survey's noise was multiplied by, where it was unknown
+    double noise_scale = 1.0;  ///< that the survey's noise was multiplied by, where it was unknown
+    /// Where the frame was unknown; forms and places are then told in that of the survey.
+    std::optional<FrameOffset> frame_offset;
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
     LawCheck law_check;
     bool law_was_found = false;  ///< no law was told, and the survey contradicts the default

@@ -40,6 +40,13 @@ struct UnmatchedPoint {
     UnmatchedReason reason = UnmatchedReason::far_from_every_node;
 };
 
+/// A measured support, whose place is known without, too.
+struct SurveyedSupport {
+    int node = 0;
+    Eigen::Vector3d position;   ///< [m]
+    Eigen::Vector3d noise_std;  ///< of each coordinate [m]
+};
+
 /// A survey brought to the nodes of a net.
 struct Survey {
     Points form;  ///< 3 x n: surveyed where it was, nominal elsewhere [m]
@@ -48,6 +55,10 @@ struct Survey {
     Points noise_std;
     std::vector<int> surveyed;              ///< free nodes that were measured, ascending
     std::vector<int> missing;               ///< free nodes that were not, ascending
+    std::vector<SurveyedSupport> supports;  ///< in ascending order; not in `form`
+    /// Whether the frame of the coordinates is known by them alone: it is the net's but for a small
+    /// motion.
+    bool frame_is_unknown = false;
     std::vector<UnmatchedPoint> unmatched;  ///< in the order of the points
     std::optional<Registration> frame;      ///< empty where it was given in the net's
     std::vector<std::string> warnings;  ///< what is most likely told in another unit, a line each
