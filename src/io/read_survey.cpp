@@ -109,6 +109,9 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
         });
     };
     of_this([&] {
+        if (found.is_own) {
+            return;  // each name once, as match_to_nodes() asks
+        }
         AveragedPoints averaged = average_repeated(std::move(found.points), options.noise_std);
         found.points = std::move(averaged.points);
         if (!averaged.note.empty()) {
@@ -130,7 +133,11 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
             points = moved(std::move(points), frame->motion);
         }
         if (options.matching == PointMatching::automatic) {
-            if (const int count = make_names_labels(net, points, false); count > 0) {
+            std::vector<SurveyPoint> labelled = points;
+            const int count = make_names_labels(net, labelled, false);
+            // A few unknown names in taut's own CSV are slips, which match_to_nodes() refuses.
+            if (count > 0 && !(found.is_own && 2 * count < std::ssize(points))) {
+                points = std::move(labelled);
                 found.warnings.push_back(
                     fmt::format("{} of its {} names are no node's of the net: those points are "
                                 "matched by their place (--names writes which is where)",

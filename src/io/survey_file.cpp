@@ -74,7 +74,7 @@ std::string unit_text(double length) {
 
 SurveyFile from_own(const CableNet& net, std::vector<SurveyPoint> points,
                     const ReadSurveyOptions& options) {
-    SurveyFile file{.points = std::move(points)};
+    SurveyFile file{.points = std::move(points), .is_own = true};
     if (options.unit) {
         scale_points(file.points, *options.unit, *options.unit);
     } else if (const auto guess = guess_unit(net, file.points); guess && guess->length != 1.0) {
