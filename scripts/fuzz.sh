@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 
 seconds=${1:?seconds per reader}
 readers=("${@:2}")
-((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey obj model)
+((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey foreign_survey obj model)
 
 # The build that runs the tests under the sanitizers: nothing is compiled for the fuzzers alone.
 build=build/asan
@@ -47,6 +47,10 @@ make_seeds() {
     copy obj $work/net.obj
     copy csv_survey $work/form.csv
     copy model $work/model.h5
+    local survey
+    for survey in tests/data/surveys/*; do
+        [[ $survey == *.py ]] || copy foreign_survey "$survey"
+    done
     cat $work/net.csv $work/between $work/net_edges.csv >$work/pair.csv
     copy csv_net $work/pair.csv
     while IFS= read -r -d '' file; do

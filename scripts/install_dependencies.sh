@@ -12,7 +12,7 @@ set -euo pipefail
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
 # functions. OpenBLAS comes with pthreads, HDF5 in its serial form.
 build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev
-    libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev)
+    libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev libpugixml-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy)
 lint=(clang-format-19 clang-tidy-19)

@@ -343,7 +343,7 @@ void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
     const std::optional<LengthLaw> law = law_of(net, options);
     Survey survey = read_survey(net, options.survey, options.reading());
-    warn(options.survey, survey.warnings);
+    tell_of_survey(options, survey, options.json);
     const std::optional<LengthModel> model = model_of(net, options, law);
     const Forces forces = read_forces(net, options);
     const std::vector<Unknown> unknowns = unknowns_of(net, options.unknowns, options.net);
@@ -351,7 +351,7 @@ void run(const Options& options) {
     check_draws(net, draws);
     std::vector<std::string> inputs = options.files();
     inputs.insert(inputs.end(), {options.net, options.survey, options.model, options.control});
-    check_outputs({options.output, draws > 0 ? options.draws_file() : ""}, inputs);
+    check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names}, inputs);
     IdentifyOptions settings{.law = law,
                              .forces = forces,
                              .unknowns = unknowns,
@@ -368,14 +368,17 @@ void run(const Options& options) {
     survey.noise_std *= result.noise_scale;
     refuse_unless_converged(options, result);
     const std::string document = identification_to_json(net, survey, result, run_record());
+    std::vector<std::pair<std::filesystem::path, std::string>> files;
     if (!options.output.empty()) {
-        std::vector<std::pair<std::filesystem::path, std::string>> files{
-            {options.output, document}};
+        files.emplace_back(options.output, document);
         if (result.draws) {
             files.emplace_back(options.draws_file(), draws_bytes(net, result));
         }
-        write_files(files);
     }
+    if (!options.names.empty()) {
+        files.emplace_back(options.names, survey_names_csv(net, survey));
+    }
+    write_files(files);
     if (options.json) {
         fmt::print("{}", document);
     } else {
@@ -392,9 +395,11 @@ void add_identify(CLI::App& program) {
         "  taut identify net.json survey.csv --noise 0.5mm -o result.json", *options);
     command.add_option("NET", options->net, "Net file")->required();
     command
-        .add_option("SURVEY", options->survey,
-                    "Surveyed points in m: [id,]x,y,z[,sx,sy,sz], or PTS. Targets without a name "
-                    "are matched by their place")
+        .add_option(
+            "SURVEY", options->survey,
+            "Surveyed points: [id,]x,y,z[,sx,sy,sz] in m, any other table of points, PTS, XYZ, "
+            "Leica GSI, LandXML, Trimble JXL, GNU Gama's XML, DXF. Targets without a name "
+            "are matched by their place")
         ->required();
     add_survey_options(command, *options);
     command

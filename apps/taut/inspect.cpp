@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "net_summary.hpp"
 #include "prospect.hpp"
+#include "taut/files/file.hpp"
 #include "taut/identification/identifiability.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -239,9 +240,13 @@ void run(const InspectOptions& options) {
     warn(options.net, inspection.warnings);
     std::optional<Prospect> prospect;
     if (!options.survey.empty()) {
-        prospect = prospect_of(net, inspection.equilibrium, options, law,
-                               read_planned_forces(net, options),
-                               unknowns_of(net, options.unknowns, options.net), options.net);
+        prospect = prospect_of(
+            net, inspection.equilibrium, options, law, read_planned_forces(net, options),
+            unknowns_of(net, options.unknowns, options.net), options.net, options.json);
+    }
+    if (prospect && !options.names.empty()) {
+        check_outputs({options.names}, {options.net, options.survey, options.control});
+        write_file(options.names, survey_names_csv(net, prospect->survey));
     }
     if (options.json) {
         nlohmann::ordered_json document = to_json(net, inspection);

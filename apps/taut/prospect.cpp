@@ -13,9 +13,10 @@ namespace taut::app {
 
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
                      const LengthLaw& law, const Forces& forces,
-                     const std::vector<Unknown>& unknowns, const std::string& net_file) {
+                     const std::vector<Unknown>& unknowns, const std::string& net_file,
+                     bool with_notes) {
     Survey survey = read_planned_survey(net, options.survey, options.reading());
-    warn(options.survey, survey.warnings);
+    tell_of_survey(options, survey, with_notes);
     if (!nominal.balanced()) {
         throw NumericalFailure(
             fmt::format("{}: no equilibrium: {}", net_file, equilibrium_text(nominal)));

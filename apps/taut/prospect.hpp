@@ -22,11 +22,13 @@ struct Prospect {
 
 /// @param options SURVEY is a survey, or names of nodes alone
 /// @param net_file for messages
+/// @param with_notes whether to tell on standard error how the survey's file was understood
 /// @throws InputError as read_survey(), and where nodes are hidden and no noise is told
 /// @throws NumericalFailure where there is no equilibrium to linearise at
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
                      const LengthLaw& law, const Forces& forces,
-                     const std::vector<Unknown>& unknowns, const std::string& net_file);
+                     const std::vector<Unknown>& unknowns, const std::string& net_file,
+                     bool with_notes);
 
 nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
                                const std::string& file);

@@ -5,12 +5,74 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
+#include <optional>
 
+#include "command.hpp"
+#include "taut/interchange/foreign_survey.hpp"
 #include "taut/net/units.hpp"
 #include "taut/survey/registration.hpp"
 
 namespace taut::app {
+
+namespace {
+
+/// What a survey file tells by itself, mostly.
+void add_file_options(CLI::App& command, SurveyOptions& options, std::vector<CLI::Option*>& added) {
+    const auto add = [&](const char* name, std::string& value, const char* what) {
+        added.push_back(command.add_option(name, value, what));
+        return added.back();
+    };
+    add("--format", options.format, "Format of the survey (default: by its content)")
+        ->check(CLI::IsMember({"table", "xyz", "pts", "gsi", "landxml", "jobxml", "gama", "dxf"}));
+    add("--unit", options.unit,
+        "Unit of the survey's coordinates (default: as it tells; else by the net's extent)")
+        ->check(CLI::IsMember({"m", "mm", "cm", "ft", "us-ft", "in"}));
+    add("--columns", options.columns,
+        "Columns of a survey that is a table, id,x,y,z,sx,sy,sz in their order, - for one to leave "
+        "out (default: by its header)");
+    add("--separator", options.separator, "Between the columns of a table (default: found)")
+        ->check(CLI::IsMember({"comma", "semicolon", "tab", "blank"}));
+    add("--decimal", options.decimal, "Decimal sign of a table (default: found)")
+        ->check(CLI::IsMember({"point", "comma"}));
+    add("--encoding", options.encoding, "Encoding of the survey's text (default: found)")
+        ->check(CLI::IsMember({"utf-8", "utf-16", "latin-1"}));
+    add("--match", options.match,
+        "Points to nodes by name, by place, or auto: by name where that is a node's, else by place")
+        ->check(CLI::IsMember({"auto", "name", "place"}))
+        ->capture_default_str();
+    add("--names", options.names, "Table to write of which point is on which node (CSV)");
+}
+
+std::optional<char> told_separator(const std::string& name) {
+    return name == "comma"       ? std::optional(',')
+           : name == "semicolon" ? std::optional(';')
+           : name == "tab"       ? std::optional('\t')
+           : name == "blank"     ? std::optional(' ')
+                                 : std::nullopt;
+}
+
+SurveyFileOptions told_of_file(const SurveyOptions& options) {
+    SurveyFileOptions told{.separator = told_separator(options.separator)};
+    if (!options.format.empty()) {
+        told.format = parse_survey_format(options.format);
+    }
+    if (!options.columns.empty()) {
+        told.columns = parse_survey_columns(options.columns);
+    }
+    if (!options.decimal.empty()) {
+        told.decimal = options.decimal == "comma" ? ',' : '.';
+    }
+    if (!options.encoding.empty()) {
+        told.encoding = options.encoding == "utf-8"    ? TextEncoding::utf_8
+                        : options.encoding == "utf-16" ? TextEncoding::utf_16
+                                                       : TextEncoding::latin_1;
+    }
+    return told;
+}
+
+}  // namespace
 
 double parse_noise(const std::string& text) {
     constexpr double first_guess = 0.001;
@@ -44,7 +106,9 @@ std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& o
         command.add_option("--control", options.control,
                            "Control points id,x,y,z in the net's frame, to fit the survey's frame "
                            "to instead of the supports");
-    return {noise, frame, control};
+    std::vector<CLI::Option*> added{noise, frame, control};
+    add_file_options(command, options, added);
+    return added;
 }
 
 ReadSurveyOptions SurveyOptions::reading() const {
@@ -52,13 +116,28 @@ ReadSurveyOptions SurveyOptions::reading() const {
             .frame = frame == "net"        ? SurveyFrame::net
                      : frame == "supports" ? SurveyFrame::supports
                                            : SurveyFrame::automatic,
-            .control = control};
+            .control = control,
+            .file = told_of_file(*this),
+            .unit = unit.empty() ? std::nullopt : length_of_unit(unit),
+            .matching = match == "name"    ? PointMatching::name
+                        : match == "place" ? PointMatching::place
+                                           : PointMatching::automatic};
+}
+
+void tell_of_survey(const SurveyOptions& options, const Survey& survey, bool with_notes) {
+    warn(options.survey, survey.warnings);
+    for (const std::string& note : with_notes ? survey.notes : std::vector<std::string>()) {
+        fmt::print(stderr, "taut: note: {}: {}\n", options.survey, note);
+    }
 }
 
 std::string survey_text(const CableNet& net, const SurveyOptions& options, const Survey& survey) {
     std::string text = fmt::format("survey {}: {} free nodes, {} not surveyed, noise {:.4g} mm\n",
                                    options.survey, survey.surveyed.size(), survey.missing.size(),
                                    1e3 * survey.largest_noise_std());
+    for (const std::string& note : survey.notes) {
+        text += fmt::format("  {}\n", note);
+    }
     if (!options.noise.empty() && options.noise != estimated_noise) {
         const double told = parse_noise(options.noise);
         const auto other = std::ranges::count_if(survey.surveyed, [&](int node) {
@@ -84,7 +163,8 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
     if (!survey.unmatched.empty()) {
         text += fmt::format("  {} points are on no node, and left out:\n", survey.unmatched.size());
         for (const UnmatchedPoint& p : survey.unmatched) {
-            text += fmt::format("    line {:<6} {}: {:.4g} mm from node {}\n", p.point.line,
+            text += fmt::format("    line {:<6}{} {}: {:.4g} mm from node {}\n", p.point.line,
+                                p.point.label.empty() ? "" : fmt::format(" '{}'", p.point.label),
                                 to_string(p.reason), 1e3 * p.distance, net.node_id(p.nearest));
         }
     }

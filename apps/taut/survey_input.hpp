@@ -14,18 +14,27 @@
 
 namespace taut::app {
 
-/// --noise, --frame and --control, as they were told.
+/// --noise, --frame, --control and what is told of the survey's file, as they were told.
 struct SurveyOptions {
     std::string survey;
     std::string frame = "auto";
     std::string control;
     std::string noise;
+    std::string format;
+    std::string unit;
+    std::string columns;
+    std::string separator;
+    std::string decimal;
+    std::string encoding;
+    std::string match = "auto";
+    std::string names;  ///< table to write of points and their nodes
 
-    /// @throws std::invalid_argument as parse_noise()
+    /// @throws std::invalid_argument as parse_noise() and parse_survey_columns()
     [[nodiscard]] ReadSurveyOptions reading() const;
 };
 
-/// --noise, --frame, --control.
+/// --noise, --frame, --control; --format, --unit, --columns, --separator, --decimal, --encoding;
+/// --match, --names.
 std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& options);
 
 /// Does something with a survey; a rule of surveys that it breaks is told with the name of its
@@ -39,7 +48,11 @@ auto with_survey_of(const std::string& file, const Action& action) {
     }
 }
 
-/// What was read: targets, frame with its residuals, points on no node.
+/// Warnings, and with JSON on standard output how the file was understood, on standard error.
+void tell_of_survey(const SurveyOptions& options, const Survey& survey, bool with_notes);
+
+/// What was read: how the file was understood, targets, frame with its residuals, points on no
+/// node.
 std::string survey_text(const CableNet& net, const SurveyOptions& options, const Survey& survey);
 
 /// Of --noise: its scale is to be found from the survey.

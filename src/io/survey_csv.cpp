@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include "files/csv_field.hpp"
@@ -14,6 +13,7 @@
 #include "files/message.hpp"
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"
+#include "interchange/surveys/survey_reader.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 
@@ -158,31 +158,7 @@ std::vector<SurveyPoint> parse_survey_points(std::string_view text, const std::s
 }
 
 std::vector<SurveyPoint> parse_pts_points(std::string_view text, const std::string& file_name) {
-    CsvReader reader(plain_text(text, file_name), file_name);
-    const auto head = reader.next();
-    const auto announced =
-        head && head->fields.size() == 1 ? parse_number(head->fields[0]) : std::nullopt;
-    if (!announced || *announced < 1.0 || *announced != std::floor(*announced)) {
-        throw InputError(file_name, "1", "is not the number of points that a PTS file starts with");
-    }
-    std::vector<SurveyPoint> points;
-    while (auto record = reader.next()) {
-        constexpr size_t coordinates = 3;
-        if (record->fields.size() < coordinates) {
-            throw InputError(file_name, std::to_string(record->line),
-                             fmt::format("has {} fields, expected x y z, with or without intensity "
-                                         "and colour behind",
-                                         record->fields.size()));
-        }
-        record->fields.resize(coordinates);
-        points.push_back(PointParser(*record, file_name).point(false));
-    }
-    if (static_cast<double>(points.size()) != *announced) {
-        throw InputError(file_name, "",
-                         fmt::format("holds {} points, expected {} as its first line says",
-                                     points.size(), *announced));
-    }
-    return points;
+    return read_pts(std::string(plain_text(text, file_name)), file_name).points;
 }
 
 std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path) {

@@ -39,6 +39,10 @@ public:
 
     void put(const SurveyPoint& point, int node) {
         m_seen[node] = true;
+        m_survey.placed.push_back({.name = point.id.empty() ? point.label : point.id,
+                                   .line = point.line,
+                                   .node = node,
+                                   .distance = (point.position - m_net.nodes().col(node)).norm()});
         if (m_net.free_index(node) >= 0) {
             m_survey.form.col(node) = point.position;
             m_survey.noise_std.col(node) = point.noise_std.value_or(m_default_noise_std);
@@ -59,6 +63,7 @@ public:
         std::ranges::sort(m_survey.supports, {}, &SurveyedSupport::node);
         std::ranges::stable_sort(m_survey.unmatched, {},
                                  [](const UnmatchedPoint& p) { return p.point.line; });
+        std::ranges::stable_sort(m_survey.placed, {}, &PlacedPoint::line);
         if (!m_survey.surveyed.empty()) {
             m_survey.warnings =
                 noise_warnings(m_net, m_survey.noise_std(Eigen::all, m_survey.surveyed).maxCoeff());
@@ -115,12 +120,19 @@ void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matc
     std::ranges::for_each(far, [&](UnmatchedPoint& p) { matching.leave_out(std::move(p)); });
 }
 
-void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, Matching& matching) {
+/// @param has_named whether there are points with the names of nodes, too: one with a label may
+/// then
+///   be anything else, as the station of the instrument
+void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, bool has_named,
+                 Matching& matching) {
     const std::vector<PlaceMatch> matches =
         match_by_place(net, targets, [&](int node) { return matching.seen(node); });
     size_t matched = 0;
+    size_t expected = 0;
     for (size_t i = 0; i < targets.size(); ++i) {
         const PlaceMatch& match = matches[i];
+        const bool counts = !has_named || targets[i].label.empty();
+        expected += counts ? 1 : 0;
         if (match.unmatched) {
             matching.leave_out({.point = targets[i],
                                 .nearest = match.node,
@@ -128,14 +140,14 @@ void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, M
                                 .reason = *match.unmatched});
         } else {
             matching.put(targets[i], match.node);
-            ++matched;
+            matched += counts ? 1 : 0;
         }
     }
-    if (static_cast<double>(matched) < least_matched_part * static_cast<double>(targets.size())) {
+    if (static_cast<double>(matched) < least_matched_part * static_cast<double>(expected)) {
         throw SurveyError(
             0, fmt::format("{} of {} targets without a name lie on a node beyond doubt, expected "
                            "at least half: is the survey of this net, in its frame and in metres?",
-                           matched, targets.size()));
+                           matched, expected));
     }
 }
 
@@ -168,7 +180,7 @@ Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& point
     }
     Matching matching(net, noise_std);
     put_named(net, named, matching);
-    put_unnamed(net, unnamed, matching);
+    put_unnamed(net, unnamed, !named.empty(), matching);
     return std::move(matching).finished();
 }
 

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
+#include "taut/interchange/foreign_survey.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -16,6 +19,14 @@ enum class SurveyFrame {
     supports,   ///< fitted to the supports that it names by a rigid motion
 };
 
+/// What tells the node of a surveyed point.
+enum class PointMatching {
+    automatic,  ///< its name where that is a node's, else its place; the places of all where they
+                ///< contradict the names
+    name,       ///< its name
+    place,      ///< its place
+};
+
 /// How a survey file is to be read.
 struct ReadSurveyOptions {
     /// Standard deviation of each coordinate where the file tells none [m].
@@ -24,14 +35,23 @@ struct ReadSurveyOptions {
     /// Control points id,x,y,z in the net's frame, to fit the survey's frame to instead of the
     /// supports; empty: none.
     std::filesystem::path control;
+    SurveyFileOptions file = {};  ///< what is told of the file's format
+    /// Of its coordinates, and of its standard deviations where the file tells no other; empty: as
+    /// the file tells, or as the net's extent lets guess [m].
+    std::optional<double> unit = {};
+    PointMatching matching = PointMatching::automatic;
 };
 
-/// A survey file brought to the nodes of a net: points read (CSV or PTS, read_survey_points()),
+/// A survey file brought to the nodes of a net: points read (taut's own CSV,
+/// parse_survey_points(), or any other format, read_foreign_survey()), those of one name averaged,
 /// their frame fitted (register_rigidly()), and put on nodes by name or place (match_to_nodes()).
-/// @throws std::invalid_argument for a noise that is negative or not finite
-/// @throws InputError naming the file, its line and the rule: as read_survey_points(),
-///   register_rigidly() and match_to_nodes(), and where no free node was surveyed or the noise
-///   exceeds the mean edge length
+/// What was understood of a file that is not taut's own stands in Survey::notes, what was guessed
+/// in its warnings.
+/// @throws std::invalid_argument for a noise that is negative or not finite, and a unit that is not
+///   positive
+/// @throws InputError naming the file, its line and the rule: as the functions named, and where two
+///   points of one name lie apart, no unit fits, no free node was surveyed or the noise exceeds the
+///   mean edge length
 [[nodiscard]] Survey read_survey(const CableNet& net, const std::filesystem::path& file,
                                  const ReadSurveyOptions& options = {});
 
@@ -39,6 +59,11 @@ struct ReadSurveyOptions {
 /// @throws InputError as read_survey(), and where a file of names asks for a frame to be fitted
 [[nodiscard]] Survey read_planned_survey(const CableNet& net, const std::filesystem::path& file,
                                          const ReadSurveyOptions& options = {});
+
+/// Which point of a survey is on which node, as CSV: line,name,node,distance,status in the order of
+/// the file; distance to the node's nominal place [m], status "used", or why the point was left
+/// out, and then the nearest node.
+[[nodiscard]] std::string survey_names_csv(const CableNet& net, const Survey& survey);
 
 /// A form that holds every free node of the net, in its frame (3 x n) [m].
 /// @throws InputError as read_survey(), and where a free node is missing

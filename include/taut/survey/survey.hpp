@@ -19,6 +19,9 @@ struct SurveyPoint {
     Eigen::Vector3d position;  ///< [m]
     int line = 0;              ///< of the file it came from, for messages; 0 if none
     std::optional<Eigen::Vector3d> noise_std;  ///< of each coordinate, where it is told [m]
+    /// Its name in the file where that is no node's: it is a target without a name, and this is for
+    /// messages.
+    std::string label;
 };
 
 /// Why a surveyed point was put on no node.
@@ -47,6 +50,14 @@ struct SurveyedSupport {
     Eigen::Vector3d noise_std;  ///< of each coordinate [m]
 };
 
+/// A surveyed point that was put on a node.
+struct PlacedPoint {
+    std::string name;  ///< in the file; empty for a target without a name
+    int line = 0;
+    int node = 0;
+    double distance = 0.0;  ///< to the nominal place of the node [m]
+};
+
 /// A survey brought to the nodes of a net.
 struct Survey {
     Points form;  ///< 3 x n: surveyed where it was, nominal elsewhere [m]
@@ -62,6 +73,8 @@ struct Survey {
     std::vector<UnmatchedPoint> unmatched;  ///< in the order of the points
     std::optional<Registration> frame;      ///< empty where it was given in the net's
     std::vector<std::string> warnings;  ///< what is most likely told in another unit, a line each
+    std::vector<PlacedPoint> placed;    ///< on which node each point is, supports included
+    std::vector<std::string> notes;     ///< how its file was understood, a line each
 
     /// Whether some surveyed coordinate has noise.
     [[nodiscard]] bool is_noisy() const { return largest_noise_std() > 0.0; }
@@ -103,7 +116,8 @@ private:
 /// @throws SurveyError for a name that is not a node's or comes twice, a position that is not
 ///   finite, and where the survey is not of this net, in its frame and in metres: more than 5 % of
 ///   the named free nodes further from their nominal place than the net's mean edge length, a named
-///   support further than a tenth of that, less than half of the unnamed targets on a node
+///   support further than a tenth of that, less than half of the unnamed targets on a node; beside
+///   points with the names of nodes, targets with a label do not count for that
 [[nodiscard]] Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& points,
                                     double noise_std = 0.0);
 

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/interchange/foreign_survey.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "files/message.hpp"
+#include "interchange/surveys/survey_format_names.hpp"
+#include "interchange/surveys/survey_reader.hpp"
+#include "interchange/surveys/text_encoding.hpp"
+#include "taut/files/input_error.hpp"
+
+namespace taut {
+namespace {
+
+/// A survey of targets is some hundred kilobytes; more is a scan of everything, or no survey.
+constexpr size_t largest_survey = size_t{64} << 20;
+
+struct FormatNames {
+    SurveyFormat format;
+    std::string_view name;
+    std::string_view words;
+};
+
+constexpr FormatNames survey_formats[] = {
+    {SurveyFormat::table, "table", "a table of points"},
+    {SurveyFormat::xyz, "xyz", "a list of points x y z"},
+    {SurveyFormat::pts, "pts", "a PTS file"},
+    {SurveyFormat::gsi, "gsi", "a Leica GSI file"},
+    {SurveyFormat::landxml, "landxml", "a LandXML file"},
+    {SurveyFormat::jobxml, "jobxml", "a Trimble JobXML file"},
+    {SurveyFormat::gama, "gama", "an adjustment by GNU Gama"},
+    {SurveyFormat::dxf, "dxf", "a DXF file"},
+};
+
+ForeignSurvey read_decoded(const std::string& text, const std::string& file_name,
+                           SurveyFormat format, const SurveyFileOptions& told) {
+    switch (format) {
+        case SurveyFormat::table:
+            return read_survey_table(text, file_name, told, false);
+        case SurveyFormat::xyz:
+            return read_survey_table(text, file_name, told, true);
+        case SurveyFormat::pts:
+            return read_pts(text, file_name);
+        case SurveyFormat::gsi:
+            return read_gsi(text, file_name);
+        case SurveyFormat::landxml:
+            return read_landxml(text, file_name);
+        case SurveyFormat::jobxml:
+            return read_jobxml(text, file_name);
+        case SurveyFormat::gama:
+            return read_gama(text, file_name);
+        case SurveyFormat::dxf:
+            return read_dxf(text, file_name);
+    }
+    throw std::invalid_argument("unknown format of a survey");
+}
+
+}  // namespace
+
+std::string_view to_string(SurveyFormat format) {
+    return survey_formats[static_cast<size_t>(format)].name;
+}
+
+std::string_view words_of(SurveyFormat format) {
+    return survey_formats[static_cast<size_t>(format)].words;
+}
+
+SurveyFormat parse_survey_format(std::string_view name) {
+    std::string known;
+    for (const FormatNames& one : survey_formats) {
+        if (one.name == name) {
+            return one.format;
+        }
+        known += (known.empty() ? "" : ", ") + std::string(one.name);
+    }
+    throw std::invalid_argument(
+        fmt::format("there is no format {} of surveys: expected one of {}", quote(name), known));
+}
+
+std::string_view to_string(TextEncoding encoding) {
+    constexpr std::string_view names[] = {"UTF-8", "UTF-16", "Latin-1"};
+    return names[static_cast<size_t>(encoding)];
+}
+
+ForeignSurvey read_foreign_survey(std::string_view bytes, const std::string& file_name,
+                                  const SurveyFileOptions& told) {
+    if (bytes.size() > largest_survey) {
+        throw InputError(file_name, "",
+                         fmt::format("holds {} MiB, expected a survey of targets, {} MiB at most",
+                                     bytes.size() >> 20, largest_survey >> 20));
+    }
+    const SurveyFormat format = told.format ? *told.format : detect_survey_format(bytes, file_name);
+    const DecodedText decoded = decode_text(bytes, file_name, told.encoding);
+    ForeignSurvey survey = read_decoded(decoded.text, file_name, format, told);
+    if (survey.points.empty()) {
+        throw InputError(file_name, "",
+                         fmt::format("holds no point with three coordinates, expected some as {} "
+                                     "has them",
+                                     words_of(format)));
+    }
+    if (decoded.encoding != TextEncoding::utf_8) {
+        survey.notes.push_back(fmt::format("encoding: {}", to_string(decoded.encoding)));
+    }
+    return survey;
+}
+
+}  // namespace taut

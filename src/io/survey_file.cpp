@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "io/survey_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "files/csv_reader.hpp"
+#include "files/plain_text.hpp"
+#include "survey/unit_guess.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/io/survey_csv.hpp"
+
+namespace taut {
+namespace {
+
+/// Whether the first line is text, and not the header of taut's own CSV: an error of such a file is
+/// told in the words of a foreign table.
+bool starts_with_foreign_header(const std::string& text, const std::string& file_name) {
+    try {
+        CsvReader reader(plain_text(text, file_name), file_name);
+        const auto first = reader.next();
+        if (!first || first->fields.empty()) {
+            return false;
+        }
+        const auto holds_digit = [](const std::string& field) {
+            return field.find_first_of("0123456789") != std::string::npos;
+        };
+        const std::string& name = first->fields.front();
+        return std::ranges::none_of(first->fields, holds_digit) && name != "id" && name != "ID" &&
+               name != "x" && name != "X";
+    } catch (const InputError&) {
+        return true;
+    }
+}
+
+/// Left out lines, the first of them one by one.
+void add_left_out(const std::vector<LeftOutLine>& left_out, std::vector<std::string>& notes) {
+    constexpr size_t shown = 6;
+    for (size_t i = 0; i < std::min(shown, left_out.size()); ++i) {
+        notes.push_back(left_out[i].line > 0 ? fmt::format("left out, line {}: {}",
+                                                           left_out[i].line, left_out[i].reason)
+                                             : fmt::format("left out: {}", left_out[i].reason));
+    }
+    if (left_out.size() > shown) {
+        notes.push_back(fmt::format("left out: {} more lines", left_out.size() - shown));
+    }
+}
+
+void scale_points(std::vector<SurveyPoint>& points, double unit, double std_unit) {
+    for (SurveyPoint& point : points) {
+        point.position *= unit;
+        if (point.noise_std) {
+            *point.noise_std *= std_unit;
+        }
+    }
+}
+
+/// "mm", for people.
+std::string unit_text(double length) {
+    for (const char* const name : {"m", "mm", "cm", "ft", "us-ft", "in"}) {
+        if (length_of_unit(name) == length) {
+            return name;
+        }
+    }
+    return fmt::format("units of {:g} m", length);
+}
+
+SurveyFile from_own(const CableNet& net, std::vector<SurveyPoint> points,
+                    const ReadSurveyOptions& options) {
+    SurveyFile file{.points = std::move(points), .is_own = true};
+    if (options.unit) {
+        scale_points(file.points, *options.unit, *options.unit);
+    } else if (const auto guess = guess_unit(net, file.points); guess && guess->length != 1.0) {
+        file.unit_hint = fmt::format("; its extent fits {0}, which --unit {0} tells", guess->name);
+    }
+    return file;
+}
+
+SurveyFile from_foreign(const CableNet& net, ForeignSurvey survey, const std::string& file_name,
+                        const ReadSurveyOptions& options) {
+    SurveyFile file{.points = std::move(survey.points), .warnings = std::move(survey.guesses)};
+    double unit = options.unit.value_or(survey.unit.value_or(0.0));
+    file.notes.push_back(fmt::format("read as {}, {}", survey.format,
+                                     options.unit ? fmt::format("in {} as told", unit_text(unit))
+                                     : survey.unit
+                                         ? fmt::format("in {} as the file tells", unit_text(unit))
+                                         : "which tells no unit"));
+    if (unit == 0.0) {
+        const auto guess = guess_unit(net, file.points);
+        if (!guess) {
+            throw InputError(file_name, "",
+                             fmt::format("tells no unit, and in none of m, mm and ft its points "
+                                         "extend as the net does ({}): --unit tells it",
+                                         extents_text(net, file.points)));
+        }
+        unit = guess->length;
+        const std::string text = fmt::format(
+            "the unit is taken as {}: the median point is {:.4g} from their middle, of the net's "
+            "nodes {:.4g} m (--unit)",
+            guess->name, guess->points, guess->nodes);
+        (unit == 1.0 ? file.notes : file.warnings).push_back(text);
+    }
+    scale_points(file.points, unit, survey.std_unit.value_or(unit));
+    std::ranges::move(survey.notes, std::back_inserter(file.notes));
+    add_left_out(survey.left_out, file.notes);
+    return file;
+}
+
+}  // namespace
+
+SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& path,
+                            const ReadSurveyOptions& options) {
+    const std::string text = read_file(path);
+    const std::string name = path.string();
+    std::exception_ptr own_error;
+    const auto is_table = [&] { return detect_survey_format(text, name) == SurveyFormat::table; };
+    if (options.file == SurveyFileOptions{} && is_table()) {
+        try {
+            return from_own(net, parse_survey_points(text, name), options);
+        } catch (const InputError&) {
+            own_error = std::current_exception();
+        }
+    }
+    std::optional<ForeignSurvey> survey;
+    try {
+        survey = read_foreign_survey(text, name, options.file);
+    } catch (const InputError&) {
+        if (own_error && !starts_with_foreign_header(text, name)) {
+            std::rethrow_exception(own_error);
+        }
+        throw;
+    }
+    return from_foreign(net, std::move(*survey), name, options);
+}
+
+}  // namespace taut

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "taut/io/read_survey.hpp"
+
+namespace taut {
+
+/// What stands in a survey file, of any format, before it is brought to the nodes of a net.
+struct SurveyFile {
+    std::vector<SurveyPoint> points;    ///< [m], as many as the file holds
+    std::vector<std::string> notes;     ///< how it was understood; empty: it is taut's own CSV
+    std::vector<std::string> warnings;  ///< what was guessed
+    bool is_own = false;                ///< whether it is taut's own CSV, to be kept to strictly
+    std::string unit_hint;              ///< what to tell where the survey does not fit the net
+};
+
+/// Reads taut's own CSV as parse_survey_points() does, all else as read_foreign_survey().
+/// The unit is that which is told, else the file's, else of taut's own CSV the metre, else guessed
+/// by the net's extent.
+/// @throws InputError as these two, and where no unit fits
+[[nodiscard]] SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& path,
+                                          const ReadSurveyOptions& options);
+
+}  // namespace taut

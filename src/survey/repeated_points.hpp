@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+/// Points of which each name stands once, and what was averaged, a line for people.
+struct AveragedPoints {
+    std::vector<SurveyPoint> points;
+    std::string note;  ///< empty: no name came twice
+};
+
+/// Replaces points of one name by their mean, at the place of the first. Standard deviations
+/// become those of the mean, sqrt(sum s_i^2) / n; without their own, that of --noise holds for the
+/// mean as for any point.
+/// @param noise_std of points that do not tell their own [m]
+/// @throws SurveyError with the line of a point farther than 20 mm, and than 10 standard
+///   deviations, from the first of its name
+[[nodiscard]] AveragedPoints average_repeated(std::vector<SurveyPoint> points, double noise_std);
+
+}  // namespace taut

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+// Guards the one path from any file to a survey: a unit guessed wrong or without a word, names that
+// are another's, two points taken for one.
+
+#include "taut/io/read_survey.hpp"
+
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+
+#include "support/bad_input.hpp"
+#include "support/errors.hpp"
+#include "support/scratch.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+using test::input_error_of;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::filesystem::path data_file(const std::string& name) {
+    return std::filesystem::path(TAUT_TEST_DATA_DIR) / "surveys" / name;
+}
+
+class ReadSurvey : public testing::Test {
+protected:
+    const CableNet m_net = hypar(4, 5);
+    test::ScratchDirectory m_scratch;
+
+    Survey read(const std::string& text, const std::string& name,
+                const ReadSurveyOptions& options = {}) const {
+        test::put_bytes(m_scratch / name, text);
+        return read_survey(m_net, m_scratch / name, options);
+    }
+
+    std::string refusal(const std::string& text, const std::string& name,
+                        const ReadSurveyOptions& options = {}) const {
+        return input_error_of([&] { return read(text, name, options); })
+            .substr(m_scratch.path().string().size() + 1);
+    }
+
+    /// A table of the nominal nodes.
+    /// @param line what stands there for node, x, y, z
+    template <class Line>
+    std::string table(const std::string& header, const Line& line) const {
+        std::string text = header;
+        for (int node = 0; node < m_net.node_count(); ++node) {
+            const Eigen::Vector3d p = m_net.nodes().col(node);
+            text += line(node, p.x(), p.y(), p.z()) + "\n";
+        }
+        return text;
+    }
+
+    /// Largest distance of a surveyed node from where the net has it [m].
+    double distance(const Survey& survey) const {
+        return (survey.form - m_net.nodes()).colwise().norm().maxCoeff();
+    }
+};
+
+TEST_F(ReadSurvey, GivesTheSameFormOutOfEveryFormat) {
+    const Survey own = read_survey(m_net, data_file("own.csv"));
+    EXPECT_THAT(own.notes, IsEmpty());
+    EXPECT_THAT(own.warnings, IsEmpty());
+    for (const char* const name :
+         {"german.csv", "english.txt", "gsi8.gsi", "gsi16.gsi", "landxml.xml", "jobxml.jxl",
+          "gama.xml", "drawing.dxf", "scan.pts", "scan.xyz"}) {
+        const Survey survey = read_survey(m_net, data_file(name));
+        EXPECT_EQ(survey.surveyed, own.surveyed) << name;
+        EXPECT_LT((survey.form - own.form).cwiseAbs().maxCoeff(), 1e-12) << name;
+        EXPECT_THAT(survey.notes, Contains(HasSubstr("read as "))) << name;
+        EXPECT_THAT(survey.warnings, IsEmpty()) << name;
+        EXPECT_EQ(survey.placed.size(), 38U) << name;
+    }
+    const Survey gama = read_survey(m_net, data_file("gama.xml"), {.noise_std = 0.01});
+    EXPECT_NEAR(gama.largest_noise_std(), 0.2e-3, 1e-15);
+    const Survey repeated = read_survey(m_net, data_file("english.txt"));
+    EXPECT_THAT(repeated.notes, Contains(HasSubstr("8 points were measured several times")));
+}
+
+TEST_F(ReadSurvey, GuessesTheUnitByTheNetAndSaysSo) {
+    for (const auto& [unit, length] : {std::pair("mm", 1e-3), std::pair("ft", 0.3048)}) {
+        const double scale = length;
+        const std::string text = table("Name;X;Y;Z\n", [&](int node, double x, double y, double z) {
+            return fmt::format("{};{};{};{}", node, x / scale, y / scale, z / scale);
+        });
+        const Survey survey = read(text, "a.csv");
+        EXPECT_LT(distance(survey), 1e-12);
+        EXPECT_THAT(survey.warnings, ElementsAre(HasSubstr(fmt::format("taken as {}:", unit))));
+        EXPECT_THAT(read(text, "a.csv", {.unit = length}).warnings, IsEmpty());
+    }
+    EXPECT_THAT(refusal(table("Name;X;Y;Z\n",
+                              [](int node, double x, double y, double z) {
+                                  return fmt::format("{};{};{};{}", node, 50 * x, 50 * y, 50 * z);
+                              }),
+                        "a.csv"),
+                HasSubstr("a.csv: tells no unit, and in none of m, mm and ft its points extend"));
+    EXPECT_THROW(static_cast<void>(read("0,1,2,3\n", "a.csv", {.unit = 0.0})),
+                 std::invalid_argument);
+}
+
+TEST_F(ReadSurvey, TellsTheUnitThatItsOwnFormatWouldFit) {
+    const std::string text = table("", [](int node, double x, double y, double z) {
+        return fmt::format("{},{},{},{}", node, 1e3 * x, 1e3 * y, 1e3 * z);
+    });
+    EXPECT_THAT(refusal(text, "a.csv"), HasSubstr("its extent fits mm, which --unit mm tells"));
+    EXPECT_LT(distance(read(text, "a.csv", {.unit = 1e-3})), 1e-12);
+}
+
+TEST_F(ReadSurvey, MatchesNamesThatAreNoNodesByTheirPlace) {
+    const std::string text = table("", [](int node, double x, double y, double z) {
+        return fmt::format("P{},{},{},{}", 100 - node, x, y, z);
+    });
+    const Survey survey = read(text + "ST1,20,20,20\n", "a.csv");
+    EXPECT_LT(distance(survey), 1e-12);
+    EXPECT_TRUE(survey.is_whole());
+    EXPECT_THAT(survey.warnings,
+                ElementsAre(HasSubstr("39 of its 39 names are no node's of the net")));
+    ASSERT_EQ(survey.unmatched.size(), 1U);
+    EXPECT_EQ(survey.unmatched[0].point.label, "ST1");
+    const std::string names = survey_names_csv(m_net, survey);
+    EXPECT_THAT(names, testing::StartsWith("line,name,node,distance,status\n1,P100,0,0,used\n"));
+    EXPECT_THAT(names, HasSubstr("\n39,ST1,"));
+    EXPECT_THAT(refusal(text, "a.csv", {.matching = PointMatching::name}),
+                HasSubstr("a.csv:1: 'P100' is no node of the net"));
+}
+
+TEST_F(ReadSurvey, LeavesOutWhatStandsBesideTheNodes) {
+    const std::string text = table("Name;X;Y;Z\n", [](int node, double x, double y, double z) {
+        return fmt::format("{};{};{};{}", node, x, y, z);
+    });
+    const Survey survey = read(text + "ST1;20;20;20\nST2;30;20;20\n", "a.csv");
+    EXPECT_EQ(survey.unmatched.size(), 2U);
+    EXPECT_EQ(survey.placed.size(), 38U);
+}
+
+TEST_F(ReadSurvey, DoesNotTakeTheNumbersOfASurveyorForThoseOfTheNet) {
+    const std::string text = table("", [](int node, double x, double y, double z) {
+        return fmt::format("{},{},{},{}", node + 1, x, y, z);
+    });
+    const Survey survey = read(text, "a.csv");
+    EXPECT_LT(distance(survey), 1e-12);
+    EXPECT_THAT(survey.warnings, ElementsAre(HasSubstr("lie on other nodes than those of their")));
+    EXPECT_NE(refusal(text, "a.csv", {.matching = PointMatching::name}), "");
+    EXPECT_LT(distance(read(text, "a.csv", {.matching = PointMatching::place})), 1e-12);
+}
+
+TEST_F(ReadSurvey, AveragesPointsAndRefusesTwoOfOneName) {
+    const std::string text =
+        table("Name,x,y,z,sx,sy,sz\n", [](int node, double x, double y, double z) {
+            return fmt::format("{0},{1},{2},{3},1e-3,1e-3,2e-3\n{0},{1},{2},{4},1e-3,1e-3,2e-3",
+                               node, x, y, z, z + 2e-3);
+        });
+    const Survey survey = read(text, "a.csv");
+    EXPECT_NEAR(distance(survey), 1e-3, 1e-12);
+    const int node = m_net.free_nodes().front();
+    EXPECT_NEAR(survey.noise_std(0, node), 1e-3 / std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(survey.noise_std(2, node), 2e-3 / std::sqrt(2.0), 1e-15);
+    EXPECT_THAT(survey.notes, Contains(HasSubstr("38 points were measured several times, "
+                                                 "averaged: a coordinate scatters by 0.816 mm")));
+    const std::string apart = table("Name,X,Y,Z\n", [](int i, double x, double y, double z) {
+        return fmt::format("{},{},{},{}", i, x, y, z);
+    });
+    const Eigen::Vector3d p = m_net.nodes().col(5);
+    EXPECT_THAT(refusal(apart + fmt::format("5,{},{},{}\n", p.x(), p.y(), p.z() + 0.1), "a.csv"),
+                testing::StartsWith("a.csv:40: surveys '5' a second time, 100 mm from where line 7 "
+                                    "has it, expected at most 20 mm"));
+}
+
+TEST_F(ReadSurvey, RefusesPointsNearNoNode) {
+    EXPECT_THAT(refusal(table("Name;X;Y;Z\n",
+                              [](int node, double x, double y, double z) {
+                                  return fmt::format("P{};{};{};{}", node, 50 + x, y, z);
+                              }),
+                        "a.csv"),
+                HasSubstr("a.csv: 0 of 38 targets without a name lie on a node beyond doubt"));
+}
+
+TEST_F(ReadSurvey, TellsWhatWouldBringThePointsToTheNet) {
+    const auto exchanged = [](int node, double x, double y, double z) {
+        return fmt::format("{},{},{},{}", node, y, x, z);
+    };
+    EXPECT_THAT(refusal(table("", exchanged), "a.csv"),
+                HasSubstr("with x and y exchanged its points are on the net's nodes"));
+    const auto mixed = [](int node, double x, double y, double z) {
+        const double scale = node % 2 == 0 ? 1.0 : 1e3;
+        return fmt::format("{};{};{};{}", node, scale * x, scale * y, scale * z);
+    };
+    EXPECT_THAT(refusal(table("Name;X;Y;Z\n", mixed), "a.csv"),
+                HasSubstr("lines 2 and 3 fit it in two units: expected one for all"));
+}
+
+TEST_F(ReadSurvey, TellsErrorsOfItsOwnFormatInItsOwnWords) {
+    EXPECT_EQ(refusal("A,1,two,3\n", "a.csv"), "a.csv:1: y is 'two', expected a finite number");
+    EXPECT_EQ(refusal("id,x,y,z\nA,1,2,3\nB,1,2\n", "a.csv"),
+              "a.csv:3: has 3 fields, expected 4 as in the lines before");
+    EXPECT_EQ(refusal("Name,X,Y,Z\nA,1,2,3\nB,1,2\n", "a.csv"),
+              "a.csv:3: has 3 fields, expected id, x, y, z: is the file whole?");
+}
+
+}  // namespace
+}  // namespace taut
