@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <random>
 
 #include "taut/sampling/data_set.hpp"
@@ -19,10 +20,13 @@ struct SimulatedSurvey {
     Survey survey;
 };
 
-inline SimulatedSurvey simulate(const CableNet& net, const LengthLaw& law, double noise_std,
-                                std::uint64_t seed) {
+/// @param alter what is otherwise than the law has it, of the length deviations (m_I)
+inline SimulatedSurvey simulate(
+    const CableNet& net, const LengthLaw& law, double noise_std, std::uint64_t seed,
+    const std::function<void(Eigen::VectorXd&)>& alter = [](Eigen::VectorXd&) {}) {
     SimulatedSurvey s;
     s.deviations = draw_length_deviations(law, 11, seed, net.interior_edge_count());
+    alter(s.deviations);
     s.truth = EquilibriumSolver(net).solve(with_length_deviations(net, s.deviations), net.nodes());
     s.survey = {.form = s.truth.form,
                 .noise_std = Points::Constant(3, net.node_count(), noise_std),

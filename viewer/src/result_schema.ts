@@ -173,6 +173,12 @@ export interface Identification {
   method: string;
   method_reason?: string;
   status?: string;
+  trust?: Trust;
+  doubt?: Doubt;
+  /**
+   * How far the net's supports are moved and turned in the survey's frame; null where that was told to be the net's.
+   */
+  frame_offset?: FrameOffset | null;
   /**
    * Of the length deviations, as reckoned with: "uniform:5mm".
    */
@@ -213,6 +219,87 @@ export interface Identification {
   frame?: Frame | null;
   survey: Survey;
   cable_net: NetFile;
+}
+/**
+ * Whether the result may be acted on, and all that was found.
+ */
+export interface Trust {
+  /**
+   * The worst of all findings: passed, doubtful or failed.
+   */
+  verdict: string;
+  findings: {
+    verdict: string;
+    reason: string;
+    /**
+     * What to do about it; may be empty.
+     */
+    next: string;
+  }[];
+}
+/**
+ * What the trust rests on, in numbers.
+ */
+export interface Doubt {
+  noise: FoundScale;
+  lengths: FoundScale;
+  law: {
+    /**
+     * Of uniform, normal and bimodal ones; empty where too few lengths tell.
+     */
+    likeliest: string;
+    /**
+     * Of its log likelihood over that of the law reckoned with.
+     */
+    gain: number;
+    /**
+     * That it rests on.
+     */
+    lengths: number;
+    /**
+     * That all deviations have in common [m].
+     */
+    mean: number;
+    mean_std: number;
+    /**
+     * Edges beyond the law, where they are too many to be mis-cut.
+     */
+    beyond: number;
+    /**
+     * Whether the law was found from the survey, none being told.
+     */
+    found: boolean;
+  };
+  lengths_beyond_law: {
+    edge: Index;
+    id: string;
+    /**
+     * By the survey alone [m].
+     */
+    deviation: number;
+    std: number;
+    statistic: number;
+  }[];
+}
+export interface FoundScale {
+  /**
+   * Found over told; 0 where the survey does not show it.
+   */
+  ratio: number;
+  /**
+   * Of the ratio, if what was told is true.
+   */
+  std: number;
+}
+/**
+ * A rotation about a point, then a translation, both small [rad, m].
+ */
+export interface FrameOffset {
+  about: number[];
+  translation: number[];
+  translation_std: number[];
+  rotation: number[];
+  rotation_std: number[];
 }
 export interface IdentifiedEdge {
   edge: Index;

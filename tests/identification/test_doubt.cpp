@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against answers that are wrong and sure: a mis-cut cable told as the surest one, a law, a
+// noise or a frame that is not true without a word, sound cables and targets blamed.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/identify.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+
+constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+constexpr double noise = 0.5e-3;
+
+const CableNet& net() {
+    static const CableNet built_in = hilo_quarter();
+    return built_in;
+}
+
+Identification identified(const Survey& survey, std::optional<LengthLaw> told,
+                          IdentificationMethod method = IdentificationMethod::map) {
+    IdentifyOptions options;
+    options.method = method;
+    options.law = told;
+    return identify(net(), survey, options);
+}
+
+double coverage(const Identification& result, const Eigen::VectorXd& truth) {
+    int inside = 0;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const double deviation = truth(static_cast<Eigen::Index>(i));
+        inside += result.edges[i].lower <= deviation && deviation <= result.edges[i].upper ? 1 : 0;
+    }
+    return static_cast<double>(inside) / static_cast<double>(result.edges.size());
+}
+
+bool says(const Identification& result, const std::string& words) {
+    return std::ranges::any_of(result.trust.findings, [&](const Trust::Finding& finding) {
+        return finding.reason.find(words) != std::string::npos;
+    });
+}
+
+/// A survey of a net with some interior edges longer by so much than their nominal length.
+SimulatedSurvey survey_of(const CableNet& of, const LengthLaw& truth, std::uint64_t seed,
+                          const std::vector<int>& mis_cut = {}, double by = 0.0) {
+    return simulate(of, truth, noise, seed, [&](Eigen::VectorXd& deviations) {
+        for (const int edge : mis_cut) {
+            deviations(edge) = by;
+        }
+    });
+}
+
+TEST(Doubt, PassesWhatIsTrue) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const SimulatedSurvey s = survey_of(net(), law, seed);
+        const Identification result = identified(s.survey, law);
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed) << result.trust.findings[0].reason;
+        EXPECT_TRUE(result.lengths_beyond_law.empty());
+        EXPECT_NEAR(result.scales.noise.ratio, 1.0, 4.0 * result.scales.noise.std);
+        EXPECT_NEAR(result.scales.lengths.ratio, 1.0, 4.0 * result.scales.lengths.std);
+        EXPECT_GT(coverage(result, s.deviations), 0.9);
+    }
+}
+
+class MisCut : public testing::TestWithParam<IdentificationMethod> {};
+
+TEST_P(MisCut, CablesAreNamedAndToldByTheSurveyAlone) {
+    const std::vector<int> mis_cut{17, 120, 250, 333, 401};
+    const SimulatedSurvey s = survey_of(net(), law, 5, mis_cut, 0.015);
+    const Identification result = identified(s.survey, law, GetParam());
+    std::set<int> named;
+    for (const LengthOutlier& edge : result.lengths_beyond_law) {
+        named.insert(edge.edge);
+        EXPECT_NEAR(edge.deviation, 0.015, 5.0 * edge.std);
+    }
+    std::set<int> expected;
+    for (const int i : mis_cut) {
+        expected.insert(net().interior_edges()[i]);
+        EXPECT_LE(result.edges[i].lower, 0.015);
+        EXPECT_GE(result.edges[i].upper, 0.015);
+        EXPECT_GT(result.edges[i].std, 1e-4);
+    }
+    EXPECT_EQ(named, expected);
+    EXPECT_TRUE(result.outliers.empty());
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
+    EXPECT_TRUE(says(result, net().edge_id(*named.begin())));
+    EXPECT_GT(coverage(result, s.deviations), 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, MisCut,
+                         testing::Values(IdentificationMethod::map, IdentificationMethod::balance),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
+
+TEST(Doubt, OfALawThatIsTooNarrowOrOfAnotherShapeIsTold) {
+    const LengthLaw normal{LengthLaw::Kind::normal, 0.0029};
+    const LengthLaw bimodal{LengthLaw::Kind::bimodal, 0.004};
+    const LengthLaw wide{LengthLaw::Kind::uniform, 0.007};
+    for (const LengthLaw& truth : {normal, bimodal, wide}) {
+        const SimulatedSurvey s = survey_of(net(), truth, 7);
+        const Identification told = identified(s.survey, law);
+        EXPECT_NE(told.trust.verdict(), Trust::Verdict::passed) << truth.to_string();
+        EXPECT_EQ(told.law_check.likeliest.kind, truth.kind);
+        EXPECT_NEAR(told.law_check.likeliest.scale, truth.scale, 0.15 * truth.scale);
+        EXPECT_TRUE(says(told, "uniform:5mm"));
+    }
+}
+
+TEST(Doubt, FindsTheLawWhereNoneIsTold) {
+    const LengthLaw truth{LengthLaw::Kind::normal, 0.004};
+    const SimulatedSurvey s = survey_of(net(), truth, 8);
+    const Identification found = identified(s.survey, std::nullopt);
+    EXPECT_TRUE(found.law_was_found);
+    EXPECT_EQ(found.law.kind, truth.kind);
+    EXPECT_GT(coverage(found, s.deviations), 0.92);
+    const Identification same = identified(survey_of(net(), law, 8).survey, std::nullopt);
+    EXPECT_FALSE(same.law_was_found);
+    EXPECT_EQ(same.law, LengthLaw());
+}
+
+TEST(Doubt, OfWhatAllLengthsHaveInCommonIsTold) {
+    SimulatedSurvey s = simulate(net(), law, noise, 9, [](Eigen::VectorXd& deviations) {
+        deviations.array() += 0.003;
+    });
+    const Identification result = identified(s.survey, law);
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
+    EXPECT_TRUE(result.law_check.has_mean());
+    EXPECT_NEAR(result.law_check.mean, 0.003, 4.0 * result.law_check.mean_std + 0.0005);
+}
+
+TEST(Doubt, OfNoiseIsToldWithTheNoiseThatFits) {
+    SimulatedSurvey s = survey_of(net(), law, 10);
+    s.survey.noise_std /= 3.0;
+    const Identification result = identified(s.survey, law);
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
+    EXPECT_TRUE(says(result, "noise"));
+    EXPECT_NEAR(result.scales.noise.ratio, 3.0, 0.3);
+    EXPECT_LE(result.outliers.size(), 6U);  // sound targets
+}
+
+TEST(Doubt, OfNoiseCanBeLeftToTheSurvey) {
+    SimulatedSurvey s = survey_of(net(), law, 11);
+    const int gross = s.survey.surveyed[40];
+    s.survey.form(0, gross) += 0.05;
+    for (const double wrong : {0.2, 5.0}) {
+        Survey survey = s.survey;
+        survey.noise_std *= wrong;
+        IdentifyOptions options;
+        options.law = law;
+        options.estimate_noise = true;
+        const Identification result = identify(net(), survey, options);
+        EXPECT_NEAR(wrong * result.noise_scale, 1.0, 0.1);
+        ASSERT_EQ(result.outliers.size(), 1U);
+        EXPECT_EQ(result.outliers[0].node, gross);
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed);
+        EXPECT_GT(coverage(result, s.deviations), 0.9);
+    }
+}
+
+TEST(Doubt, OfNoiseNeedsNoise) {
+    SimulatedSurvey s = survey_of(net(), law, 11);
+    s.survey.noise_std.setZero();
+    IdentifyOptions options;
+    options.estimate_noise = true;
+    EXPECT_THROW(static_cast<void>(identify(net(), s.survey, options)), std::invalid_argument);
+}
+
+class FrameOfASurvey : public testing::TestWithParam<IdentificationMethod> {};
+
+TEST_P(FrameOfASurvey, IsFoundWithTheLengths) {
+    SimulatedSurvey s = survey_of(net(), law, 12);
+    const Identification before = identified(s.survey, law, GetParam());
+    const FrameOffset moved{.about = net().nodes().rowwise().mean(),
+                            .translation = {0.003, -0.008, 0.002},
+                            .translation_std = {},
+                            .rotation = {5e-4, 0.0, -3e-4},
+                            .rotation_std = {}};
+    s.survey.form += moved.motion_of(net().nodes());
+    s.survey.frame_is_unknown = true;
+    const Identification result = identified(s.survey, law, GetParam());
+    ASSERT_TRUE(result.frame_offset.has_value());
+    const FrameOffset& found = *result.frame_offset;
+    const Points at_supports = net().nodes()(Eigen::all, net().supports());
+    const Points error = found.motion_of(at_supports) - moved.motion_of(at_supports);
+    EXPECT_LT(error.cwiseAbs().maxCoeff(), 1.5e-3);
+    EXPECT_GT(found.translation_std.minCoeff(), 1e-5);
+    EXPECT_LT(found.translation_std.maxCoeff(), 1e-3);
+    EXPECT_TRUE(result.outliers.empty());
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed);
+    EXPECT_GT(coverage(result, s.deviations), 0.9);
+    EXPECT_LT(result.residuals.maxCoeff(), 1.5 * before.residuals.maxCoeff());
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, FrameOfASurvey,
+                         testing::Values(IdentificationMethod::map, IdentificationMethod::balance),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
+
+TEST(MeasuredSupports, TellOfTheFrameAndAreTestedThemselves) {
+    SimulatedSurvey s = survey_of(net(), law, 13);
+    s.survey.frame_is_unknown = true;
+    const Identification without = identified(s.survey, law);
+    const Eigen::Vector3d std = Eigen::Vector3d::Constant(noise);
+    for (const int node : net().supports()) {
+        s.survey.supports.push_back(
+            {.node = node, .position = net().nodes().col(node), .noise_std = std});
+    }
+    const Identification with = identified(s.survey, law);
+    EXPECT_LT(with.frame_offset->translation_std.maxCoeff(),
+              0.9 * without.frame_offset->translation_std.maxCoeff());
+    EXPECT_TRUE(with.outliers.empty());
+    const int wrong = net().supports()[20];
+    s.survey.supports[20].position.y() += 0.01;
+    const Identification found = identified(s.survey, law);
+    ASSERT_EQ(found.outliers.size(), 1U);
+    EXPECT_EQ(found.outliers[0].node, wrong);
+    EXPECT_GT(coverage(found, s.deviations), 0.9);
+}
+
+}  // namespace
