@@ -20,6 +20,9 @@ constexpr double most_outliers = 0.25;
 /// Of three degrees of freedom.
 constexpr double median_of_chi_squared = 2.366;
 
+/// Noise may be told five times too small; what is farther off is no survey of the net.
+constexpr double largest_scale_of_noise = 25.0;
+
 /// Of the median of so many statistics, over what it is where the noise is told right: five
 /// standard deviations, and as much as a quarter of the targets with gross errors adds.
 double largest_scale_by_chance(size_t targets) {
@@ -116,7 +119,9 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
     if (inflation > 1.0) {
         m_residual_scale = std::max(scale, 1.0 / (inflation * inflation));
     } else {  // (robust-scale)
-        m_residual_scale = scale > largest_scale_by_chance(m_survey.surveyed.size()) ? scale : 1.0;
+        const bool is_told_too_small = scale > largest_scale_by_chance(m_survey.surveyed.size()) &&
+                                       scale < largest_scale_of_noise;
+        m_residual_scale = is_told_too_small ? scale : 1.0;
     }
     m_statistics /= m_residual_scale;
 }

@@ -201,7 +201,8 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
 std::optional<Iterate> Perturbation::refitted(const Observations& observations,
                                               Workspace& workspace) const {
     if (!workspace.statics) {
-        workspace.statics = std::make_unique<LinearisedStatics>(m_net, m_knowledge.unknowns);
+        workspace.statics = std::make_unique<LinearisedStatics>(m_net, m_knowledge.unknowns,
+                                                                m_knowledge.frame_is_unknown);
         workspace.statics->set_blur(m_statics.blur());
         workspace.statics->set_slack(
             m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
@@ -338,7 +339,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
         result.tensions = tensions(net, l_0, found.form);
         return found.balanced();
     };
-    if (m_knowledge.unknowns.empty()) {
+    if (m_knowledge.unknowns.empty() && !m_knowledge.frame_is_unknown) {
         if (!balance(workspace.solver, m_net, lengths)) {
             return std::nullopt;
         }

@@ -113,7 +113,7 @@ struct Doubt {
     LawCheck law;
 };
 
-/// The mean that all deviations have in common: score and information of a shift of the law.
+/// (common-mean): score and information of a shift of the law.
 void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observations& observations,
                const Iterate& fitted, const std::vector<bool>& left_out) {
     Eigen::VectorXd weights = observations.variance.cwiseInverse();

@@ -65,7 +65,8 @@ TEST(Doubt, PassesWhatIsTrue) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const SimulatedSurvey s = survey_of(net(), law, seed);
         const Identification result = identified(s.survey, law);
-        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed) << result.trust.findings[0].reason;
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed)
+            << result.trust.findings[0].reason;
         EXPECT_TRUE(result.lengths_beyond_law.empty());
         EXPECT_NEAR(result.scales.noise.ratio, 1.0, 4.0 * result.scales.noise.std);
         EXPECT_NEAR(result.scales.lengths.ratio, 1.0, 4.0 * result.scales.lengths.std);
@@ -129,9 +130,8 @@ TEST(Doubt, FindsTheLawWhereNoneIsTold) {
 }
 
 TEST(Doubt, OfWhatAllLengthsHaveInCommonIsTold) {
-    SimulatedSurvey s = simulate(net(), law, noise, 9, [](Eigen::VectorXd& deviations) {
-        deviations.array() += 0.003;
-    });
+    SimulatedSurvey s = simulate(net(), law, noise, 9,
+                                 [](Eigen::VectorXd& deviations) { deviations.array() += 0.003; });
     const Identification result = identified(s.survey, law);
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
     EXPECT_TRUE(result.law_check.has_mean());
@@ -199,6 +199,25 @@ TEST_P(FrameOfASurvey, IsFoundWithTheLengths) {
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed);
     EXPECT_GT(coverage(result, s.deviations), 0.9);
     EXPECT_LT(result.residuals.maxCoeff(), 1.5 * before.residuals.maxCoeff());
+}
+
+TEST(Doubt, OfTheFrameLeavesTensionsTold) {
+    SimulatedSurvey s = survey_of(net(), law, 14);
+    const Identification before = [&] {
+        IdentifyOptions options;
+        options.law = law;
+        options.draws = 40;
+        return identify(net(), s.survey, options);
+    }();
+    s.survey.form.row(0).array() += 0.004;
+    s.survey.frame_is_unknown = true;
+    IdentifyOptions options;
+    options.law = law;
+    options.draws = 40;
+    const Identification result = identify(net(), s.survey, options);
+    ASSERT_EQ(result.drawn.tensions.size(), before.drawn.tensions.size()) << result.draws->doubt;
+    EXPECT_NEAR(result.drawn.mean_tension.mean, before.drawn.mean_tension.mean,
+                4.0 * before.drawn.mean_tension.std);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, FrameOfASurvey,

@@ -29,9 +29,8 @@ TEST(RepeatedPoints, AreAveragedWithoutLossFarFromTheOrigin) {
 }
 
 TEST(RepeatedPoints, AreLeftAloneWhereEachNameStandsOnce) {
-    const AveragedPoints averaged =
-        average_repeated({{.id = "A", .position = {1, 2, 3}}, {.id = "B", .position = {1, 2, 3}}},
-                         0.0);
+    const AveragedPoints averaged = average_repeated(
+        {{.id = "A", .position = {1, 2, 3}}, {.id = "B", .position = {1, 2, 3}}}, 0.0);
     EXPECT_EQ(averaged.points.size(), 2U);
     EXPECT_EQ(averaged.note, "");
 }

@@ -7,7 +7,7 @@ import {
   type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isSlack, lengthOf, methodsOf, type Result, type Study,
 } from "./result";
 
-/** What the top of the page says: a title, what was done, a few sentences, some numbers. */
+/** What the top of the page says: a title, what was done, three sentences, some numbers. */
 interface Summary {
   title: string;
   done: string;
@@ -155,11 +155,13 @@ function frameWords(result: Identification): string {
 }
 
 /** May one act on it: the verdict of all tests, and what they found. */
-function trustWords({ trust }: Identification): string {
-  if (!trust) return "";
-  if (trust.findings.length === 0) return "Trust: passed; no test speaks against this result.";
-  const found = trust.findings.map(({ verdict, reason, next }) => `${verdict}: ${reason}${next ? ` (${next})` : ""}`);
-  return `Trust: ${trust.verdict}. ${found.map((words) => words.charAt(0).toUpperCase() + words.slice(1)).join(". ")}.`;
+function trustLines(result: Result): HTMLElement | null {
+  const trust = "trust" in result ? result.trust : undefined;
+  if (!trust) return null;
+  const said = trust.findings.length === 0 ? "no test speaks against this result" : "";
+  return h("div", { class: `trust ${trust.verdict}` },
+    h("p", {}, h("strong", {}, `Trust: ${trust.verdict}`), said ? `, ${said}` : ""),
+    ...trust.findings.map(({ verdict, reason, next }) => h("p", {}, h("strong", {}, `${verdict}: `), `${reason}.`, next ? h("small", {}, ` ${next}.`) : "")));
 }
 
 function ofIdentification(result: Identification): Summary {
@@ -176,13 +178,11 @@ function ofIdentification(result: Identification): Summary {
       `One survey of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed.${frameWords(result)} ` +
       `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}${law}.${noise}`,
     sentences: [
-      trustWords(result),
       `${identified.length} of ${counted(edges.length, "interior cable")} are identified${identified.length > 0 ? `, to ${median} mm (95 %, median)` : ""}${longestWords(result, tense)}.${tensionWords(result)}`,
       fitWords(result) + forceWords(result),
       warnings(result),
     ],
     figures: [
-      ...(result.trust ? [{ value: result.trust.verdict, unit: "", label: "trust, by all tests together" }] : []),
       { value: `${identified.length} / ${edges.length}`, unit: "", label: "cables identified" },
       { value: millimetres(rootMeanSquare(tense.map((e) => e.length_deviation))), unit: "mm", label: `length deviation, RMS${notSlack}` },
       { value: median, unit: "mm", label: "95 % interval, median of the identified" },
@@ -245,7 +245,8 @@ export function summary(result: Result): HTMLElement {
   return h("header", {},
     h("div", { class: "brand" }, h("span", { class: "logo", "aria-hidden": "true" }), h("span", {}, "taut report"), h("span", { class: "quiet provenance" }, provenance)),
     h("h1", {}, result.net.name || "A net", h("small", {}, title)),
+    trustLines(result),
     h("p", { class: "done" }, done),
-    h("ol", { class: "sentences", "aria-label": "What matters" }, ...sentences.filter(Boolean).map((text) => h("li", {}, text))),
+    h("ol", { class: "sentences", "aria-label": "What matters" }, ...sentences.map((text) => h("li", {}, text))),
     cards.length > 0 ? h("div", { class: "cards" }, ...cards) : null);
 }

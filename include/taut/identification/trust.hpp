@@ -35,7 +35,7 @@ struct Trust {
 /// "passed", "doubtful", "failed".
 [[nodiscard]] std::string_view to_string(Trust::Verdict verdict);
 
-/// What the tests of a result found, docs/theory.md (trust).
+/// What the tests of a result found, docs/theory.md, "Doubt".
 [[nodiscard]] Trust trust_of(const CableNet& net, const Survey& survey,
                              const Identification& result);
 
