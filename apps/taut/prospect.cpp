@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -15,6 +16,10 @@ Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const Surv
                      const LengthLaw& law, const Forces& forces,
                      const std::vector<Unknown>& unknowns, const std::string& net_file,
                      bool with_notes) {
+    if (options.noise == estimated_noise) {
+        throw std::invalid_argument(
+            "--noise estimate is for identify: before a survey nothing shows it");
+    }
     Survey survey = read_planned_survey(net, options.survey, options.reading());
     tell_of_survey(options, survey, with_notes);
     if (!nominal.balanced()) {

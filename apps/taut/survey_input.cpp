@@ -75,10 +75,6 @@ SurveyFileOptions told_of_file(const SurveyOptions& options) {
 }  // namespace
 
 double parse_noise(const std::string& text) {
-    constexpr double first_guess = 0.001;
-    if (text == estimated_noise) {
-        return first_guess;
-    }
     const double noise_std = text.empty() ? 0.0 : parse_length(text);
     if (noise_std < 0.0) {
         throw std::invalid_argument(
@@ -112,7 +108,8 @@ std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& o
 }
 
 ReadSurveyOptions SurveyOptions::reading() const {
-    return {.noise_std = parse_noise(noise),
+    constexpr double first_guess = 0.001;
+    return {.noise_std = noise == estimated_noise ? first_guess : parse_noise(noise),
             .frame = frame == "net"        ? SurveyFrame::net
                      : frame == "supports" ? SurveyFrame::supports
                                            : SurveyFrame::automatic,

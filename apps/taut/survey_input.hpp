@@ -58,7 +58,7 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
 /// Of --noise: its scale is to be found from the survey.
 inline constexpr std::string_view estimated_noise = "estimate";
 
-/// A length of at least 0, of an option; empty is 0; of estimated_noise a guess to begin with [m].
+/// A length of at least 0, of an option; empty is 0 [m].
 /// @throws std::invalid_argument
 double parse_noise(const std::string& text);
 

@@ -315,6 +315,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "was trained with the unknowns none"},
         Request{"noise_of_unknown_unit", "identify net.json survey.csv --noise 0.5in -o old.json",
                 "'0.5in'"},
+        Request{"noise_to_be_estimated_before_a_survey",
+                "inspect net.json --survey survey.csv --noise estimate", "--noise estimate"},
         Request{"negative_noise", "identify net.json survey.csv --noise=-1mm -o old.json",
                 "'-1mm'"},
         Request{"survey_with_a_node_twice",

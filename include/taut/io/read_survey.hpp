@@ -38,7 +38,7 @@ struct ReadSurveyOptions {
     SurveyFileOptions file = {};  ///< what is told of the file's format
     /// Of its coordinates, and of its standard deviations where the file tells no other; empty: as
     /// the file tells, or as the net's extent lets guess [m].
-    std::optional<double> unit = {};
+    std::optional<double> unit;
     PointMatching matching = PointMatching::automatic;
 };
 

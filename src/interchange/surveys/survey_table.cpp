@@ -74,8 +74,8 @@ public:
     }
 
     [[nodiscard]] char decimal() const { return m_decimal; }
-    [[nodiscard]] std::vector<SurveyPoint> points() && { return std::move(m_points); }
-    [[nodiscard]] std::vector<LeftOutLine> left_out() && { return std::move(m_left_out); }
+    [[nodiscard]] const std::vector<SurveyPoint>& points() const { return m_points; }
+    [[nodiscard]] const std::vector<LeftOutLine>& left_out() const { return m_left_out; }
 
 private:
     [[noreturn]] void fail(const std::string& what) const {
@@ -185,8 +185,8 @@ ForeignSurvey read_survey_table(const std::string& text, const std::string& file
             const std::string_view line = lines[i].text;
             parser.add(lines[i], split_fields(lines[i], *separator, file_name),
                        *separator == ' ' || is_cloud,
-                       *separator != ' ' && line.find_last_not_of(" ") != std::string_view::npos &&
-                           line[line.find_last_not_of(" ")] == *separator);
+                       *separator != ' ' && line.find_last_not_of(' ') != std::string_view::npos &&
+                           line[line.find_last_not_of(' ')] == *separator);
         }
     }
     survey.notes.push_back(head.titles.empty() || !told.columns.empty()
@@ -195,8 +195,8 @@ ForeignSurvey read_survey_table(const std::string& text, const std::string& file
     survey.notes.push_back(fmt::format(
         "separator: {}; decimal sign: {}", name_of_separator(*separator),
         parser.decimal() == '\0' ? "none" : (parser.decimal() == ',' ? "comma" : "point")));
-    survey.left_out = std::move(parser).left_out();
-    survey.points = std::move(parser).points();
+    survey.left_out = parser.left_out();
+    survey.points = parser.points();
     return survey;
 }
 
