@@ -85,10 +85,17 @@ public:
         }
         const double found =
             boost::math::tools::brent_find_minima(cost, best - step, best + step, bits).first;
-        return {kind, unit * std::exp(found)};
+        return {kind, rounded(unit * std::exp(found))};
     }
 
 private:
+    /// To a hundredth of a millimetre, where that is little of it: nobody reads more.
+    static double rounded(double scale) {
+        constexpr double steps_a_metre = 1e5;
+        const double steps = std::round(scale * steps_a_metre);
+        return steps > 10.0 ? steps / steps_a_metre : scale;
+    }
+
     double m_outlier_std;
     std::vector<std::pair<double, double>> m_lengths;  ///< mean, standard deviation [m]
 };

@@ -89,7 +89,7 @@ private:
                 "tell what is not known by --unknown");
         }
         if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
-            const std::string likeliest = rounded(check.likeliest).to_string();
+            const std::string likeliest = check.likeliest.to_string();
             add(check.gain > untenable_gain ? Verdict::failed : Verdict::doubtful,
                 fmt::format("the law told, {}, is contradicted: {} lengths show {} (log likelihood "
                             "{:.0f} higher)",
@@ -103,17 +103,12 @@ private:
         }
     }
 
-    static LengthLaw rounded(LengthLaw law) {
-        constexpr double step = 1e-5;
-        law.scale = std::max(step, step * std::round(law.scale / step));
-        return law;
-    }
-
     void test_lengths() {
         if (m_result.lengths_beyond_law.empty()) {
             return;
         }
         std::vector<std::string> names;
+        names.reserve(m_result.lengths_beyond_law.size());
         for (const LengthOutlier& edge : m_result.lengths_beyond_law) {
             names.push_back(fmt::format("{} ({:+.1f} +- {:.1f} mm)", m_net.edge_id(edge.edge),
                                         1e3 * edge.deviation, 1e3 * edge.std));
@@ -131,6 +126,7 @@ private:
             return;
         }
         std::vector<std::string> names;
+        names.reserve(m_result.outliers.size());
         for (const Outlier& outlier : m_result.outliers) {
             names.push_back(
                 fmt::format("{} ({:.1f} mm)", m_net.node_id(outlier.node), 1e3 * outlier.distance));

@@ -167,8 +167,9 @@ double spread_ratio(std::span<const UnknownEstimate> estimates) {
         told += one.unknown.std * one.unknown.std;
         expected += std::max(0.0, one.unknown.std * one.unknown.std - one.std * one.std);
     }
-    constexpr double rounding = 1e-6;
-    return expected > rounding * told ? std::sqrt(found / expected) : 0.0;
+    // What the survey shows less of than this is moved by what is not linear as much as by it.
+    constexpr double least_shown = 0.02;
+    return expected > least_shown * told ? std::sqrt(found / expected) : 0.0;
 }
 
 bool UnknownSpread::is_contradicted() const {
