@@ -14,7 +14,7 @@ from collections import Counter
 import numpy as np
 from coverage import Net, quantity, taut
 
-SURVEYS = 20
+SURVEYS = 10
 NET = "hilo-quarter"
 NOISE = "0.5mm"
 

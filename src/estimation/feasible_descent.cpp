@@ -32,7 +32,8 @@ constexpr double good_gain = 0.5;
 double length_of(const LinearisedStatics& statics, const Observations& observations,
                  const Iterate& change) {
     const Eigen::ArrayXXd unobserved =
-        (observations.weights.array() == 0.0).select(change.form.array().abs(), 0.0);
+        (observations.weights.array() + observations.support_weights.array() == 0.0)
+            .select(change.form.array().abs(), 0.0);
     return std::max(std::sqrt(statics.squared_norm(observations, change)),
                     unobserved.maxCoeff() / std::sqrt(observations.variance.mean()));
 }
@@ -50,6 +51,7 @@ Observations satisfied(const LinearisedStatics& statics, const Observations& obs
                        const Iterate& iterate) {
     Observations result = observations;
     result.form = iterate.form;
+    result.support_mean = statics.support_deviations(iterate);
     result.mean = iterate.deviations;
     result.load_mean = iterate.loads;
     result.common_mean = iterate.common;

@@ -335,15 +335,17 @@ void LinearisedStatics::add_frame_to_border(const Observations& observations) {
     }
 }
 
-/// Of supports: what their prior expects, less where they are; where they are known, what was
-/// measured (3 x n) [m].
+Points LinearisedStatics::support_deviations(const Iterate& iterate) const {
+    Points result = Points::Zero(3, m_net.node_count());
+    const Points moved = iterate.form - m_net.nodes() - m_common.support_motion(iterate.common);
+    result(Eigen::all, m_net.supports()) = moved(Eigen::all, m_net.supports());
+    return result;
+}
+
+/// What the prior of supports expects, less where they are (3 x n) [m].
 Points LinearisedStatics::support_misfit(const Iterate& iterate,
                                          const Observations& observations) const {
-    Points misfit = Points::Zero(3, m_net.node_count());
-    const Points expected = m_net.nodes() + m_common.support_motion(iterate.common) +
-                            observations.support_mean - iterate.form;
-    misfit(Eigen::all, m_net.supports()) = expected(Eigen::all, m_net.supports());
-    return misfit;
+    return observations.support_mean - support_deviations(iterate);
 }
 
 bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& observations) {

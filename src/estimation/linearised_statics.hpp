@@ -109,6 +109,10 @@ public:
 
     [[nodiscard]] const CommonUnknowns& common() const { return m_common; }
 
+    /// How far supports are from where the net has them in the frame of the survey, 0 at free nodes
+    /// (3 x n) [m].
+    [[nodiscard]] Points support_deviations(const Iterate& iterate) const;
+
     /// Finds the covariances below, after linearise().
     void invert() { m_covariance = m_matrix.covariance(); }
     [[nodiscard]] Eigen::VectorXd length_variances() const;     ///< m_I [m2]

@@ -220,6 +220,24 @@ TEST(Doubt, OfTheFrameLeavesTensionsTold) {
                 4.0 * before.drawn.mean_tension.std);
 }
 
+TEST(MeasuredSupports, OfUnknownPlaceLeaveTensionsTold) {
+    for (const std::uint64_t seed : {15, 16, 17}) {
+        SimulatedSurvey s = survey_of(net(), law, seed);
+        for (const int node : net().supports()) {
+            s.survey.supports.push_back({.node = node,
+                                         .position = net().nodes().col(node),
+                                         .noise_std = Eigen::Vector3d::Constant(noise)});
+        }
+        IdentifyOptions options;
+        options.law = law;
+        options.draws = 20;
+        options.unknowns = {parse_unknown("supports:1mm")};
+        const Identification result = identify(net(), s.survey, options);
+        EXPECT_EQ(result.drawn.tensions.size(), 664U) << result.draws->doubt;
+        EXPECT_LT(result.unknowns.front().std, 0.6e-3);  // measured to 0.5 mm
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, FrameOfASurvey,
                          testing::Values(IdentificationMethod::map, IdentificationMethod::balance),
                          [](const auto& test) { return std::string(to_string(test.param)); });
