@@ -3,15 +3,18 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "command.hpp"
 #include "net_summary.hpp"
 #include "survey_input.hpp"
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/survey/noise_check.hpp"
 #include "taut/survey/simulation.hpp"
+#include "taut/survey/target_offsets.hpp"
 
 namespace taut::app {
 namespace {
@@ -20,11 +23,77 @@ struct SurveySimulationOptions : CommonOptions {
     std::string net;
     std::string form;
     std::string noise;
+    std::string offset;
     std::string drop = "0%";
     std::string frame = "net";
     std::string output;
+    std::vector<std::string> stations;
+    std::string angle;
+    std::string range;
     SurveySimulation simulation;
 };
+
+/// "1,-2,0.5" as a place [m].
+Eigen::Vector3d parse_place(const std::string& text) {
+    Eigen::Vector3d place;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (int k = 0; k < 3; ++k) {
+        const auto [rest, error] = std::from_chars(at, end, place(k));
+        const bool is_followed = k < 2 ? rest != end && *rest == ',' : rest == end;
+        if (error != std::errc() || !is_followed || !std::isfinite(place(k))) {
+            throw std::invalid_argument(fmt::format(
+                "--station is '{}', expected a place in m, x,y,z as in 1.5,-2,0.3", text));
+        }
+        at = rest + (k < 2 ? 1 : 0);
+    }
+    return place;
+}
+
+/// What instruments at the stations would read.
+void simulate_readings(const SurveySimulationOptions& options, const CableNet& net,
+                       const Points& form) {
+    PolarSimulation simulation{.dropped_part = options.simulation.dropped_part,
+                               .shuffled = options.simulation.shuffled,
+                               .seed = options.simulation.seed};
+    for (const std::string& station : options.stations) {
+        simulation.stations.push_back(parse_place(station));
+    }
+    if (!options.angle.empty()) {
+        simulation.angle_std = parse_angle_std(options.angle).angle;
+    }
+    if (!options.range.empty()) {
+        simulation.distance = parse_distance_precision(options.range);
+    }
+    const PolarSurvey survey = simulate_polar_survey(net, form, simulation);
+    write_file(options.output, polar_to_csv(survey));
+    const auto targets = survey.readings.size() / survey.stations.size();
+    const auto free_points = targets - net.supports().size();
+    const double angle = 1e3 * simulation.angle_std / gon;
+    const DistancePrecision& distance = simulation.distance;
+    if (options.json) {
+        fmt::print("{}\n", to_text({{"format", "taut-survey-simulation"},
+                                    {"version", 1},
+                                    {"net", counts_json(net)},
+                                    {"surveyed_free_nodes", free_points},
+                                    {"surveyed_supports", net.supports().size()},
+                                    {"stations", survey.stations.size()},
+                                    {"angle", simulation.angle_std},
+                                    {"distance", distance.std},
+                                    {"distance_part", distance.part},
+                                    {"named", !simulation.shuffled},
+                                    {"seed", simulation.seed},
+                                    {"output", options.output}}));
+        return;
+    }
+    fmt::print(
+        "{}\n{} of {} free nodes and {} supports read from {} station{}{}; angles {:.3g} "
+        "mgon, distances {:.3g} mm + {:.3g} ppm\nwritten to {}\n",
+        counts_text(net), free_points, net.free_node_count(), net.supports().size(),
+        survey.stations.size(), survey.stations.size() == 1 ? "" : "s",
+        simulation.shuffled ? ", under names of their own and in any order" : "", angle,
+        1e3 * distance.std, 1e6 * distance.part, options.output);
+}
 
 /// "10%" as 0.1.
 double parse_part(const std::string& text) {
@@ -43,6 +112,11 @@ void run(SurveySimulationOptions options) {
     const auto threads = options.limit_threads();
     SurveySimulation& simulation = options.simulation;
     simulation.noise_std = parse_noise(options.noise);
+    if (!options.offset.empty()) {
+        const TargetOffset offset = parse_target_offset(options.offset);
+        simulation.offset = offset.offset;
+        simulation.offset_std = offset.std;
+    }
     simulation.dropped_part = parse_part(options.drop);
     simulation.random_frame = options.frame == "random";
     const CableNet net = read_net(options.net).net;
@@ -50,6 +124,10 @@ void run(SurveySimulationOptions options) {
     const std::vector<std::string> warnings = noise_warnings(net, simulation.noise_std);
     const Points form = read_form(net, options.form);
     check_outputs({options.output}, {options.net, options.form});
+    if (!options.stations.empty()) {
+        simulate_readings(options, net, form);
+        return;
+    }
     const std::vector<SurveyPoint> points = simulate_survey(net, form, simulation);
     write_file(options.output, survey_to_csv(points));
     warn("--noise", warnings);
@@ -61,6 +139,8 @@ void run(SurveySimulationOptions options) {
                                     {"surveyed_free_nodes", free_points},
                                     {"surveyed_supports", net.supports().size()},
                                     {"noise", simulation.noise_std},
+                                    {"offset", simulation.offset},
+                                    {"offset_std", simulation.offset_std},
                                     {"named", !simulation.shuffled},
                                     {"frame", options.frame},
                                     {"seed", simulation.seed},
@@ -70,11 +150,12 @@ void run(SurveySimulationOptions options) {
     }
     fmt::print(
         "{}\n{} of {} free nodes surveyed{}, and {} supports by their names; noise {:.4g} mm"
-        "{}\nwritten to {}\n",
+        "{}{}\nwritten to {}\n",
         counts_text(net), free_points, net.free_node_count(),
         simulation.shuffled ? ", without names and in any order" : "", net.supports().size(),
-        1e3 * simulation.noise_std, simulation.random_frame ? "; in a random frame" : "",
-        options.output);
+        1e3 * simulation.noise_std,
+        options.offset.empty() ? "" : fmt::format(", offset {}", options.offset),
+        simulation.random_frame ? "; in a random frame" : "", options.output);
 }
 
 }  // namespace
@@ -85,21 +166,47 @@ void add_survey(CLI::App& program) {
         program, "survey", "Simulate a survey of a form, for trials and teaching",
         "  taut form net.json --law uniform:5mm --seed 7 -o built.csv\n"
         "  taut survey net.json built.csv --noise 0.5mm --drop 10% --shuffle --frame random "
-        "-o survey.csv",
+        "-o survey.csv\n"
+        "  taut survey net.json built.csv --station 2,-3,1.6 --station 2,6,1.6 --angle 0.3mgon "
+        "--range 1mm+1.5ppm -o readings.csv",
         *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("FORM", options->form, "Form to survey: id,x,y,z in m")->required();
-    command.add_option("--noise", options->noise,
-                       "Standard deviation of normal noise on every coordinate (default: 0)");
+    CLI::Option* const noise =
+        command.add_option("--noise", options->noise,
+                           "Standard deviation of normal noise on every coordinate (default: 0)");
+    CLI::Option* const offset = command.add_option(
+        "--offset", options->offset,
+        "How far targets on free nodes stand off along the net's normal, up, and "
+        "the standard deviation of that: \"3mm:0.2mm\" (default: 0)");
     command.add_option("--drop", options->drop, "Part of the free nodes that stays hidden")
         ->capture_default_str();
     command.add_flag("--shuffle", options->simulation.shuffled,
                      "Targets on free nodes without names, in any order");
+    CLI::Option* const frame =
+        command
+            .add_option("--frame", options->frame,
+                        "net (the net's), or random (an instrument's own, far away)")
+            ->check(CLI::IsMember({"net", "random"}))
+            ->capture_default_str();
+    CLI::Option* const station =
+        command
+            .add_option("--station", options->stations,
+                        "Place x,y,z [m] of an instrument in the net's frame, once for each: its "
+                        "readings of angles and distances are written in place of coordinates, "
+                        "each in a frame of its own")
+            ->allow_extra_args(false)
+            ->excludes(noise)
+            ->excludes(offset)
+            ->excludes(frame);
     command
-        .add_option("--frame", options->frame,
-                    "net (the net's), or random (an instrument's own, far away)")
-        ->check(CLI::IsMember({"net", "random"}))
-        ->capture_default_str();
+        .add_option("--angle", options->angle,
+                    "Standard deviation of its directions and zenith angles (default: 0.3mgon)")
+        ->needs(station);
+    command
+        .add_option("--range", options->range,
+                    "Standard deviation of its distances (default: 1mm+1.5ppm)")
+        ->needs(station);
     add_seed_option(command, options->simulation.seed);
     add_output_option(command, options->output, "Survey to write (CSV)");
     command.callback([options] { run(*options); });

@@ -5,12 +5,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <optional>
 
 #include "command.hpp"
+#include "taut/files/file.hpp"
 #include "taut/interchange/foreign_survey.hpp"
+#include "taut/io/target_offsets_csv.hpp"
 #include "taut/net/units.hpp"
 #include "taut/survey/registration.hpp"
 
@@ -42,6 +45,19 @@ void add_file_options(CLI::App& command, SurveyOptions& options, std::vector<CLI
         "Points to nodes by name, by place, or auto: by name where that is a node's, else by place")
         ->check(CLI::IsMember({"auto", "name", "place"}))
         ->capture_default_str();
+    add("--angle", options.angle,
+        "Standard deviation of each direction and zenith angle of a file of readings, \"0.3mgon\", "
+        "where it tells none; where it tells no unit of its angles these are in gon, then, or in "
+        "degrees with arcsec or deg, radians with mrad or rad");
+    add("--range", options.range,
+        "The same of each distance, \"1mm+1.5ppm\" (default of both: those of a common total "
+        "station)");
+    add("--offset", options.offset,
+        "How far targets stand off the axis of the cable along the net's normal, up (-3mm: down), "
+        "and how sure that is of each: \"3mm:0.2mm\"");
+    add("--offsets", options.offsets,
+        "Table of offsets by a target's name or code: target,offset[,std], lengths as of --offset; "
+        "--offset is then that of all others");
     add("--names", options.names, "Table to write of which point is on which node (CSV)");
 }
 
@@ -72,6 +88,17 @@ SurveyFileOptions told_of_file(const SurveyOptions& options) {
     return told;
 }
 
+TargetOffsets told_offsets(const SurveyOptions& options) {
+    TargetOffsets offsets;
+    if (!options.offsets.empty()) {
+        offsets.of = parse_target_offsets(read_file(options.offsets), options.offsets);
+    }
+    if (!options.offset.empty()) {
+        offsets.all = parse_target_offset(options.offset);
+    }
+    return offsets;
+}
+
 }  // namespace
 
 double parse_noise(const std::string& text) {
@@ -83,12 +110,22 @@ double parse_noise(const std::string& text) {
     return noise_std;
 }
 
+AngleText parse_angle_std(const std::string& text) {
+    const AngleText angle = parse_angle(text);
+    if (!(angle.angle > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("--angle is '{}', expected a standard deviation above 0", text));
+    }
+    return angle;
+}
+
 std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& options) {
-    CLI::Option* const noise = command.add_option(
-        "--noise", options.noise,
-        "Standard deviation of each surveyed coordinate, \"0.5mm\", where the "
-        "file tells none (default: 0); identify takes estimate, too: its scale is "
-        "then found from the survey");
+    CLI::Option* const noise =
+        command.add_option("--noise", options.noise,
+                           "Standard deviation of each surveyed coordinate, \"0.5mm\", where the "
+                           "file tells none (default: that of its last digit); identify takes "
+                           "estimate, too: its scale is "
+                           "then found from the survey");
     CLI::Option* const frame =
         command
             .add_option(
@@ -109,16 +146,31 @@ std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& o
 
 ReadSurveyOptions SurveyOptions::reading() const {
     constexpr double first_guess = 0.001;
-    return {.noise_std = noise == estimated_noise ? first_guess : parse_noise(noise),
-            .frame = frame == "net"        ? SurveyFrame::net
-                     : frame == "supports" ? SurveyFrame::supports
-                                           : SurveyFrame::automatic,
-            .control = control,
-            .file = told_of_file(*this),
-            .unit = unit.empty() ? std::nullopt : length_of_unit(unit),
-            .matching = match == "name"    ? PointMatching::name
-                        : match == "place" ? PointMatching::place
-                                           : PointMatching::automatic};
+    ReadSurveyOptions options{.noise_std = noise.empty() ? std::nullopt
+                                           : noise == estimated_noise
+                                               ? std::optional(first_guess)
+                                               : std::optional(parse_noise(noise)),
+                              .frame = frame == "net"        ? SurveyFrame::net
+                                       : frame == "supports" ? SurveyFrame::supports
+                                                             : SurveyFrame::automatic,
+                              .control = control,
+                              .file = told_of_file(*this),
+                              .unit = unit.empty() ? std::nullopt : length_of_unit(unit),
+                              .matching = match == "name"    ? PointMatching::name
+                                          : match == "place" ? PointMatching::place
+                                                             : PointMatching::automatic,
+                              .offsets = told_offsets(*this)};
+    if (!angle.empty()) {
+        const AngleText told = parse_angle_std(angle);
+        options.angle_std = told.angle;
+        options.file.angle_unit = told.full_unit;
+        options.file.takes_readings = true;
+    }
+    if (!range.empty()) {
+        options.distance = parse_distance_precision(range);
+        options.file.takes_readings = true;
+    }
+    return options;
 }
 
 void tell_of_survey(const SurveyOptions& options, const Survey& survey, bool with_notes) {
@@ -137,8 +189,10 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
     }
     if (!options.noise.empty() && options.noise != estimated_noise) {
         const double told = parse_noise(options.noise);
+        const double rounded = std::hypot(told, survey.rounding_std);
         const auto other = std::ranges::count_if(survey.surveyed, [&](int node) {
-            return (survey.noise_std.col(node).array() != told).any();
+            const auto noise = survey.noise_std.col(node).array();
+            return (noise != told && noise != rounded).any();
         });
         if (other > 0) {
             text += fmt::format("  not --noise {}: the file tells the noise of {} of these\n",
@@ -160,9 +214,12 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
     if (!survey.unmatched.empty()) {
         text += fmt::format("  {} points are on no node, and left out:\n", survey.unmatched.size());
         for (const UnmatchedPoint& p : survey.unmatched) {
-            text += fmt::format("    line {:<6}{} {}: {:.4g} mm from node {}\n", p.point.line,
-                                p.point.label.empty() ? "" : fmt::format(" '{}'", p.point.label),
-                                to_string(p.reason), 1e3 * p.distance, net.node_id(p.nearest));
+            text += fmt::format(
+                "    line {:<6}{} {}: {:.4g} mm from node {}{}\n", p.point.line,
+                p.point.label.empty() ? "" : fmt::format(" '{}'", p.point.label),
+                to_string(p.reason), 1e3 * p.distance, net.node_id(p.nearest),
+                p.swapped_with < 0 ? ""
+                                   : fmt::format(", swapped with {}", net.node_id(p.swapped_with)));
         }
     }
     return text;

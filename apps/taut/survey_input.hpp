@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "taut/files/input_error.hpp"
+#include "taut/io/polar_csv.hpp"
 #include "taut/io/read_survey.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -27,14 +28,20 @@ struct SurveyOptions {
     std::string decimal;
     std::string encoding;
     std::string match = "auto";
-    std::string names;  ///< table to write of points and their nodes
+    std::string angle;
+    std::string range;
+    std::string offset;
+    std::string offsets;  ///< table of them
+    std::string names;    ///< table to write of points and their nodes
 
-    /// @throws std::invalid_argument as parse_noise() and parse_survey_columns()
+    /// @throws std::invalid_argument as parse_noise(), parse_survey_columns(), parse_angle_std()
+    /// and
+    ///   parse_distance_precision()
     [[nodiscard]] ReadSurveyOptions reading() const;
 };
 
 /// --noise, --frame, --control; --format, --unit, --columns, --separator, --decimal, --encoding;
-/// --match, --names.
+/// --match, --offset, --offsets, --names; --angle, --range.
 std::vector<CLI::Option*> add_survey_options(CLI::App& command, SurveyOptions& options);
 
 /// Does something with a survey; a rule of surveys that it breaks is told with the name of its
@@ -61,5 +68,9 @@ inline constexpr std::string_view estimated_noise = "estimate";
 /// A length of at least 0, of an option; empty is 0 [m].
 /// @throws std::invalid_argument
 double parse_noise(const std::string& text);
+
+/// A standard deviation above 0, of --angle.
+/// @throws std::invalid_argument
+AngleText parse_angle_std(const std::string& text);
 
 }  // namespace taut::app

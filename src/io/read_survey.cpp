@@ -8,17 +8,21 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "io/survey_file.hpp"
+#include "survey/mean_edge_length.hpp"
 #include "survey/misfit_hint.hpp"
 #include "survey/point_names.hpp"
 #include "survey/repeated_points.hpp"
+#include "survey/rounding.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/io/target_list.hpp"
+#include "taut/net/units.hpp"
 #include "taut/survey/control_check.hpp"
 #include "taut/survey/measured_scale.hpp"
 #include "taut/survey/noise_check.hpp"
@@ -38,15 +42,22 @@ auto with_points_of(
     try {
         return action();
     } catch (const SurveyError& error) {
+        std::string what = error.what();
+        const std::string told = hint();
+        // A question that the hint answers.
+        if (const size_t question = what.find(": is the survey of this net");
+            !told.empty() && question != std::string::npos) {
+            what.erase(question);
+        }
         throw InputError(file.string(), error.line() > 0 ? std::to_string(error.line()) : "",
-                         error.what() + hint());
+                         what + told);
     }
 }
 
 void check(const ReadSurveyOptions& options) {
-    if (!(options.noise_std >= 0.0 && std::isfinite(options.noise_std))) {
+    if (options.noise_std && !(*options.noise_std >= 0.0 && std::isfinite(*options.noise_std))) {
         throw std::invalid_argument(fmt::format(
-            "noise_std is {}, expected a standard deviation of at least 0", options.noise_std));
+            "noise_std is {}, expected a standard deviation of at least 0", *options.noise_std));
     }
     if (options.unit && !(*options.unit > 0.0 && std::isfinite(*options.unit))) {
         throw std::invalid_argument(
@@ -86,6 +97,81 @@ void name_by_place_where_told(const CableNet& net, const ReadSurveyOptions& opti
     }
 }
 
+/// Whether named points are on the nominal places of their free nodes, all of them to far more than
+/// a digit: no survey is, but the form of a net whose design is in round numbers.
+bool is_nominal_form(const CableNet& net, const std::vector<SurveyPoint>& points, double step) {
+    constexpr double far_below = 1e-3;
+    std::map<std::string, int> node_of;
+    for (const int node : net.free_nodes()) {
+        node_of.emplace(net.node_id(node), node);
+    }
+    bool has_any = false;
+    for (const SurveyPoint& point : points) {
+        const auto found = node_of.find(point.id);
+        if (found == node_of.end()) {
+            continue;
+        }
+        has_any = true;
+        const Eigen::Vector3d off = point.position - net.nodes().col(found->second);
+        if (off.cwiseAbs().maxCoeff() > far_below * step) {
+            return false;
+        }
+    }
+    return has_any;
+}
+
+/// What rounding to the digits of a file adds to its noise.
+struct RoundedNoise {
+    double default_std = 0.0;   ///< of points that do not tell their own [m]
+    double rounding_std = 0.0;  ///< 0 where it adds nothing [m]
+};
+
+/// Takes the rounding of a file's coordinates into their noise, and says so.
+RoundedNoise with_rounding(const CableNet& net, const ReadSurveyOptions& options,
+                           SurveyFile& found) {
+    // Coarser digits are those of a sketch, or of numbers that happen to be round.
+    constexpr double coarsest_part = 0.02;  // of the mean edge length
+    const double told = options.noise_std.value_or(0.0);
+    const double rounding = rounding_std(found.rounding);
+    if (rounding == 0.0 || rounding > coarsest_part * mean_edge_length(net) ||
+        is_nominal_form(net, found.points, found.rounding)) {
+        return {.default_std = told};
+    }
+    bool uses_default = false;
+    double before = 0.0;
+    double after = 0.0;
+    const auto widened = [&](double noise_std) {
+        const double with = noise_with_rounding(noise_std, rounding);
+        if (with > noise_std && with > after) {
+            before = noise_std;
+            after = with;
+        }
+        return with;
+    };
+    for (SurveyPoint& point : found.points) {
+        uses_default = uses_default || !point.noise_std;
+        if (point.noise_std) {
+            point.noise_std = point.noise_std->unaryExpr(widened);
+        }
+    }
+    RoundedNoise result{.default_std = uses_default ? widened(told) : told};
+    const std::string step = format_length(found.rounding);
+    if (uses_default && !options.noise_std) {
+        result = {.default_std = rounding, .rounding_std = rounding};
+        found.notes.push_back(
+            fmt::format("coordinates are given to {}: taken with +- {:.2g} mm (--noise tells the "
+                        "instrument's)",
+                        step, 1e3 * rounding));
+    } else if (after > 0.0) {
+        result.rounding_std = rounding;
+        found.notes.push_back(
+            fmt::format("coordinates are given to {}, which adds {:.2g} mm to their noise: {} "
+                        "becomes {:.3g} mm",
+                        step, 1e3 * rounding, format_length(before), 1e3 * after));
+    }
+    return result;
+}
+
 /// Where control points lie in a survey that is in the net's frame as it stands.
 std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& control) {
     std::vector<ControlResidual> residuals;
@@ -103,16 +189,19 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
     check(options);
     SurveyFile found = read_survey_file(net, file, options);
     const std::vector<SurveyPoint> as_read = found.points;
+    const RoundedNoise noise = with_rounding(net, options, found);
+    bool frame_is_fitted = true;
     const auto of_this = [&](const auto& action) {
         return with_points_of(file, action, [&] {
-            return found.unit_hint.empty() ? misfit_hint(net, as_read) : found.unit_hint;
+            const std::string hint = misfit_hint(net, as_read, found.unit, frame_is_fitted);
+            return hint.empty() ? found.unit_hint : hint;
         });
     };
     of_this([&] {
         if (found.is_own) {
             return;  // each name once, as match_to_nodes() asks
         }
-        AveragedPoints averaged = average_repeated(std::move(found.points), options.noise_std);
+        AveragedPoints averaged = average_repeated(std::move(found.points), noise.default_std);
         found.points = std::move(averaged.points);
         if (!averaged.note.empty()) {
             found.notes.push_back(std::move(averaged.note));
@@ -126,9 +215,10 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
                    : split_off_control_points(
                          net, read_survey_file(net, options.control, {}).points, points);
     });
+    frame_is_fitted = is_frame_fitted(net, control, options);
     return of_this([&] {
         std::optional<Registration> frame;
-        if (is_frame_fitted(net, control, options)) {
+        if (frame_is_fitted) {
             frame = register_rigidly(control);
             points = moved(std::move(points), frame->motion);
         }
@@ -144,7 +234,8 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
                                 count, points.size()));
             }
         }
-        Survey survey = match_to_nodes(net, points, options.noise_std);
+        Survey survey = match_to_nodes(net, points, noise.default_std);
+        take_off_offsets(net, options.offsets, survey);
         check_matched(net, survey);
         std::ranges::move(found.warnings, std::back_inserter(survey.warnings));
         std::ranges::move(control_warnings(net, frame ? frame->residuals : residuals_of(control),
@@ -153,7 +244,8 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
         survey.frame = std::move(frame);
         survey.frame_is_unknown =
             options.frame != SurveyFrame::net && options.control.empty() && survey.is_noisy();
-        survey.notes = std::move(found.notes);
+        survey.notes.insert(survey.notes.begin(), found.notes.begin(), found.notes.end());
+        survey.rounding_std = noise.rounding_std;
         std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;
     });
@@ -175,7 +267,8 @@ Survey read_planned_survey(const CableNet& net, const std::filesystem::path& fil
                          "names nodes alone, expected their places to fit a frame to");
     }
     return with_points_of(file, [&] {
-        Survey survey = planned_survey(net, *targets, options.noise_std);
+        Survey survey = planned_survey(net, *targets, options.noise_std.value_or(0.0));
+        take_off_offsets(net, options.offsets, survey);
         check_matched(net, survey);
         return survey;
     });

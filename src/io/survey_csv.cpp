@@ -16,28 +16,31 @@
 #include "interchange/surveys/survey_reader.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
 
-constexpr std::array<std::string_view, 7> survey_columns{"id", "x", "y", "z", "sx", "sy", "sz"};
+constexpr std::array<std::string_view, 10> survey_columns{"id", "x",  "y",   "z",   "sx",
+                                                          "sy", "sz", "rxy", "rxz", "ryz"};
 
 /// What the fields of a line are, told by their number: the columns, and which is the first.
 struct Layout {
-    size_t count = 0;  ///< 3 or 6 without ids, 4 or 7 with; 0: not known yet
+    size_t count = 0;  ///< 3, 6 or 9 without ids, 4, 7 or 10 with; 0: not known yet
 
     [[nodiscard]] bool valid() const {
-        return count == 3 || count == 4 || count == 6 || count == 7;
+        return count >= 3 && count <= survey_columns.size() && x() <= 1;
     }
     [[nodiscard]] size_t x() const { return count % 3; }  ///< field of the first coordinate
     [[nodiscard]] bool has_ids() const { return x() == 1; }
     [[nodiscard]] bool has_std() const { return count > 4; }
+    [[nodiscard]] bool has_correlations() const { return count > 7; }
     [[nodiscard]] std::string_view name(size_t field) const {
         return survey_columns[field + 1 - x()];
     }
 };
 
-constexpr std::string_view layouts = "[id,]x,y,z[,sx,sy,sz]";
+constexpr std::string_view layouts = "[id,]x,y,z[,sx,sy,sz[,rxy,rxz,ryz]]";
 
 /// "1,5", "-0,25": digits on both sides of one comma.
 bool has_decimal_comma(std::string text) {
@@ -72,7 +75,7 @@ public:
     void check_count(const Layout& expected) const {
         const size_t found = m_layout.count;
         if (expected.count == 0 && !m_layout.valid()) {
-            fail(fmt::format("has {} fields, expected {}: 3, 4, 6 or 7", found, layouts));
+            fail(fmt::format("has {} fields, expected {}: 3, 4, 6, 7, 9 or 10", found, layouts));
         }
         if (expected.count != 0 && found != expected.count) {
             // Each coordinate cut in two.
@@ -106,6 +109,15 @@ public:
                           .line = m_record.line};
         if (m_layout.has_std()) {
             point.noise_std = Eigen::Vector3d(std_of(x + 3), std_of(x + 4), std_of(x + 5));
+        }
+        if (m_layout.has_correlations()) {
+            point.noise_correlations = {number(x + 6), number(x + 7), number(x + 8)};
+            if (!are_possible_correlations(point.noise_correlations)) {
+                fail(fmt::format(
+                    "rxy, rxz, ryz are {}, {}, {}, expected correlations that three "
+                    "coordinates can have: their matrix is not positive definite",
+                    m_record.fields[x + 6], m_record.fields[x + 7], m_record.fields[x + 8]));
+            }
         }
         return point;
     }
@@ -170,14 +182,22 @@ std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path) {
 std::string survey_to_csv(const std::vector<SurveyPoint>& points) {
     const bool has_std = std::ranges::any_of(
         points, [](const SurveyPoint& point) { return point.noise_std.has_value(); });
-    std::string result = has_std ? "id,x,y,z,sx,sy,sz\n" : "id,x,y,z\n";
+    const bool has_correlations = std::ranges::any_of(
+        points, [](const SurveyPoint& point) { return !point.noise_correlations.isZero(0.0); });
+    std::string result = has_correlations ? "id,x,y,z,sx,sy,sz,rxy,rxz,ryz\n"
+                         : has_std        ? "id,x,y,z,sx,sy,sz\n"
+                                          : "id,x,y,z\n";
     for (const SurveyPoint& point : points) {
         const Eigen::Vector3d& p = point.position;
         result += fmt::format("{},{},{},{}", point.id.empty() ? "" : csv_field(point.id), p.x(),
                               p.y(), p.z());
-        if (has_std) {
+        if (has_std || has_correlations) {
             const Eigen::Vector3d std = point.noise_std.value_or(Eigen::Vector3d::Zero());
             result += fmt::format(",{},{},{}", std.x(), std.y(), std.z());
+        }
+        if (has_correlations) {
+            const Eigen::Vector3d& r = point.noise_correlations;
+            result += fmt::format(",{},{},{}", r.x(), r.y(), r.z());
         }
         result += '\n';
     }

@@ -12,9 +12,12 @@
 
 #include "files/csv_reader.hpp"
 #include "files/plain_text.hpp"
+#include "io/polar_survey.hpp"
+#include "survey/rounding.hpp"
 #include "survey/unit_guess.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
 
 namespace taut {
@@ -29,11 +32,13 @@ bool starts_with_foreign_header(const std::string& text, const std::string& file
         if (!first || first->fields.empty()) {
             return false;
         }
-        const auto holds_digit = [](const std::string& field) {
-            return field.find_first_of("0123456789") != std::string::npos;
+        const auto may_be_number = [](const std::string& field) {
+            const auto is_letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
+            return field.find_first_of("0123456789") != std::string::npos &&
+                   std::ranges::none_of(field, is_letter);
         };
         const std::string& name = first->fields.front();
-        return std::ranges::none_of(first->fields, holds_digit) && name != "id" && name != "ID" &&
+        return std::ranges::none_of(first->fields, may_be_number) && name != "id" && name != "ID" &&
                name != "x" && name != "X";
     } catch (const InputError&) {
         return true;
@@ -75,6 +80,8 @@ std::string unit_text(double length) {
 SurveyFile from_own(const CableNet& net, std::vector<SurveyPoint> points,
                     const ReadSurveyOptions& options) {
     SurveyFile file{.points = std::move(points), .is_own = true};
+    file.unit = options.unit.value_or(1.0);
+    file.rounding = rounding_step(file.points, file.unit);
     if (options.unit) {
         scale_points(file.points, *options.unit, *options.unit);
     } else if (const auto guess = guess_unit(net, file.points); guess && guess->length != 1.0) {
@@ -85,6 +92,13 @@ SurveyFile from_own(const CableNet& net, std::vector<SurveyPoint> points,
 
 SurveyFile from_foreign(const CableNet& net, ForeignSurvey survey, const std::string& file_name,
                         const ReadSurveyOptions& options) {
+    if (!survey.readings.readings.empty()) {
+        SurveyFile file =
+            targets_of_readings(net, std::move(survey.readings), options, survey.format, file_name);
+        std::ranges::move(survey.notes, std::back_inserter(file.notes));
+        add_left_out(survey.left_out, file.notes);
+        return file;
+    }
     SurveyFile file{.points = std::move(survey.points), .warnings = std::move(survey.guesses)};
     double unit = options.unit.value_or(survey.unit.value_or(0.0));
     file.notes.push_back(fmt::format("read as {}, {}", survey.format,
@@ -107,6 +121,8 @@ SurveyFile from_foreign(const CableNet& net, ForeignSurvey survey, const std::st
             guess->name, guess->points, guess->nodes);
         (unit == 1.0 ? file.notes : file.warnings).push_back(text);
     }
+    file.unit = unit;
+    file.rounding = rounding_step(file.points, unit);
     scale_points(file.points, unit, survey.std_unit.value_or(unit));
     std::ranges::move(survey.notes, std::back_inserter(file.notes));
     add_left_out(survey.left_out, file.notes);
@@ -119,6 +135,10 @@ SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& pa
                             const ReadSurveyOptions& options) {
     const std::string text = read_file(path);
     const std::string name = path.string();
+    if (!options.file.format && is_polar_csv(text)) {
+        return targets_of_readings(net, parse_polar_csv(text, name, options.file.angle_unit),
+                                   options, "readings of angles and distances", name);
+    }
     std::exception_ptr own_error;
     const auto is_table = [&] { return detect_survey_format(text, name) == SurveyFormat::table; };
     if (options.file == SurveyFileOptions{} && is_table()) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "taut/survey/covariance.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -28,9 +29,30 @@ void check_target(const CableNet& net, const Survey& survey, int node) {
         refuse(fmt::format("has a standard deviation of {}, expected 0 or more",
                            survey.noise_std.col(node).minCoeff()));
     }
+    if (const Eigen::Vector3d r = survey.correlations_of(node); !are_possible_correlations(r)) {
+        refuse(
+            fmt::format("has noise with the correlations {}, {} and {}, expected a positive "
+                        "definite matrix",
+                        r.x(), r.y(), r.z()));
+    }
 }
 
 }  // namespace
+
+Eigen::Vector3d Survey::correlations_of(int node) const {
+    return noise_correlations.cols() == 0 ? Eigen::Vector3d::Zero()
+                                          : Eigen::Vector3d(noise_correlations.col(node));
+}
+
+void Survey::set_correlations(int node, const Eigen::Vector3d& correlations) {
+    if (noise_correlations.cols() == 0) {
+        if (correlations.isZero(0.0)) {
+            return;
+        }
+        noise_correlations.setZero(3, form.cols());
+    }
+    noise_correlations.col(node) = correlations;
+}
 
 double Survey::largest_noise_std() const {
     return noise_std.cols() == 0 || surveyed.empty() ? 0.0
@@ -47,6 +69,9 @@ void check_survey(const CableNet& net, const Survey& survey) {
     check_size("form", survey.form.cols(), net.node_count());
     if (survey.noise_std.cols() != 0) {
         check_size("noise_std", survey.noise_std.cols(), net.node_count());
+    }
+    if (survey.noise_correlations.cols() != 0) {
+        check_size("noise_correlations", survey.noise_correlations.cols(), net.node_count());
     }
     if (survey.surveyed.empty()) {
         throw SurveyError(0, "the survey holds no free node, expected at least one");

@@ -4,9 +4,12 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "survey/match_by_place.hpp"
@@ -15,16 +18,207 @@
 namespace taut {
 namespace {
 
-bool fit_with_axes_exchanged(const CableNet& net, std::vector<SurveyPoint> points) {
+/// Points that fit: half of them within this part of the mean edge length.
+constexpr double fitting_part = 0.1;
+constexpr double scale_of_unit = 0.01;  ///< to which a scale tells a unit, relative
+
+/// A change of axes that makes a survey of the other hand.
+struct Mirroring {
+    Eigen::Matrix3d matrix;
+    const char* words;
+};
+
+const std::array<Mirroring, 4>& mirrorings() {
+    static const std::array<Mirroring, 4> known = [] {
+        Eigen::Matrix3d exchanged;
+        exchanged << 0, 1, 0, 1, 0, 0, 0, 0, 1;
+        const auto negated = [](int axis) {
+            Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+            matrix(axis, axis) = -1.0;
+            return matrix;
+        };
+        return std::array<Mirroring, 4>{
+            {{exchanged,
+              "its x and y are exchanged, as north before east: exchange them, of a table by "
+              "--columns, as id,y,x,z"},
+             {negated(0), "its x has the other sign: negate it"},
+             {negated(1), "its y has the other sign: negate it"},
+             {negated(2), "its z has the other sign, as depths have: negate it"}}};
+    }();
+    return known;
+}
+
+/// Measured and nominal places of the nodes that the points name, a column each.
+struct NamedPlaces {
+    Eigen::Matrix3Xd measured;
+    Eigen::Matrix3Xd nominal;
+};
+
+NamedPlaces named_places(const CableNet& net, const std::vector<SurveyPoint>& points) {
+    std::map<std::string, int> node_of;
+    for (int node = 0; node < net.node_count(); ++node) {
+        node_of.emplace(net.node_id(node), node);
+    }
+    NamedPlaces places;
+    Eigen::Index count = 0;
+    places.measured.resize(3, static_cast<Eigen::Index>(points.size()));
+    places.nominal.resize(3, static_cast<Eigen::Index>(points.size()));
+    for (const SurveyPoint& point : points) {
+        if (const auto found = node_of.find(point.id); found != node_of.end()) {
+            places.measured.col(count) = point.position;
+            places.nominal.col(count) = net.nodes().col(found->second);
+            ++count;
+        }
+    }
+    places.measured.conservativeResize(3, count);
+    places.nominal.conservativeResize(3, count);
+    return places;
+}
+
+double median_distance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
+    const Eigen::VectorXd norms = (a - b).colwise().norm();
+    std::vector<double> distances(norms.begin(), norms.end());
+    const auto middle = distances.begin() + std::ssize(distances) / 2;
+    std::ranges::nth_element(distances, middle);
+    return *middle;
+}
+
+/// A motion with a scale that moves measured places nearest to nominal ones.
+struct SimilarityFit {
+    double scale = 1.0;
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    double median = 0.0;  ///< distance that is left [m]
+};
+
+SimilarityFit fit_similarity(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& nominal) {
+    const Eigen::Vector3d from = measured.rowwise().mean();
+    const Eigen::Vector3d to = nominal.rowwise().mean();
+    const Eigen::Matrix3Xd a = measured.colwise() - from;
+    const Eigen::Matrix3Xd b = nominal.colwise() - to;
+    SimilarityFit fit;
+    fit.rotation = Eigen::umeyama(a, b, false).topLeftCorner<3, 3>();
+    const Eigen::Matrix3Xd turned = fit.rotation * a;
+    fit.scale = turned.cwiseProduct(b).sum() / a.squaredNorm();
+    fit.median = median_distance(fit.scale * turned, b);
+    return fit;
+}
+
+struct KnownUnit {
+    const char* name;
+    const char* words;
+    double length;  ///< [m]
+};
+
+/// The unit of a length, to a hundredth; nothing where it is none.
+std::optional<KnownUnit> known_unit(double length) {
+    constexpr std::array<KnownUnit, 5> units{{{"m", "metres", 1.0},
+                                              {"mm", "millimetres", 1e-3},
+                                              {"cm", "centimetres", 1e-2},
+                                              {"ft", "feet", 0.3048},
+                                              {"in", "inches", 0.0254}}};
+    for (const KnownUnit& unit : units) {
+        if (std::abs(length / unit.length - 1.0) < scale_of_unit) {
+            return unit;
+        }
+    }
+    return std::nullopt;
+}
+
+/// @param scale that brings the points to the net; @param unit they were taken in [m]
+std::string scale_words(double scale, double unit) {
+    if (const auto right = known_unit(scale * unit)) {
+        const auto taken = known_unit(unit);
+        return fmt::format("its coordinates are in {}, not in {}: --unit {} tells it", right->words,
+                           taken ? taken->words : "that unit", right->name);
+    }
+    return fmt::format(
+        "its points are {:.4g} times as far apart as the net's nodes, in all directions alike, "
+        "which no unit explains: is it of this net, and the instrument's scale factor 1?",
+        1.0 / scale);
+}
+
+bool is_another_scale(double scale) {
+    return std::abs(scale - 1.0) > scale_of_unit;
+}
+
+/// In the frame of the net one of the mirrorings alone is enough; in another, turned too, they are
+/// all one but for up and down.
+std::string mirrored_words(const NamedPlaces& places, double limit) {
+    for (const Mirroring& mirroring : mirrorings()) {
+        if (median_distance(mirroring.matrix * places.measured, places.nominal) < limit) {
+            return mirroring.words;
+        }
+    }
+    const Mirroring& exchanged = mirrorings().front();
+    const SimilarityFit fit = fit_similarity(exchanged.matrix * places.measured, places.nominal);
+    return fit.rotation(2, 2) < 0.0 ? mirrorings().back().words : exchanged.words;
+}
+
+std::string misfit_of_named(const CableNet& net, const NamedPlaces& places, double unit,
+                            bool frame_is_fitted) {
+    constexpr Eigen::Index enough = 6;
+    constexpr double much_better = 0.5;
+    if (places.measured.cols() < enough) {
+        return "";
+    }
+    const double limit = fitting_part * mean_edge_length(net);
+    const SimilarityFit as_it_is = fit_similarity(places.measured, places.nominal);
+    const SimilarityFit mirrored =
+        fit_similarity(mirrorings().front().matrix * places.measured, places.nominal);
+    if (mirrored.median < limit && mirrored.median < much_better * as_it_is.median) {
+        const bool is_scaled = is_another_scale(mirrored.scale);
+        const NamedPlaces scaled{.measured = mirrored.scale * places.measured,
+                                 .nominal = places.nominal};
+        return fmt::format("; the survey is mirrored: {}{}",
+                           mirrored_words(is_scaled ? scaled : places, limit),
+                           is_scaled ? "; and " + scale_words(mirrored.scale, unit) : "");
+    }
+    if (as_it_is.median > limit) {
+        return "";
+    }
+    if (is_another_scale(as_it_is.scale)) {
+        return "; " + scale_words(as_it_is.scale, unit);
+    }
+    if (!frame_is_fitted &&
+        median_distance(places.measured, places.nominal) > 0.5 * mean_edge_length(net)) {
+        return fmt::format(
+            "; turned and moved as a whole its points fit the net (half to {:.3g} mm): it is in "
+            "another frame, which three named supports tell (--frame auto), or control points "
+            "(--control)",
+            1e3 * as_it_is.median);
+    }
+    return "";
+}
+
+/// Whether 19 of 20 points are on a node beyond doubt where their places are multiplied.
+bool fit_by_place(const CableNet& net, std::vector<SurveyPoint> points,
+                  const Eigen::Matrix3d& matrix) {
     constexpr double most = 0.95;
     for (SurveyPoint& point : points) {
-        std::swap(point.position.x(), point.position.y());
+        point.position = matrix * point.position;
     }
     const std::vector<PlaceMatch> matches = match_by_place(net, points, [](int) { return false; });
     const auto matched =
         std::ranges::count_if(matches, [](const PlaceMatch& match) { return !match.unmatched; });
     return !points.empty() &&
            static_cast<double>(matched) >= most * static_cast<double>(points.size());
+}
+
+std::string misfit_by_place(const CableNet& net, const std::vector<SurveyPoint>& points,
+                            double unit) {
+    for (const Mirroring& mirroring : mirrorings()) {
+        if (fit_by_place(net, points, mirroring.matrix)) {
+            return fmt::format("; the survey is mirrored: {}", mirroring.words);
+        }
+    }
+    for (const double right : {1.0, 1e-3, 1e-2, 0.3048, 0.0254}) {
+        const double scale = right / unit;
+        if (is_another_scale(scale) &&
+            fit_by_place(net, points, scale * Eigen::Matrix3d::Identity())) {
+            return "; " + scale_words(scale, unit);
+        }
+    }
+    return "";
 }
 
 /// Lines of two points that are near their nodes as they stand, and in another unit.
@@ -62,12 +256,13 @@ std::string mixed_units(const CableNet& net, const std::vector<SurveyPoint>& poi
 
 }  // namespace
 
-std::string misfit_hint(const CableNet& net, const std::vector<SurveyPoint>& points) {
-    if (fit_with_axes_exchanged(net, points)) {
-        return "; with x and y exchanged its points are on the net's nodes (--columns tells the "
-               "columns of a table)";
+std::string misfit_hint(const CableNet& net, const std::vector<SurveyPoint>& points, double unit,
+                        bool frame_is_fitted) {
+    std::string hint = misfit_of_named(net, named_places(net, points), unit, frame_is_fitted);
+    if (hint.empty()) {
+        hint = misfit_by_place(net, points, unit);
     }
-    return mixed_units(net, points);
+    return hint.empty() ? mixed_units(net, points) : hint;
 }
 
 }  // namespace taut

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "survey/mean_edge_length.hpp"
+#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -47,6 +48,12 @@ void check_scale(const Eigen::Matrix3Xd& known, const Eigen::Matrix3Xd& measured
                            "expected 1: is the survey of this net, and in metres?",
                            scale));
     }
+}
+
+/// Then it is so in every frame, and rounding makes no correlations of it.
+bool is_the_same_all_round(const SurveyPoint& point) {
+    return point.noise_correlations.isZero(0.0) &&
+           (point.noise_std->array() == point.noise_std->x()).all();
 }
 
 }  // namespace
@@ -145,9 +152,13 @@ bool in_frame_of_net(const CableNet& net, const std::vector<ControlPoint>& point
 std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points, const RigidMotion& motion) {
     for (SurveyPoint& point : points) {
         point.position = motion(point.position);
-        if (point.noise_std) {
-            const Eigen::Vector3d variance = point.noise_std->cwiseAbs2();
-            point.noise_std = (motion.rotation.cwiseAbs2() * variance).cwiseSqrt();
+        if (point.noise_std && !is_the_same_all_round(point)) {
+            const Eigen::Matrix3d covariance =
+                covariance_of({.std = *point.noise_std, .correlations = point.noise_correlations});
+            const PlaceNoise noise =
+                noise_of(motion.rotation * covariance * motion.rotation.transpose());
+            point.noise_std = noise.std;
+            point.noise_correlations = noise.correlations;
         }
     }
     return points;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "taut/survey/covariance.hpp"
+
 namespace taut {
 namespace {
 
@@ -47,14 +49,16 @@ AveragedPoints average_repeated(std::vector<SurveyPoint> points, double noise_st
         ++count;
         SurveyPoint& first = points[indices.front()];
         Eigen::Vector3d offsets = Eigen::Vector3d::Zero();
-        Eigen::Vector3d variances = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d covariances = Eigen::Matrix3d::Zero();
         bool has_std = true;
         for (const size_t i : indices) {
             check_repeat(first, points[i], noise_std);
             // Less the first: coordinates of a national grid lose nothing.
             offsets += points[i].position - first.position;
             has_std = has_std && points[i].noise_std;
-            variances += points[i].noise_std.value_or(Eigen::Vector3d::Zero()).cwiseAbs2();
+            covariances +=
+                covariance_of({.std = points[i].noise_std.value_or(Eigen::Vector3d::Zero()),
+                               .correlations = points[i].noise_correlations});
         }
         const auto n = static_cast<double>(indices.size());
         const Eigen::Vector3d mean = first.position + offsets / n;
@@ -69,8 +73,9 @@ AveragedPoints average_repeated(std::vector<SurveyPoint> points, double noise_st
             worst_name = name;
         }
         first.position = mean;
-        first.noise_std =
-            has_std ? std::optional<Eigen::Vector3d>(variances.cwiseSqrt() / n) : std::nullopt;
+        const PlaceNoise noise = noise_of(covariances / (n * n));
+        first.noise_std = has_std ? std::optional(noise.std) : std::nullopt;
+        first.noise_correlations = has_std ? noise.correlations : Eigen::Vector3d::Zero();
     }
     AveragedPoints result;
     for (size_t i = 0; i < points.size(); ++i) {

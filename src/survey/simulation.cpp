@@ -10,8 +10,10 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "taut/survey/registration.hpp"
+#include "taut/survey/target_offsets.hpp"
 
 namespace taut {
 namespace {
@@ -26,6 +28,12 @@ public:
         const double x = normal();
         const double y = normal();
         return {x, y, normal()};
+    }
+
+    /// Uniform in a full circle.
+    double angle() {
+        const double x = normal();
+        return std::atan2(normal(), x);
     }
 
     template <class T>
@@ -49,40 +57,80 @@ RigidMotion random_motion(Dice& dice) {
     return {.rotation = turn.normalized().toRotationMatrix(), .to = grid * dice.normals()};
 }
 
-void check(const CableNet& net, const Points& form, const SurveySimulation& simulation) {
+void check_simulated(const CableNet& net, const Points& form, double dropped_part) {
     if (form.cols() != net.node_count() || !form.allFinite()) {
         throw std::invalid_argument(
             fmt::format("a form of {} nodes, expected {} as in the net, all finite", form.cols(),
                         net.node_count()));
     }
-    if (!(simulation.noise_std >= 0.0) || !std::isfinite(simulation.noise_std)) {
+    if (!(dropped_part >= 0.0 && dropped_part < 1.0)) {
         throw std::invalid_argument(
-            fmt::format("noise is {} m, expected at least 0 and finite", simulation.noise_std));
+            fmt::format("the dropped part is {}, expected at least 0 and below 1", dropped_part));
     }
-    if (!(simulation.dropped_part >= 0.0 && simulation.dropped_part < 1.0)) {
-        throw std::invalid_argument(fmt::format(
-            "the dropped part is {}, expected at least 0 and below 1", simulation.dropped_part));
+}
+
+/// Free nodes without a part of them, in any order.
+std::vector<int> seen_nodes(const CableNet& net, double dropped_part, Dice& dice) {
+    std::vector<int> nodes = net.free_nodes();
+    dice.shuffle(nodes);
+    const auto dropped =
+        static_cast<std::ptrdiff_t>(std::llround(dropped_part * static_cast<double>(nodes.size())));
+    nodes.erase(nodes.begin(), nodes.begin() + dropped);
+    return nodes;
+}
+
+void check_stations(const PolarSimulation& simulation) {
+    if (simulation.stations.empty()) {
+        throw std::invalid_argument("there is no station, expected at least one");
     }
+    if (!(simulation.angle_std > 0.0) || !(simulation.distance.std_at(0.0) > 0.0)) {
+        throw std::invalid_argument(
+            fmt::format("the standard deviations of angles and distances are {} rad and {} m, "
+                        "expected more than 0",
+                        simulation.angle_std, simulation.distance.std));
+    }
+}
+
+/// Of a place in the net's frame by an instrument whose circle is turned by `orientation`.
+PolarReading reading_of(const Eigen::Vector3d& place, const Eigen::Vector3d& station,
+                        double orientation) {
+    const Eigen::Vector3d away = place - station;
+    return {.direction = std::atan2(away.x(), away.y()) + orientation,
+            .zenith = std::acos(std::clamp(away.z() / away.norm(), -1.0, 1.0)),
+            .distance = away.norm()};
 }
 
 }  // namespace
 
 std::vector<SurveyPoint> simulate_survey(const CableNet& net, const Points& form,
                                          const SurveySimulation& simulation) {
-    check(net, form, simulation);
+    check_simulated(net, form, simulation.dropped_part);
+    if (!(simulation.noise_std >= 0.0) || !std::isfinite(simulation.noise_std)) {
+        throw std::invalid_argument(
+            fmt::format("noise is {} m, expected at least 0 and finite", simulation.noise_std));
+    }
+    if (!(simulation.offset_std >= 0.0) || !std::isfinite(simulation.offset_std) ||
+        !std::isfinite(simulation.offset)) {
+        throw std::invalid_argument(fmt::format(
+            "offsets are {} m with a standard deviation of {} m, expected finite ones, the latter "
+            "at least 0",
+            simulation.offset, simulation.offset_std));
+    }
     Dice dice(simulation.seed);
-    std::vector<int> free_nodes = net.free_nodes();
-    dice.shuffle(free_nodes);
-    const auto dropped = static_cast<std::ptrdiff_t>(
-        std::llround(simulation.dropped_part * static_cast<double>(free_nodes.size())));
-    free_nodes.erase(free_nodes.begin(), free_nodes.begin() + dropped);
+    std::vector<int> free_nodes = seen_nodes(net, simulation.dropped_part, dice);
     if (!simulation.shuffled) {
         std::ranges::sort(free_nodes);
     }
 
+    const bool has_offsets = simulation.offset != 0.0 || simulation.offset_std > 0.0;
+    const Points normals = has_offsets ? node_normals(net, form) : Points();
     std::vector<SurveyPoint> points;
     const auto survey = [&](int node, bool named) {
         SurveyPoint point{.id = named ? net.node_id(node) : "", .position = form.col(node)};
+        if (has_offsets && net.free_index(node) >= 0) {
+            const double own = simulation.offset_std > 0.0 ? dice.normal() : 0.0;
+            point.position += (simulation.offset + simulation.offset_std * own) * normals.col(node);
+        }
         if (simulation.noise_std > 0.0) {
             point.position += simulation.noise_std * dice.normals();
         }
@@ -103,6 +151,54 @@ std::vector<SurveyPoint> simulate_survey(const CableNet& net, const Points& form
         }
     }
     return points;
+}
+
+PolarSurvey simulate_polar_survey(const CableNet& net, const Points& form,
+                                  const PolarSimulation& simulation) {
+    check_simulated(net, form, simulation.dropped_part);
+    check_stations(simulation);
+    Dice dice(simulation.seed);
+    std::vector<int> free_nodes = seen_nodes(net, simulation.dropped_part, dice);
+    if (!simulation.shuffled) {
+        std::ranges::sort(free_nodes);
+    }
+    std::vector<std::pair<int, std::string>> targets;
+    for (const int node : net.supports()) {
+        targets.emplace_back(node, net.node_id(node));
+    }
+    for (const int node : free_nodes) {
+        targets.emplace_back(node,
+                             simulation.shuffled
+                                 ? fmt::format("t{}", targets.size() + 1 - net.supports().size())
+                                 : net.node_id(node));
+    }
+    PolarSurvey survey;
+    for (const Eigen::Vector3d& station : simulation.stations) {
+        const auto number = static_cast<int>(survey.stations.size());
+        survey.stations.push_back({.name = std::to_string(number + 1)});
+        const double orientation = dice.angle();
+        for (const auto& [node, name] : targets) {
+            const double distance = (form.col(node) - station).norm();
+            constexpr double nearest = 0.01;
+            if (!(distance > nearest)) {
+                throw std::invalid_argument(
+                    fmt::format("station {} stands at node '{}', expected it away from all targets",
+                                number + 1, net.node_id(node)));
+            }
+            PolarReading reading = reading_of(form.col(node), station, orientation);
+            reading.station = number;
+            reading.target = name;
+            reading.angle_std = simulation.angle_std;
+            reading.distance_std = simulation.distance.std_at(distance);
+            constexpr double full = 2.0 * std::numbers::pi;
+            reading.direction =
+                std::fmod(reading.direction + reading.angle_std * dice.normal() + 2.0 * full, full);
+            reading.zenith = std::abs(reading.zenith + reading.angle_std * dice.normal());
+            reading.distance += reading.distance_std * dice.normal();
+            survey.readings.push_back(std::move(reading));
+        }
+    }
+    return survey;
 }
 
 }  // namespace taut

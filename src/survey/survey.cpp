@@ -42,15 +42,17 @@ public:
         m_survey.placed.push_back({.name = point.id.empty() ? point.label : point.id,
                                    .line = point.line,
                                    .node = node,
-                                   .distance = (point.position - m_net.nodes().col(node)).norm()});
+                                   .distance = (point.position - m_net.nodes().col(node)).norm(),
+                                   .code = point.code});
         if (m_net.free_index(node) >= 0) {
             m_survey.form.col(node) = point.position;
             m_survey.noise_std.col(node) = point.noise_std.value_or(m_default_noise_std);
+            m_survey.set_correlations(node, point.noise_correlations);
         } else {
-            m_survey.supports.push_back(
-                {.node = node,
-                 .position = point.position,
-                 .noise_std = point.noise_std.value_or(m_default_noise_std)});
+            m_survey.supports.push_back({.node = node,
+                                         .position = point.position,
+                                         .noise_std = point.noise_std.value_or(m_default_noise_std),
+                                         .noise_correlations = point.noise_correlations});
         }
     }
 
@@ -77,6 +79,20 @@ private:
     std::vector<bool> m_seen;
     Survey m_survey;
 };
+
+/// Marks pairs of named points of which each is at the node of the other's name.
+void mark_swapped(const CableNet& net, std::vector<UnmatchedPoint>& far) {
+    const double reach = 0.5 * mean_edge_length(net);
+    const auto is_at = [&](const UnmatchedPoint& point, int node) {
+        return (point.point.position - net.nodes().col(node)).norm() < reach;
+    };
+    for (UnmatchedPoint& one : far) {
+        const auto other = std::ranges::find_if(far, [&](const UnmatchedPoint& point) {
+            return is_at(one, point.nearest) && is_at(point, one.nearest);
+        });
+        one.swapped_with = other == far.end() ? -1 : other->nearest;
+    }
+}
 
 void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matching& matching) {
     std::map<std::string, int> node_of;
@@ -117,6 +133,7 @@ void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matc
         throw SurveyError(first.point.line,
                           far_away(net, first.point, first.nearest, first.distance, mean_length));
     }
+    mark_swapped(net, far);
     std::ranges::for_each(far, [&](UnmatchedPoint& p) { matching.leave_out(std::move(p)); });
 }
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Surveys and forms; readings of forces and lists of edges.
+// Surveys and forms; readings of angles and distances and of forces, and lists of edges.
 
 #include "fuzz.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/io/forces_csv.hpp"
+#include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -20,6 +21,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::refuse_or_read([&] {
         for (const int edge : parse_edge_list(net, text, "edges.txt")) {
             fuzz::require(edge >= 0 && edge < net.edge_count());
+        }
+    });
+    fuzz::refuse_or_read([&] {
+        for (const PolarReading& reading : parse_polar_csv(text, "readings.csv", 1.0).readings) {
+            fuzz::require(reading.distance > 0.0 && reading.zenith >= 0.0);
         }
     });
     return fuzz::refuse_or_read([&] {

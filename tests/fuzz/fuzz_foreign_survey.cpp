@@ -12,7 +12,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const char* const name : {"survey.txt", "survey.xyz"}) {
         fuzz::refuse_or_read([&] {
             const ForeignSurvey survey = read_foreign_survey(bytes, name);
-            fuzz::require(!survey.points.empty());
+            fuzz::require(!survey.points.empty() || !survey.readings.readings.empty());
+            for (const PolarReading& reading : survey.readings.readings) {
+                fuzz::require(reading.station < std::ssize(survey.readings.stations));
+            }
             for (const SurveyPoint& point : survey.points) {
                 fuzz::require(point.position.allFinite());
                 fuzz::require(!point.noise_std || point.noise_std->minCoeff() >= 0.0);

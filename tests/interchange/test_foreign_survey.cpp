@@ -6,8 +6,10 @@
 
 #include "taut/interchange/foreign_survey.hpp"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <random>
 
 #include "support/bad_input.hpp"
@@ -144,7 +146,7 @@ TEST(ForeignSurvey, TellsWhatItUnderstoodOfATable) {
         "Messung\nPkt-Nr;Rechtswert;Hochwert;H\xF6he;Code\nA;1,5;2;3;T\nB;1;;3;T\nEnde\n", "a.csv");
     EXPECT_EQ(survey.format, "text table");
     EXPECT_THAT(survey.notes, Contains("columns: Pkt-Nr as id, Rechtswert as x, Hochwert as y, "
-                                       "H\xC3\xB6he as z; left out: Code"));
+                                       "H\xC3\xB6he as z, Code as code"));
     EXPECT_THAT(survey.notes, Contains("separator: semicolon; decimal sign: comma"));
     EXPECT_THAT(survey.notes, Contains("encoding: Latin-1"));
     ASSERT_EQ(survey.left_out.size(), 2U);
@@ -196,7 +198,75 @@ TEST(ForeignSurvey, ReadsXyzWithoutNamesAndLeavesOutColours) {
     }
 }
 
-TEST(ForeignSurvey, TakesStandardDeviationsOfGamaFromTheDiagonalOfItsBand) {
+TEST(ForeignSurvey, ReadsAnglesAndDistancesOfGsiFromEveryStation) {
+    // Words of a station begin a new one, though no reading was made from the first; heights of the
+    // prism hold for their line, or from a line without readings on.
+    const std::string text =
+        "110001+00000901 84...0+00000000 85...0+00000000 86...0+00000000 88...0+00001600\n"
+        "110002+00000902 84...0+00001000 85...0+00002000 86...0+00000500 88...0+00001600\n"
+        "110003+00000001 21.322+10000000 22.322+09000000 31...0+00012345\n"
+        "110004+00000002 21.322+30000000 22.322+31000000 31...6+00123456 87...0+00000100\n"
+        "410005+00000007 42....+00000000\n"
+        "110006+00000903 88...0+00001500 87...0+00000200\n"
+        "110007+00000001 21.323+09000000 22.323+08100000 31...8+01234500\n"
+        "110008+00000003 21.324+09000300 22.325+16000000 31...1+00010000\n"
+        "110009+00000004 21.322+10000000 22.322+09000000\n";
+    const ForeignSurvey found = read_foreign_survey(text, "a.gsi");
+    EXPECT_TRUE(found.points.empty());
+    const PolarSurvey& survey = found.readings;
+    ASSERT_EQ(survey.stations.size(), 2U);
+    EXPECT_EQ(survey.stations[0].name, "902");
+    EXPECT_EQ(survey.stations[0].line, 2);
+    EXPECT_EQ(survey.stations[1].name, "903");
+    ASSERT_EQ(survey.readings.size(), 4U);
+    const std::array<int, 4> stations{0, 0, 1, 1};
+    // The second face reads 310 gon for 90; minutes and seconds 90 deg 0 min 30.0 s; 1600 mil.
+    const std::array<double, 4> directions{100 * gon, 100 * gon, 90 * degree,
+                                           (90 + 30.0 / 3600) * degree};
+    const std::array<double, 4> zeniths{90 * gon, 90 * gon, 81 * degree, 90 * degree};
+    const std::array<double, 4> distances{12.345, 12.3456, 12.345, 3.048};
+    const std::array<double, 4> heights{0.0, 0.1, 0.2, 0.2};
+    for (size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(survey.readings[i].station, stations[i]) << i;
+        EXPECT_NEAR(survey.readings[i].direction, directions[i], 1e-12) << i;
+        EXPECT_NEAR(survey.readings[i].zenith, zeniths[i], 1e-12) << i;
+        EXPECT_NEAR(survey.readings[i].distance, distances[i], 1e-12) << i;
+        EXPECT_EQ(survey.readings[i].target_height, heights[i]) << i;
+    }
+    EXPECT_EQ(survey.readings[3].line, 8);
+    ASSERT_EQ(found.left_out.size(), 1U);
+    EXPECT_EQ(found.left_out[0].line, 9);
+}
+
+TEST(ForeignSurvey, TakesStationsOfGsiThatEveryLineTells) {
+    const auto line = [](int target, const char* east) {
+        return fmt::format(
+            "11{:04}+{:08} 21.322+10000000 22.322+09000000 31...0+00012345 "
+            "84...0+{} 85...0+00000000 86...0+00000000\n",
+            target, target, east);
+    };
+    const ForeignSurvey found = read_foreign_survey(
+        line(1, "00001000") + line(2, "00001000") + line(1, "00002000"), "a.gsi");
+    ASSERT_EQ(found.readings.stations.size(), 2U);
+    EXPECT_EQ(found.readings.readings[1].station, 0);
+    EXPECT_EQ(found.readings.readings[2].station, 1);
+}
+
+TEST(ForeignSurvey, TakesReadingsBesideCoordinatesWhereTheyAreAskedFor) {
+    const std::string text =
+        "110001+00000001 21.322+10000000 22.322+09000000 31...0+00012345 81...0+00001000 "
+        "82...0+00002000 83...0+00003000\n";
+    EXPECT_EQ(read_foreign_survey(text, "a.gsi").points.size(), 1U);
+    const ForeignSurvey readings = read_foreign_survey(text, "a.gsi", {.takes_readings = true});
+    EXPECT_TRUE(readings.points.empty());
+    EXPECT_EQ(readings.readings.readings.size(), 1U);
+    EXPECT_THAT(input_error_of([] {
+                    return read_foreign_survey("A;1.5;2;3\n", "a.csv", {.takes_readings = true});
+                }),
+                HasSubstr("a.csv: holds no readings of angles and distances"));
+}
+
+TEST(ForeignSurvey, TakesTheCovarianceOfEachPointOfGamaFromItsBand) {
     const auto text = [](const std::string& axes, const std::string& matrix) {
         return "<gama-local-adjustment><network-general-parameters " + axes +
                "/><coordinates><adjusted><point><id>A</id><x>1</x><y>2</y><z>3</z></point><point>"
@@ -206,7 +276,7 @@ TEST(ForeignSurvey, TakesStandardDeviationsOfGamaFromTheDiagonalOfItsBand) {
     };
     // Rows of the upper band of two: 7 unknowns, the fourth of the point with a height only.
     const std::string matrix =
-        "<cov-mat><dim>7</dim><band>1</band><flt>4</flt><flt>9</flt><flt>16</flt><flt>9</flt>"
+        "<cov-mat><dim>7</dim><band>1</band><flt>4</flt><flt>6</flt><flt>16</flt><flt>9</flt>"
         "<flt>25</flt><flt>9</flt><flt>9</flt><flt>9</flt><flt>36</flt><flt>9</flt><flt>49</flt>"
         "<flt>9</flt><flt>64</flt></cov-mat>";
     const ForeignSurvey right = read_foreign_survey(text("axes-xy=\"en\"", matrix), "a.xml");
@@ -214,12 +284,17 @@ TEST(ForeignSurvey, TakesStandardDeviationsOfGamaFromTheDiagonalOfItsBand) {
     EXPECT_EQ(right.points[0].position, Eigen::Vector3d(1, 2, 3));
     EXPECT_EQ(*right.points[0].noise_std, Eigen::Vector3d(2, 4, 5));
     EXPECT_EQ(*right.points[1].noise_std, Eigen::Vector3d(6, 7, 8));
+    // The band ends before the covariance of x and z.
+    EXPECT_TRUE(right.points[0].noise_correlations.isApprox(Eigen::Vector3d(6.0 / 8, 0, 9.0 / 20)));
+    EXPECT_TRUE(
+        right.points[1].noise_correlations.isApprox(Eigen::Vector3d(9.0 / 42, 0, 9.0 / 56)));
     EXPECT_EQ(right.std_unit, 1e-3);
     EXPECT_EQ(right.left_out.size(), 1U);
     // North first is left-handed: east comes first.
     const ForeignSurvey left = read_foreign_survey(text("", matrix), "a.xml");
     EXPECT_EQ(left.points[1].position, Eigen::Vector3d(5, 4, 6));
     EXPECT_EQ(*left.points[1].noise_std, Eigen::Vector3d(7, 6, 8));
+    EXPECT_TRUE(left.points[1].noise_correlations.isApprox(Eigen::Vector3d(9.0 / 42, 9.0 / 56, 0)));
     EXPECT_EQ(input_error_of([&] {
                   return read_foreign_survey(
                       text("",
@@ -287,9 +362,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"TwoEasts", "Name;X;East;Y;Z\nA;1;2;3;4\n", "a.csv:1: names a coordinate twice"},
         BadText{"NegativeStd", "Name;X;Y;Z;sx;sy;sz\nA;1;2;3;1;-1;1\n", "a.csv:2: sy is '-1'"},
         BadText{"FourNumbers", "1,5;2,5;3,5;4,5\n", "a.csv:1: has four numbers"},
-        BadText{
-            "Polar", "110001+00000001 21.322+12345678 22.322+12345678 31...0+00012345\n",
-            "a.gsi: holds 1 lines of angles and distances (words 21, 22, 31) and no coordinates"},
+        BadText{"PolarWithoutDistance", "110001+00000001 21.322+12345678 22.322+12345678\n",
+                "a.gsi: holds no point with three coordinates"},
+        BadText{"PolarUnit", "110001+00000001 21.320+12345678 22.322+12345678 31...0+00012345\n",
+                "a.gsi:1: word 21 has the unit '0', expected one of angles: 2, 3, 4, 5"},
+        BadText{"PolarBeyondACircle",
+                "110001+00000001 21.323+36100000 22.323+09000000 31...0+00012345\n",
+                "a.gsi:1: word 21 is '36100000', expected no more than a full circle"},
         BadText{"GsiCut", "110001+00000001 81...0+00001500 82...0-00002250 83...0+000",
                 "a.gsi:1: ends within the word '83...0+000'"},
         BadText{"GsiUnits", "110001+00000001 81...0+00001500 82...1-00002250 83...0+00000125\n",

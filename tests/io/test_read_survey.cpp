@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "support/bad_input.hpp"
 #include "support/errors.hpp"
 #include "support/scratch.hpp"
@@ -63,7 +65,7 @@ protected:
 };
 
 TEST_F(ReadSurvey, GivesTheSameFormOutOfEveryFormat) {
-    const Survey own = read_survey(m_net, data_file("own.csv"));
+    const Survey own = read_survey(m_net, data_file("own.csv"), {.noise_std = 0.0});
     EXPECT_THAT(own.notes, IsEmpty());
     EXPECT_THAT(own.warnings, IsEmpty());
     for (const char* const name :
@@ -107,8 +109,35 @@ TEST_F(ReadSurvey, TellsTheUnitThatItsOwnFormatWouldFit) {
     const std::string text = table("", [](int node, double x, double y, double z) {
         return fmt::format("{},{},{},{}", node, 1e3 * x, 1e3 * y, 1e3 * z);
     });
-    EXPECT_THAT(refusal(text, "a.csv"), HasSubstr("its extent fits mm, which --unit mm tells"));
+    EXPECT_THAT(refusal(text, "a.csv"),
+                HasSubstr("its coordinates are in millimetres, not in metres: --unit mm tells it"));
     EXPECT_LT(distance(read(text, "a.csv", {.unit = 1e-3})), 1e-12);
+}
+
+TEST_F(ReadSurvey, TakesTheDigitsOfAFileForItsNoiseUnlessItIsTheNominalForm) {
+    const auto text = [&](double off) {
+        return table("", [&](int node, double x, double y, double z) {
+            return fmt::format("{},{:.4f},{:.4f},{:.4f}", node, x + off, y, z);
+        });
+    };
+    const Survey rounded = read(text(0.0012), "a.csv");
+    EXPECT_NEAR(rounded.largest_noise_std(), 0.1e-3 / std::sqrt(12.0), 1e-15);
+    EXPECT_EQ(rounded.rounding_std, rounded.largest_noise_std());
+    EXPECT_THAT(rounded.notes, ElementsAre(HasSubstr("given to 0.1mm")));
+    EXPECT_TRUE(read(text(0.0012), "a.csv", {.noise_std = 0.0}).is_exact());
+    EXPECT_TRUE(read_survey(m_net, m_scratch / "a.csv", {.noise_std = 1e-3}).notes.empty());
+    const Survey nominal =
+        read(table("", [](int node, double x, double y,
+                          double z) { return fmt::format("{},{},{},{}", node, x, y, z); }),
+             "a.csv");
+    EXPECT_TRUE(nominal.is_exact());
+    // Steps of 10 mm in edges of 0.1 m are no rounding of an instrument.
+    EXPECT_TRUE(read(table("",
+                           [](int node, double x, double y, double z) {
+                               return fmt::format("{},{:.2f},{:.2f},{:.2f}", node, x + 0.02, y, z);
+                           }),
+                     "a.csv")
+                    .is_exact());
 }
 
 TEST_F(ReadSurvey, MatchesNamesThatAreNoNodesByTheirPlace) {
@@ -184,8 +213,10 @@ TEST_F(ReadSurvey, TellsWhatWouldBringThePointsToTheNet) {
     const auto exchanged = [](int node, double x, double y, double z) {
         return fmt::format("{},{},{},{}", node, y, x, z);
     };
-    EXPECT_THAT(refusal(table("", exchanged), "a.csv"),
-                HasSubstr("with x and y exchanged its points are on the net's nodes"));
+    EXPECT_THAT(
+        refusal(table("", exchanged), "a.csv"),
+        HasSubstr("the survey is mirrored: its x and y are exchanged, as north before east: "
+                  "exchange them, of a table by --columns, as id,y,x,z"));
     const auto mixed = [](int node, double x, double y, double z) {
         const double scale = node % 2 == 0 ? 1.0 : 1e3;
         return fmt::format("{};{};{};{}", node, scale * x, scale * y, scale * z);

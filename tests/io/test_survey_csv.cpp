@@ -109,13 +109,29 @@ TEST(SurveyCsv, ReadsTheStandardDeviationsOfNamedAndUnnamedTargets) {
     EXPECT_FALSE(parse_survey_points("A,1,2,3\n", "survey.csv")[0].noise_std.has_value());
 }
 
+TEST(SurveyCsv, ReadsTheCorrelationsBehindThem) {
+    for (const char* text : {"A,1,2,3,0.1,0.2,0.3,0.5,-0.25,0\n",
+                             "id,x,y,z,sx,sy,sz,rxy,rxz,ryz\nA,1,2,3,0.1,0.2,0.3,0.5,-0.25,0\n",
+                             "x;y;z;sx;sy;sz;rxy;rxz;ryz\n1;2;3;0.1;0.2;0.3;0.5;-0.25;0\n"}) {
+        const auto points = parse_survey_points(text, "survey.csv");
+        ASSERT_EQ(points.size(), 1U) << text;
+        EXPECT_EQ(*points[0].noise_std, Eigen::Vector3d(0.1, 0.2, 0.3));
+        EXPECT_EQ(points[0].noise_correlations, Eigen::Vector3d(0.5, -0.25, 0.0));
+    }
+}
+
 TEST(SurveyCsv, WritesWhatItReadsBackToTheLastBit) {
     const std::vector<SurveyPoint> points{
         {.id = "a, \"b\"", .position = {1.0 / 3.0, -2e-17, 1e6 + 0.1}},
-        {.id = "", .position = {1, 2, 3}, .noise_std = Eigen::Vector3d(0.1, 1.0 / 3.0, 0)}};
+        {.id = "", .position = {1, 2, 3}, .noise_std = Eigen::Vector3d(0.1, 1.0 / 3.0, 0)},
+        {.id = "C",
+         .position = {4, 5, 6},
+         .noise_std = Eigen::Vector3d(0.1, 0.2, 0.3),
+         .noise_correlations = {1.0 / 7.0, -0.1, 0.3}}};
     const auto read = parse_survey_points(survey_to_csv(points), "survey.csv");
-    ASSERT_EQ(read.size(), 2U);
-    for (size_t i = 0; i < 2; ++i) {
+    ASSERT_EQ(read.size(), points.size());
+    for (size_t i = 0; i < read.size(); ++i) {
+        EXPECT_EQ(read[i].noise_correlations, points[i].noise_correlations);
         EXPECT_EQ(read[i].id, points[i].id);
         EXPECT_EQ(read[i].position, points[i].position);
         EXPECT_EQ(read[i].noise_std, points[i].noise_std.value_or(Eigen::Vector3d::Zero()));
@@ -153,8 +169,10 @@ TEST_P(BadSurvey, IsRefusedWithItsLine) {
 }
 
 constexpr const char* no_point = ": holds no point, expected lines id,x,y,z";
-constexpr const char* no_header = ":1: is neither a point nor the header [id,]x,y,z[,sx,sy,sz]";
-constexpr const char* wrong_count = " fields, expected [id,]x,y,z[,sx,sy,sz]: 3, 4, 6 or 7";
+constexpr const char* no_header =
+    ":1: is neither a point nor the header [id,]x,y,z[,sx,sy,sz[,rxy,rxz,ryz]]";
+constexpr const char* wrong_count =
+    " fields, expected [id,]x,y,z[,sx,sy,sz[,rxy,rxz,ryz]]: 3, 4, 6, 7, 9 or 10";
 
 INSTANTIATE_TEST_SUITE_P(
     Text, BadSurvey,
@@ -187,6 +205,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"NegativeStd", "A,1,2,3,0,-0.1,0\n",
                 ":1: sy is '-0.1', expected a standard deviation of at least 0"},
         BadText{"StdNoNumber", "A,1,2,3,0,0,?\n", ":1: sz is '?', expected a finite number"},
+        BadText{"CorrelationNoNumber", "A,1,2,3,1,1,1,0,0,?\n",
+                ":1: ryz is '?', expected a finite number"},
+        BadText{"ImpossibleCorrelations", "A,1,2,3,1,1,1,0,0,0\nB,1,2,3,1,1,1,.9,.9,-.9\n",
+                ":2: rxy, rxz, ryz are .9, .9, -.9, expected correlations that three coordinates "
+                "can have: their matrix is not positive definite"},
         BadText{"DecimalCommaWithSemicolons", "A;1,5;2,5;3,5\n",
                 ":1: x is '1,5', expected a number with a decimal point, not a comma"},
         BadText{"DecimalCommaWithBlanks", "A 1,5 2 3\n",

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/survey/station_adjustment.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -38,12 +39,15 @@ enum class TextEncoding { utf_8, utf_16, latin_1 };
 /// What is told of a survey file; the rest is found in it.
 struct SurveyFileOptions {
     std::optional<SurveyFormat> format;
-    /// Of a table, in their order: id, x, y, z, sx, sy, sz, and - for one to leave out; empty: as
-    /// its header says.
+    /// Of a table, in their order: id, x, y, z, sx, sy, sz, code (the kind of target), and - for
+    /// one to leave out; empty: as its header says.
     std::vector<std::string> columns;
     std::optional<char> separator;  ///< of a table: ',', ';', '\t', or ' ' for blanks
     std::optional<char> decimal;    ///< of a table: '.' or ','
     std::optional<TextEncoding> encoding;
+    /// Readings of angles and distances are asked for, even where the file has coordinates, too.
+    bool takes_readings = false;
+    std::optional<double> angle_unit;  ///< of such readings, where the file tells none [rad]
 
     [[nodiscard]] bool operator==(const SurveyFileOptions&) const = default;
 };
@@ -64,8 +68,10 @@ struct LeftOutLine {
 
 /// What was found in a survey file. Every format is read into this.
 struct ForeignSurvey {
-    std::string format;                ///< in words: "Leica GSI-16"
-    std::vector<SurveyPoint> points;   ///< at least one; in the file's unit, x east, y north, z up
+    std::string format;  ///< in words: "Leica GSI-16"
+    /// In the file's unit, x east, y north, z up; at least one where there are no readings.
+    std::vector<SurveyPoint> points;
+    PolarSurvey readings;  ///< angles and distances, where the file has these in place of points
     std::optional<double> unit;        ///< of coordinates, where the file tells it [m]
     std::optional<double> std_unit;    ///< of their standard deviations; empty: as of coordinates
     std::vector<std::string> notes;    ///< how it was understood, a line each
@@ -85,8 +91,8 @@ struct ForeignSurvey {
 /// @param bytes of the file
 /// @param file_name of it, also for messages
 /// @throws InputError with the line, for a file that is cut, a number that is not finite, units
-///   that differ, no coordinates (angles and distances only), more than 64 MiB, and as
-///   detect_survey_format()
+///   that differ, neither coordinates nor readings, no readings where these are asked for, more
+///   than 64 MiB, and as detect_survey_format()
 [[nodiscard]] ForeignSurvey read_foreign_survey(std::string_view bytes,
                                                 const std::string& file_name,
                                                 const SurveyFileOptions& told = {});

@@ -8,7 +8,9 @@
 
 #include "taut/interchange/foreign_survey.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/survey/station_adjustment.hpp"
 #include "taut/survey/survey.hpp"
+#include "taut/survey/target_offsets.hpp"
 
 namespace taut {
 
@@ -29,8 +31,9 @@ enum class PointMatching {
 
 /// How a survey file is to be read.
 struct ReadSurveyOptions {
-    /// Standard deviation of each coordinate where the file tells none [m].
-    double noise_std = 0.0;
+    /// Standard deviation of each coordinate where the file tells none; empty: that of the rounding
+    /// to the digits of the file, 0 where it holds all of a double [m].
+    std::optional<double> noise_std;
     SurveyFrame frame = SurveyFrame::automatic;
     /// Control points id,x,y,z in the net's frame, to fit the survey's frame to instead of the
     /// supports; empty: none.
@@ -40,13 +43,20 @@ struct ReadSurveyOptions {
     /// the file tells, or as the net's extent lets guess [m].
     std::optional<double> unit;
     PointMatching matching = PointMatching::automatic;
+    /// Of readings of angles and distances, where the file tells none; empty: those of a common
+    /// total station, which is warned of [rad].
+    std::optional<double> angle_std;
+    std::optional<DistancePrecision> distance;
+    TargetOffsets offsets = {};  ///< of targets from the axes of the cables
 };
 
 /// A survey file brought to the nodes of a net: points read (taut's own CSV,
-/// parse_survey_points(), or any other format, read_foreign_survey()), those of one name averaged,
-/// their frame fitted (register_rigidly()), and put on nodes by name or place (match_to_nodes()).
-/// What was understood of a file that is not taut's own stands in Survey::notes, what was guessed
-/// in its warnings.
+/// parse_survey_points(), or any other format, read_foreign_survey()), or found from readings of
+/// angles and distances (parse_polar_csv(), GSI; adjust_stations()), those of one name averaged,
+/// their frame fitted (register_rigidly()), put on nodes by name or place (match_to_nodes()), and
+/// taken back to the axes of the cables (take_off_offsets()).
+/// What was understood of a file that is not taut's own stands in Survey::notes, and to which digit
+/// it is rounded where that counts as noise; what was guessed in its warnings.
 /// @throws std::invalid_argument for a noise that is negative or not finite, and a unit that is not
 ///   positive
 /// @throws InputError naming the file, its line and the rule: as the functions named, and where two

@@ -12,12 +12,12 @@
 namespace taut {
 
 /// Reads surveyed points, one a line: [id,] x, y, z [m], and with them or not the standard
-/// deviations sx, sy, sz of their noise [m]. Without an id, or with an empty one, the point is a
-/// target without a name.
-/// The fields are separated by commas, semicolons, or blanks and tabs, as in the first line that
-/// holds any, and are as many in every line: 3, 4, 6 or 7. That line may be the header with these
-/// names, in lower or upper case. An id may stand in quotes, "" within them means a quote. Left out
-/// are empty lines and those that start with #. Numbers have a decimal point.
+/// deviations sx, sy, sz of their noise [m], and behind these or not its correlations rxy, rxz,
+/// ryz. Without an id, or with an empty one, the point is a target without a name. The fields are
+/// separated by commas, semicolons, or blanks and tabs, as in the first line that holds any, and
+/// are as many in every line: 3, 4, 6, 7, 9 or 10. That line may be the header with these names, in
+/// lower or upper case. An id may stand in quotes, "" within them means a quote. Left out are empty
+/// lines and those that start with #. Numbers have a decimal point.
 /// @param file_name for messages
 /// @return the points in the order of the file, at least one, positions finite [m]
 /// @throws InputError with the line, for anything else
@@ -35,7 +35,7 @@ namespace taut {
 [[nodiscard]] std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path);
 
 /// Points as parse_survey_points() reads them back to the last bit, with standard deviations where
-/// any point has them (0 for those without).
+/// any point has them (0 for those without), and correlations likewise.
 [[nodiscard]] std::string survey_to_csv(const std::vector<SurveyPoint>& points);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "taut/survey/station_adjustment.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -13,6 +14,8 @@ namespace taut {
 struct SurveySimulation {
     double noise_std = 0.0;     ///< normal noise on every coordinate [m]
     double dropped_part = 0.0;  ///< of the free nodes, hidden from the instrument
+    double offset = 0.0;        ///< of targets on free nodes along the form's normal [m]
+    double offset_std = 0.0;    ///< normal, of each target's offset [m]
     bool shuffled = false;      ///< targets on free nodes have no names, and any order
     bool random_frame = false;  ///< an instrument's own frame, as far away as a national grid
     std::uint64_t seed = 1;
@@ -22,8 +25,28 @@ struct SurveySimulation {
 /// there is some. The same seed gives the same survey.
 /// @param form 3 x n, supports included [m]
 /// @throws std::invalid_argument for a form of another size or that is not finite, a negative or
-///   infinite noise, and a dropped part outside [0, 1)
+///   infinite noise or standard deviation of offsets, an offset where the form has no normal, and a
+///   dropped part outside [0, 1)
 [[nodiscard]] std::vector<SurveyPoint> simulate_survey(const CableNet& net, const Points& form,
                                                        const SurveySimulation& simulation);
+
+/// What a simulated instrument does to a form.
+struct PolarSimulation {
+    std::vector<Eigen::Vector3d> stations;  ///< places of the instrument, in the net's frame [m]
+    double angle_std = common_angle_std;  ///< of normal noise on directions and zenith angles [rad]
+    DistancePrecision distance;           ///< of normal noise on distances
+    double dropped_part = 0.0;            ///< of the free nodes, hidden from all stations
+    bool shuffled = false;                ///< targets on free nodes have names of their own
+    std::uint64_t seed = 1;
+};
+
+/// The readings of such a survey: each station, named 1, 2, ..., levelled and with the zero of its
+/// circle anywhere, reads each target once, with the standard deviations told. A shuffled target is
+/// named t1, t2, ... in any order. The same seed gives the same readings.
+/// @param form 3 x n, supports included [m]
+/// @throws std::invalid_argument as simulate_survey(), and for no station, one nearer than 10 mm to
+///   a target or not finite, and noise that is not positive
+[[nodiscard]] PolarSurvey simulate_polar_survey(const CableNet& net, const Points& form,
+                                                const PolarSimulation& simulation);
 
 }  // namespace taut

@@ -19,9 +19,12 @@ struct SurveyPoint {
     Eigen::Vector3d position;  ///< [m]
     int line = 0;              ///< of the file it came from, for messages; 0 if none
     std::optional<Eigen::Vector3d> noise_std;  ///< of each coordinate, where it is told [m]
+    /// Of that noise, between x and y, x and z, y and z.
+    Eigen::Vector3d noise_correlations = Eigen::Vector3d::Zero();
     /// Its name in the file where that is no node's: it is a target without a name, and this is for
     /// messages.
     std::string label;
+    std::string code;  ///< what the file calls this kind of point; empty where it tells none
 };
 
 /// Why a surveyed point was put on no node.
@@ -41,6 +44,9 @@ struct UnmatchedPoint {
     int nearest = 0;        ///< node: its own if it is named, else the nearest
     double distance = 0.0;  ///< to the nominal place of that node [m]
     UnmatchedReason reason = UnmatchedReason::far_from_every_node;
+    /// Node of another such point, where each of both is at the node of the other's name: their
+    /// names are swapped; else -1.
+    int swapped_with = -1;
 };
 
 /// A measured support, whose place is known without, too.
@@ -48,6 +54,8 @@ struct SurveyedSupport {
     int node = 0;
     Eigen::Vector3d position;   ///< [m]
     Eigen::Vector3d noise_std;  ///< of each coordinate [m]
+    /// Of that noise, between x and y, x and z, y and z.
+    Eigen::Vector3d noise_correlations = Eigen::Vector3d::Zero();
 };
 
 /// A surveyed point that was put on a node.
@@ -56,6 +64,7 @@ struct PlacedPoint {
     int line = 0;
     int node = 0;
     double distance = 0.0;  ///< to the nominal place of the node [m]
+    std::string code;       ///< of the point in the file
 };
 
 /// A survey brought to the nodes of a net.
@@ -64,6 +73,9 @@ struct Survey {
     /// 3 x n, standard deviation of each coordinate, 0 for an exact one; ignored where no free node
     /// was surveyed. 3 x 0: all exact [m].
     Points noise_std;
+    /// 3 x n, correlations of that noise at a node, between x and y, x and z, y and z; those of
+    /// different nodes are independent. 3 x 0: none.
+    Points noise_correlations;
     std::vector<int> surveyed;              ///< free nodes that were measured, ascending
     std::vector<int> missing;               ///< free nodes that were not, ascending
     std::vector<SurveyedSupport> supports;  ///< in ascending order; not in `form`
@@ -75,7 +87,12 @@ struct Survey {
     std::vector<std::string> warnings;  ///< what is most likely told in another unit, a line each
     std::vector<PlacedPoint> placed;    ///< on which node each point is, supports included
     std::vector<std::string> notes;     ///< how its file was understood, a line each
+    double rounding_std = 0.0;  ///< of its file's last digit, where `noise_std` holds it [m]
 
+    /// Correlations of the noise at a node, 0 where there are none.
+    [[nodiscard]] Eigen::Vector3d correlations_of(int node) const;
+    /// Makes these the correlations of the noise at a node.
+    void set_correlations(int node, const Eigen::Vector3d& correlations);
     /// Whether some surveyed coordinate has noise.
     [[nodiscard]] bool is_noisy() const { return largest_noise_std() > 0.0; }
     /// Whether no surveyed coordinate has noise.
@@ -89,8 +106,8 @@ struct Survey {
 };
 
 /// @throws SurveyError for a survey of another size than the net, a node that is not free, comes
-///   twice or is neither surveyed nor missing, noise that is negative or not finite, a position
-///   that is not finite, and where no node was surveyed
+///   twice or is neither surveyed nor missing, noise that is negative or not finite, correlations
+///   that no noise can have, a position that is not finite, and where no node was surveyed
 void check_survey(const CableNet& net, const Survey& survey);
 
 /// @param expected what the survey should have held, for the message: "all for ..."

@@ -45,7 +45,7 @@ ForeignSurvey read_decoded(const std::string& text, const std::string& file_name
         case SurveyFormat::pts:
             return read_pts(text, file_name);
         case SurveyFormat::gsi:
-            return read_gsi(text, file_name);
+            return read_gsi(text, file_name, told);
         case SurveyFormat::landxml:
             return read_landxml(text, file_name);
         case SurveyFormat::jobxml:
@@ -95,7 +95,12 @@ ForeignSurvey read_foreign_survey(std::string_view bytes, const std::string& fil
     const SurveyFormat format = told.format ? *told.format : detect_survey_format(bytes, file_name);
     const DecodedText decoded = decode_text(bytes, file_name, told.encoding);
     ForeignSurvey survey = read_decoded(decoded.text, file_name, format, told);
-    if (survey.points.empty()) {
+    if (told.takes_readings && survey.readings.readings.empty()) {
+        throw InputError(file_name, "",
+                         "holds no readings of angles and distances, for which --angle and --range "
+                         "are: expected a Leica GSI file, or a table station,target,hz,v,distance");
+    }
+    if (survey.points.empty() && survey.readings.readings.empty()) {
         throw InputError(file_name, "",
                          fmt::format("holds no point with three coordinates, expected some as {} "
                                      "has them",

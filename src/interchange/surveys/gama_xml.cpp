@@ -12,6 +12,7 @@
 #include "files/message.hpp"
 #include "interchange/surveys/survey_reader.hpp"
 #include "interchange/surveys/survey_xml.hpp"
+#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -30,9 +31,12 @@ std::optional<double> gama_coordinate(const SurveyXml& xml, pugi::xml_node node,
     return value ? value : xml.number(node, capital);
 }
 
-/// Variances of the unknowns [mm2]: the first number of each row of the covariance matrix, of which
-/// the upper band stands there by rows.
-std::vector<double> gama_variances(const SurveyXml& xml, pugi::xml_node matrix) {
+/// Of an unknown: its variance, and its covariances with the next two [mm2].
+using GamaCovariances = std::array<double, 3>;
+
+/// Those of all unknowns: the first numbers of each row of the covariance matrix, of which the
+/// upper band stands there by rows.
+std::vector<GamaCovariances> gama_covariances(const SurveyXml& xml, pugi::xml_node matrix) {
     const auto dim = xml.number(matrix, "dim");
     const auto band = xml.number(matrix, "band");
     const auto is_count = [](std::optional<double> value) {
@@ -41,25 +45,43 @@ std::vector<double> gama_variances(const SurveyXml& xml, pugi::xml_node matrix) 
     if (!is_count(dim) || !is_count(band)) {
         xml.fail(matrix, "has a cov-mat without dim and band, expected whole numbers");
     }
-    std::vector<double> variances;
+    std::vector<GamaCovariances> rows;
     double behind = 0.0;  // numbers of this row that are still to come
+    size_t column = 0;    // of this row, counted from its diagonal
     for (const pugi::xml_node value : matrix.children("flt")) {
         if (behind > 0.0) {
             behind -= 1.0;
+            ++column;
+            if (column < rows.back().size()) {
+                rows.back()[column] = xml.number(value, value.text().get(), "flt");
+            }
             continue;
         }
-        variances.push_back(xml.number(value, value.text().get(), "flt"));
-        if (variances.back() < 0.0) {
+        rows.push_back({xml.number(value, value.text().get(), "flt")});
+        column = 0;
+        if (rows.back().front() < 0.0) {
             xml.fail(value, fmt::format("has the variance {}, expected 0 or more",
                                         quote(value.text().get())));
         }
-        behind = std::min(*band, *dim - static_cast<double>(variances.size()));
+        behind = std::min(*band, *dim - static_cast<double>(rows.size()));
     }
-    if (behind > 0.0 || static_cast<double>(variances.size()) != *dim) {
+    if (behind > 0.0 || static_cast<double>(rows.size()) != *dim) {
         xml.fail(matrix, fmt::format("has a cov-mat with {} whole rows, expected {} as dim says",
-                                     variances.size() - (behind > 0.0 ? 1 : 0), *dim));
+                                     rows.size() - (behind > 0.0 ? 1 : 0), *dim));
     }
-    return variances;
+    return rows;
+}
+
+/// Of a point, whose coordinates are unknowns one after the other [mm].
+PlaceNoise gama_noise(const std::vector<GamaCovariances>& rows, const GamaPoint& point) {
+    const GamaCovariances& x = rows[point.unknown[0]];
+    const GamaCovariances& y = rows[point.unknown[1]];
+    const GamaCovariances& z = rows[point.unknown[2]];
+    Eigen::Matrix3d covariance;
+    covariance << x[0], x[1], x[2],  //
+        x[1], y[0], y[1],            //
+        x[2], y[1], z[0];
+    return noise_of(covariance);
 }
 
 /// Whether x, y and z of the adjustment are right-handed: its axes are told as two of n, e, s, w.
@@ -95,12 +117,12 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
         }
     }
     const pugi::xml_node matrix = coordinates.child("cov-mat");
-    const std::vector<double> variances =
-        matrix ? gama_variances(xml, matrix) : std::vector<double>();
-    if (matrix && variances.size() < unknowns) {
+    const std::vector<GamaCovariances> covariances =
+        matrix ? gama_covariances(xml, matrix) : std::vector<GamaCovariances>();
+    if (matrix && covariances.size() < unknowns) {
         xml.fail(matrix, fmt::format("has a cov-mat of {} unknowns, expected at least the {} "
                                      "adjusted coordinates",
-                                     variances.size(), unknowns));
+                                     covariances.size(), unknowns));
     }
     for (const pugi::xml_node node : coordinates.child("fixed").children("point")) {
         const auto x = gama_coordinate(xml, node, "x", "X");
@@ -117,11 +139,14 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
     }
     for (GamaPoint& found : points) {
         if (matrix) {
-            Eigen::Vector3d std;
-            for (size_t k = 0; k < 3; ++k) {
-                std(static_cast<Eigen::Index>(k)) = std::sqrt(variances[found.unknown[k]]);
+            const PlaceNoise noise = gama_noise(covariances, found);
+            found.point.noise_std = noise.std;
+            found.point.noise_correlations = noise.correlations;
+            if (!are_possible_correlations(noise.correlations)) {
+                xml.fail(found.node,
+                         "has a covariance that is not positive definite, expected one "
+                         "that three coordinates can have");
             }
-            found.point.noise_std = std;
         }
         survey.points.push_back(std::move(found.point));
     }
@@ -134,13 +159,14 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
             std::swap(point.position.x(), point.position.y());
             if (point.noise_std) {
                 std::swap(point.noise_std->x(), point.noise_std->y());
+                std::swap(point.noise_correlations.y(), point.noise_correlations.z());
             }
         }
     }
     survey.notes.push_back(fmt::format(
         "columns: adjusted and fixed points, axes-xy {}{}: {} as x, y, z; id as id{}", quote(axes),
         told.empty() ? " (not told)" : "", is_right_handed(axes) ? "x, y, z" : "y, x, z",
-        matrix ? "; cov-mat [mm2] as sx, sy, sz" : ""));
+        matrix ? "; cov-mat [mm2] as sx, sy, sz and their correlations" : ""));
     return survey;
 }
 

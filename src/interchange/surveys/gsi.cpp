@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "files/message.hpp"
 #include "interchange/surveys/survey_reader.hpp"
@@ -75,15 +77,44 @@ public:
         return word;
     }
 
+    /// @return [rad]
+    [[nodiscard]] double angle(const GsiWord& word) const {
+        const auto number = static_cast<double>(digits_of(word));
+        double value = 0.0;
+        switch (word.unit) {
+            case '2':
+                value = number / 1e5 * gon;
+                break;
+            case '3':
+                value = number / 1e5 * degree;
+                break;
+            case '4': {  // dddmmss.s
+                const std::int64_t digits = digits_of(word);
+                const std::int64_t degrees = digits / 100000;
+                const std::int64_t minutes = digits / 1000 % 100;
+                const double seconds = static_cast<double>(digits % 1000) / 10.0;
+                value = (static_cast<double>(degrees) +
+                         (static_cast<double>(minutes) + seconds / 60.0) / 60.0) *
+                        degree;
+                break;
+            }
+            case '5':
+                value = number / 1e4 * std::numbers::pi / 3200.0;
+                break;
+            default:
+                fail(fmt::format("word {} has the unit {}, expected one of angles: 2, 3, 4, 5",
+                                 word.index, quote(std::string(1, word.unit))));
+        }
+        if (!(value <= 2.0 * std::numbers::pi * (1.0 + 1e-9))) {
+            fail(fmt::format("word {} is {}, expected no more than a full circle", word.index,
+                             quote(word.data)));
+        }
+        return word.is_negative ? -value : value;
+    }
+
     /// @return [m]
     [[nodiscard]] double length(const GsiWord& word, bool& is_feet) const {
-        std::int64_t digits = 0;
-        for (const char c : word.data) {
-            if (!is_gsi_digit(c)) {
-                fail(fmt::format("word {} is {}, expected digits", word.index, quote(word.data)));
-            }
-            digits = 10 * digits + (c - '0');
-        }
+        const std::int64_t digits = digits_of(word);
         constexpr double foot = 0.3048;
         double divisor = 1.0;
         double unit = 1.0;
@@ -116,6 +147,17 @@ public:
     }
 
 private:
+    [[nodiscard]] std::int64_t digits_of(const GsiWord& word) const {
+        std::int64_t digits = 0;
+        for (const char c : word.data) {
+            if (!is_gsi_digit(c)) {
+                fail(fmt::format("word {} is {}, expected digits", word.index, quote(word.data)));
+            }
+            digits = 10 * digits + (c - '0');
+        }
+        return digits;
+    }
+
     const TextLine& m_line;
     std::string_view m_rest;
     const std::string& m_file_name;
@@ -128,9 +170,93 @@ std::string gsi_name(std::string_view data) {
     return start == std::string_view::npos ? "0" : std::string(name.substr(start));
 }
 
+/// What an instrument recorded on a line of its readings and stations.
+struct GsiPolarLine {
+    std::string name;
+    std::optional<double> direction;
+    std::optional<double> zenith;
+    std::optional<double> distance;
+    std::optional<double> height;   ///< of the prism
+    std::array<double, 3> place{};  ///< of the station
+    bool is_station = false;
+
+    [[nodiscard]] bool is_reading() const { return direction && zenith && distance; }
+    [[nodiscard]] bool reads_some() const { return direction || zenith || distance; }
+};
+
+GsiPolarLine polar_line(GsiLine& words) {
+    GsiPolarLine line;
+    bool is_feet = false;
+    while (const auto word = words.next()) {
+        if (word->index == 11) {
+            line.name = gsi_name(word->data);
+        } else if (word->index == 21 || word->index == 22) {
+            (word->index == 21 ? line.direction : line.zenith) = words.angle(*word);
+        } else if (word->index == 31) {
+            line.distance = words.length(*word, is_feet);
+        } else if (word->index >= 84 && word->index <= 86) {
+            line.place[static_cast<size_t>(word->index - 84)] = words.length(*word, is_feet);
+            line.is_station = true;
+        } else if (word->index == 87) {
+            line.height = words.length(*word, is_feet);
+        }
+        line.is_station = line.is_station || word->index == 88;
+    }
+    return line;
+}
+
+/// Stations and what was read from each. A line with a station and no reading begins a new one;
+/// lines of readings may tell their station each, which is new where its place is.
+ForeignSurvey read_gsi_readings(const std::string& text, const std::string& file_name) {
+    ForeignSurvey result{.format = "angles and distances in Leica GSI"};
+    PolarSurvey& survey = result.readings;
+    std::optional<PolarStation> next_station;
+    std::optional<std::array<double, 3>> last_place;
+    double kept_height = 0.0;  // until another is told
+    for (const TextLine& text_line : lines_of(text)) {
+        GsiLine words(text_line, file_name);
+        const GsiPolarLine line = polar_line(words);
+        if (line.is_station && (!line.reads_some() || line.place != last_place)) {
+            next_station = {.name = line.reads_some() ? "" : line.name, .line = text_line.number};
+            last_place = line.place;
+        }
+        if (!line.is_reading()) {
+            if (line.reads_some()) {
+                result.left_out.push_back(
+                    {.line = text_line.number, .reason = "not all three of the words 21, 22, 31"});
+            } else if (line.height) {
+                kept_height = *line.height;
+            }
+            continue;
+        }
+        if (survey.stations.empty() && !next_station) {
+            next_station = {.name = "", .line = text_line.number};
+        }
+        if (next_station) {
+            if (next_station->name.empty()) {
+                next_station->name = std::to_string(survey.stations.size() + 1);
+            }
+            survey.stations.push_back(*std::exchange(next_station, std::nullopt));
+        }
+        survey.readings.push_back(
+            in_first_face({.station = static_cast<int>(survey.stations.size()) - 1,
+                           .target = line.name,
+                           .direction = *line.direction,
+                           .zenith = *line.zenith,
+                           .distance = *line.distance,
+                           .target_height = line.height.value_or(kept_height),
+                           .line = text_line.number}));
+    }
+    result.notes.emplace_back(
+        "columns: words 21, 22, 31 as direction, zenith angle and slope distance, 87 as height of "
+        "the prism, 84 to 86 and 88 as a new station; 11 as id, without leading zeros");
+    return result;
+}
+
 }  // namespace
 
-ForeignSurvey read_gsi(const std::string& text, const std::string& file_name) {
+ForeignSurvey read_gsi(const std::string& text, const std::string& file_name,
+                       const SurveyFileOptions& told) {
     ForeignSurvey survey{.format = "Leica GSI-8", .unit = 1.0};
     std::optional<bool> in_feet;
     int polar = 0;
@@ -179,13 +305,8 @@ ForeignSurvey read_gsi(const std::string& text, const std::string& file_name) {
                                              : is_code    ? "a code"
                                                           : "no coordinates"});
     }
-    if (survey.points.empty() && polar > 0) {
-        throw InputError(
-            file_name, "",
-            fmt::format("holds {} lines of angles and distances (words 21, 22, 31) and no "
-                        "coordinates, expected the words 81, 82, 83: have the instrument record "
-                        "coordinates, or reduce the readings first",
-                        polar));
+    if ((survey.points.empty() && polar > 0) || told.takes_readings) {
+        return read_gsi_readings(text, file_name);
     }
     survey.notes.emplace_back(
         "columns: words 81, 82, 83 (E, N, H) as x, y, z; 11 as id, without "

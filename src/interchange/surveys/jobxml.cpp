@@ -36,7 +36,10 @@ void add_jobxml_points(const SurveyXml& xml, pugi::xml_node below, std::string_v
         if (std::string_view(record.child("Deleted").text().get()) == "true") {
             leave_out("was deleted");
         } else if (const auto place = jobxml_place(xml, record)) {
-            survey.points.push_back({.id = name, .position = *place, .line = line});
+            survey.points.push_back({.id = name,
+                                     .position = *place,
+                                     .line = line,
+                                     .code = record.child("Code").text().get()});
         } else {
             leave_out("has no Grid with North, East and Elevation");
         }

@@ -48,7 +48,9 @@ ForeignSurvey read_landxml(const std::string& text, const std::string& file_name
     for (const pugi::xml_node node : SurveyXml::elements(xml.root(), "CgPoint")) {
         const auto words = landxml_words(node.text().get());
         const std::string_view name = node.attribute("name").value();
-        SurveyPoint point{.id = std::string(name), .line = xml.line_of(node)};
+        SurveyPoint point{.id = std::string(name),
+                          .line = xml.line_of(node),
+                          .code = node.attribute("code").value()};
         constexpr size_t coordinates = 3;
         if (words.size() < coordinates) {
             survey.left_out.push_back(

@@ -65,6 +65,9 @@ public:
         if (layout.id) {
             point.id = fields[*layout.id];
         }
+        if (layout.code && *layout.code < fields.size()) {
+            point.code = fields[*layout.code];
+        }
         for (size_t k = 0; k < 3; ++k) {
             point.position(static_cast<Eigen::Index>(k)) =
                 number(fields[layout.place[k]], place_names[k]);
@@ -146,6 +149,9 @@ std::string titles_text(const TableHead& head) {
     }
     for (size_t k = 0; k < 3; ++k) {
         columns.push_back(fmt::format("{} as {}", title(head.layout.place[k]), place_names[k]));
+    }
+    if (head.layout.code) {
+        columns.push_back(fmt::format("{} as code", title(*head.layout.code)));
     }
     for (size_t k = 0; head.layout.spread && k < 3; ++k) {
         columns.push_back(

@@ -43,16 +43,19 @@ const Titles& axis_titles() {
 const Titles& name_titles() {
     constexpr TableColumn id = TableColumn::id;
     constexpr TableColumn number = TableColumn::running_number;
+    constexpr TableColumn code = TableColumn::code;
     static const Titles titles{
-        {"id", id},          {"name", id},       {"punkt", id},       {"punktnummer", id},
-        {"punktnr", id},     {"pktnr", id},      {"pkt", id},         {"punktname", id},
-        {"punktid", id},     {"pnr", id},        {"point", id},       {"pointid", id},
-        {"pointname", id},   {"pointno", id},    {"pointnumber", id}, {"pointnr", id},
-        {"pt", id},          {"ptid", id},       {"ptno", id},        {"ptnr", id},
-        {"node", id},        {"nodeid", id},     {"knoten", id},      {"knotennr", id},
-        {"target", id},      {"targetid", id},   {"ziel", id},        {"zielpunkt", id},
-        {"bezeichnung", id}, {"label", id},      {"nr", number},      {"no", number},
-        {"nummer", number},  {"number", number}, {"lfdnr", number},   {"index", number}};
+        {"id", id},           {"name", id},        {"punkt", id},       {"punktnummer", id},
+        {"punktnr", id},      {"pktnr", id},       {"pkt", id},         {"punktname", id},
+        {"punktid", id},      {"pnr", id},         {"point", id},       {"pointid", id},
+        {"pointname", id},    {"pointno", id},     {"pointnumber", id}, {"pointnr", id},
+        {"pt", id},           {"ptid", id},        {"ptno", id},        {"ptnr", id},
+        {"node", id},         {"nodeid", id},      {"knoten", id},      {"knotennr", id},
+        {"target", id},       {"targetid", id},    {"ziel", id},        {"zielpunkt", id},
+        {"bezeichnung", id},  {"label", id},       {"nr", number},      {"no", number},
+        {"nummer", number},   {"number", number},  {"lfdnr", number},   {"index", number},
+        {"code", code},       {"pointcode", code}, {"punktcode", code}, {"type", code},
+        {"targettype", code}, {"zieltyp", code},   {"punktart", code},  {"pktart", code}};
     return titles;
 }
 
@@ -134,7 +137,7 @@ size_t TableLayout::needed() const {
 }
 
 bool TableLayout::uses(size_t column) const {
-    return column == id || std::ranges::find(place, column) != place.end() ||
+    return column == id || column == code || std::ranges::find(place, column) != place.end() ||
            (spread && std::ranges::find(*spread, column) != spread->end());
 }
 
@@ -142,6 +145,9 @@ std::string TableLayout::to_string() const {
     std::vector<std::string> names(count, "-");
     if (id) {
         names[*id] = "id";
+    }
+    if (code) {
+        names[*code] = "code";
     }
     for (size_t k = 0; k < 3; ++k) {
         names[place[k]] = "xyz"[k];
@@ -161,7 +167,7 @@ TableLayout layout_of_names(const std::vector<std::string>& names) {
         const auto found = std::ranges::find(names, name);
         return found == names.end() ? std::nullopt : std::optional<size_t>(found - names.begin());
     };
-    TableLayout layout{.id = find("id"), .count = names.size()};
+    TableLayout layout{.id = find("id"), .code = find("code"), .count = names.size()};
     layout.place = {find("x").value(), find("y").value(), find("z").value()};
     if (find("sx")) {
         layout.spread = {find("sx").value(), find("sy").value(), find("sz").value()};
@@ -172,11 +178,11 @@ TableLayout layout_of_names(const std::vector<std::string>& names) {
 std::vector<std::string> parse_survey_columns(std::string_view text) {
     std::vector<std::string> names;
     const auto refuse = [&](const std::string& what) {
-        throw std::invalid_argument(
-            fmt::format("the columns {} {}, expected id, x, y, z, sx, sy, sz, each once, and - for "
-                        "one to leave "
-                        "out: \"id,y,x,z,-\"",
-                        quote(text), what));
+        throw std::invalid_argument(fmt::format(
+            "the columns {} {}, expected id, x, y, z, sx, sy, sz, code, each once, and - for "
+            "one to leave "
+            "out: \"id,y,x,z,-\"",
+            quote(text), what));
     };
     const auto has = [&](std::string_view name) {
         return std::ranges::find(names, name) != names.end();
@@ -184,7 +190,8 @@ std::vector<std::string> parse_survey_columns(std::string_view text) {
     for (;;) {
         const size_t end = std::min(text.find(','), text.size());
         const std::string name(trimmed(text.substr(0, end)));
-        constexpr std::array<std::string_view, 8> known{"id", "x", "y", "z", "sx", "sy", "sz", "-"};
+        constexpr std::array<std::string_view, 9> known{"id", "x",  "y",    "z", "sx",
+                                                        "sy", "sz", "code", "-"};
         if (std::ranges::find(known, name) == known.end()) {
             refuse("hold " + quote(name));
         }

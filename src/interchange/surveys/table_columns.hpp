@@ -11,7 +11,9 @@
 namespace taut {
 
 /// What a column of a table of points can be.
-enum class TableColumn { id, running_number, x, y, z, sx, sy, sz };
+enum class TableColumn { id, running_number, x, y, z, sx, sy, sz, code };
+
+inline constexpr size_t table_column_count = 9;
 
 /// A field of a header: "Rechtswert [mm]".
 struct ColumnTitle {
@@ -26,6 +28,7 @@ struct ColumnTitle {
 /// Where the columns stand in a line.
 struct TableLayout {
     std::optional<size_t> id;
+    std::optional<size_t> code;
     std::array<size_t, 3> place{};                ///< of x, y, z
     std::optional<std::array<size_t, 3>> spread;  ///< of sx, sy, sz
     size_t count = 0;                             ///< of all columns, with those left out

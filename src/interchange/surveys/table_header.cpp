@@ -113,16 +113,16 @@ private:
 
     [[nodiscard]] TableLayout layout_of_titles() const {
         TableLayout layout{.count = m_head.titles.size()};
-        std::optional<size_t> found[8];
+        std::optional<size_t> found[table_column_count];
         for (size_t i = 0; i < m_head.titles.size(); ++i) {
             const auto column = parse_column_title(m_head.titles[i]).column;
             if (!column) {
                 continue;
             }
             std::optional<size_t>& at = found[static_cast<int>(*column)];
-            const bool is_name =
-                *column == TableColumn::id || *column == TableColumn::running_number;
-            if (at && !is_name) {
+            const bool is_place = *column != TableColumn::id && *column != TableColumn::code &&
+                                  *column != TableColumn::running_number;
+            if (at && is_place) {
                 fail(*m_head.header,
                      fmt::format("names a coordinate twice, {} and {}: {}",
                                  quote(m_head.titles[*at]), quote(m_head.titles[i]), columns_hint));
@@ -131,6 +131,7 @@ private:
         }
         const auto at = [&](TableColumn column) { return found[static_cast<int>(column)]; };
         layout.id = at(TableColumn::id) ? at(TableColumn::id) : at(TableColumn::running_number);
+        layout.code = at(TableColumn::code);
         for (int k = 0; k < 3; ++k) {
             const auto place = found[static_cast<int>(TableColumn::x) + k];
             if (!place) {

@@ -92,11 +92,13 @@ def jobxml(points):
 
 
 def gama(points):
-    """Standard deviations of 0.2 mm, a band of one covariance beside each variance."""
+    """Standard deviations of 0.2 mm, a band of one covariance beside each variance: 0 within a point,
+    as the other formats have it."""
     rows = "".join(f"      <point><id>{name}</id><x>{metres(x)}</x><y>{metres(y)}</y>"
                    f"<z>{metres(z)}</z></point>\n" for name, x, y, z in points)
     dim = 3 * len(points)
-    numbers = "".join("      <flt>4.0000000e-02</flt><flt>1.0e-03</flt>\n" for _ in range(dim - 1))
+    numbers = "".join(f"      <flt>4.0000000e-02</flt><flt>{'1.0e-03' if k % 3 == 2 else '0.0e+00'}</flt>\n"
+                      for k in range(dim - 1))
     return ('<?xml version="1.0"?>\n'
             '<gama-local-adjustment xmlns="http://www.gnu.org/software/gama/gama-local-adjustment">\n'
             '  <network-general-parameters gama-local-version="2.23" axes-xy="en" '

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "taut/survey/survey.hpp"
+
+namespace taut {
+
+inline constexpr double gon = std::numbers::pi / 200.0;     ///< [rad]
+inline constexpr double degree = std::numbers::pi / 180.0;  ///< [rad]
+
+/// Standard deviation of a direction and of a zenith angle of a common total station [rad].
+inline constexpr double common_angle_std = 0.3e-3 * gon;
+
+/// How well an instrument reads distances, as its maker tells; untold, as a common total station.
+struct DistancePrecision {
+    double std = 1e-3;     ///< standard deviation at the instrument [m]
+    double part = 1.5e-6;  ///< what comes to that, in parts of the distance
+
+    [[nodiscard]] double std_at(double distance) const { return std + part * distance; }
+};
+
+/// What one pointing of an instrument reads.
+struct PolarReading {
+    int station = 0;             ///< index of the station
+    std::string target;          ///< its name
+    double direction = 0.0;      ///< on the horizontal circle, clockwise from its zero [rad]
+    double zenith = 0.0;         ///< from the vertical, in the first face: 0 to pi [rad]
+    double distance = 0.0;       ///< slope distance, positive [m]
+    double target_height = 0.0;  ///< of the prism above the target [m]
+    double angle_std = 0.0;      ///< standard deviation of both angles; 0: not told [rad]
+    double distance_std = 0.0;   ///< of the distance; 0: not told [m]
+    int line = 0;                ///< of the file it came from, for messages; 0 if none
+};
+
+/// An instrument that was set up and levelled, and not moved since.
+struct PolarStation {
+    std::string name;
+    int line = 0;  ///< of the file it came from, for messages; 0 if none
+};
+
+/// What instruments read.
+struct PolarSurvey {
+    std::vector<PolarStation> stations;
+    std::vector<PolarReading> readings;
+};
+
+/// A reading whose telescope was turned over, its zenith angle above pi, as the first face reads
+/// it.
+[[nodiscard]] PolarReading in_first_face(PolarReading reading);
+
+/// Where a station stands: place of the point that its axes meet in, and by how much the zero of
+/// its horizontal circle is turned, counterclockwise seen from above, from the direction of y.
+struct StationPose {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< [m]
+    double orientation = 0.0;                         ///< [rad]
+};
+
+/// Targets in one frame, from readings of one or several stations.
+struct StationAdjustment {
+    /// Each target once, in the order of the first readings, with standard deviations and
+    /// correlations. The frame is that of the datum station: z up, its place the origin, its
+    /// circle's zero along y.
+    std::vector<SurveyPoint> points;
+    std::vector<StationPose> poses;  ///< one a station
+    int datum = 0;                   ///< the station that sees most targets
+    int redundancy = 0;              ///< numbers that were read, less those that they had to tell
+    /// Root of the sum of squared standardised residuals over the redundancy: 1 is expected. 0
+    /// without redundancy.
+    double noise_ratio = 0.0;
+    int worst = -1;               ///< reading with the largest standardised residual, or -1
+    double worst_residual = 0.0;  ///< of it, in standard deviations of the reading
+};
+
+/// The place of every target and the pose of every station but one, by least squares: readings are
+/// weighted as they are. The poses are found through targets that several stations see. With
+/// the vector o = s u(a, z) that a reading tells in the frame of its station (direction a, zenith
+/// angle z, distance s) and the target t in the frame of all, docs/theory.md (polar):
+///
+///   minimise  sum |W (R(w)' (t + h e_z - p) - o)|^2
+///
+/// p, w the pose, h the height of the prism, and W the inverse standard deviations across, up and
+/// along the line of sight. The covariance of a target is its block of the inverse of the normal
+/// matrix, but for what errors of the poses do to all targets alike, docs/theory.md (pose-errors):
+/// the frame is to be taken for unknown. What else targets have in common is not kept.
+/// @param survey each station with a reading, each reading with its standard deviations
+/// @throws SurveyError with the line, for readings that are not finite or have no positive distance
+///   and standard deviations, a station that shares fewer than two targets with those placed before
+///   it, or only targets above each other: it has no orientation then; and where the sum does not
+///   settle
+[[nodiscard]] StationAdjustment adjust_stations(const PolarSurvey& survey);
+
+}  // namespace taut

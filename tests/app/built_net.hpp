@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/program.hpp"
+
+namespace taut::test {
+
+/// The built-in net as it might be built, net.json, built.csv and truth.csv, to be surveyed.
+class BuiltNetTest : public ProgramTest {
+protected:
+    BuiltNetTest() {
+        must_run({"example", "hilo-quarter", "-o", "net.json"});
+        build(7);
+    }
+
+    /// Builds it again, with other lengths.
+    void build(int seed) const {
+        must_run({"form", "net.json", "--law", "uniform:5mm", "--seed", std::to_string(seed), "-o",
+                  "built.csv", "--lengths", "truth.csv"});
+    }
+
+    void survey(std::vector<std::string> options) const {
+        options.insert(options.begin(), {"survey", "net.json", "built.csv", "-o", "survey.csv"});
+        must_run(options);
+    }
+
+    /// The result of a survey, with what is told of it on standard error.
+    struct Identified {
+        nlohmann::json result;
+        std::string err;
+    };
+
+    Identified identify(const std::string& survey, std::vector<std::string> options = {}) const {
+        options.insert(options.begin(), {"identify", "net.json", survey, "--draws", "0", "--json"});
+        const Outcome outcome = run(options);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return {.result = nlohmann::json::parse(outcome.out, nullptr, false), .err = outcome.err};
+    }
+
+    /// How many intervals hold the truth.
+    int count_inside(const nlohmann::json& result) const {
+        const std::vector<double> deviations = true_deviations();
+        EXPECT_EQ(result["edges"].size(), deviations.size());
+        int inside = 0;
+        for (size_t i = 0; i < deviations.size(); ++i) {
+            const nlohmann::json& edge = result["edges"][i];
+            inside += edge["lower"] <= deviations[i] && deviations[i] <= edge["upper"] ? 1 : 0;
+        }
+        return inside;
+    }
+
+    double coverage(const nlohmann::json& result) const {
+        return count_inside(result) / static_cast<double>(result["edges"].size());
+    }
+};
+
+}  // namespace taut::test
