@@ -6,26 +6,24 @@
 #include <iterator>
 
 namespace taut {
-namespace {
 
-using Inner = BorderedFactor::Inner;
-
-double dot(const Inner& a, const Inner& b) {
+double dot(const SaddlePointFactor::Vector& a, const SaddlePointFactor::Vector& b) {
     return a.places.cwiseProduct(b.places).sum() + a.lengths.dot(b.lengths) +
            a.multipliers.cwiseProduct(b.multipliers).sum();
 }
 
-}  // namespace
-
 BorderedFactor::BorderedFactor(const LocalNet& net, const std::vector<bool>& unknown,
                                Supports supports, int border_count)
-    : inner(net, unknown, supports),
-      border(border_count),
-      corner(Eigen::MatrixXd::Identity(border_count, border_count)),
-      extension_rates(Eigen::MatrixXd::Zero(std::ssize(net.edges), border_count)),
-      reading_rates(Eigen::MatrixXd::Zero(std::ssize(net.edges), border_count)),
-      m_edges(net.edges),
-      m_unknown(unknown) {}
+    : inner(net, unknown, supports), m_edges(net.edges), m_unknown(unknown) {
+    set_border_count(border_count);
+}
+
+void BorderedFactor::set_border_count(int count) {
+    border.assign(count, {});
+    corner.setIdentity(count, count);
+    extension_rates.setZero(std::ssize(m_edges), count);
+    reading_rates.setZero(std::ssize(m_edges), count);
+}
 
 bool BorderedFactor::factorize() {
     if (!inner.factorize()) {

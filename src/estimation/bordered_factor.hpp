@@ -9,6 +9,9 @@
 
 namespace taut {
 
+/// Sum of the products of all entries.
+[[nodiscard]] double dot(const SaddlePointFactor::Vector& a, const SaddlePointFactor::Vector& b);
+
 /// The saddle-point matrix K of SaddlePointFactor with a few more unknowns, each of which may have
 /// entries E with all others:
 ///
@@ -24,6 +27,9 @@ public:
                    int border_count);
 
     using Inner = SaddlePointFactor::Vector;
+
+    /// Begins anew with so many unknowns in the border.
+    void set_border_count(int count);
 
     // The matrix, to be filled before factorize().
     SaddlePointFactor inner;    ///< K

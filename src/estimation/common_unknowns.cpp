@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <utility>
 
 namespace taut {
 namespace {
@@ -17,10 +18,18 @@ bool is_common(const Unknown& unknown) {
 }  // namespace
 
 CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& unknowns,
-                               bool frame_is_unknown)
-    : m_node_count(net.node_count()) {
+                               bool frame_is_unknown, BoundaryReleases released)
+    : m_released(std::move(released)),
+      m_has_frame(frame_is_unknown),
+      m_node_count(net.node_count()) {
     if (frame_is_unknown) {
         set_frame(net);
+    }
+    for (const int node : m_released.moved) {
+        for (int k = 0; k < 3; ++k) {
+            m_motions.emplace_back(Points::Zero(3, net.node_count()));
+            m_motions.back()(k, node) = m_translation_unit;
+        }
     }
     for (const Unknown& unknown : unknowns) {
         if (is_common(unknown)) {
@@ -38,6 +47,10 @@ CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& 
                 m_thermal(edge, k) = unknown.std * net.data().expansion(edge);
             }
         }
+    }
+    for (int i = 0; i < static_cast<int>(m_released.turned.size()); ++i) {
+        const int edge = m_released.turned[i];
+        m_thermal(edge, place_of_turned(i)) = m_translation_unit / net.unstressed_lengths()(edge);
     }
 }
 

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/rival_scores.hpp"
+#include "taut/survey/covariance.hpp"
+
 namespace taut {
 namespace {
 
@@ -93,16 +96,17 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
     m_statistics.setZero();
     m_squares = 0.0;
     m_redundancy = 0.0;
+    m_expected_places.clear();
     for (const int node : m_survey.surveyed) {
         const Eigen::Vector3d residual = m_survey.form.col(node) - fitted_form.col(node);
         m_distances(node) = residual.norm();
-        // In units of the noise: Sigma^-1/2 Q Sigma^-1/2 = I -+ Sigma^-1/2 C Sigma^-1/2.
-        const Eigen::DiagonalMatrix<double, 3> whiten(
-            (inflation * m_noise.col(node)).cwiseInverse());
+        // In units of the noise, Sigma = L L': L^-1 Q L'^-1 = I -+ L^-1 C L'^-1.
+        const Eigen::Matrix3d whiten = whitening_of(
+            {.std = inflation * m_noise.col(node), .correlations = m_survey.correlations_of(node)});
         const Eigen::Vector3d e = whiten * residual;
         const double sign = is_rejected(node) ? 1.0 : -1.0;
         const Eigen::Matrix3d Q =
-            Eigen::Matrix3d::Identity() + sign * (whiten * covariance(node) * whiten);
+            Eigen::Matrix3d::Identity() + sign * (whiten * covariance(node) * whiten.transpose());
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
         for (int k = 0; k < 3; ++k) {
             if (eigen.eigenvalues()(k) > smallest_redundancy) {
@@ -110,7 +114,9 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
                 m_statistics(node) += along * along / eigen.eigenvalues()(k);  // (snooping)
             }
         }
-        if (!is_rejected(node)) {
+        if (is_rejected(node)) {
+            m_expected_places[node] = {fitted_form.col(node), covariance(node)};
+        } else {
             m_squares += e.squaredNorm();
             m_redundancy += Q.trace();  // (redundancy)
         }
@@ -203,7 +209,7 @@ Eigen::VectorXd DataSnooping::scores() const {
     Eigen::VectorXd scores = Eigen::VectorXd::Zero(m_statistics.size());
     for (const int node : m_survey.surveyed) {
         if (!m_rejected[node] && !m_readmitted[node]) {
-            scores(node) = m_statistics(node) / m_threshold;
+            scores(node) = rival_score(m_statistics(node), m_threshold);
         }
     }
     return scores;
@@ -213,7 +219,7 @@ bool DataSnooping::reject(const Eigen::VectorXd& rivals) {
     const std::vector<int> changing = largest_above_threshold(rivals);
     double largest = rivals.size() > 0 ? std::max(1.0, rivals.maxCoeff()) : 1.0;
     for (const int node : changing) {
-        largest = std::max(largest, m_statistics(node) / m_threshold);
+        largest = std::max(largest, rival_score(m_statistics(node), m_threshold));
     }
     if (reject_all_readings(largest) || reject_worst_reading(largest)) {
         return true;
@@ -237,16 +243,16 @@ bool DataSnooping::readmit() {
 }
 
 /// Where they stand out together by more than each by itself.
-/// @param than statistic over threshold that they have to exceed
+/// @param than score that they have to exceed
 bool DataSnooping::reject_all_readings(double than) {
-    const double ratio = m_bias_statistic / m_reading_threshold;
+    const double score = rival_score(m_bias_statistic, m_reading_threshold);
     double worst = than;
     for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
         if (!m_rejected_readings[k]) {
-            worst = std::max(worst, m_reading_statistics(k) / m_reading_threshold);
+            worst = std::max(worst, rival_score(m_reading_statistics(k), m_reading_threshold));
         }
     }
-    if (ratio <= worst) {
+    if (score <= worst) {
         return false;
     }
     m_reading_bias = m_found_bias;
@@ -262,15 +268,15 @@ double DataSnooping::rejected_cost() const {
     return m_threshold * rejected_count() + m_reading_threshold * static_cast<double>(readings);
 }
 
-/// @param than statistic over threshold that it has to exceed
+/// @param than score that it has to exceed
 /// @return whether there is one
 bool DataSnooping::reject_worst_reading(double than) {
     Eigen::Index worst = -1;
     for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
-        const double ratio = m_reading_statistics(k) / m_reading_threshold;
-        if (!m_rejected_readings[k] && !m_readmitted_readings[k] && ratio > than) {
+        const double score = rival_score(m_reading_statistics(k), m_reading_threshold);
+        if (!m_rejected_readings[k] && !m_readmitted_readings[k] && score > than) {
             worst = k;
-            than = ratio;
+            than = score;
         }
     }
     if (worst >= 0) {
@@ -309,6 +315,33 @@ void DataSnooping::reopen() {
     m_readmitted_readings.assign(m_readings.size(), false);
 }
 
+double DataSnooping::statistic_at(int target, int node) const {
+    const ExpectedPlace& expected = m_expected_places.at(node);
+    const Eigen::Matrix3d noise = covariance_of(
+        {.std = m_noise.col(target), .correlations = m_survey.correlations_of(target)});
+    const Eigen::Matrix3d Q = noise + expected.covariance;
+    const Eigen::Vector3d residual = m_survey.form.col(target) - expected.place;
+    return residual.dot(Q.ldlt().solve(residual)) / m_residual_scale;
+}
+
+void DataSnooping::tell_swapped(std::vector<Outlier>& outliers) const {
+    for (Outlier& one : outliers) {
+        double least = m_threshold;
+        for (const Outlier& other : outliers) {
+            if (other.node == one.node || !m_expected_places.contains(one.node) ||
+                !m_expected_places.contains(other.node)) {
+                continue;
+            }
+            const double statistic = std::max(statistic_at(one.node, other.node),
+                                              statistic_at(other.node, one.node));  // (swapped)
+            if (statistic < least) {
+                least = statistic;
+                one.swapped_with = other.node;
+            }
+        }
+    }
+}
+
 std::vector<Outlier> DataSnooping::outliers() const {
     std::vector<Outlier> result;
     for (const int node : m_survey.surveyed) {
@@ -318,6 +351,7 @@ std::vector<Outlier> DataSnooping::outliers() const {
         }
     }
     std::ranges::sort(result, std::greater{}, &Outlier::statistic);
+    tell_swapped(result);
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -91,7 +92,7 @@ public:
     [[nodiscard]] bool reject(const Eigen::VectorXd& rivals);
     /// Its second half.
     [[nodiscard]] bool readmit();
-    /// The statistic over its threshold of the target in use at each node (n), to be held against
+    /// The (rivals) score of the target in use at each node (n), to be held against
     /// those of other tests.
     [[nodiscard]] Eigen::VectorXd scores() const;
 
@@ -100,12 +101,16 @@ public:
     struct Rejected {
         std::vector<bool> targets;
         std::vector<bool> readings;
+        std::optional<ReadingBias> bias;
     };
-    [[nodiscard]] Rejected all_rejected() const { return {m_rejected, m_rejected_readings}; }
+    [[nodiscard]] Rejected all_rejected() const {
+        return {m_rejected, m_rejected_readings, m_reading_bias};
+    }
     /// Rejects these, and no others.
     void set_rejected(Rejected rejected) {
         m_rejected = std::move(rejected.targets);
         m_rejected_readings = std::move(rejected.readings);
+        m_reading_bias = rejected.bias;
     }
     /// Sum of the thresholds of all that is rejected.
     [[nodiscard]] double rejected_cost() const;
@@ -119,9 +124,14 @@ public:
     /// Root mean square of the standardised residuals in use, over their expectation.
     /// docs/theory.md, (redundancy).
     [[nodiscard]] double noise_ratio() const;
+    /// Squared, that all statistics are measured by: (robust-scale), (continuation).
+    [[nodiscard]] double residual_scale() const { return m_residual_scale; }
 
 private:
     [[nodiscard]] bool is_rejected(int node) const { return m_rejected[node]; }
+    /// T of a target at another node's expected place, as if that were its own.
+    [[nodiscard]] double statistic_at(int target, int node) const;
+    void tell_swapped(std::vector<Outlier>& outliers) const;
     [[nodiscard]] int suspicious_count() const;
     [[nodiscard]] bool is_too_many(int targets) const;
     [[nodiscard]] std::vector<int> largest_above_threshold(const Eigen::VectorXd& rivals) const;
@@ -140,6 +150,12 @@ private:
     std::vector<bool> m_readmitted;  ///< for good
     Eigen::VectorXd m_statistics;    ///< n
     Eigen::VectorXd m_distances;     ///< n [m]
+    /// Where all others tell a rejected target's node to be, and the variance of that.
+    struct ExpectedPlace {
+        Eigen::Vector3d place;       // [m]
+        Eigen::Matrix3d covariance;  // [m2]
+    };
+    std::map<int, ExpectedPlace> m_expected_places;  ///< by node
     std::vector<bool> m_rejected_readings;
     std::vector<bool> m_readmitted_readings;  ///< for good
     Eigen::VectorXd m_reading_statistics;

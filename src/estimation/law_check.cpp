@@ -14,6 +14,7 @@ namespace {
 /// Chance explains no more than so many standard deviations, or so much log likelihood.
 constexpr double beyond_chance_std = 4.0;
 constexpr double beyond_chance_gain = 8.0;
+constexpr double untenable_gain = 20.0;
 
 /// What is told so weakly says nothing of the law.
 constexpr double weakest_telling = 2.0;  // standard deviations of the law
@@ -114,6 +115,15 @@ bool LawCheck::is_contradicted() const {
     return gain > beyond_chance_gain || has_mean() || beyond > 0;
 }
 
+bool LawCheck::is_untenable() const {
+    return gain > untenable_gain;
+}
+
+bool LawCheck::is_too_wide() const {
+    constexpr double narrower = 0.8;
+    return likeliest.std() < narrower * checked.std();
+}
+
 LawCheck check_law_by_lengths(const LengthLaw& law, const std::vector<LengthLikelihood>& told,
                               const std::vector<bool>& left_out) {
     std::vector<std::pair<double, double>> lengths;
@@ -123,7 +133,7 @@ LawCheck check_law_by_lengths(const LengthLaw& law, const std::vector<LengthLike
             lengths.emplace_back(told[i].mean, told[i].std);
         }
     }
-    LawCheck result{.lengths = static_cast<int>(lengths.size()), .likeliest = law};
+    LawCheck result{.checked = law, .lengths = static_cast<int>(lengths.size()), .likeliest = law};
     if (result.lengths < fewest_lengths) {
         return result;
     }

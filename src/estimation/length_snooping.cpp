@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "estimation/rival_scores.hpp"
+
 namespace taut {
 namespace {
 
@@ -85,7 +87,7 @@ Eigen::VectorXd LengthSnooping::scores() const {
         if (m_released[i] || m_readmitted[i]) {
             continue;
         }
-        const double own = m_statistics(static_cast<Eigen::Index>(i)) / m_threshold;
+        const double own = rival_score(m_statistics(static_cast<Eigen::Index>(i)), m_threshold);
         for (const int node : m_net.edges()[m_net.interior_edges()[i]]) {
             scores(node) = std::max(scores(node), own);
         }
@@ -97,17 +99,11 @@ bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
     if (!is_active()) {
         return false;
     }
-    const Eigen::VectorXd own_scores = scores();
-    const Eigen::VectorXd at_node = own_scores.cwiseMax(rivals);
-    Eigen::VectorXd nearby = at_node;  // the largest at a node and those next to it
-    for (const auto& [s, t] : m_net.edges()) {
-        nearby(s) = std::max(nearby(s), at_node(t));
-        nearby(t) = std::max(nearby(t), at_node(s));
-    }
+    const Eigen::VectorXd nearby = largest_nearby(m_net, scores().cwiseMax(rivals));
     bool has_changed = false;
     for (size_t i = 0; i < m_laws.size(); ++i) {
         const auto [s, t] = m_net.edges()[m_net.interior_edges()[i]];
-        const double own = m_statistics(static_cast<Eigen::Index>(i)) / m_threshold;
+        const double own = rival_score(m_statistics(static_cast<Eigen::Index>(i)), m_threshold);
         if (!m_released[i] && !m_readmitted[i] && is_beyond(i) && own >= nearby(s) &&
             own >= nearby(t)) {
             m_released[i] = true;

@@ -27,7 +27,7 @@ public:
     /// @param told of each interior edge without its law (m_I)
     void evaluate(const std::vector<LengthLikelihood>& told);
 
-    /// The largest statistic over its threshold of the edges in use at each node (n), to be held
+    /// The largest (rivals) score of the edges in use at each node (n), to be held
     /// against those of other tests.
     [[nodiscard]] Eigen::VectorXd scores() const;
 

@@ -87,9 +87,10 @@ LawBlur blur_by(const CableNet& net, double extension_std, const std::vector<Unk
 }
 
 LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns,
-                                     bool frame_is_unknown)
+                                     bool frame_is_unknown, const BoundaryReleases& released)
     : m_net(net),
-      m_common(net, unknowns, frame_is_unknown),
+      m_unknowns(unknowns),
+      m_common(net, unknowns, frame_is_unknown, released),
       m_own_stiffness_stds(own_stiffness_stds(net, unknowns)),
       m_local(number_for_elimination(net)),
       m_local_of(net.node_count()),
@@ -107,6 +108,11 @@ LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unkn
     if (supports_of(unknowns) == Supports::unknown) {
         m_nodes = m_local.node_of;
     }
+}
+
+void LinearisedStatics::set_released(const BoundaryReleases& released) {
+    m_common = CommonUnknowns(m_net, m_unknowns, m_common.has_frame(), released);
+    m_matrix.set_border_count(m_common.count());
 }
 
 double LinearisedStatics::unstressed_length(int edge, const Iterate& iterate) const {
@@ -237,6 +243,11 @@ void LinearisedStatics::set_weights(const Observations& observations) {
     SaddlePointFactor& matrix = m_matrix.inner;
     matrix.place_weights =
         squared_unit * (observations.weights + observations.support_weights)(Eigen::all, m_nodes);
+    if (observations.cross_weights.cols() > 0) {
+        matrix.cross_place_weights = squared_unit * observations.cross_weights(Eigen::all, m_nodes);
+    } else {
+        matrix.cross_place_weights.setZero();
+    }
     matrix.length_weights(m_net.interior_edges()) =
         squared_unit * prior_variances(observations).cwiseInverse();
     matrix.load_variances = m_multiplier_unit * m_multiplier_unit *
@@ -262,44 +273,68 @@ void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
                                         Eigen::Matrix3d::Identity());
         }
     }
-    const double heated = 1.0 + m_common.thermal_strain(edge, iterate.common);
     for (int k = 0; k < m_common.count(); ++k) {  // (common)
-        const auto [first, second] = m_net.edges()[edge];
-        // (frame): of known supports; unknown ones carry the motion in their own places.
-        const Eigen::Vector3d motion = are_supports_unknown()
-                                           ? Eigen::Vector3d::Zero()
-                                           : Eigen::Vector3d(m_common.support_rate(k, first) -
-                                                             m_common.support_rate(k, second));
-        const double along = e.direction.dot(motion);
-        const double rate = e.tension * m_common.stiffness_rate(k, edge) + e.axial * along +
-                            e.by_length * unstressed_length(edge, iterate) *
-                                m_common.thermal_rate(k, edge) / (heated * heated);
+        const EdgeVariation variation = common_variation(edge, k, iterate);
+        const double rate = add_to_column(edge, e, variation, observations.tension_weights(edge),
+                                          m_matrix.border[k]);
         m_tension_rates(edge, k) = rate;
         m_matrix.reading_rates(edge, k) = m_multiplier_unit * rate;
         m_matrix.extension_rates(edge, k) =
-            (along - unstressed_length(edge, iterate) * m_common.thermal_rate(k, edge)) /
-            m_length_unit;
-        auto& column = m_matrix.border[k];
-        const Eigen::Vector3d force =
-            m_multiplier_unit * (rate * e.direction + e.across * (motion - along * e.direction));
-        if (s < m_local.free_count) {
-            column.multipliers.col(s) += force;
-        }
-        if (t < m_local.free_count) {
-            column.multipliers.col(t) -= force;
-        }
-        if (const double weight = observations.tension_weights(edge); weight > 0.0) {
-            const double read = matrix.reading_weights(edge) * m_multiplier_unit * rate;
-            const Eigen::Vector3d place = read * matrix.reading_place_rates.col(edge);
-            if (s < column.places.cols()) {
-                column.places.col(s) += place;
-            }
-            if (t < column.places.cols()) {
-                column.places.col(t) -= place;
-            }
-            column.lengths(edge) += read * matrix.reading_length_rates(edge);
+            (e.direction.dot(variation.motion) - variation.length) / m_length_unit;
+    }
+}
+
+LinearisedStatics::EdgeVariation LinearisedStatics::common_variation(int edge, int k,
+                                                                     const Iterate& iterate) const {
+    const auto [first, second] = m_net.edges()[edge];
+    const double heated = 1.0 + m_common.thermal_strain(edge, iterate.common);
+    EdgeVariation result{.stiffness = m_common.stiffness_rate(k, edge),
+                         .length = unstressed_length(edge, iterate) *
+                                   m_common.thermal_rate(k, edge) / (heated * heated)};
+    if (!are_supports_unknown()) {
+        // (frame): of known supports; unknown ones carry the motion in their own places.
+        result.motion = m_common.support_rate(k, first) - m_common.support_rate(k, second);
+    }
+    return result;
+}
+
+double LinearisedStatics::tension_rate_of(const EdgeRates& e, const EdgeVariation& variation) {
+    return e.tension * variation.stiffness + e.axial * e.direction.dot(variation.motion) +
+           e.by_length * variation.length;
+}
+
+/// Of its first end, in units of the multipliers.
+Eigen::Vector3d LinearisedStatics::force_of(const EdgeRates& e,
+                                            const EdgeVariation& variation) const {
+    const double along = e.direction.dot(variation.motion);
+    return m_multiplier_unit * (tension_rate_of(e, variation) * e.direction +
+                                e.across * (variation.motion - along * e.direction));
+}
+
+/// Adds what an edge does to the column of a number.
+/// @return by which its tension changes [N]
+double LinearisedStatics::add_to_column(int edge, const EdgeRates& e,
+                                        const EdgeVariation& variation, double reading_weight,
+                                        BorderedFactor::Inner& column) const {
+    const auto [s, t] = m_local.edges[edge];
+    const SaddlePointFactor& matrix = m_matrix.inner;
+    const double rate = tension_rate_of(e, variation);
+    const Eigen::Vector3d force = force_of(e, variation);
+    for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
+        if (node < m_local.free_count) {
+            column.multipliers.col(node) += sign * force;
         }
     }
+    if (reading_weight > 0.0) {
+        const double read = matrix.reading_weights(edge) * m_multiplier_unit * rate;
+        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
+            if (node < column.places.cols()) {
+                column.places.col(node) += sign * read * matrix.reading_place_rates.col(edge);
+            }
+        }
+        column.lengths(edge) += read * matrix.reading_length_rates(edge);
+    }
+    return rate;
 }
 
 /// The entries of the common unknowns that stand at no edge.
@@ -311,20 +346,23 @@ void LinearisedStatics::set_border(const Observations& observations) {
     m_matrix.corner =
         Eigen::MatrixXd::Identity(m_common.count(), m_common.count()) +
         m_tension_rates.transpose() * observations.tension_weights.asDiagonal() * m_tension_rates;
-    if (m_common.has_frame()) {
-        add_frame_to_border(observations);
+    if (m_common.moves_supports()) {
+        add_motions_to_border(observations);
     }
 }
 
-/// (frame): of known supports what was measured of them tells of it; of unknown ones what is known
-/// of them beforehand.
-void LinearisedStatics::add_frame_to_border(const Observations& observations) {
-    const Points& weights =
-        are_supports_unknown() ? observations.support_weights : observations.weights;
+/// (frame), (boundary): of known supports what was measured of them tells of it; of unknown ones
+/// what is known of them beforehand.
+void LinearisedStatics::add_motions_to_border(const Observations& observations) {
+    const auto weighted = [&](int node, const Eigen::Vector3d& rate) -> Eigen::Vector3d {
+        if (are_supports_unknown()) {
+            return observations.support_weights.col(node).cwiseProduct(rate);
+        }
+        return observations.weight(node) * rate;
+    };
     for (int k = 0; k < m_common.count(); ++k) {
         for (const int node : m_net.supports()) {
-            const Eigen::Vector3d pull =
-                weights.col(node).cwiseProduct(m_common.support_rate(k, node));
+            const Eigen::Vector3d pull = weighted(node, m_common.support_rate(k, node));
             for (int i = 0; i < m_common.count(); ++i) {
                 m_matrix.corner(i, k) += m_common.support_rate(i, node).dot(pull);
             }
@@ -421,7 +459,7 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
     }
     // (unknown): a load gives way to its reaction.
     forces -= observations.load_mean - iterate.loads;
-    const Points measured = observations.weights.cwiseProduct(observations.form - iterate.form);
+    const Points measured = observations.weighted(observations.form - iterate.form);
     const Points of_supports =
         observations.support_weights.cwiseProduct(support_misfit(iterate, observations));
     const Points misfit = measured + of_supports;
@@ -434,7 +472,7 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
     result.inner.lengths(m_net.interior_edges()) +=
         m_length_unit *
         (observations.mean - iterate.deviations).cwiseQuotient(prior_variances(observations));
-    if (m_common.has_frame()) {
+    if (m_common.moves_supports()) {
         for (int k = 0; k < m_common.count(); ++k) {
             for (const int node : m_net.supports()) {
                 result.border(k) += m_common.support_rate(k, node).dot(
@@ -496,7 +534,7 @@ double LinearisedStatics::size_of(const Iterate& step) const {
 
 double LinearisedStatics::squared_norm(const Observations& observations,
                                        const Iterate& change) const {
-    double sum = observations.weights.cwiseProduct(change.form.cwiseAbs2()).sum() +
+    double sum = observations.squared_norm(change.form) +
                  change.deviations.cwiseAbs2().cwiseQuotient(prior_variances(observations)).sum() +
                  change.common.squaredNorm();
     const Points of_supports = change.form - m_common.support_motion(change.common);
@@ -615,11 +653,7 @@ Eigen::VectorXd LinearisedStatics::covariances_with(const Eigen::VectorXd& weigh
 }
 
 double LinearisedStatics::length_sum_variance(const Eigen::VectorXd& weights) const {
-    BorderedFactor::Vector sum{
-        .inner = {.places = Eigen::Matrix3Xd::Zero(3, std::ssize(m_nodes)),
-                  .lengths = Eigen::VectorXd::Zero(m_net.edge_count()),
-                  .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)},
-        .border = Eigen::VectorXd::Zero(m_common.count())};
+    BorderedFactor::Vector sum = empty_vector();
     sum.inner.lengths(m_net.interior_edges()) = weights;
     const Eigen::VectorXd varied = m_matrix.solve(sum).inner.lengths(m_net.interior_edges());
     return m_length_unit * m_length_unit * weights.dot(varied);

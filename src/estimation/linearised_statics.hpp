@@ -59,7 +59,8 @@ public:
     /// @param frame_is_unknown of the survey: places are then told in its frame, in which the
     ///   supports move together
     explicit LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns = {},
-                               bool frame_is_unknown = false);
+                               bool frame_is_unknown = false,
+                               const BoundaryReleases& released = {});
     LinearisedStatics(const LinearisedStatics&) = delete;  // the factor refers to the local net
     LinearisedStatics& operator=(const LinearisedStatics&) = delete;
 
@@ -67,12 +68,34 @@ public:
     void set_slack(std::vector<bool> slack) { m_slack = std::move(slack); }
     [[nodiscard]] const std::vector<bool>& slack() const { return m_slack; }
 
+    /// Releases these adjustable edges and supports, and no others; iterates are of as many common
+    /// unknowns from then on.
+    void set_released(const BoundaryReleases& released);
+
     /// How tension laws are seen; sharp at first.
     void set_blur(LawBlur blur) { m_blur = std::move(blur); }
     [[nodiscard]] const LawBlur& blur() const { return m_blur; }
     /// After invert() at the same iterate: the blur by the standard deviations that were found, no
     /// less than half of what it was.
     [[nodiscard]] LawBlur blur_found(const Iterate& iterate) const;
+
+    /// Score and information of a number that was taken for known, docs/theory.md (boundary).
+    struct Score {
+        Eigen::VectorXd gradient;     ///< what the misfit gains by it, to first order [1/m]
+        Eigen::MatrixXd information;  ///< inverse of its covariance, if it were unknown [1/m2]
+    };
+    /// After invert(), at the same iterate: of an adjustable edge's length.
+    [[nodiscard]] Score score_of_edge(int edge, const Iterate& iterate,
+                                      const Observations& observations) const;
+    /// The same of the three coordinates of a support, where these are known.
+    /// @param edges at it
+    [[nodiscard]] Score score_of_support(int node, const std::vector<int>& edges,
+                                         const Iterate& iterate,
+                                         const Observations& observations) const;
+    /// The same of numbers that change what was surveyed: the frame and scale of a survey.
+    /// @param rates of each, of all coordinates (3 x n)
+    [[nodiscard]] Score score_of_survey(const std::vector<Points>& rates, const Iterate& iterate,
+                                        const Observations& observations) const;
 
     /// From now on tension laws are seen by their tangents at an iterate, however far from it:
     /// draws around it then have the mean tension that the fit found. docs/theory.md (drawn-law)
@@ -163,10 +186,29 @@ private:
     }
     [[nodiscard]] double length_variance(int edge, const Iterate& iterate) const;
     [[nodiscard]] double stiffness_as_length(int edge, const Iterate& iterate) const;
+    /// What a number of the border changes at an edge, by one of it.
+    struct EdgeVariation {
+        Eigen::Vector3d motion = Eigen::Vector3d::Zero();  ///< of its first end from its second [m]
+        double stiffness = 0.0;                            ///< relative
+        double length = 0.0;                               ///< unstressed, cold [m]
+    };
+    [[nodiscard]] EdgeVariation common_variation(int edge, int k, const Iterate& iterate) const;
+    [[nodiscard]] static double tension_rate_of(const EdgeRates& e, const EdgeVariation& variation);
+    [[nodiscard]] Eigen::Vector3d force_of(const EdgeRates& e,
+                                           const EdgeVariation& variation) const;
+    double add_to_column(int edge, const EdgeRates& e, const EdgeVariation& variation,
+                         double reading_weight, BorderedFactor::Inner& column) const;
+    [[nodiscard]] BorderedFactor::Vector empty_vector() const;
+    struct ScoreColumn;
+    void add_edge_to_score(ScoreColumn& column, int edge, const EdgeVariation& variation,
+                           const Iterate& iterate, const Observations& observations) const;
+    [[nodiscard]] ScoreColumn empty_score_column() const;
+    [[nodiscard]] Score score_of(const std::vector<ScoreColumn>& columns) const;
+    [[nodiscard]] Score score_at(int local, const Eigen::Matrix3Xd& forces) const;
     void set_weights(const Observations& observations);
     void add_edge(int edge, const Iterate& iterate, const Observations& observations);
     void set_border(const Observations& observations);
-    void add_frame_to_border(const Observations& observations);
+    void add_motions_to_border(const Observations& observations);
     [[nodiscard]] Points support_misfit(const Iterate& iterate,
                                         const Observations& observations) const;
     [[nodiscard]] bool are_supports_unknown() const {
@@ -179,6 +221,7 @@ private:
     void set_reactions(const Eigen::Matrix3Xd& multipliers);
 
     const CableNet& m_net;
+    std::vector<Unknown> m_unknowns;
     CommonUnknowns m_common;
     Eigen::VectorXd m_own_stiffness_stds;  ///< m, relative
     LocalNet m_local;

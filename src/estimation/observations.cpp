@@ -3,8 +3,47 @@
 #include "estimation/observations.hpp"
 
 #include "taut/statics/tensions.hpp"
+#include "taut/survey/covariance.hpp"
 
 namespace taut {
+
+Eigen::Matrix3d Observations::weight(int node) const {
+    Eigen::Matrix3d S = weights.col(node).asDiagonal();
+    if (cross_weights.cols() > 0) {
+        S(0, 1) = S(1, 0) = cross_weights(0, node);
+        S(0, 2) = S(2, 0) = cross_weights(1, node);
+        S(1, 2) = S(2, 1) = cross_weights(2, node);
+    }
+    return S;
+}
+
+void Observations::scale_weight(int node, double factor) {
+    weights.col(node) *= factor;
+    if (cross_weights.cols() > 0) {
+        cross_weights.col(node) *= factor;
+    }
+}
+
+Points Observations::weighted(const Points& errors) const {
+    Points result = weights.cwiseProduct(errors);
+    if (cross_weights.cols() > 0) {
+        const auto xy = cross_weights.row(0).array();
+        const auto xz = cross_weights.row(1).array();
+        const auto yz = cross_weights.row(2).array();
+        const auto x = errors.row(0).array();
+        const auto y = errors.row(1).array();
+        const auto z = errors.row(2).array();
+        result.row(0).array() += xy * y + xz * z;
+        result.row(1).array() += xy * x + yz * z;
+        result.row(2).array() += xz * x + yz * y;
+    }
+    return result;
+}
+
+double Observations::squared_norm(const Points& errors) const {
+    return cross_weights.cols() > 0 ? weighted(errors).cwiseProduct(errors).sum()
+                                    : weights.cwiseProduct(errors.cwiseAbs2()).sum();
+}
 
 Iterate Iterate::moved(const Iterate& step, double part) const {
     return {.form = form + part * step.form,
@@ -50,9 +89,19 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
                      const std::vector<bool>& rejected, double length_std, int common_unknowns) {
     Observations observations = nothing_observed(net, length_std, common_unknowns);
     observations.form = survey.form;
+    if (survey.noise_correlations.cols() > 0) {
+        observations.cross_weights = Points::Zero(3, net.node_count());
+    }
     for (const int node : survey.surveyed) {
         if (!rejected[node]) {
             observations.weights.col(node) = noise.col(node).cwiseAbs2().cwiseInverse();
+            const Eigen::Vector3d correlations = survey.correlations_of(node);
+            if (!correlations.isZero(0.0)) {
+                const Eigen::Matrix3d S =
+                    weight_of({.std = noise.col(node), .correlations = correlations});
+                observations.weights.col(node) = S.diagonal();
+                observations.cross_weights.col(node) << S(0, 1), S(0, 2), S(1, 2);
+            }
         }
     }
     return observations;

@@ -13,8 +13,11 @@ namespace taut {
 /// What is known of form, lengths and all else apart from the statics: independent normal
 /// distributions. docs/theory.md, (observation), (prior), (unknown), (reading).
 struct Observations {
-    Points form;     ///< 3 x n, as measured; anything where the weight is 0 [m]
-    Points weights;  ///< 3 x n, 1 / variance of each measured coordinate, else 0 [1/m2]
+    Points form;  ///< 3 x n, as measured; anything where the weight is 0 [m]
+    /// 3 x n, the diagonal of S, the inverse covariance of each measured place: 1 / variance of
+    /// each coordinate where these are independent; 0 where nothing was measured [1/m2].
+    Points weights;
+    Points cross_weights;  ///< 3 x n, its entries xy, xz, yz; 3 x 0: all 0 [1/m2]
     /// 3 x n, prior mean of the places of supports from where the net has them, in the frame of the
     /// survey, and 1 / variance where they are unknown, else 0 [m, 1/m2].
     Points support_mean;
@@ -28,6 +31,14 @@ struct Observations {
     Eigen::VectorXd common_mean;      ///< of each common unknown, in its standard deviations
     Eigen::VectorXd tension;          ///< m, as read; anything where the weight is 0 [N]
     Eigen::VectorXd tension_weights;  ///< m, 1 / variance, else 0 [1/N2]
+
+    [[nodiscard]] Eigen::Matrix3d weight(int node) const;  ///< S of a node [1/m2]
+    /// Makes S of a node so many times as large.
+    void scale_weight(int node, double factor);
+    /// S e of errors of places (3 x n) [1/m].
+    [[nodiscard]] Points weighted(const Points& errors) const;
+    /// e' S e of errors of places (3 x n).
+    [[nodiscard]] double squared_norm(const Points& errors) const;
 };
 
 /// A form, length deviations and values of all else that is unknown, which need not be in

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,11 +55,15 @@ Observations perturbed(const CableNet& net, const Observations& observations,
     Observations result = observations;
     const auto perturb_places = [&](const std::vector<int>& nodes) {
         for (const int node : nodes) {
-            for (int k = 0; k < 3; ++k) {
-                if (const double weight = observations.weights(k, node); weight > 0.0) {
-                    result.form(k, node) += random.normal() / std::sqrt(weight);
-                }
+            if (!(observations.weights.col(node).minCoeff() > 0.0)) {
+                continue;
             }
+            Eigen::Vector3d error;
+            for (double& of_one : error) {
+                of_one = random.normal();
+            }
+            // Of covariance S^-1 = L'^-1 L^-1.
+            result.form.col(node) += observations.weight(node).llt().matrixU().solve(error);
         }
     };
     perturb_places(net.free_nodes());
@@ -201,8 +206,8 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
 std::optional<Iterate> Perturbation::refitted(const Observations& observations,
                                               Workspace& workspace) const {
     if (!workspace.statics) {
-        workspace.statics = std::make_unique<LinearisedStatics>(m_net, m_knowledge.unknowns,
-                                                                m_knowledge.frame_is_unknown);
+        workspace.statics = std::make_unique<LinearisedStatics>(
+            m_net, m_knowledge.unknowns, m_knowledge.frame_is_unknown, m_knowledge.released);
         workspace.statics->set_blur(m_statics.blur());
         workspace.statics->set_slack(
             m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));
@@ -301,7 +306,7 @@ Circumstances Perturbation::drawn_circumstances(const Iterate& drawn,
 /// deviations of the observations.
 double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
                                        const Eigen::VectorXd& tensions_in_balance) const {
-    double sum = m_sites.weights.cwiseProduct((form - drawn.form).cwiseAbs2()).sum();
+    double sum = m_sites.squared_norm(form - drawn.form);
     if (!m_knowledge.forces.readings.empty()) {
         const Eigen::VectorXd by_draw = m_statics.tensions(drawn);
         for (const ForceReading& reading : m_knowledge.forces.readings) {

@@ -46,11 +46,9 @@ std::vector<LengthLaw> interior_laws(const CableNet& net, const PriorKnowledge& 
     return laws;
 }
 
-Survey with_supports(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge) {
+Survey with_supports(const CableNet& net, const Survey& survey) {
     Survey result = survey;
-    const bool are_of_use =
-        knowledge.frame_is_unknown || std_of(knowledge.unknowns, Unknown::Kind::supports) > 0.0;
-    if (!are_of_use || survey.supports.empty()) {
+    if (survey.supports.empty()) {
         return result;
     }
     if (result.noise_std.cols() == 0) {
@@ -60,6 +58,7 @@ Survey with_supports(const CableNet& net, const Survey& survey, const PriorKnowl
         result.surveyed.push_back(support.node);
         result.form.col(support.node) = support.position;
         result.noise_std.col(support.node) = support.noise_std;
+        result.set_correlations(support.node, support.noise_correlations);
     }
     std::ranges::sort(result.surveyed);
     return result;

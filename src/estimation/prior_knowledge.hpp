@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "estimation/common_unknowns.hpp"
 #include "estimation/observations.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -18,6 +19,7 @@ struct PriorKnowledge {
     std::vector<Unknown> unknowns;
     Forces forces;
     bool frame_is_unknown = false;  ///< of the survey
+    BoundaryReleases released;      ///< what was found not to be as told
 
     /// One law for all, and nothing else.
     PriorKnowledge(const CableNet& net, const LengthLaw& law)
@@ -36,9 +38,8 @@ struct PriorKnowledge {
 [[nodiscard]] std::vector<LengthLaw> interior_laws(const CableNet& net,
                                                    const PriorKnowledge& knowledge);
 
-/// A survey with its supports as targets like others, where they tell something.
-[[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey,
-                                   const PriorKnowledge& knowledge);
+/// A survey with its supports as targets like others.
+[[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey);
 
 /// A survey without the targets that are rejected (one flag a node), and all that is known besides,
 /// docs/theory.md (prior), (unknown), (reading).

@@ -9,6 +9,7 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
     : m_layout(net, unknown, supports), m_factor(m_layout.sizes, m_layout.couplings()) {
     const auto edge_count = static_cast<Eigen::Index>(net.edges.size());
     place_weights.setZero(3, m_layout.node_count());
+    cross_place_weights.setZero(3, m_layout.node_count());
     length_weights.setZero(edge_count);
     load_variances.setZero(3, net.free_count);
     node_stiffness.assign(net.free_count, Eigen::Matrix3d::Zero());
@@ -23,6 +24,9 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
 void SaddlePointFactor::assemble(int node, const Places& places, Eigen::MatrixXd& front) const {
     const int own = places.of(m_layout.place[node]);
     front.diagonal().segment<3>(own) = place_weights.col(node);
+    front(own + 1, own) = cross_place_weights(0, node);
+    front(own + 2, own) = cross_place_weights(1, node);
+    front(own + 2, own + 1) = cross_place_weights(2, node);
     if (m_layout.is_free(node)) {
         front.diagonal().segment<3>(own + 3) = -load_variances.col(node);
         front.block<3, 3>(own + 3, own) = node_stiffness[node];

@@ -15,7 +15,7 @@ namespace taut {
 /// linearised statics H r + B d = c with multipliers lambda, docs/theory.md (normal), and its
 /// factor:
 ///
-///   [ S    H ] r        S: weights of places, one a coordinate, 0 or more
+///   [ S    H ] r        S: weights of places, a block a node, semidefinite
 ///   [    P B'] d        P: weights of lengths, one an unknown length, positive
 ///   [ H  B -V] lambda   H, B: sums over edges, as below; V: variances of loads, 0 or more
 ///
@@ -50,7 +50,10 @@ public:
 
     // The matrix, to be filled before factorize(). Nodes: the free ones, in the order of the local
     // net, then the supports where these are unknown.
-    Eigen::Matrix3Xd place_weights;               ///< S, 3 x nodes; of a support positive
+    /// S, a block a node: its diagonal (3 x nodes), of a support positive definite; and its entries
+    /// xy, xz, yz (3 x nodes).
+    Eigen::Matrix3Xd place_weights;
+    Eigen::Matrix3Xd cross_place_weights;
     Eigen::VectorXd length_weights;               ///< P, one an edge; unused for known lengths
     Eigen::Matrix3Xd load_variances;              ///< V, 3 x free nodes
     std::vector<Eigen::Matrix3d> node_stiffness;  ///< diagonal block of H, one a free node

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/slack_set.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,15 +31,15 @@ double measured_std(const CableNet& net, const Observations& observations, int e
     const Eigen::Vector3d u = (observations.form.col(s) - observations.form.col(t)).normalized();
     double variance = 0.0;
     for (const int node : {s, t}) {
-        const Eigen::Vector3d weights =
-            observations.weights.col(node) + observations.support_weights.col(node);
-        if (net.free_index(node) < 0 && weights.isZero(0.0)) {
+        Eigen::Matrix3d weight = observations.weight(node);
+        weight.diagonal() += observations.support_weights.col(node);
+        if (net.free_index(node) < 0 && weight.isZero(0.0)) {
             continue;  // known
         }
-        if (!(weights.minCoeff() > 0.0)) {
+        if (!(weight.diagonal().minCoeff() > 0.0)) {
             return std::numeric_limits<double>::infinity();
         }
-        variance += u.cwiseAbs2().cwiseQuotient(weights).sum();
+        variance += u.dot(weight.llt().solve(u));
     }
     return std::sqrt(variance);
 }

@@ -59,12 +59,17 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey,
     return settings;
 }
 
-/// One false alarm in all tests together, as seldom as among the targets. A wide prior is no law.
+/// A wide prior is no law, and lets lengths explain everything.
+bool tests_what_was_told(const Survey& survey, const SurveyFitSettings& settings) {
+    return survey.is_noisy() && settings.prior_width == 1.0;
+}
+
+/// One false alarm in all tests together, as seldom as among the targets.
 double length_threshold(const Survey& survey, const PriorKnowledge& knowledge,
                         const SurveyFitSettings& settings) {
-    const bool is_tested = survey.is_noisy() && settings.prior_width == 1.0;
-    return snooping_threshold(is_tested ? settings.false_alarm_rate : 0.0, knowledge.laws.size(),
-                              1);
+    return snooping_threshold(
+        tests_what_was_told(survey, settings) ? settings.false_alarm_rate : 0.0,
+        knowledge.laws.size(), 1);
 }
 
 }  // namespace
@@ -72,7 +77,7 @@ double length_threshold(const Survey& survey, const PriorKnowledge& knowledge,
 SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowledge& knowledge,
                      const SurveyFitSettings& settings)
     : m_net(net),
-      m_survey(with_supports(net, survey, knowledge)),
+      m_survey(with_supports(net, survey)),
       m_knowledge(knowledge),
       m_length_std(knowledge.length_std()),
       m_settings(checked(net, survey, knowledge, settings)),
@@ -80,7 +85,9 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net, knowledge.unknowns, knowledge.frame_is_unknown),
       m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
-      m_length_snooping(net, knowledge.laws, length_threshold(survey, knowledge, settings)) {
+      m_length_snooping(net, knowledge.laws, length_threshold(survey, knowledge, settings)),
+      m_boundary_snooping(net, knowledge.unknowns,
+                          tests_what_was_told(survey, settings) ? settings.false_alarm_rate : 0.0) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.unknowns));
 }
 
@@ -109,6 +116,8 @@ GaussNewtonResult SurveyFit::run() {
     GaussNewtonResult fitted = fit_and_snoop(nominal(), 1.0);
     if (!is_settled(fitted)) {
         fitted = by_rounded_laws();
+    } else if (m_boundary_snooping.is_active()) {
+        doubt_boundary(fitted);
     }
     if (!fitted.converged) {
         m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
@@ -119,9 +128,7 @@ GaussNewtonResult SurveyFit::run() {
         m_statics.invert();
     }
     evaluate(fitted, 1.0);
-    m_cost = fitted.converged ? 2.0 * m_statics.objective(observations(), fitted.iterate) +
-                                    m_snooping.rejected_cost() + m_length_snooping.released_cost()
-                              : std::numeric_limits<double>::infinity();
+    m_cost = cost_of(fitted);
     m_contradicts_too_many = m_snooping.is_active() && m_snooping.contradicts_too_many();
     if (m_contradicts_too_many) {
         m_cost = std::numeric_limits<double>::infinity();
@@ -130,6 +137,77 @@ GaussNewtonResult SurveyFit::run() {
         m_snooping.reject_suspicious();
     }
     return fitted;
+}
+
+double SurveyFit::cost_of(const GaussNewtonResult& fitted) const {
+    return fitted.converged ? 2.0 * m_statics.objective(observations(), fitted.iterate) +
+                                  m_snooping.rejected_cost() + m_length_snooping.released_cost() +
+                                  m_boundary_snooping.released_cost()
+                            : std::numeric_limits<double>::infinity();
+}
+
+/// Above 0 at the nodes (n) of what was found to be wrong.
+Eigen::VectorXd SurveyFit::blamed() const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(m_net.node_count());
+    for (int node = 0; node < m_net.node_count(); ++node) {
+        result(node) = m_snooping.rejected()[node] ? 1.0 : 0.0;
+    }
+    for (size_t i = 0; i < m_length_snooping.released().size(); ++i) {
+        if (m_length_snooping.released()[i]) {
+            result(m_net.edges()[m_net.interior_edges()[i]][0]) = 1.0;
+        }
+    }
+    return result;
+}
+
+/// (boundary): where it may explain what is wrong, fits again with it in doubt, too: with all that
+/// stands out released at once, and with one thing after the other. Takes what costs least.
+void SurveyFit::doubt_boundary(GaussNewtonResult& fitted) {
+    m_boundary_test = BoundaryTest::at_once;
+    evaluate(fitted, 1.0);
+    m_boundary_test = BoundaryTest::none;
+    if (!m_boundary_snooping.is_suspicious(blamed())) {
+        return;
+    }
+    const Iterate start = fitted.iterate;
+    const std::vector<bool> slack = m_statics.slack();
+    struct Explanation {
+        double cost = 0.0;
+        DataSnooping::Rejected rejected;
+        std::vector<bool> released;
+        BoundaryReleases boundary;
+        Iterate iterate;
+        std::vector<bool> slack;
+    };
+    const auto explanation_of = [&](const GaussNewtonResult& fit) -> Explanation {
+        const bool is_one = is_settled(fit) && !m_boundary_snooping.releases_too_many();
+        return {.cost = is_one ? cost_of(fit) : std::numeric_limits<double>::infinity(),
+                .rejected = m_snooping.all_rejected(),
+                .released = m_length_snooping.released(),
+                .boundary = m_boundary_snooping.released(),
+                .iterate = fit.iterate,
+                .slack = m_statics.slack()};
+    };
+    Explanation best = explanation_of(fitted);
+    for (const BoundaryTest test : {BoundaryTest::at_once, BoundaryTest::one_by_one}) {
+        m_boundary_test = test;
+        readmit_all();
+        Explanation other = explanation_of(fit_and_snoop(start, slack, 1.0));
+        if (other.cost < best.cost) {
+            best = std::move(other);
+        }
+        m_boundary_test = BoundaryTest::none;
+    }
+    m_snooping.set_rejected(best.rejected);
+    m_length_snooping.set_released(best.released);
+    m_boundary_snooping.set_released(best.boundary);
+    take_over_releases();
+    fitted = fit(with_released(best.iterate), best.slack, 1.0);
+    if (!is_settled(fitted)) {  // as before
+        readmit_all();
+        fitted = fit_and_snoop(nominal(), 1.0);
+    }
+    m_boundary_test = BoundaryTest::at_once;  // so that evaluate() tells of what was released
 }
 
 /// Fits with the edges slack that the fitted form shows to be so. Whether an edge is taut is a
@@ -238,19 +316,25 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<boo
                                            double inflation) {
     m_snooping.reopen();
     m_length_snooping.reopen();
-    GaussNewtonResult fitted = fit(start, std::move(slack), inflation);
+    m_boundary_snooping.reopen();
+    GaussNewtonResult fitted = fit(with_released(start), std::move(slack), inflation);
     // A descent that was cut short tells the largest gross errors, too.
     const auto can_be_tested = [&] {
         return m_snooping.is_active() && (fitted.converged || (m_is_rounded && fitted.has_factor));
     };
     for (int revision = 0; can_be_tested() && revision < most_revisions; ++revision) {
         evaluate(fitted, inflation);
-        if (!revise() || m_snooping.rejects_too_many()) {
+        if (!revise()) {
             break;
         }
-        fitted = fit(fitted.iterate,
+        const bool has_too_many =
+            m_snooping.rejects_too_many() || m_boundary_snooping.releases_too_many();
+        fitted = fit(with_released(std::move(fitted.iterate)),
                      as_seen(where_measured(m_net, observations(inflation), m_statics.slack())),
                      inflation);
+        if (has_too_many) {
+            break;
+        }
     }
     return fitted;
 }
@@ -304,6 +388,7 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
     const bool is_rounded_settled = is_settled(rounded);
     const DataSnooping::Rejected rejected = m_snooping.all_rejected();
     const std::vector<bool> released = m_length_snooping.released();
+    const BoundaryReleases released_boundary = m_boundary_snooping.released();
     if (is_rounded_settled) {
         GaussNewtonResult fitted =
             fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), 1.0);
@@ -319,35 +404,73 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
         return without_slack_set([this] { return from_coarse_to_fine(); });
     }
     m_snooping.set_rejected(rejected);
-    release(released);
-    return fit_rounded(rounded.iterate, 1.0);
+    m_length_snooping.set_released(released);
+    m_boundary_snooping.set_released(released_boundary);
+    take_over_releases();
+    return fit_rounded(with_released(rounded.iterate), 1.0);
 }
 
-/// One step of data snooping: targets, readings and lengths stand against each other.
+/// One step of data snooping: targets, readings, lengths and the boundary stand against each other.
 bool SurveyFit::revise() {
+    const Eigen::VectorXd of_targets = m_snooping.scores();
+    if (m_is_rounded) {  // where only targets are tested
+        return m_snooping.revise();
+    }
     const Eigen::VectorXd of_lengths = m_length_snooping.scores();
-    const bool has_released = m_length_snooping.release(m_snooping.scores());
-    bool has_changed = m_snooping.reject(of_lengths) || has_released;
+    const Eigen::VectorXd of_boundary = m_boundary_test != BoundaryTest::none
+                                            ? m_boundary_snooping.scores()
+                                            : Eigen::VectorXd::Zero(m_net.node_count());
+    const bool has_released = m_length_snooping.release(of_targets.cwiseMax(of_boundary));
+    bool has_changed = m_snooping.reject(of_lengths.cwiseMax(of_boundary)) || has_released;
+    // Gross errors elsewhere show at the boundary, too; but many things that are wrong there show
+    // at many targets.
+    const bool is_one_by_one = m_boundary_test == BoundaryTest::one_by_one;
+    if (m_boundary_test == BoundaryTest::at_once || (is_one_by_one && !has_changed)) {
+        const bool has_released_boundary =
+            m_boundary_snooping.release(of_targets.cwiseMax(of_lengths), is_one_by_one);
+        has_changed = has_changed || has_released_boundary;
+    }
     if (!has_changed) {
         const bool has_readmitted = m_snooping.readmit();
-        has_changed = m_length_snooping.readmit() || has_readmitted;
+        const bool has_readmitted_edge = m_length_snooping.readmit();
+        has_changed = m_boundary_snooping.readmit() || has_readmitted || has_readmitted_edge;
     }
     if (m_length_snooping.releases_too_many()) {
         m_length_snooping.give_up();  // (length-snooping): not so many are mis-cut
     }
-    m_knowledge.laws = m_length_snooping.laws();
+    take_over_releases();
     return has_changed;
 }
 
 void SurveyFit::readmit_all() {
     m_snooping.readmit_all();
-    release(std::vector<bool>(m_knowledge.laws.size(), false));
+    m_length_snooping.readmit_all();
+    m_boundary_snooping.readmit_all();
+    take_over_releases();
 }
 
-/// These edges, and no others.
-void SurveyFit::release(std::vector<bool> edges) {
-    m_length_snooping.set_released(std::move(edges));
+/// What was found not to be as told is unknown from now on.
+void SurveyFit::take_over_releases() {
     m_knowledge.laws = m_length_snooping.laws();
+    if (m_knowledge.released != m_boundary_snooping.released()) {
+        m_knowledge.released = m_boundary_snooping.released();
+        m_statics.set_released(m_knowledge.released);
+    }
+}
+
+/// An iterate with the unknowns that are released now, and supports where these have them.
+Iterate SurveyFit::with_released(Iterate iterate) const {
+    const CommonUnknowns& common = m_statics.common();
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(common.count());
+    values.head(common.kept_count()) = iterate.common.head(common.kept_count());
+    iterate.common = std::move(values);
+    if (common.moves_supports() && std_of(m_knowledge.unknowns, Unknown::Kind::supports) <= 0.0) {
+        const Points motion = common.support_motion(iterate.common);
+        for (const int node : m_net.supports()) {
+            iterate.form.col(node) = m_net.nodes().col(node) + motion.col(node);
+        }
+    }
+    return iterate;
 }
 
 double SurveyFit::first_inflation() const {
@@ -367,7 +490,7 @@ Observations SurveyFit::observations(double inflation) const {
     result.variance *= m_settings.prior_width * m_settings.prior_width;
     const double squared_inflation = inflation * inflation;
     for (const int node : m_net.free_nodes()) {
-        result.weights.col(node) /= squared_inflation;
+        result.scale_weight(node, 1.0 / squared_inflation);
     }
     result.tension_weights /= squared_inflation;
     return result;
@@ -384,6 +507,10 @@ void SurveyFit::evaluate(const GaussNewtonResult& fitted, double inflation) {
                 return m_statics.covariances_with(weights).dot(weights);
             },
             inflation);
+    }
+    if (m_boundary_test != BoundaryTest::none && m_boundary_snooping.is_active()) {
+        m_boundary_snooping.evaluate(m_statics, fitted.iterate, observations(inflation),
+                                     m_snooping.residual_scale());
     }
     if (m_length_snooping.is_active() && !m_is_rounded) {
         m_length_snooping.evaluate(length_likelihoods(m_net, m_knowledge, m_statics,

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "estimation/boundary_snooping.hpp"
 #include "estimation/data_snooping.hpp"
 #include "estimation/gauss_newton.hpp"
 #include "estimation/length_snooping.hpp"
@@ -49,8 +50,9 @@ public:
     [[nodiscard]] bool contradicts_too_many() const { return m_contradicts_too_many; }
     [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
     [[nodiscard]] const LengthSnooping& length_snooping() const { return m_length_snooping; }
+    [[nodiscard]] const BoundarySnooping& boundary_snooping() const { return m_boundary_snooping; }
     /// What was told, with the laws that the fit was made with: those of edges beyond theirs are
-    /// wide.
+    /// wide; and what was released of the boundary.
     [[nodiscard]] const PriorKnowledge& knowledge() const { return m_knowledge; }
     /// Linearised and inverted at the result.
     [[nodiscard]] const LinearisedStatics& statics() const { return m_statics; }
@@ -86,7 +88,11 @@ private:
     }
     [[nodiscard]] bool revise();
     void readmit_all();
-    void release(std::vector<bool> edges);
+    [[nodiscard]] Eigen::VectorXd blamed() const;
+    [[nodiscard]] double cost_of(const GaussNewtonResult& fitted) const;
+    void doubt_boundary(GaussNewtonResult& fitted);
+    void take_over_releases();
+    [[nodiscard]] Iterate with_released(Iterate iterate) const;
     [[nodiscard]] bool is_settled(const GaussNewtonResult& fitted) const {
         return fitted.converged && !m_snooping.rejects_too_many();
     }
@@ -103,8 +109,11 @@ private:
     LinearisedStatics m_statics;
     DataSnooping m_snooping;
     LengthSnooping m_length_snooping;
+    BoundarySnooping m_boundary_snooping;
     double m_cost = 0.0;
     bool m_contradicts_too_many = false;
+    enum class BoundaryTest { none, at_once, one_by_one };
+    BoundaryTest m_boundary_test = BoundaryTest::none;
     bool m_is_rounded = false;    ///< (rounded-law) takes the place of the slack set
     double m_corner_width = 0.0;  ///< where the rounded fits have got to [m]
 };

@@ -36,13 +36,13 @@ Group noise_group(const CableNet& net, const LinearisedStatics& statics,
                   const Observations& observations, const Iterate& fitted) {
     Group group;
     for (const int node : net.free_nodes()) {
-        const Eigen::Vector3d weights = observations.weights.col(node);
-        if (weights.maxCoeff() <= 0.0) {
+        if (observations.weights.col(node).maxCoeff() <= 0.0) {
             continue;
         }
         const Eigen::Vector3d residual = observations.form.col(node) - fitted.form.col(node);
-        group.squares += weights.dot(residual.cwiseAbs2());
-        group.redundancy += 3.0 - weights.dot(statics.form_covariance(node).diagonal());
+        const Eigen::Matrix3d S = observations.weight(node);
+        group.squares += residual.dot(S * residual);
+        group.redundancy += 3.0 - S.cwiseProduct(statics.form_covariance(node)).sum();
     }
     return group;
 }
@@ -86,7 +86,9 @@ VarianceComponents estimate_components(const CableNet& net, LinearisedStatics& s
             settled_scale) {
             break;
         }
-        observations.weights /= noise_scaling * noise_scaling;
+        for (int node = 0; node < net.node_count(); ++node) {
+            observations.scale_weight(node, 1.0 / (noise_scaling * noise_scaling));
+        }
         for (int i = 0; i < net.interior_edge_count(); ++i) {
             observations.variance(i) *= left_out[i] ? 1.0 : length_scaling * length_scaling;
         }

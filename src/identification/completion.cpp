@@ -56,10 +56,17 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         result.predicted = EquilibriumSolver(identified).solve(l_0, start);
         result.tensions = tensions(identified, l_0, result.predicted.form);
     };
-    if (result.unknowns.empty() && !result.frame_offset) {
+    if (result.unknowns.empty() && !result.frame_offset && result.boundary_outliers.empty()) {
         balance(net, lengths);
     } else {
         Circumstances circumstances = circumstances_of(net, result.unknowns);
+        for (const BoundaryOutlier& outlier : result.boundary_outliers) {
+            if (outlier.kind == BoundaryOutlier::Kind::support) {
+                circumstances.supports.col(outlier.index) += outlier.deviation;
+            } else {
+                lengths(outlier.index) += outlier.deviation.x();
+            }
+        }
         if (result.frame_offset) {
             const Points motion = result.frame_offset->motion_of(net.nodes());
             circumstances.supports(Eigen::all, net.supports()) +=

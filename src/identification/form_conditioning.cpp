@@ -9,6 +9,7 @@
 #include "estimation/observations.hpp"
 #include "numerics/shrunk_covariance.hpp"
 #include "taut/statics/form_sensitivity.hpp"
+#include "taut/survey/covariance.hpp"
 
 namespace taut {
 
@@ -32,7 +33,6 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& be
       m_survey(survey),
       m_nominal_form(std::move(nominal_form)),
       m_noise(with_noise_floor(net, survey)),
-      m_free_noise(free_coordinates(net, m_noise)),
       m_snooping(net, survey, m_noise, m_no_readings, false_alarm_rate) {
     condition();
     if (!m_snooping.is_active()) {
@@ -59,7 +59,11 @@ void ConditionedForm::condition() {
     }
     const Eigen::VectorXd surveyed = free_coordinates(m_net, m_survey.form) - m_nominal_form;
     Eigen::MatrixXd K = m_before.covariance(m_observed, m_observed);
-    K.diagonal() += m_free_noise(m_observed).cwiseAbs2();
+    for (const int node : m_survey.surveyed) {
+        if (const int place = m_place_in_use[node]; place >= 0) {
+            K.block<3, 3>(3 * place, 3 * place) += noise_covariance(node);
+        }
+    }
     m_factor.emplace(std::move(K));
     const Eigen::VectorXd weights = m_factor->solve((surveyed - m_before.mean)(m_observed)).col(0);
     m_mean = m_before.mean + m_before.covariance(Eigen::all, m_observed) * weights;
@@ -71,6 +75,11 @@ void ConditionedForm::evaluate() {
                         [this](int node) { return covariance_of(node); });
 }
 
+Eigen::Matrix3d ConditionedForm::noise_covariance(int node) const {
+    return taut::covariance_of(
+        {.std = m_noise.col(node), .correlations = m_survey.correlations_of(node)});
+}
+
 /// Of a node's place after the survey: Sigma - Sigma P Sigma of a target in use, which keeps the
 /// digits of the redundancy Sigma P Sigma; else C - C_o' K^-1 C_o.
 Eigen::Matrix3d ConditionedForm::covariance_of(int node) const {
@@ -78,10 +87,8 @@ Eigen::Matrix3d ConditionedForm::covariance_of(int node) const {
     if (const Eigen::Index place = m_place_in_use[node]; place >= 0) {
         const Eigen::Matrix3d P =
             m_precision.block<3, 3>(3 * place, 3 * place).selfadjointView<Eigen::Lower>();
-        const Eigen::Vector3d variance = m_free_noise.segment<3>(at).cwiseAbs2();
-        Eigen::Matrix3d C = -(variance.asDiagonal() * P * variance.asDiagonal());
-        C.diagonal() += variance;
-        return C;
+        const Eigen::Matrix3d noise = noise_covariance(node);
+        return noise - noise * P * noise;
     }
     Eigen::MatrixXd coordinates = Eigen::MatrixXd::Zero(m_mean.size(), 3);
     coordinates.middleRows<3>(at).setIdentity();

@@ -51,6 +51,7 @@ private:
     void condition();
     void evaluate();
     [[nodiscard]] Eigen::Matrix3d covariance_of(int node) const;
+    [[nodiscard]] Eigen::Matrix3d noise_covariance(int node) const;  ///< Sigma of a target [m2]
     /// L^-1 C_o g: what the survey takes from the variance is its square.
     [[nodiscard]] Eigen::MatrixXd reduced(const Eigen::MatrixXd& gradients) const;
 
@@ -59,7 +60,6 @@ private:
     const Survey& m_survey;
     Eigen::VectorXd m_nominal_form;
     Points m_noise;                    ///< 3 x n [m]
-    Eigen::VectorXd m_free_noise;      ///< of the free coordinates (3 n_I) [m]
     std::vector<int> m_place_in_use;   ///< of each node (n) among the targets in use, or -1
     std::vector<int> m_observed;       ///< coordinates of these, among the free ones
     std::optional<Cholesky> m_factor;  ///< of K = C_oo + Sigma

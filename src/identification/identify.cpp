@@ -162,6 +162,8 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     result.scales = fit.scales;
     result.law_check = fit.law_check;
     result.lengths_beyond_law = fit.lengths_beyond_law;
+    result.boundary_outliers = fit.boundary_outliers;
+    result.boundary_beyond = fit.boundary_beyond;
     for (const LengthOutlier& outlier : fit.lengths_beyond_law) {
         const auto is_same = [&](const IdentifiedEdge& edge) { return edge.edge == outlier.edge; };
         const auto edge = std::ranges::find_if(result.edges, is_same);
@@ -170,7 +172,8 @@ void take_over(Identification& result, const Identification& fit, const CableNet
         }
     }
     result.frame_offset = fit.frame_offset;
-    const bool is_changed = !fit.lengths_beyond_law.empty() || fit.frame_offset;
+    const bool is_changed =
+        !fit.lengths_beyond_law.empty() || fit.frame_offset || !fit.boundary_outliers.empty();
     if (is_changed && result.status == IdentificationStatus::converged) {
         predict_form(result, net, survey, fit.predicted.form);
     }
@@ -184,6 +187,7 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw
     }
     constexpr int most_rounds = 8;
     constexpr double settled = 0.01;
+    constexpr double least_known = 0.25;  // the std of a noise that one may still act on, relative
     Told told(law);
     told.unknowns = options.unknowns;
     told.forces = options.forces;
@@ -191,17 +195,22 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw
     double scale = 1.0;
     for (int round = 0; round < most_rounds; ++round) {
         const Identification fit = identify_by_maximum_a_posteriori(net, scaled, told);
+        if (fit.status != IdentificationStatus::converged) {
+            return scale;  // what comes of it says so
+        }
         const double ratio = fit.scales.noise.ratio;
-        if (fit.status != IdentificationStatus::converged || !(ratio > 0.0)) {
+        if (!(fit.scales.noise.std < least_known * ratio)) {
             break;
         }
         scaled.noise_std *= ratio;
         scale *= ratio;
         if (std::abs(ratio - 1.0) < settled) {
-            break;
+            return scale;
         }
     }
-    return scale;
+    throw SurveyError(0,
+                      "does not show its noise: it holds too little more than the lengths need. "
+                      "Tell it, as --noise 0.5mm");
 }
 
 Identification identify_by(IdentificationMethod method, const CableNet& net, const Survey& survey,
@@ -246,6 +255,30 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
         take_over(result, *fit, net, survey);
     }
     return result;
+}
+
+/// (found-law): identifies again by the law that the survey shows, where it contradicts the one
+/// reckoned with; where that was told, clearly and by one that is no narrower.
+void find_law(Identification& result, IdentificationMethod method, const CableNet& net,
+              const Survey& survey, const IdentifyOptions& options, const Progress& progress) {
+    constexpr int most_laws = 3;  // the first may be found by a fit that blames sound targets
+    constexpr double settled_gain = 1.0;
+    const LawCheck first = result.law_check;
+    const bool is_clear =
+        options.law ? first.is_untenable() && !first.is_too_wide() : first.is_contradicted();
+    for (int found = 0; is_clear && found < most_laws; ++found) {
+        const LawCheck check = result.law_check;
+        if (check.has_mean() || !(check.gain > (found == 0 ? 0.0 : settled_gain))) {
+            break;
+        }
+        result = identify_by(method, net, survey, check.likeliest, options, progress);
+        result.contradicted_law = first;
+    }
+    if (result.contradicted_law) {
+        result.how +=
+            fmt::format("\n  found from the survey, which contradicts {}{}",
+                        first.checked.to_string(), options.law ? "" : ", no law being told");
+    }
 }
 
 }  // namespace
@@ -332,17 +365,10 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         return result;
     }
     Identification result = identify_by(method, net, survey, law, options, progress);
-    const bool may_find_law = !options.law && options.model == nullptr;
-    if (may_find_law && survey.is_noisy() && result.law_check.is_contradicted() &&
-        !result.law_check.has_mean() && result.law_check.gain > 0.0) {
-        // (default-law)
-        const LawCheck of_default = result.law_check;
-        result = identify_by(method, net, survey, of_default.likeliest, options, progress);
-        result.law_was_found = true;
-        result.how +=
-            fmt::format("\n  found from the survey: no law was told, and the lengths contradict {}",
-                        law.to_string());
+    if (survey.is_noisy() && options.model == nullptr) {
+        find_law(result, method, net, survey, options, progress);
     }
+    result.law_was_told = options.law.has_value();
     result.method = to_string(method);
     result.method_reason = reason;
     result.trust = trust_of(net, survey, result);

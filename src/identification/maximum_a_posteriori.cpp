@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "estimation/expectation_propagation.hpp"
+#include "estimation/frame_check.hpp"
 #include "estimation/law_check.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/variance_components.hpp"
@@ -111,6 +112,7 @@ FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fit
 struct Doubt {
     VarianceComponents scales;
     LawCheck law;
+    FrameCheck frame;
 };
 
 /// (common-mean): score and information of a shift of the law.
@@ -137,6 +139,7 @@ Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& la
     const Iterate at = fitted;
     const Observations told = fit.observations();
     Observations scaled = told;
+    doubt.frame = check_frame(fit_net, fit.statics(), at, told, fit.snooping().residual_scale());
     std::vector<bool> left_out = fit.length_snooping().released();
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
@@ -204,7 +207,10 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     result.reading_bias = fit.snooping().reading_bias();
     result.scales = doubt.scales;
     result.law_check = doubt.law;
+    result.frame_check = doubt.frame;
     result.lengths_beyond_law = fit.length_snooping().outliers();
+    result.boundary_outliers = fit.boundary_snooping().outliers();
+    result.boundary_beyond = fit.boundary_snooping().beyond_count();
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
     if (fit.statics().common().has_frame()) {

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string>
 
 #include "taut/identification/result.hpp"
 #include "taut/net/units.hpp"
@@ -18,8 +19,8 @@ using Verdict = Trust::Verdict;
 /// By which scales a width told too small makes intervals hold less than 90 % instead of 95 %.
 constexpr double far_too_small = 1.2;
 
-/// Log likelihood by which another law makes that told untenable, not only doubtful.
-constexpr double untenable_gain = 20.0;
+/// More of the boundary that contradict the survey, and it is not single ones that are wrong.
+constexpr int a_few_of_boundary = 3;
 
 /// Of the targets: fewer are left out in a sound survey.
 constexpr double few_outliers = 0.1;
@@ -39,10 +40,13 @@ public:
 
     Trust run() {
         test_end();
+        test_frame();
         test_noise();
         test_law();
         test_lengths();
+        test_boundary();
         test_targets();
+        test_names();
         test_forces();
         test_unknowns();
         test_draws();
@@ -61,19 +65,45 @@ private:
         }
     }
 
+    void test_frame() {
+        const FrameCheck& check = m_result.frame_check;
+        if (check.is_scaled()) {
+            add(Verdict::failed,
+                fmt::format("the survey is {:.5f} +- {:.5f} times as large as the net",
+                            1.0 + check.scale, check.scale_std),
+                "check the instrument's scale (ppm, prism, unit); lengths cut by another measure, "
+                "or a temperature, do the same");
+        }
+        if (check.is_moved()) {
+            add(Verdict::failed,
+                fmt::format("the survey lies {:.1f} mm off the frame that was told, and turned by "
+                            "{:.2f} mrad",
+                            1e3 * check.translation.norm(), 1e3 * check.rotation.norm()),
+                "identify again without --frame net");
+        }
+    }
+
     void test_noise() {
         const FoundScale& noise = m_result.scales.noise;
+        const FoundScale& lengths = m_result.scales.lengths;
+        if (m_survey.is_noisy() && !(noise.ratio > 0.0 && lengths.ratio > 0.0)) {
+            add(Verdict::passed, "the survey shows too little to test noise and law");
+        }
         if (!noise.is_contradicted()) {
             return;
         }
         const double told = m_survey.largest_noise_std();
-        const std::string found = format_length(told * noise.ratio);
+        const std::string found =
+            format_length(std::stod(fmt::format("{:.3g}", told * noise.ratio)));
         add(noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
             fmt::format("the noise told, {}, is contradicted: the survey shows {}, {:.2f} times "
                         "that, where chance gives 1 +- {:.2f}",
                         format_length(told), found, noise.ratio, noise.std),
             noise.ratio > 1.0
-                ? fmt::format("if the frame is right, identify again with --noise {}", found)
+                ? fmt::format(
+                      "if the frame is right, and no target stands off the cables (--offset), "
+                      "identify again with --noise {}",
+                      found)
                 : fmt::format("identify again with --noise {}", found));
     }
 
@@ -88,10 +118,18 @@ private:
                 "a wrong stiffness, temperature, scale of the survey or way of cutting does that: "
                 "tell what is not known by --unknown");
         }
+        if (m_result.contradicted_law && m_result.law_was_told) {
+            add(Verdict::doubtful,
+                fmt::format("the law told, {}, is contradicted (log likelihood {:.0f} lower): "
+                            "lengths and intervals are by {}, which the survey shows",
+                            m_result.contradicted_law->checked.to_string(),
+                            m_result.contradicted_law->gain, told),
+                "is that how the edges were cut?");
+        }
         if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
             const std::string likeliest = check.likeliest.to_string();
-            add(check.gain > untenable_gain ? Verdict::failed : Verdict::doubtful,
-                fmt::format("the law told, {}, is contradicted: {} lengths show {} (log likelihood "
+            add(check.is_untenable() && !check.is_too_wide() ? Verdict::failed : Verdict::doubtful,
+                fmt::format("the law {} is contradicted: {} lengths show {} (log likelihood "
                             "{:.0f} higher)",
                             told, check.lengths, likeliest, check.gain),
                 fmt::format("identify again with --law {}", likeliest));
@@ -121,6 +159,44 @@ private:
             "mis-cut, most likely: look at them. Their intervals are by the survey alone");
     }
 
+    void test_boundary() {
+        if (m_result.boundary_beyond > 0) {
+            add(m_result.boundary_beyond > a_few_of_boundary ? Verdict::failed : Verdict::doubtful,
+                fmt::format("{} adjustable edges and supports contradict the survey, and it does "
+                            "not show which is wrong",
+                            m_result.boundary_beyond),
+                "tell what is not known of them: --unknown adjustable:3mm, --unknown supports:3mm");
+        }
+        if (m_result.boundary_outliers.empty()) {
+            return;
+        }
+        std::vector<std::string> names;
+        names.reserve(m_result.boundary_outliers.size());
+        for (const BoundaryOutlier& outlier : m_result.boundary_outliers) {
+            names.push_back(boundary_text(outlier));
+        }
+        const size_t count = names.size();
+        add(Verdict::doubtful,
+            fmt::format("{} not as told: {}",
+                        count == 1 ? "of the boundary one is"
+                                   : fmt::format("of the boundary {} are", count),
+                        and_more(std::move(names))),
+            "look at them: their lengths and places are told by the survey alone");
+    }
+
+    [[nodiscard]] std::string boundary_text(const BoundaryOutlier& outlier) const {
+        if (outlier.kind == BoundaryOutlier::Kind::support) {
+            return fmt::format(
+                "support {} ({:.1f} mm off{})", m_net.node_id(outlier.index),
+                1e3 * outlier.deviation.norm(),
+                outlier.rival < 0 ? "" : fmt::format(", or edge {}", m_net.edge_id(outlier.rival)));
+        }
+        return fmt::format(
+            "edge {} ({:+.1f} +- {:.1f} mm{})", m_net.edge_id(outlier.index),
+            1e3 * outlier.deviation.x(), 1e3 * outlier.std.x(),
+            outlier.rival < 0 ? "" : fmt::format(", or support {}", m_net.node_id(outlier.rival)));
+    }
+
     void test_targets() {
         if (m_result.outliers.empty()) {
             return;
@@ -128,8 +204,11 @@ private:
         std::vector<std::string> names;
         names.reserve(m_result.outliers.size());
         for (const Outlier& outlier : m_result.outliers) {
-            names.push_back(
-                fmt::format("{} ({:.1f} mm)", m_net.node_id(outlier.node), 1e3 * outlier.distance));
+            names.push_back(fmt::format(
+                "{} ({:.1f} mm{})", m_net.node_id(outlier.node), 1e3 * outlier.distance,
+                outlier.swapped_with < 0
+                    ? ""
+                    : fmt::format(", swapped with {}", m_net.node_id(outlier.swapped_with))));
         }
         const size_t count = names.size();
         const bool is_few = static_cast<double>(count) <=
@@ -140,6 +219,30 @@ private:
                 count == 1 ? "a target contradicts" : fmt::format("{} targets contradict", count),
                 count == 1 ? "is" : "are", and_more(std::move(names))),
             is_few ? "" : "are frame, supports and noise right?");
+    }
+
+    void test_names() {
+        std::vector<std::string> pairs;
+        const auto add_pair = [&](int node, int other) {
+            if (node < other) {
+                pairs.push_back(
+                    fmt::format("{} and {}", m_net.node_id(node), m_net.node_id(other)));
+            }
+        };
+        for (const Outlier& outlier : m_result.outliers) {
+            add_pair(outlier.node, outlier.swapped_with);
+        }
+        for (const UnmatchedPoint& point : m_survey.unmatched) {
+            add_pair(point.nearest, point.swapped_with);
+        }
+        if (!pairs.empty()) {
+            add(Verdict::passed,
+                fmt::format(
+                    "names of targets are swapped, which lie at each other's places and are "
+                    "left out: {}",
+                    and_more(std::move(pairs))),
+                "exchange their names in the survey, and identify again");
+        }
     }
 
     void test_forces() {

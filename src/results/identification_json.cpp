@@ -37,6 +37,9 @@ Json unmatched_json(const CableNet& net, const Survey& survey) {
              {"reason", to_string(p.reason)},
              {"nearest", net.node_id(p.nearest)},
              {"distance", p.distance}});
+        if (p.swapped_with >= 0) {
+            points.back()["swapped_with"] = net.node_id(p.swapped_with);
+        }
     }
     return points;
 }
@@ -96,6 +99,33 @@ Json scale_json(const FoundScale& scale) {
     return {{"ratio", scale.ratio}, {"std", scale.std}};
 }
 
+/// Adjustable edges and supports that are not as told.
+Json boundary_json(const CableNet& net, const std::vector<BoundaryOutlier>& outliers) {
+    Json list = Json::array();
+    for (const BoundaryOutlier& outlier : outliers) {
+        const bool is_support = outlier.kind == BoundaryOutlier::Kind::support;
+        const auto id_of = [&net](bool of_node, int index) {
+            return of_node ? net.node_id(index) : net.edge_id(index);
+        };
+        Json entry = {{is_support ? "node" : "edge", outlier.index},
+                      {"id", id_of(is_support, outlier.index)}};
+        entry["deviation"] = is_support ? to_json(outlier.deviation) : Json(outlier.deviation.x());
+        entry["std"] = is_support ? to_json(outlier.std) : Json(outlier.std.x());
+        entry["statistic"] = outlier.statistic;
+        entry["rival"] = outlier.rival < 0 ? Json() : Json(id_of(!is_support, outlier.rival));
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+Json frame_check_json(const FrameCheck& check) {
+    return {{"scale", check.scale},
+            {"scale_std", check.scale_std},
+            {"translation", to_json(check.translation)},
+            {"rotation", to_json(check.rotation)},
+            {"motion_statistic", check.motion_statistic}};
+}
+
 /// What the trust rests on, in numbers.
 Json doubt_json(const CableNet& net, const Identification& identification) {
     const LawCheck& law = identification.law_check;
@@ -116,8 +146,14 @@ Json doubt_json(const CableNet& net, const Identification& identification) {
               {"mean", law.mean},
               {"mean_std", law.mean_std},
               {"beyond", law.beyond},
-              {"found", identification.law_was_found}}},
-            {"lengths_beyond_law", beyond}};
+              {"found", identification.contradicted_law.has_value()},
+              {"contradicted", identification.contradicted_law
+                                   ? Json(identification.contradicted_law->checked.to_string())
+                                   : Json()}}},
+            {"frame", frame_check_json(identification.frame_check)},
+            {"lengths_beyond_law", beyond},
+            {"boundary", boundary_json(net, identification.boundary_outliers)},
+            {"boundary_beyond", identification.boundary_beyond}};
 }
 
 Json drawn_tension_json(const DrawnSummary& drawn, int edge) {
@@ -262,6 +298,9 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                             {"id", net.node_id(outlier.node)},
                             {"distance", outlier.distance},
                             {"statistic", outlier.statistic}});
+        if (outlier.swapped_with >= 0) {
+            outliers.back()["swapped_with"] = net.node_id(outlier.swapped_with);
+        }
     }
     double noise = 0.0;
     if (survey.noise_std.cols() > 0) {

@@ -28,6 +28,9 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
             unobserved.push_back(edge.edge);
         }
     }
+    for (const BoundaryOutlier& edge : result.turned) {
+        lengths(edge.index) += edge.deviation.x();
+    }
     try {
         CableNetData data = designed.net.data();
         data.unstressed_lengths = lengths;

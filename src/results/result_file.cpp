@@ -209,6 +209,28 @@ UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
     return estimate;
 }
 
+/// Adjustable edges of another length than told; the form tells the supports' places.
+std::vector<BoundaryOutlier> read_turned(const JsonValue& root, const CableNet& net) {
+    std::vector<BoundaryOutlier> result;
+    const auto doubt = root.find("doubt");
+    if (!doubt) {
+        return result;
+    }
+    for (const JsonValue& entry : entries(*doubt, "boundary")) {
+        const auto edge = entry.find("edge");
+        if (!edge) {
+            continue;
+        }
+        BoundaryOutlier outlier{.index = edge->integer()};
+        if (outlier.index < 0 || outlier.index >= net.edge_count()) {
+            edge->fail(fmt::format("is {}, expected an edge of the net", outlier.index));
+        }
+        outlier.deviation.x() = member(entry, "deviation").number();
+        result.push_back(outlier);
+    }
+    return result;
+}
+
 IdentificationResult read_identification(const JsonValue& root) {
     IdentificationResult result{.net = require_net(root)};
     result.edges = read_edges(member(root, "edges"), result.net);
@@ -220,6 +242,7 @@ IdentificationResult read_identification(const JsonValue& root) {
     for (const JsonValue& unknown : entries(root, "unknowns")) {
         result.unknowns.push_back(read_unknown(unknown, result.net));
     }
+    result.turned = read_turned(root, result.net);
     const JsonValue survey = member(root, "survey");
     for (const JsonValue& node : entries(survey, "missing_nodes")) {
         static_cast<void>(read_node(node, result.net));

@@ -11,6 +11,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <tuple>
 
 #include "support/finite_differences.hpp"
 #include "support/random_nets.hpp"
@@ -48,6 +49,8 @@ protected:
         for (const int node : m_net.supports()) {
             m_observed.weights.col(node).setConstant(1e6);
         }
+        m_observed.cross_weights = 0.4 * m_observed.weights;  // correlated coordinates
+        m_observed.cross_weights.row(1) *= -1.0;
         m_observed.form += uniform_points(random, m_net.node_count(), 1e-3);
         for (const int node : m_net.free_nodes()) {
             m_observed.load_variance.col(node).setConstant(400.0);
@@ -148,10 +151,21 @@ protected:
         m_matrix.topLeftCorner(m_size, m_size) =
             m_tension_rates.transpose() * m_observed.tension_weights.asDiagonal() * m_tension_rates;
         m_matrix.topLeftCorner(m_size, m_size).diagonal() += weights;
+        Eigen::MatrixXd of_places = Eigen::MatrixXd(weights.asDiagonal());
+        for (int node = 0; node < m_net.node_count(); ++node) {
+            const Eigen::Vector3d cross = m_observed.cross_weights.col(node);
+            for (const auto& [i, k, of_both] :
+                 {std::tuple(0, 1, cross(0)), {0, 2, cross(1)}, {1, 2, cross(2)}}) {
+                of_places(3 * node + i, 3 * node + k) = of_both;
+                of_places(3 * node + k, 3 * node + i) = of_both;
+                m_matrix(3 * node + i, 3 * node + k) += of_both;
+                m_matrix(3 * node + k, 3 * node + i) += of_both;
+            }
+        }
         m_matrix.bottomLeftCorner(constraints, m_size) = m_rates;
         m_matrix.topRightCorner(m_size, constraints) = m_rates.transpose();
         m_right_side.resize(m_size + constraints);
-        m_right_side << weights.cwiseProduct(together(means) - x) +
+        m_right_side << of_places * (together(means) - x) +
                             m_tension_rates.transpose() *
                                 m_observed.tension_weights.cwiseProduct(misfit),
             -imbalance(x);

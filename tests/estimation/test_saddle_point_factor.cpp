@@ -24,7 +24,10 @@ protected:
     explicit OnANet(CableNet net) : m_net(std::move(net)) {
         srand(1);
         m_factor.place_weights = Eigen::Matrix3Xd::Random(3, n).cwiseAbs();
+        m_factor.cross_place_weights = 0.3 * Eigen::Matrix3Xd::Random(3, n);
+        m_factor.place_weights.array() += 0.7;    // positive definite with these
         m_factor.place_weights.col(3).setZero();  // a hidden node
+        m_factor.cross_place_weights.col(3).setZero();
         m_factor.length_weights.setConstant(0.5);
         m_factor.length_rates.setRandom();
         for (int e = 0; e < m_net.edge_count(); ++e) {
@@ -45,6 +48,9 @@ protected:
         Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * n + m, 6 * n + m);
         for (int i = 0; i < n; ++i) {
             K.block<3, 3>(3 * i, 3 * i) = m_factor.place_weights.col(i).asDiagonal();
+            K(3 * i + 1, 3 * i) = m_factor.cross_place_weights(0, i);
+            K(3 * i + 2, 3 * i) = m_factor.cross_place_weights(1, i);
+            K(3 * i + 2, 3 * i + 1) = m_factor.cross_place_weights(2, i);
             K.block<3, 3>(3 * (n + i), 3 * i) = m_factor.node_stiffness[i];
         }
         for (int e = 0; e < m; ++e) {

@@ -111,21 +111,73 @@ TEST(Doubt, OfALawThatIsTooNarrowOrOfAnotherShapeIsTold) {
         const SimulatedSurvey s = survey_of(net(), truth, 7);
         const Identification told = identified(s.survey, law);
         EXPECT_NE(told.trust.verdict(), Trust::Verdict::passed) << truth.to_string();
-        EXPECT_EQ(told.law_check.likeliest.kind, truth.kind);
-        EXPECT_NEAR(told.law_check.likeliest.scale, truth.scale, 0.15 * truth.scale);
         EXPECT_TRUE(says(told, "uniform:5mm"));
+        ASSERT_TRUE(told.contradicted_law.has_value());
+        EXPECT_EQ(told.contradicted_law->checked, law);
+        EXPECT_EQ(told.law.kind, truth.kind);
+        EXPECT_NEAR(told.law.scale, truth.scale, 0.15 * truth.scale);
+        EXPECT_GT(coverage(told, s.deviations), 0.92);
     }
+}
+
+TEST(Doubt, OfALawThatIsTooWideLeavesIt) {
+    const SimulatedSurvey s = survey_of(net(), {LengthLaw::Kind::uniform, 0.001}, 7);
+    const Identification told = identified(s.survey, law);
+    EXPECT_FALSE(told.contradicted_law.has_value());
+    EXPECT_EQ(told.trust.verdict(), Trust::Verdict::doubtful);
+    EXPECT_GT(coverage(told, s.deviations), 0.93);
+}
+
+TEST(Doubt, OfATurnbuckleOrASupportNamesIt) {
+    const int edge = net().adjustable_edges()[40];
+    CableNetData data = net().data();
+    data.unstressed_lengths(edge) += 0.008;
+    const SimulatedSurvey s = survey_of(CableNet(data), law, 20);
+    for (const auto method : {IdentificationMethod::map, IdentificationMethod::balance}) {
+        const Identification result = identified(s.survey, law, method);
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
+        ASSERT_EQ(result.boundary_outliers.size(), 1U);
+        const BoundaryOutlier& found = result.boundary_outliers[0];
+        EXPECT_EQ(found.kind, BoundaryOutlier::Kind::adjustable_edge);
+        EXPECT_EQ(found.index, edge);
+        EXPECT_NEAR(found.deviation.x(), 0.008, 4.0 * found.std.x());
+        // Force balance is blind to the boundary by itself.
+        EXPECT_TRUE(result.outliers.empty() || method == IdentificationMethod::balance);
+        EXPECT_TRUE(result.lengths_beyond_law.empty());
+        EXPECT_GT(coverage(result, s.deviations), 0.9);
+        EXPECT_LT(result.residuals.maxCoeff(), 0.01);  // the form is that of the longer edge
+    }
+}
+
+TEST(Doubt, OfTheScaleOrTheFrameToldNamesIt) {
+    const SimulatedSurvey s = survey_of(net(), law, 21);
+    const Identification right = identified(s.survey, law);
+    EXPECT_FALSE(right.frame_check.is_scaled());
+    EXPECT_FALSE(right.frame_check.is_moved());
+    Survey larger = s.survey;
+    larger.form *= 1.001;
+    larger.frame_is_unknown = true;
+    const Identification scaled = identified(larger, law);
+    EXPECT_EQ(scaled.trust.verdict(), Trust::Verdict::failed);
+    EXPECT_TRUE(says(scaled, "times as large as the net"));
+    EXPECT_NEAR(scaled.frame_check.scale, 0.001, 2e-4);
+    Survey moved = s.survey;
+    moved.form.row(1).array() += 0.003;
+    const Identification shifted = identified(moved, law);
+    EXPECT_EQ(shifted.trust.verdict(), Trust::Verdict::failed);
+    EXPECT_TRUE(says(shifted, "off the frame that was told"));
+    EXPECT_FALSE(shifted.frame_check.is_scaled());
 }
 
 TEST(Doubt, FindsTheLawWhereNoneIsTold) {
     const LengthLaw truth{LengthLaw::Kind::normal, 0.004};
     const SimulatedSurvey s = survey_of(net(), truth, 8);
     const Identification found = identified(s.survey, std::nullopt);
-    EXPECT_TRUE(found.law_was_found);
+    EXPECT_TRUE(found.contradicted_law.has_value());
     EXPECT_EQ(found.law.kind, truth.kind);
     EXPECT_GT(coverage(found, s.deviations), 0.92);
     const Identification same = identified(survey_of(net(), law, 8).survey, std::nullopt);
-    EXPECT_FALSE(same.law_was_found);
+    EXPECT_FALSE(same.contradicted_law.has_value());
     EXPECT_EQ(same.law, LengthLaw());
 }
 
@@ -165,6 +217,19 @@ TEST(Doubt, OfNoiseCanBeLeftToTheSurvey) {
         EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed);
         EXPECT_GT(coverage(result, s.deviations), 0.9);
     }
+}
+
+TEST(Doubt, OfNoiseIsRefusedWhereTheSurveyDoesNotShowIt) {
+    const CableNet small = hypar(2, 2);
+    SimulatedSurvey s = simulate(small, law, noise, 3);
+    s.survey.frame_is_unknown = true;
+    IdentifyOptions options;
+    options.law = law;
+    const Identification told = identify(small, s.survey, options);
+    EXPECT_TRUE(says(told, "too little to test noise and law"));
+    EXPECT_EQ(told.trust.verdict(), Trust::Verdict::passed);
+    options.estimate_noise = true;
+    EXPECT_THROW(static_cast<void>(identify(small, s.survey, options)), SurveyError);
 }
 
 TEST(Doubt, OfNoiseNeedsNoise) {

@@ -17,6 +17,7 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/form_sensitivity.hpp"
+#include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
@@ -61,17 +62,22 @@ TEST_F(FormConditioning, BeforeASurveyIsTheLawThroughTheStaticsAndWhatTheseMiss)
 TEST_F(FormConditioning, IsGaussianConditioning) {
     Survey partial = survey(0.0003);
     test::hide(m_net, partial, m_net.free_nodes()[4]);
+    partial.set_correlations(m_net.free_nodes()[6], {0.8, -0.3, 0.1});
     const ConditionedForm after = condition(partial, no_test);
     const Eigen::Index d = m_before.mean.size();
-    Eigen::VectorXd precision =
-        free_coordinates(m_net, partial.noise_std).cwiseAbs2().cwiseInverse();
-    precision.segment<3>(3 * 4).setZero();
+    Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(d, d);
+    for (const int node : partial.surveyed) {
+        const Eigen::Index at = 3 * m_net.free_index(node);
+        precision.block<3, 3>(at, at) =
+            covariance_of(
+                {.std = partial.noise_std.col(node), .correlations = partial.correlations_of(node)})
+                .inverse();
+    }
     const Eigen::MatrixXd before_inverse = m_before.covariance.inverse();
-    const Eigen::MatrixXd covariance =
-        (before_inverse + Eigen::MatrixXd(precision.asDiagonal())).inverse();
+    const Eigen::MatrixXd covariance = (before_inverse + precision).inverse();
     const Eigen::VectorXd deviation = free_coordinates(m_net, partial.form) - m_model.nominal_form;
     const Eigen::VectorXd mean =
-        covariance * (before_inverse * m_before.mean + precision.cwiseProduct(deviation));
+        covariance * (before_inverse * m_before.mean + precision * deviation);
     EXPECT_LT((after.mean() - mean).norm(), 1e-6 * mean.norm());
     const Eigen::MatrixXd gradients = Eigen::MatrixXd::Random(d, 5);
     const Eigen::VectorXd expected = (gradients.transpose() * covariance * gradients).diagonal();

@@ -77,9 +77,9 @@ export function listsSection(result: Identification, model: Model, selection: Se
   const slack = edges.filter(isSlack).sort((a, b) => b.lower - a.lower)
     .map((e): Entry => ({ index: e.edge, text: `≥ ${millimetres(e.lower)} mm`, detail: "its length deviation is at least this" }));
   const unobserved = edges.filter((e) => e.status === "unobserved").map((e) => ({ index: e.edge }));
-  const gross = survey.outliers.map(({ node, distance, statistic }): Entry => ({
+  const gross = survey.outliers.map(({ node, distance, statistic, swapped_with }): Entry => ({
     index: node,
-    ...(distance === undefined ? {} : { text: `${millimetres(distance)} mm` }),
+    ...(distance === undefined ? {} : { text: `${millimetres(distance)} mm${swapped_with === undefined ? "" : `, swapped with ${swapped_with}`}` }),
     ...(statistic === undefined ? {} : { detail: `${number(statistic)} is its square in standard deviations${survey.outlier_threshold ? `, left out above ${number(survey.outlier_threshold)}` : ""}` }),
   }));
   const places = new Map((result.missing_places ?? []).map((place) => [place.node, place.std]));
@@ -87,7 +87,7 @@ export function listsSection(result: Identification, model: Model, selection: Se
     const std = places.get(node);
     return std ? { text: `± ${millimetres(Math.max(...std))} mm`, detail: "largest standard deviation of a coordinate, of the draws" } : {};
   };
-  const unmatched = (survey.unmatched ?? []).map((u) => u.id);
+  const unmatched = (survey.unmatched ?? []).map((u) => u.swapped_with === undefined ? u.id : `${u.id}, swapped with ${u.swapped_with}`);
   return section("lists", "To look at", h("div", { class: "lists" },
     list("Slack edges", "edge", slack, "None: every cable whose length was asked for carries tension.",
       "No more is known than that the length deviation is at least this. They are in no statistic of the deviations."),

@@ -266,10 +266,61 @@ export interface Doubt {
      */
     beyond: number;
     /**
-     * Whether the law was found from the survey, none being told.
+     * Whether the law reckoned with was found from the survey.
      */
     found: boolean;
+    /**
+     * The law in whose place it was found: told, or the default.
+     */
+    contradicted: string | null;
   };
+  /**
+   * How the survey as a whole would fit better.
+   */
+  frame: {
+    /**
+     * By which it is too large, relative.
+     */
+    scale: number;
+    /**
+     * Of that, if it is not; 0 where the survey does not show it.
+     */
+    scale_std: number;
+    /**
+     * Off the frame that was told, about the middle of the net [m]; 0 where it was unknown.
+     */
+    translation: number[];
+    /**
+     * [rad].
+     */
+    rotation: number[];
+    /**
+     * Chi-squared of six degrees of freedom, if it is not moved.
+     */
+    motion_statistic: number;
+  };
+  /**
+   * Adjustable edges and supports that are not as told; the worst first.
+   */
+  boundary: {
+    edge?: Index;
+    node?: Index;
+    id: string;
+    /**
+     * Of an edge's length, or of a support's place [m].
+     */
+    deviation: number | number[];
+    std: number | number[];
+    statistic: number;
+    /**
+     * The support of the edge, or an edge at the support, that would explain it nearly as well.
+     */
+    rival: string | null;
+  }[];
+  /**
+   * Of the others, how many contradict the survey and were not set free.
+   */
+  boundary_beyond: number;
   lengths_beyond_law: {
     edge: Index;
     id: string;
@@ -494,6 +545,10 @@ export interface Outlier {
    * Its square in standard deviations, to be compared with outlier_threshold.
    */
   statistic?: number;
+  /**
+   * Name of the node whose target has this one's name, where two are swapped.
+   */
+  swapped_with?: string;
 }
 /**
  * Surveyed less predicted [m].
@@ -517,6 +572,10 @@ export interface Unmatched {
    */
   nearest?: string;
   distance?: Size;
+  /**
+   * Name of the node whose target has this one's name, where two are swapped.
+   */
+  swapped_with?: string;
 }
 /**
  * Of taut compare.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include "taut/sampling/length_law.hpp"
 
 namespace taut {
@@ -23,17 +25,39 @@ struct VarianceComponents {
 
 /// What the lengths that a survey shows tell of their law.
 struct LawCheck {
+    LengthLaw checked;      ///< the law reckoned with
     int lengths = 0;        ///< that it rests on
     LengthLaw likeliest;    ///< of uniform, normal and bimodal, of any scale
-    double gain = 0.0;      ///< of its log likelihood over that of the law told
+    double gain = 0.0;      ///< of its log likelihood over that of the law checked
     double mean = 0.0;      ///< that all deviations have in common [m]
     double mean_std = 0.0;  ///< of that, if it is none [m]
     int beyond = 0;         ///< edges beyond the law, where these were too many to be mis-cut
 
     /// Whether the mean is none that chance would give.
     [[nodiscard]] bool has_mean() const;
-    /// Whether another law is so much likelier that the one told is not to be relied on.
+    /// Whether another law is so much likelier that the one checked is not to be relied on.
     [[nodiscard]] bool is_contradicted() const;
+    /// Whether no chance explains that.
+    [[nodiscard]] bool is_untenable() const;
+    /// Whether the likeliest law is narrower: intervals by the one checked then hold more than they
+    /// need to.
+    [[nodiscard]] bool is_too_wide() const;
+};
+
+/// How a survey as a whole would fit better than it does.
+struct FrameCheck {
+    double scale = 0.0;      ///< by which it is too large, relative
+    double scale_std = 0.0;  ///< of that, if it is not; 0 where the survey does not show it
+    /// By which the survey lies off the frame that was told, about the middle of the net [m, rad];
+    /// 0 where the frame was unknown.
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
+    double motion_statistic = 0.0;  ///< chi-squared of six degrees of freedom, if it does not
+
+    /// Beyond chance.
+    [[nodiscard]] bool is_moved() const;
+    /// Beyond chance.
+    [[nodiscard]] bool is_scaled() const;
 };
 
 }  // namespace taut

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 namespace taut {
 
 /// A target that contradicts all others: rejected by data snooping (docs/theory.md, (snooping)).
@@ -9,6 +11,9 @@ struct Outlier {
     int node = 0;
     double distance = 0.0;   ///< of the surveyed place from the one that all others tell [m]
     double statistic = 0.0;  ///< its square in standard deviations, to be compared with threshold
+    /// Node of another outlier, where each of both lies where the other should: their names are
+    /// swapped; else -1.
+    int swapped_with = -1;
 };
 
 /// A reading of a force that contradicts all else.
@@ -25,6 +30,20 @@ struct LengthOutlier {
     double deviation = 0.0;  ///< of its length by the survey alone [m]
     double std = 0.0;        ///< of that [m]
     double statistic = 0.0;  ///< squared distance from the law in its variances
+};
+
+/// An adjustable edge or a support that the survey shows not to be as told.
+struct BoundaryOutlier {
+    enum class Kind { adjustable_edge, support };
+    Kind kind = Kind::adjustable_edge;
+    int index = 0;  ///< of the edge or node
+    /// Of the edge's length (the first alone), or of the support's place [m].
+    Eigen::Vector3d deviation = Eigen::Vector3d::Zero();
+    Eigen::Vector3d std = Eigen::Vector3d::Zero();  ///< of that [m]
+    double statistic = 0.0;                         ///< its square in standard deviations
+    /// The support of the edge, or an adjustable edge at the support, that would explain it nearly
+    /// as well; -1: none.
+    int rival = -1;
 };
 
 /// What all readings of forces have in common against all else: a wrong unit, a calibration.

@@ -78,7 +78,8 @@ void check_draws(const CableNet& net, std::int64_t draws);
 ///   check_unknowns(), for balance, or others than the model's; a model of another net (both
 ///   fingerprints are named) or law, a model for another method than gp
 /// @throws SurveyError as check_survey(), and where a free node was not surveyed though the survey
-///   is exact, or the method (balance, a model as in the paper) needs all
+///   is exact, or the method (balance, a model as in the paper) needs all; and where it is to tell
+///   its noise, but does not show it
 /// @throws std::runtime_error where the statics are singular at the surveyed form
 /// @throws Interrupted
 [[nodiscard]] Identification identify(const CableNet& net, const Survey& survey,

@@ -83,12 +83,21 @@ struct Identification {
     /// Edges beyond the law: their intervals are those of the survey alone; the worst first.
     std::vector<LengthOutlier> lengths_beyond_law;
 
+    /// Adjustable edges and supports that are not as told; the worst first. Their intervals and
+    /// what else is told take them so.
+    std::vector<BoundaryOutlier> boundary_outliers;
+    int boundary_beyond = 0;  ///< of the others, what contradicts the survey and was not set free
+
     double noise_scale = 1.0;  ///< that the survey's noise was multiplied by, where it was unknown
     /// Where the frame was unknown; forms and places are then told in that of the survey.
     std::optional<FrameOffset> frame_offset;
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
     LawCheck law_check;
-    bool law_was_found = false;  ///< no law was told, and the survey contradicts the default
+    FrameCheck frame_check;
+    /// The law told, or the default where none was, if the survey contradicts it: `law` is then the
+    /// one that the survey shows.
+    std::optional<LawCheck> contradicted_law;
+    bool law_was_told = false;
 
     int readings = 0;                              ///< of forces, that were told
     std::vector<ReadingOutlier> reading_outliers;  ///< those left out, the worst first

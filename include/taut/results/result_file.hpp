@@ -38,6 +38,7 @@ struct IdentificationResult {
     std::vector<IdentifiedEdge> edges;  ///< in the order of the file
     Points form;                        ///< predicted (3 x n) [m]
     std::vector<UnknownEstimate> unknowns;
+    std::vector<BoundaryOutlier> turned;  ///< adjustable edges of another length than told
     struct Residual {
         int node = 0;
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]

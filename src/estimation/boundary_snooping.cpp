@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/boundary_snooping.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/data_snooping.hpp"
+#include "estimation/rival_scores.hpp"
+
+namespace taut {
+namespace {
+
+/// Of all adjustable edges and supports; more, and none of them is to be named alone.
+constexpr double most_released_part = 0.25;
+constexpr int a_few_released = 3;
+
+/// Supports stand where they were built more surely than anything is told of the rest.
+constexpr double false_alarm_part_of_supports = 0.1;
+
+/// What is less than the largest score of all may come of that, however far away: at both ends of
+/// a cable, say.
+constexpr double least_of_largest = 0.9;
+
+/// A direction of which a survey tells no more than this is not tested [m].
+constexpr double weakest_shown = 1.0;
+
+}  // namespace
+
+BoundarySnooping::BoundarySnooping(const CableNet& net, const std::vector<Unknown>& unknowns,
+                                   double false_alarm_rate)
+    : m_net(net) {
+    std::vector<std::vector<int>> edges_at(net.node_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        for (const int node : net.edges()[e]) {
+            edges_at[node].push_back(e);
+        }
+    }
+    for (const int edge : net.adjustable_edges()) {
+        m_hypotheses.push_back({.kind = BoundaryOutlier::Kind::adjustable_edge, .index = edge});
+    }
+    const bool are_supports_known = std_of(unknowns, Unknown::Kind::supports) <= 0.0;
+    for (const int node : are_supports_known ? net.supports() : std::vector<int>()) {
+        m_hypotheses.push_back({.kind = BoundaryOutlier::Kind::support,
+                                .index = node,
+                                .edges = std::move(edges_at[node])});
+    }
+    const size_t count = std::max<size_t>(1, m_hypotheses.size());
+    m_edge_threshold = snooping_threshold(false_alarm_rate, count, 1);
+    m_support_threshold =
+        snooping_threshold(false_alarm_part_of_supports * false_alarm_rate, count, 3);
+    m_is_active = std::isfinite(m_edge_threshold) && !m_hypotheses.empty();
+}
+
+bool BoundarySnooping::is_released(const Hypothesis& hypothesis) const {
+    const std::vector<int>& members =
+        hypothesis.is_support() ? m_released.moved : m_released.turned;
+    return std::ranges::binary_search(members, hypothesis.index);
+}
+
+void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate& fitted,
+                                const Observations& observations, double scale) {
+    for (Hypothesis& hypothesis : m_hypotheses) {
+        if (is_released(hypothesis)) {
+            take_estimate(hypothesis, statics, fitted, scale);
+        } else if (hypothesis.is_support()) {
+            take_score(
+                hypothesis,
+                statics.score_of_support(hypothesis.index, hypothesis.edges, fitted, observations),
+                scale);
+        } else {
+            take_score(hypothesis, statics.score_of_edge(hypothesis.index, fitted, observations),
+                       scale);
+        }
+    }
+}
+
+/// (boundary)
+void BoundarySnooping::take_score(Hypothesis& hypothesis, const LinearisedStatics::Score& score,
+                                  double scale) const {
+    hypothesis.found = {.kind = hypothesis.kind, .index = hypothesis.index};
+    hypothesis.score = 0.0;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(score.information);
+    for (Eigen::Index k = 0; k < score.gradient.size(); ++k) {
+        const double information = eigen.eigenvalues()(k);
+        if (information * weakest_shown * weakest_shown > 1.0) {
+            const double along = eigen.eigenvectors().col(k).dot(score.gradient);
+            hypothesis.found.statistic += along * along / information / scale;
+        }
+    }
+    hypothesis.score = rival_score(hypothesis.found.statistic, threshold_of(hypothesis));
+}
+
+/// Of what is in the border already.
+void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
+                                     const Iterate& fitted, double scale) const {
+    const CommonUnknowns& common = statics.common();
+    const std::vector<int>& members =
+        hypothesis.is_support() ? m_released.moved : m_released.turned;
+    const auto place =
+        static_cast<int>(std::ranges::lower_bound(members, hypothesis.index) - members.begin());
+    const int count = hypothesis.is_support() ? 3 : 1;
+    const int first =
+        hypothesis.is_support() ? common.place_of_moved(place) : common.place_of_turned(place);
+    const Eigen::VectorXd values = fitted.common.segment(first, count);
+    const Eigen::MatrixXd covariance =
+        statics.common_covariance().block(first, first, count, count);
+    const double unit = CommonUnknowns::released_unit();
+    hypothesis.found = {.kind = hypothesis.kind, .index = hypothesis.index};
+    hypothesis.found.deviation.head(count) = unit * values;
+    hypothesis.found.std.head(count) = unit * covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    hypothesis.found.statistic = values.dot(covariance.ldlt().solve(values)) / scale;
+    hypothesis.found.rival = hypothesis.rival;
+    hypothesis.score = rival_score(hypothesis.found.statistic, threshold_of(hypothesis));
+}
+
+/// What moves a support along an edge does what the edge's other length does.
+int BoundarySnooping::rival_of(const Hypothesis& hypothesis) const {
+    constexpr double nearly = 0.5;  // of the score
+    int rival = -1;
+    double best = nearly * hypothesis.score;
+    for (const Hypothesis& other : m_hypotheses) {
+        const Hypothesis& support = other.is_support() ? other : hypothesis;
+        const Hypothesis& edge = other.is_support() ? hypothesis : other;
+        const bool is_rival = other.kind != hypothesis.kind &&
+                              std::ranges::find(support.edges, edge.index) != support.edges.end();
+        if (is_rival && other.score > best) {
+            best = other.score;
+            rival = other.index;
+        }
+    }
+    return rival;
+}
+
+void BoundarySnooping::set_member(const Hypothesis& hypothesis, bool is_member) {
+    std::vector<int>& members = hypothesis.is_support() ? m_released.moved : m_released.turned;
+    if (is_member) {
+        members.insert(std::ranges::upper_bound(members, hypothesis.index), hypothesis.index);
+    } else {
+        std::erase(members, hypothesis.index);
+    }
+}
+
+Eigen::VectorXd BoundarySnooping::scores() const {
+    Eigen::VectorXd scores = Eigen::VectorXd::Zero(m_net.node_count());
+    if (!m_is_active) {
+        return scores;
+    }
+    for (const Hypothesis& hypothesis : m_hypotheses) {
+        if (is_released(hypothesis) || hypothesis.is_readmitted) {
+            continue;
+        }
+        if (hypothesis.is_support()) {
+            scores(hypothesis.index) = std::max(scores(hypothesis.index), hypothesis.score);
+        } else {
+            for (const int node : m_net.edges()[hypothesis.index]) {
+                scores(node) = std::max(scores(node), hypothesis.score);
+            }
+        }
+    }
+    return scores;
+}
+
+bool BoundarySnooping::release(const Eigen::VectorXd& rivals, bool one_by_one) {
+    if (!m_is_active) {
+        return false;
+    }
+    const Eigen::VectorXd all = scores().cwiseMax(rivals);
+    const Eigen::VectorXd nearby = largest_nearby(m_net, all);
+    const double least = std::max(1.0, one_by_one ? least_of_largest * all.maxCoeff() : 0.0);
+    bool has_changed = false;
+    for (Hypothesis& hypothesis : m_hypotheses) {
+        const bool is_open = !is_released(hypothesis) && !hypothesis.is_readmitted;
+        if (is_open && hypothesis.score > least && is_blamed(hypothesis, nearby)) {
+            hypothesis.rival = rival_of(hypothesis);
+            set_member(hypothesis, true);
+            has_changed = true;
+        }
+    }
+    return has_changed;
+}
+
+/// @param nearby the largest score near each node (n)
+bool BoundarySnooping::is_blamed(const Hypothesis& hypothesis,
+                                 const Eigen::VectorXd& nearby) const {
+    const auto is_largest_at_ends = [&](int edge) {
+        return std::ranges::all_of(m_net.edges()[edge],
+                                   [&](int node) { return hypothesis.score >= nearby(node); });
+    };
+    return hypothesis.is_support() ? std::ranges::all_of(hypothesis.edges, is_largest_at_ends)
+                                   : is_largest_at_ends(hypothesis.index);
+}
+
+bool BoundarySnooping::readmit() {
+    bool has_changed = false;
+    for (Hypothesis& hypothesis : m_hypotheses) {
+        if (is_released(hypothesis) && hypothesis.score <= 1.0) {
+            set_member(hypothesis, false);
+            hypothesis.is_readmitted = true;
+            has_changed = true;
+        }
+    }
+    return has_changed;
+}
+
+void BoundarySnooping::reopen() {
+    for (Hypothesis& hypothesis : m_hypotheses) {
+        hypothesis.is_readmitted = false;
+    }
+}
+
+bool BoundarySnooping::releases_too_many() const {
+    return m_released.count() >
+           std::max<double>(a_few_released,
+                            most_released_part * static_cast<double>(m_hypotheses.size()));
+}
+
+int BoundarySnooping::beyond_count() const {
+    return static_cast<int>(std::ranges::count_if(m_hypotheses, [&](const Hypothesis& hypothesis) {
+        return !is_released(hypothesis) && hypothesis.score > 1.0;
+    }));
+}
+
+bool BoundarySnooping::is_suspicious(const Eigen::VectorXd& blamed) const {
+    const Eigen::VectorXd near = largest_nearby(m_net, largest_nearby(m_net, blamed));
+    return std::ranges::any_of(m_hypotheses, [&](const Hypothesis& hypothesis) {
+        const int node =
+            hypothesis.is_support() ? hypothesis.index : m_net.edges()[hypothesis.index][0];
+        return hypothesis.score > 1.0 || near(node) > 0.0;
+    });
+}
+
+double BoundarySnooping::released_cost() const {
+    const auto of = [](double threshold, size_t count) {
+        return count > 0 ? threshold * static_cast<double>(count) : 0.0;
+    };
+    return of(m_edge_threshold, m_released.turned.size()) +
+           of(m_support_threshold, m_released.moved.size());
+}
+
+std::vector<BoundaryOutlier> BoundarySnooping::outliers() const {
+    std::vector<BoundaryOutlier> result;
+    for (const Hypothesis& hypothesis : m_hypotheses) {
+        if (is_released(hypothesis)) {
+            result.push_back(hypothesis.found);
+        }
+    }
+    std::ranges::sort(result, std::greater{}, &BoundaryOutlier::statistic);
+    return result;
+}
+
+}  // namespace taut

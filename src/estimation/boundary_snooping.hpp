@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "estimation/linearised_statics.hpp"
+#include "taut/estimation/outlier.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// Data snooping of what holds the net: the length of each adjustable edge and the place of each
+/// support is tested as targets and lengths are, by the score of what it would explain if it were
+/// unknown, docs/theory.md (boundary). One that is not as told is released: nothing is known of it
+/// from then on but what the survey tells.
+class BoundarySnooping {
+public:
+    /// Keeps a reference to the net.
+    /// @param unknowns supports are not tested where their places are among these
+    /// @param false_alarm_rate of targets; 0: no test
+    BoundarySnooping(const CableNet& net, const std::vector<Unknown>& unknowns,
+                     double false_alarm_rate);
+
+    [[nodiscard]] bool is_active() const { return m_is_active; }
+
+    /// The statistics at a fit.
+    /// @param scale of the residuals, squared: as that of the targets
+    void evaluate(const LinearisedStatics& statics, const Iterate& fitted,
+                  const Observations& observations, double scale);
+
+    /// Whether the boundary may explain what is wrong: it has scores above 1, or what was blamed is
+    /// near.
+    /// @param blamed above 0 at nodes (n) of targets left out and edges beyond their law
+    [[nodiscard]] bool is_suspicious(const Eigen::VectorXd& blamed) const;
+    /// As of LengthSnooping.
+    [[nodiscard]] Eigen::VectorXd scores() const;
+    /// As of LengthSnooping.
+    /// @param one_by_one only what has the largest score of all
+    [[nodiscard]] bool release(const Eigen::VectorXd& rivals, bool one_by_one);
+    /// As of LengthSnooping.
+    [[nodiscard]] bool readmit();
+    void readmit_all() { set_released({}); }
+    /// Lets what was readmitted be released again.
+    void reopen();
+
+    [[nodiscard]] const BoundaryReleases& released() const { return m_released; }
+    void set_released(BoundaryReleases released) { m_released = std::move(released); }
+    /// Whether so much is not as told that none of it is to be named alone.
+    [[nodiscard]] bool releases_too_many() const;
+    /// Of what was not released: how much is above its threshold.
+    [[nodiscard]] int beyond_count() const;
+    /// Sum of the thresholds of all that is released.
+    [[nodiscard]] double released_cost() const;
+    [[nodiscard]] std::vector<BoundaryOutlier> outliers() const;  ///< the largest statistic first
+
+private:
+    /// A thing to be tested, and what the last fit told of it.
+    struct Hypothesis {
+        BoundaryOutlier::Kind kind = BoundaryOutlier::Kind::adjustable_edge;
+        int index = 0;
+        std::vector<int> edges;  ///< of a support
+        BoundaryOutlier found;
+        double score = 0.0;  ///< (rivals)
+        int rival = -1;      ///< when it was released
+        bool is_readmitted = false;
+
+        [[nodiscard]] bool is_support() const { return kind == BoundaryOutlier::Kind::support; }
+    };
+    [[nodiscard]] double threshold_of(const Hypothesis& hypothesis) const {
+        return hypothesis.is_support() ? m_support_threshold : m_edge_threshold;
+    }
+    [[nodiscard]] bool is_released(const Hypothesis& hypothesis) const;
+    void take_score(Hypothesis& hypothesis, const LinearisedStatics::Score& score,
+                    double scale) const;
+    void take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
+                       const Iterate& fitted, double scale) const;
+    [[nodiscard]] int rival_of(const Hypothesis& hypothesis) const;
+    [[nodiscard]] bool is_blamed(const Hypothesis& hypothesis, const Eigen::VectorXd& nearby) const;
+    void set_member(const Hypothesis& hypothesis, bool is_member);
+
+    const CableNet& m_net;
+    bool m_is_active;
+    double m_edge_threshold;     ///< of one degree of freedom
+    double m_support_threshold;  ///< of three
+    std::vector<Hypothesis> m_hypotheses;
+    BoundaryReleases m_released;
+};
+
+}  // namespace taut

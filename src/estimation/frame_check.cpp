@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/frame_check.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
+
+namespace taut {
+namespace {
+
+/// Chance gives more once in 10,000 surveys: a chi-squared of six degrees of freedom.
+constexpr double beyond_chance_frame = 27.9;
+constexpr double beyond_chance_of_scale = 4.0;  // standard deviations
+
+}  // namespace
+
+bool FrameCheck::is_moved() const {
+    return motion_statistic > beyond_chance_frame;
+}
+
+bool FrameCheck::is_scaled() const {
+    return scale_std > 0.0 && std::abs(scale) > beyond_chance_of_scale * scale_std;
+}
+
+FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics, const Iterate& fitted,
+                       const Observations& observations, double scale) {
+    const Eigen::Vector3d middle = net.nodes().rowwise().mean();
+    const Points arms = net.nodes().colwise() - middle;
+    const bool is_frame_told = !statics.common().has_frame();
+    const double reach = arms.colwise().norm().maxCoeff();
+    std::vector<Points> rates{arms};
+    for (int k = 0; is_frame_told && k < 6; ++k) {
+        Points& motion = rates.emplace_back(3, net.node_count());
+        for (int node = 0; node < net.node_count(); ++node) {
+            const Eigen::Vector3d along = Eigen::Vector3d::Unit(k % 3);
+            motion.col(node) = k < 3 ? along : Eigen::Vector3d(along.cross(arms.col(node)) / reach);
+        }
+    }
+    const LinearisedStatics::Score score = statics.score_of_survey(rates, fitted, observations);
+    const Eigen::LDLT<Eigen::MatrixXd> factor(score.information);
+    constexpr double rounding = 1e-9;
+    if (!(factor.vectorD().minCoeff() > rounding * score.information.diagonal().maxCoeff())) {
+        return {};
+    }
+    const auto count = std::ssize(rates);
+    const Eigen::VectorXd values = factor.solve(score.gradient);
+    const Eigen::MatrixXd covariance =
+        scale * factor.solve(Eigen::MatrixXd::Identity(count, count));
+    FrameCheck result{.scale = values(0), .scale_std = std::sqrt(covariance(0, 0))};
+    if (is_frame_told) {
+        const Eigen::VectorXd motion = values.tail<6>();
+        result.translation = motion.head<3>();
+        result.rotation = motion.tail<3>() / reach;
+        result.motion_statistic =
+            motion.dot(covariance.bottomRightCorner<6, 6>().ldlt().solve(motion));
+    }
+    return result;
+}
+
+}  // namespace taut

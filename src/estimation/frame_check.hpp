@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/estimation/doubt.hpp"
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// Whether a survey fits better if it is moved as a whole, or made larger, docs/theory.md
+/// (frame-check).
+/// @param statics linearised and inverted at the fit
+/// @param scale of the residuals, squared
+[[nodiscard]] FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics,
+                                     const Iterate& fitted, const Observations& observations,
+                                     double scale);
+
+}  // namespace taut

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "../identification/simulated_survey.hpp"
+#include "estimation/survey_fit.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+
+constexpr LengthLaw law{LengthLaw::Kind::normal, 0.002};
+constexpr double noise = 0.5e-3;
+
+/// A fit to a survey of a net whose boundary is not as told.
+struct Fitted {
+    CableNet net;
+    SimulatedSurvey simulated;
+    std::unique_ptr<SurveyFit> fit;
+    GaussNewtonResult result;
+
+    Fitted(const CableNet& told, const CableNet& built, bool tested)
+        : net(told), simulated(simulate(built, law, noise, 3)) {
+        fit = std::make_unique<SurveyFit>(
+            net, simulated.survey, PriorKnowledge(net, law),
+            SurveyFitSettings{.false_alarm_rate = tested ? default_false_alarm_rate : 0.0});
+        result = fit->run();
+    }
+};
+
+CableNet with_length(const CableNet& net, int edge, double by) {
+    CableNetData data = net.data();
+    data.unstressed_lengths(edge) += by;
+    return CableNet(data);
+}
+
+// The score foretells what comes out if the number is free, but for what the statics bend.
+TEST(BoundaryScore, IsThatOfTheFreeNumber) {
+    const CableNet net = hypar(6, 6);
+    const int edge = net.adjustable_edges()[5];
+    const double off = 0.01;
+    const Fitted held(net, with_length(net, edge, off), false);
+    const Fitted freed(net, with_length(net, edge, off), true);
+    const LinearisedStatics::Score score =
+        held.fit->statics().score_of_edge(edge, held.result.iterate, held.fit->observations());
+    const double std = 1.0 / std::sqrt(score.information(0, 0));
+    const double estimate = score.gradient(0) / score.information(0, 0);
+    const std::vector<BoundaryOutlier> found = freed.fit->boundary_snooping().outliers();
+    ASSERT_EQ(found.size(), 1U) << estimate << " +- " << std;
+    EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::adjustable_edge);
+    EXPECT_EQ(found[0].index, edge);
+    EXPECT_NEAR(estimate, found[0].deviation.x(), 0.1 * off);
+    EXPECT_NEAR(std, found[0].std.x(), 0.1 * std);
+    EXPECT_NEAR(found[0].deviation.x(), off, 4.0 * found[0].std.x());
+}
+
+// Differences of the fitted misfit by the number: what a survey larger by a part would gain.
+TEST(SurveyScore, IsTheSlopeOfTheObjective) {
+    const CableNet net = hypar(6, 6);
+    Fitted held(net, net, false);
+    const Points rate = net.nodes().colwise() - net.nodes().rowwise().mean();
+    const Observations told = held.fit->observations();
+    const LinearisedStatics::Score score =
+        held.fit->statics().score_of_survey({rate}, held.result.iterate, told);
+    const auto objective = [&](double scale) {
+        Observations scaled = told;
+        scaled.form -= scale * rate;
+        LinearisedStatics& statics = held.fit->statics();
+        Iterate at = held.result.iterate;
+        for (int round = 0; round < 6; ++round) {
+            EXPECT_TRUE(statics.linearise(at, scaled));
+            at = at.moved(statics.step(at, scaled));
+        }
+        return statics.objective(scaled, at);
+    };
+    const double h = 1e-4;
+    const double slope = (objective(h) - objective(-h)) / (2.0 * h);
+    const double curvature = (objective(h) - 2.0 * objective(0.0) + objective(-h)) / (h * h);
+    EXPECT_NEAR(-slope, score.gradient(0), 0.01 * std::sqrt(score.information(0, 0)));
+    EXPECT_NEAR(curvature, score.information(0, 0), 0.01 * curvature);
+}
+
+// Where supports have several edges nothing is short-cut: three solutions with the whole matrix.
+TEST(BoundaryScore, OfASupportWithSeveralEdgesIsThatOfTheFreePlace) {
+    const CableNet grid = hypar(6, 6);
+    CableNetData data = grid.data();
+    const int held = grid.free_nodes()[14];  // amid the net
+    data.supports.push_back(held);
+    const CableNet net(data);
+    const auto edges_at = [&](int node) {
+        std::vector<int> edges;
+        for (int e = 0; e < net.edge_count(); ++e) {
+            if (net.edges()[e][0] == node || net.edges()[e][1] == node) {
+                edges.push_back(e);
+            }
+        }
+        return edges;
+    };
+    ASSERT_EQ(edges_at(held).size(), 4U);
+    CableNetData moved = net.data();
+    moved.nodes(2, held) += 0.006;
+    const Fitted told(net, CableNet(moved), false);
+    const Fitted freed(net, CableNet(moved), true);
+    const LinearisedStatics::Score score = told.fit->statics().score_of_support(
+        held, edges_at(held), told.result.iterate, told.fit->observations());
+    const Eigen::Vector3d estimate = score.information.ldlt().solve(score.gradient);
+    const std::vector<BoundaryOutlier> found = freed.fit->boundary_snooping().outliers();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, BoundaryOutlier::Kind::support);
+    EXPECT_EQ(found[0].index, held);
+    const Eigen::Matrix3d covariance = score.information.inverse();
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(found[0].deviation(k), k == 2 ? 0.006 : 0.0, 4.0 * found[0].std(k));
+        EXPECT_NEAR(estimate(k), found[0].deviation(k), 0.1 * 0.006 + 0.5 * found[0].std(k));
+        EXPECT_NEAR(std::sqrt(covariance(k, k)), found[0].std(k), 0.1 * found[0].std(k));
+    }
+}
+
+}  // namespace
