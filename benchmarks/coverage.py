@@ -118,11 +118,11 @@ class Net:
             elif name == "loads":
                 truth[name] = std * random.normal(size=nodes.shape)
                 loads[self.free] += truth[name][self.free]
-        built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
-        built["axial_stiffness"] = (self.stiffness * factor).tolist()
         deviations = np.zeros(count)
         deviations[self.interior] = drawn(law, len(self.interior), random)
         self.alter(deviations, nodes, random)
+        built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
+        built["axial_stiffness"] = (self.stiffness * factor).tolist()
         lengths = (lengths + deviations) * (1 + self.expansion * truth.get("temperature", 0.0))
         built["unstressed_lengths"] = lengths.tolist()
         (self.folder / "built.json").write_text(json.dumps(built))

@@ -27,6 +27,7 @@ awk -v folder="$folder/blocks" '
     !inside && NF { skip = /^<!-- not run -->[[:space:]]*$/ }
 ' "$readme"
 
+ln -s "$PWD/tests" "$folder/run/tests"  # example files are named as from the checkout
 cd "$folder/run"
 count=0
 for block in "$folder"/blocks/*; do

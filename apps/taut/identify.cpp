@@ -350,7 +350,8 @@ void run(const Options& options) {
     const std::int64_t draws = options.draws.value_or(default_draws(net));
     check_draws(net, draws);
     std::vector<std::string> inputs = options.files();
-    inputs.insert(inputs.end(), {options.net, options.survey, options.model, options.control});
+    inputs.insert(inputs.end(),
+                  {options.net, options.survey, options.model, options.control, options.offsets});
     check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names}, inputs);
     IdentifyOptions settings{.law = law,
                              .forces = forces,
@@ -395,11 +396,11 @@ void add_identify(CLI::App& program) {
         "  taut identify net.json survey.csv --noise 0.5mm -o result.json", *options);
     command.add_option("NET", options->net, "Net file")->required();
     command
-        .add_option(
-            "SURVEY", options->survey,
-            "Surveyed points: [id,]x,y,z[,sx,sy,sz] in m, any other table of points, PTS, XYZ, "
-            "Leica GSI, LandXML, Trimble JXL, GNU Gama's XML, DXF. Targets without a name "
-            "are matched by their place")
+        .add_option("SURVEY", options->survey,
+                    "Surveyed points: [id,]x,y,z[,sx,sy,sz[,rxy,rxz,ryz]] in m, any other table of "
+                    "points, PTS, XYZ, "
+                    "Leica GSI, LandXML, Trimble JXL, GNU Gama's XML, DXF. Targets without a name "
+                    "are matched by their place")
         ->required();
     add_survey_options(command, *options);
     command
