@@ -25,13 +25,15 @@ MAY_INCLUDE = {
     "sampling": ["numerics", "net", "statics"],
     "estimation": ["numerics", "net", "statics", "survey", "sampling"],
     "identification": ["numerics", "net", "gp", "statics", "survey", "sampling", "estimation"],
-    "study": ["net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification"],
+    "adjustment": ["numerics", "net", "statics", "survey", "sampling", "estimation", "identification"],
+    "study": ["net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification",
+              "adjustment"],
     "files": [],
     "interchange": ["net", "statics", "design", "survey", "files"],
     "io": ["net", "gp", "statics", "design", "survey", "sampling", "identification", "files",
            "interchange"],
     "results": ["net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification",
-                "study", "files", "interchange", "io"],
+                "adjustment", "study", "files", "interchange", "io"],
     "report": ["files", "results"],
 }
 

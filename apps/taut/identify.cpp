@@ -42,11 +42,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
 
     /// Where the draws are kept: beside the result.
     [[nodiscard]] std::string draws_file() const {
-        if (output.empty()) {
-            return "";
-        }
-        const std::filesystem::path result = output;
-        return (result.parent_path() / (result.stem().string() + "_draws.h5")).string();
+        return output.empty() ? "" : draws_path(output).string();
     }
 };
 

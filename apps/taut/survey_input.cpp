@@ -194,7 +194,7 @@ std::string survey_text(const CableNet& net, const SurveyOptions& options, const
             const auto noise = survey.noise_std.col(node).array();
             return (noise != told && noise != rounded).any();
         });
-        if (other > 0) {
+        if (survey.tells_noise && other > 0) {
             text += fmt::format("  not --noise {}: the file tells the noise of {} of these\n",
                                 options.noise, other);
         }

@@ -100,17 +100,40 @@ bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
         return false;
     }
     const Eigen::VectorXd nearby = largest_nearby(m_net, scores().cwiseMax(rivals));
+    Eigen::VectorXd beyond = Eigen::VectorXd::Zero(m_net.node_count());
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        if (may_release(i)) {
+            for (const int node : m_net.edges()[m_net.interior_edges()[i]]) {
+                beyond(node) =
+                    std::max(beyond(node), m_core_statistics(static_cast<Eigen::Index>(i)));
+            }
+        }
+    }
+    const Eigen::VectorXd beyond_nearby = largest_nearby(m_net, beyond);
     bool has_changed = false;
     for (size_t i = 0; i < m_laws.size(); ++i) {
+        if (!may_release(i)) {
+            continue;
+        }
+        const auto k = static_cast<Eigen::Index>(i);
+        const double own = rival_score(m_statistics(k), m_threshold);
+        const auto stands_out = [&](int node) {
+            // A normal law bears what the true one, which ends, does not: where nothing nearby is
+            // beyond its threshold by that, the edge furthest beyond its law is the one.
+            return own >= nearby(node) ||
+                   (nearby(node) < 1.0 && m_core_statistics(k) >= beyond_nearby(node));
+        };
         const auto [s, t] = m_net.edges()[m_net.interior_edges()[i]];
-        const double own = rival_score(m_statistics(static_cast<Eigen::Index>(i)), m_threshold);
-        if (!m_released[i] && !m_readmitted[i] && is_beyond(i) && own >= nearby(s) &&
-            own >= nearby(t)) {
+        if (stands_out(s) && stands_out(t)) {
             m_released[i] = true;
             has_changed = true;
         }
     }
     return has_changed;
+}
+
+bool LengthSnooping::may_release(size_t i) const {
+    return !m_released[i] && !m_readmitted[i] && is_beyond(i);
 }
 
 bool LengthSnooping::readmit() {

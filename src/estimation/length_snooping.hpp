@@ -63,6 +63,7 @@ public:
 
 private:
     [[nodiscard]] bool is_beyond(size_t i) const;
+    [[nodiscard]] bool may_release(size_t i) const;
 
     const CableNet& m_net;
     std::vector<LengthLaw> m_laws;

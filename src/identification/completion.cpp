@@ -16,10 +16,16 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
     result.noise_ratio = snooping.noise_ratio();
     if (contradicts_too_many) {
         result.status = IdentificationStatus::survey_does_not_fit;
+        const bool is_by_digits =
+            survey.rounding_std > 0.0 && survey.largest_noise_std() < 1.01 * survey.rounding_std;
         result.message = fmt::format(
-            "{} of {} targets contradict the others: are net, frame, law and noise ({}) right?",
-            result.outliers.size(), survey.surveyed.size(),
-            format_length(survey.largest_noise_std()));
+            "{} of {} targets contradict the others: are net, frame, law and noise ({:.3g} mm{}) "
+            "right?",
+            result.outliers.size(), survey.surveyed.size() + survey.supports.size(),
+            1e3 * survey.largest_noise_std(),
+            is_by_digits ? ", by the digits of the coordinates alone; --noise tells the "
+                           "instrument's, --noise estimate finds it"
+                         : "");
     }
 }
 

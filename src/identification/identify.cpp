@@ -179,6 +179,15 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     }
 }
 
+/// Standard deviations of all that was surveyed times a factor.
+Survey with_noise_times(Survey survey, double factor) {
+    survey.noise_std *= factor;
+    for (SurveyedSupport& support : survey.supports) {
+        support.noise_std *= factor;
+    }
+    return survey;
+}
+
 /// By which the noise of a survey fits what it shows, gross errors left out, (components).
 double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw& law,
                       const IdentifyOptions& options) {
@@ -202,7 +211,7 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw
         if (!(fit.scales.noise.std < least_known * ratio)) {
             break;
         }
-        scaled.noise_std *= ratio;
+        scaled = with_noise_times(std::move(scaled), ratio);
         scale *= ratio;
         if (std::abs(ratio - 1.0) < settled) {
             return scale;
@@ -356,8 +365,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     }
     if (options.estimate_noise) {
         const double noise_scale = noise_scale_of(net, survey, law, options);
-        Survey scaled = survey;
-        scaled.noise_std *= noise_scale;
+        const Survey scaled = with_noise_times(survey, noise_scale);
         IdentifyOptions with_noise = options;
         with_noise.estimate_noise = false;
         Identification result = identify(net, scaled, with_noise, progress);

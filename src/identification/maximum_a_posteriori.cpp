@@ -208,6 +208,7 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     result.scales = doubt.scales;
     result.law_check = doubt.law;
     result.frame_check = doubt.frame;
+    result.frame_check.scale_std = std::hypot(doubt.frame.scale_std, survey.scale_std);
     result.lengths_beyond_law = fit.length_snooping().outliers();
     result.boundary_outliers = fit.boundary_snooping().outliers();
     result.boundary_beyond = fit.boundary_snooping().beyond_count();

@@ -69,8 +69,11 @@ private:
         const FrameCheck& check = m_result.frame_check;
         if (check.is_scaled()) {
             add(Verdict::failed,
-                fmt::format("the survey is {:.5f} +- {:.5f} times as large as the net",
-                            1.0 + check.scale, check.scale_std),
+                std::abs(check.scale) < 1e-3
+                    ? fmt::format("the survey is {:+.0f} +- {:.0f} ppm larger than the net",
+                                  1e6 * check.scale, 1e6 * check.scale_std)
+                    : fmt::format("the survey is {:.5f} +- {:.5f} times as large as the net",
+                                  1.0 + check.scale, check.scale_std),
                 "check the instrument's scale (ppm, prism, unit); lengths cut by another measure, "
                 "or a temperature, do the same");
         }
@@ -95,16 +98,17 @@ private:
         const double told = m_survey.largest_noise_std();
         const std::string found =
             format_length(std::stod(fmt::format("{:.3g}", told * noise.ratio)));
+        const std::string again =
+            m_survey.tells_noise
+                ? "identify again with --noise estimate, by which that of the file is multiplied"
+                : fmt::format("identify again with --noise {}", found);
         add(noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
             fmt::format("the noise told, {}, is contradicted: the survey shows {}, {:.2f} times "
                         "that, where chance gives 1 +- {:.2f}",
                         format_length(told), found, noise.ratio, noise.std),
             noise.ratio > 1.0
-                ? fmt::format(
-                      "if the frame is right, and no target stands off the cables (--offset), "
-                      "identify again with --noise {}",
-                      found)
-                : fmt::format("identify again with --noise {}", found));
+                ? "if the frame is right, and no target stands off the cables (--offset), " + again
+                : again);
     }
 
     void test_law() {
@@ -115,8 +119,9 @@ private:
                 fmt::format("the lengths deviate by {:+.2f} mm in common, where the law {} gives 0 "
                             "+- {:.2f} mm",
                             1e3 * check.mean, told, 1e3 * check.mean_std),
-                "a wrong stiffness, temperature, scale of the survey or way of cutting does that: "
-                "tell what is not known by --unknown");
+                "wrong turnbuckles, stiffness, temperature, scale of the survey or way of cutting "
+                "do that: tell what is not known by --unknown (adjustable, stiffness, "
+                "temperature)");
         }
         if (m_result.contradicted_law && m_result.law_was_told) {
             add(Verdict::doubtful,
@@ -234,6 +239,21 @@ private:
         }
         for (const UnmatchedPoint& point : m_survey.unmatched) {
             add_pair(point.nearest, point.swapped_with);
+        }
+        std::vector<std::string> far;
+        for (const UnmatchedPoint& point : m_survey.unmatched) {
+            if (point.reason == UnmatchedReason::far_from_its_node && point.swapped_with < 0) {
+                far.push_back(
+                    fmt::format("{} ({:.3g} m)", m_net.node_id(point.nearest), point.distance));
+            }
+        }
+        if (!far.empty()) {
+            add(Verdict::passed,
+                fmt::format(
+                    "{} far from the {} named, and left out: {}",
+                    far.size() == 1 ? "a target lies" : fmt::format("{} targets lie", far.size()),
+                    far.size() == 1 ? "node that is" : "nodes that are", and_more(std::move(far))),
+                "are their names exchanged?");
         }
         if (!pairs.empty()) {
             add(Verdict::passed,

@@ -185,7 +185,8 @@ SurveyFile targets_of_readings(const CableNet& net, PolarSurvey readings,
     if (misfit && *misfit > suspicious * mean_edge_length(net)) {
         refuse_other_unit(misfit);
     }
-    SurveyFile file{.points = adjusted.points};
+    SurveyFile file{
+        .points = adjusted.points, .is_of_readings = true, .scale_std = adjusted.scale_std};
     file.notes.push_back(fmt::format("read as {}", format));
     tell_adjustment(readings, adjusted, precision, file);
     return file;

@@ -192,7 +192,11 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
     const RoundedNoise noise = with_rounding(net, options, found);
     bool frame_is_fitted = true;
     const auto of_this = [&](const auto& action) {
-        return with_points_of(file, action, [&] {
+        return with_points_of(file, action, [&]() -> std::string {
+            if (found.is_of_readings) {
+                return "; are the prism's constant and heights right, and all distances in one "
+                       "unit?";
+            }
             const std::string hint = misfit_hint(net, as_read, found.unit, frame_is_fitted);
             return hint.empty() ? found.unit_hint : hint;
         });
@@ -242,10 +246,12 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
                                            survey.largest_noise_std()),
                           std::back_inserter(survey.warnings));
         survey.frame = std::move(frame);
-        survey.frame_is_unknown =
-            options.frame != SurveyFrame::net && options.control.empty() && survey.is_noisy();
+        survey.frame_is_unknown = options.frame != SurveyFrame::net && survey.is_noisy();
         survey.notes.insert(survey.notes.begin(), found.notes.begin(), found.notes.end());
         survey.rounding_std = noise.rounding_std;
+        survey.scale_std = found.scale_std;
+        survey.tells_noise = std::ranges::any_of(
+            as_read, [](const SurveyPoint& point) { return point.noise_std.has_value(); });
         std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;
     });

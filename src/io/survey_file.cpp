@@ -25,6 +25,17 @@ namespace {
 
 /// Whether the first line is text, and not the header of taut's own CSV: an error of such a file is
 /// told in the words of a foreign table.
+/// Whether the header is that of taut's own CSV with correlations.
+bool tells_correlations(const std::string& text, const std::string& file_name) {
+    try {
+        CsvReader reader(plain_text(text, file_name), file_name);
+        const auto first = reader.next();
+        return first && std::ranges::find(first->fields, "rxy") != first->fields.end();
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 bool starts_with_foreign_header(const std::string& text, const std::string& file_name) {
     try {
         CsvReader reader(plain_text(text, file_name), file_name);
@@ -147,6 +158,9 @@ SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& pa
         } catch (const InputError&) {
             own_error = std::current_exception();
         }
+    }
+    if (own_error && tells_correlations(text, name)) {
+        std::rethrow_exception(own_error);  // no other table has such columns
     }
     std::optional<ForeignSurvey> survey;
     try {

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "taut/results/draws_h5.hpp"
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 
+#include "files/hdf5_reader.hpp"
 #include "files/hdf5_writer.hpp"
+#include "files/message.hpp"
 
 namespace taut {
 
@@ -27,6 +31,39 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     writer.matrix("form", draws.forms, "m");
     writer.matrix("tension", draws.tensions, "N");
     return writer.finish();
+}
+
+std::filesystem::path draws_path(const std::filesystem::path& result) {
+    return result.parent_path() / (result.stem().string() + "_draws.h5");
+}
+
+PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path) {
+    const hdf5::Reader reader(path, "taut-draws");
+    if (reader.text_attribute("format") != "taut-draws") {
+        reader.fail("format", "is not taut-draws");
+    }
+    if (reader.number_attribute("version") != 1) {
+        reader.fail("version", "is another than 1, the only one that this taut knows");
+    }
+    if (const std::string found = reader.text_attribute("net_fingerprint");
+        found != net.fingerprint()) {
+        reader.fail("net_fingerprint", fmt::format("is {}, expected {}: draws of another net",
+                                                   quote(found), net.fingerprint()));
+    }
+    PosteriorDraws draws;
+    const Eigen::Index edges = net.interior_edge_count();
+    const Eigen::Index count = reader.row_count("length_deviation", edges);
+    draws.length_deviations = reader.matrix("length_deviation", edges, count);
+    const Eigen::VectorXd nominal = net.unstressed_lengths()(net.interior_edges());
+    if (count > 0 && !((draws.length_deviations.colwise() + nominal).minCoeff() > 0.0)) {
+        reader.fail("length_deviation", "leaves an edge no length");
+    }
+    draws.forms = reader.matrix("form", Eigen::Index{3} * net.free_node_count(), count);
+    draws.tensions = reader.matrix("tension", net.edge_count(), count);
+    draws.seed = reader.number_attribute("seed");
+    draws.how = reader.text_attribute("how");
+    draws.doubt = reader.text_attribute("doubt");
+    return draws;
 }
 
 }  // namespace taut

@@ -75,12 +75,14 @@ Json frame_json(const Registration& frame) {
 /// What the draws tell of an edge; null without them.
 Json trust_json(const Trust& trust) {
     Json findings = Json::array();
+    Json reasons = Json::array();
     for (const Trust::Finding& finding : trust.findings) {
+        reasons.push_back(finding.reason);
         findings.push_back({{"verdict", to_string(finding.verdict)},
                             {"reason", finding.reason},
                             {"next", finding.next}});
     }
-    return {{"verdict", to_string(trust.verdict())}, {"findings", findings}};
+    return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}, {"findings", findings}};
 }
 
 /// From the frame of the survey to that of the net's supports, where it was unknown.

@@ -28,8 +28,10 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
             unobserved.push_back(edge.edge);
         }
     }
-    for (const BoundaryOutlier& edge : result.turned) {
-        lengths(edge.index) += edge.deviation.x();
+    for (const BoundaryOutlier& outlier : result.boundary_outliers) {
+        if (outlier.kind == BoundaryOutlier::Kind::adjustable_edge) {
+            lengths(outlier.index) += outlier.deviation.x();
+        }
     }
     try {
         CableNetData data = designed.net.data();

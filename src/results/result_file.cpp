@@ -209,8 +209,8 @@ UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
     return estimate;
 }
 
-/// Adjustable edges of another length than told; the form tells the supports' places.
-std::vector<BoundaryOutlier> read_turned(const JsonValue& root, const CableNet& net) {
+/// Adjustable edges of another length than told, and supports at another place.
+std::vector<BoundaryOutlier> read_boundary_outliers(const JsonValue& root, const CableNet& net) {
     std::vector<BoundaryOutlier> result;
     const auto doubt = root.find("doubt");
     if (!doubt) {
@@ -219,6 +219,11 @@ std::vector<BoundaryOutlier> read_turned(const JsonValue& root, const CableNet& 
     for (const JsonValue& entry : entries(*doubt, "boundary")) {
         const auto edge = entry.find("edge");
         if (!edge) {
+            const Eigen::VectorXd moved =
+                require_list(entry, "deviation", 3, "a number for each axis");
+            result.push_back({.kind = BoundaryOutlier::Kind::support,
+                              .index = read_node(member(entry, "node"), net),
+                              .deviation = moved});
             continue;
         }
         BoundaryOutlier outlier{.index = edge->integer()};
@@ -229,6 +234,29 @@ std::vector<BoundaryOutlier> read_turned(const JsonValue& root, const CableNet& 
         result.push_back(outlier);
     }
     return result;
+}
+
+Trust read_trust(const JsonValue& root) {
+    Trust trust;
+    const auto told = root.find("trust");
+    if (!told) {
+        return trust;
+    }
+    for (const JsonValue& finding : entries(*told, "findings")) {
+        const JsonValue verdict = member(finding, "verdict");
+        using enum Trust::Verdict;
+        const std::array all{passed, doubtful, failed};
+        const auto found =
+            std::ranges::find(all, verdict.text(), [](Trust::Verdict v) { return to_string(v); });
+        if (found == all.end()) {
+            verdict.fail(
+                fmt::format("is {}, expected passed, doubtful or failed", quote(verdict.text())));
+        }
+        trust.findings.push_back({.verdict = *found,
+                                  .reason = member(finding, "reason").text(),
+                                  .next = member(finding, "next").text()});
+    }
+    return trust;
 }
 
 IdentificationResult read_identification(const JsonValue& root) {
@@ -242,7 +270,8 @@ IdentificationResult read_identification(const JsonValue& root) {
     for (const JsonValue& unknown : entries(root, "unknowns")) {
         result.unknowns.push_back(read_unknown(unknown, result.net));
     }
-    result.turned = read_turned(root, result.net);
+    result.boundary_outliers = read_boundary_outliers(root, result.net);
+    result.trust = read_trust(root);
     const JsonValue survey = member(root, "survey");
     for (const JsonValue& node : entries(survey, "missing_nodes")) {
         static_cast<void>(read_node(node, result.net));

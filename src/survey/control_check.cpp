@@ -37,8 +37,8 @@ std::vector<std::string> control_warnings(const CableNet& net,
     const ControlResidual& worst = *std::ranges::max_element(residuals, {}, distance);
     return {fmt::format(
         "{} of {} supports or control points were measured elsewhere than they are, '{}' by {:.3g} "
-        "mm, more than the noise explains: supports are taken as the net has them. Are they there, "
-        "and is the survey in its frame (--frame supports)?",
+        "mm, more than the noise explains. Are they there, and is the survey in the net's frame "
+        "(--frame supports)?",
         count, residuals.size(), worst.id, 1e3 * distance(worst))};
 }
 

@@ -11,7 +11,7 @@
 namespace taut {
 
 bool names_contradict_places(const CableNet& net, const std::vector<SurveyPoint>& points) {
-    constexpr double most = 0.95;  // of all points
+    constexpr double most = 0.85;  // of all points: supports may lie close together
     constexpr double least_alike = 0.5;
     std::map<std::string, int> node_of;
     for (int node = 0; node < net.node_count(); ++node) {

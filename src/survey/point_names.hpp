@@ -10,7 +10,7 @@
 namespace taut {
 
 /// Whether the names of points are other ones than the net's although they look alike, as the
-/// numbers of a surveyor who counts from 1: 19 of 20 points lie on a node beyond doubt
+/// numbers of a surveyor who counts from 1: six of seven points lie on a node beyond doubt
 /// (match_by_place()), and less than half of these on the node of their name.
 [[nodiscard]] bool names_contradict_places(const CableNet& net,
                                            const std::vector<SurveyPoint>& points);

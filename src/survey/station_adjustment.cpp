@@ -134,8 +134,8 @@ private:
     void place_targets(int station, std::vector<bool>& is_known);
     double step();
     [[nodiscard]] Eigen::Matrix3Xd by_poses(int target) const;
-    [[nodiscard]] Eigen::Matrix<double, 3, 6> motions(int target) const;
-    [[nodiscard]] Eigen::MatrixXd common_motion_by_poses() const;
+    [[nodiscard]] Eigen::Matrix<double, 3, 7> common_modes(int target) const;
+    [[nodiscard]] Eigen::MatrixXd common_modes_by_poses() const;
 
     const std::vector<PolarStation>& m_stations;
     const std::vector<PolarReading>& m_readings;
@@ -293,25 +293,26 @@ Eigen::Matrix3Xd StationBlock::by_poses(int target) const {
     return U;
 }
 
-/// How it follows small motions of all targets: three shifts, and three rotations about their
-/// middle.
-Eigen::Matrix<double, 3, 6> StationBlock::motions(int target) const {
+/// How it follows small motions of all targets, three shifts and three rotations about their
+/// middle, and their scale.
+Eigen::Matrix<double, 3, 7> StationBlock::common_modes(int target) const {
     const Eigen::Vector3d arm = m_places.col(target) - m_places.rowwise().mean();
-    Eigen::Matrix<double, 3, 6> H;
+    Eigen::Matrix<double, 3, 7> H;
     H.leftCols<3>().setIdentity();
-    H.rightCols<3>() << 0.0, arm.z(), -arm.y(),  //
-        -arm.z(), 0.0, arm.x(),                  //
+    H.middleCols<3>(3) << 0.0, arm.z(), -arm.y(),  //
+        -arm.z(), 0.0, arm.x(),                    //
         arm.y(), -arm.x(), 0.0;
+    H.col(6) = arm;
     return H;
 }
 
-/// The motion of all targets that is nearest to what each pose does to them, (pose-errors)
-/// (6 x poses).
-Eigen::MatrixXd StationBlock::common_motion_by_poses() const {
-    Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(6, pose_size());
+/// The motion and scale of all targets that are nearest to what each pose does to them,
+/// (pose-errors) (7 x poses).
+Eigen::MatrixXd StationBlock::common_modes_by_poses() const {
+    Eigen::Matrix<double, 7, 7> A = Eigen::Matrix<double, 7, 7>::Zero();
+    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(7, pose_size());
     for (int t = 0; t < target_count(); ++t) {
-        const auto H = motions(t);
+        const auto H = common_modes(t);
         A += H.transpose() * m_blocks[t].N * H;
         B += H.transpose() * m_blocks[t].N * by_poses(t);
     }
@@ -320,9 +321,11 @@ Eigen::MatrixXd StationBlock::common_motion_by_poses() const {
 
 StationAdjustment StationBlock::result() const {
     StationAdjustment result{.points = {}, .poses = m_poses, .datum = m_datum};
-    const Eigen::MatrixXd common_motion = common_motion_by_poses();
+    const Eigen::MatrixXd common = common_modes_by_poses();
+    result.scale_std = std::sqrt(common.row(6) * m_pose_covariance * common.row(6).transpose());
     for (int t = 0; t < target_count(); ++t) {
-        const Eigen::Matrix3Xd U = by_poses(t) - motions(t) * common_motion;  // (pose-errors)
+        const Eigen::Matrix3Xd U =
+            by_poses(t) - common_modes(t).leftCols<6>() * common.topRows<6>();  // (pose-errors)
         const PlaceNoise noise =
             noise_of(m_blocks[t].N.inverse() + U * m_pose_covariance * U.transpose());
         result.points.push_back({.id = m_first[t]->target,

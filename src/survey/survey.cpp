@@ -137,11 +137,12 @@ void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matc
     std::ranges::for_each(far, [&](UnmatchedPoint& p) { matching.leave_out(std::move(p)); });
 }
 
-/// @param has_named whether there are points with the names of nodes, too: one with a label may
-/// then
-///   be anything else, as the station of the instrument
-void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, bool has_named,
+/// @param named how many points have the names of nodes: with some, one with a label may be
+///   anything else, as the station of the instrument; with more than there are without a name,
+///   these may, too
+void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, size_t named,
                  Matching& matching) {
+    const bool has_named = named > 0;
     const std::vector<PlaceMatch> matches =
         match_by_place(net, targets, [&](int node) { return matching.seen(node); });
     size_t matched = 0;
@@ -160,7 +161,8 @@ void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, b
             matched += counts ? 1 : 0;
         }
     }
-    if (static_cast<double>(matched) < least_matched_part * static_cast<double>(expected)) {
+    if (expected > named &&
+        static_cast<double>(matched) < least_matched_part * static_cast<double>(expected)) {
         throw SurveyError(
             0, fmt::format("{} of {} targets without a name lie on a node beyond doubt, expected "
                            "at least half: is the survey of this net, in its frame and in metres?",
@@ -197,7 +199,7 @@ Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& point
     }
     Matching matching(net, noise_std);
     put_named(net, named, matching);
-    put_unnamed(net, unnamed, !named.empty(), matching);
+    put_unnamed(net, unnamed, named.size(), matching);
     return std::move(matching).finished();
 }
 

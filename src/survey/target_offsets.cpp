@@ -113,7 +113,7 @@ std::optional<TargetOffset> offset_of(const TargetOffsets& offsets, const Placed
     return offsets.all;
 }
 
-void check_names(const TargetOffsets& offsets, const Survey& survey) {
+void check_names(const TargetOffsets& offsets, Survey& survey) {
     std::set<std::string> known;
     for (const PlacedPoint& point : survey.placed) {
         known.insert({point.name, point.code});
@@ -121,13 +121,24 @@ void check_names(const TargetOffsets& offsets, const Survey& survey) {
     for (const UnmatchedPoint& point : survey.unmatched) {
         known.insert({point.point.id, point.point.label, point.point.code});
     }
+    std::vector<std::string> unknown;
     for (const auto& [name, offset] : offsets.of) {
         if (!known.contains(name)) {
-            throw SurveyError(0, fmt::format("has no target of the name or code '{}', for which an "
-                                             "offset is told",
-                                             name));
+            unknown.push_back(name);
         }
     }
+    if (unknown.empty()) {
+        return;
+    }
+    if (unknown.size() == offsets.of.size()) {
+        throw SurveyError(0, fmt::format("has no target of the name or code '{}', for which an "
+                                         "offset is told",
+                                         unknown.front()));
+    }
+    survey.notes.push_back(
+        fmt::format("no target has the name or code {}, for which an offset is "
+                    "told, too",
+                    fmt::join(unknown, ", ")));
 }
 
 }  // namespace
@@ -135,6 +146,13 @@ void check_names(const TargetOffsets& offsets, const Survey& survey) {
 TargetOffset parse_target_offset(std::string_view text) {
     const size_t colon = text.find(':');
     TargetOffset offset{.offset = parse_length(text.substr(0, colon))};
+    constexpr double largest = 0.5;  // no target stands further off [m]
+    if (std::abs(offset.offset) > largest) {
+        throw std::invalid_argument(
+            fmt::format("the offset '{}' is {:g} m, expected at most {:g} m: a number without unit "
+                        "is in metres",
+                        text, offset.offset, largest));
+    }
     if (colon != std::string_view::npos) {
         offset.std = parse_length(text.substr(colon + 1));
         if (offset.std < 0.0) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "taut/identification/result.hpp"
@@ -18,5 +19,13 @@ namespace taut {
 /// with the fingerprint of the net, the law, the seed and how they were drawn as attributes.
 /// @throws std::invalid_argument where the identification has none
 [[nodiscard]] std::string draws_bytes(const CableNet& net, const Identification& identification);
+
+/// Where the draws of a result are kept: beside it, "result_draws.h5" of "result.json".
+[[nodiscard]] std::filesystem::path draws_path(const std::filesystem::path& result);
+
+/// Reads what draws_bytes() wrote.
+/// @throws InputError as all readers of HDF5, for draws of another net, and for lengths that are
+///   not positive
+[[nodiscard]] PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path);
 
 }  // namespace taut

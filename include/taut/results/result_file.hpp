@@ -38,7 +38,9 @@ struct IdentificationResult {
     std::vector<IdentifiedEdge> edges;  ///< in the order of the file
     Points form;                        ///< predicted (3 x n) [m]
     std::vector<UnknownEstimate> unknowns;
-    std::vector<BoundaryOutlier> turned;  ///< adjustable edges of another length than told
+    /// Adjustable edges of another length than told, and supports at another place.
+    std::vector<BoundaryOutlier> boundary_outliers;
+    Trust trust;  ///< empty in results of older versions
     struct Residual {
         int node = 0;
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]

@@ -69,7 +69,9 @@ struct StationAdjustment {
     std::vector<SurveyPoint> points;
     std::vector<StationPose> poses;  ///< one a station
     int datum = 0;                   ///< the station that sees most targets
-    int redundancy = 0;              ///< numbers that were read, less those that they had to tell
+    /// Of the scale that all targets have in common by errors of the poses [-]; 0 of one station.
+    double scale_std = 0.0;
+    int redundancy = 0;  ///< numbers that were read, less those that they had to tell
     /// Root of the sum of squared standardised residuals over the redundancy: 1 is expected. 0
     /// without redundancy.
     double noise_ratio = 0.0;

@@ -87,6 +87,10 @@ struct Survey {
     std::vector<std::string> warnings;  ///< what is most likely told in another unit, a line each
     std::vector<PlacedPoint> placed;    ///< on which node each point is, supports included
     std::vector<std::string> notes;     ///< how its file was understood, a line each
+    bool tells_noise = false;           ///< whether a point brought a noise of its own
+    /// Standard deviation of the scale that all targets have in common, which `noise_std` does not
+    /// tell [-].
+    double scale_std = 0.0;
     double rounding_std = 0.0;  ///< of its file's last digit, where `noise_std` holds it [m]
 
     /// Correlations of the noise at a node, 0 where there are none.

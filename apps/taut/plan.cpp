@@ -1,0 +1,431 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "command.hpp"
+#include "net_summary.hpp"
+#include "progress_line.hpp"
+#include "run_record.hpp"
+#include "survey_input.hpp"
+#include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/turn_order.hpp"
+#include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
+#include "taut/io/adjustment_csv.hpp"
+#include "taut/io/forces_csv.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/net/units.hpp"
+#include "taut/results/built_net.hpp"
+#include "taut/results/draws_h5.hpp"
+#include "taut/results/plan_files.hpp"
+
+namespace taut::app {
+namespace {
+
+struct PlanCommand : CommonOptions {
+    std::string net;
+    std::string result;
+    std::string output;
+    std::string target;
+    std::string weights;
+    std::string objective = "rms";
+    std::string stroke = "15mm";
+    std::vector<std::string> tension;
+    std::vector<std::string> reaction;
+    std::vector<std::string> checks;
+    std::string turn;
+    std::string step;
+    std::string tolerance;
+    std::string adjustable;
+    std::string confidence = "95%";
+    std::string actuator = "0mm";
+    std::string thread = "right";
+    std::string csv;
+    int crews = 1;
+    std::uint64_t seed = 1;
+};
+
+/// "1/4" or "0.25": a part of a turn.
+double parse_part_of_turn(const std::string& text) {
+    const auto number = [&](std::string_view part) {
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        if (error != std::errc() || end != part.data() + part.size() || !(value > 0.0)) {
+            throw std::invalid_argument(
+                fmt::format("--step is '{}', expected a part of a turn, such as 1/4", text));
+        }
+        return value;
+    };
+    const size_t bar = text.find('/');
+    const double part = bar == std::string::npos
+                            ? number(text)
+                            : number(std::string_view(text).substr(0, bar)) /
+                                  number(std::string_view(text).substr(bar + 1));
+    if (!(part > 0.0 && part <= 1.0)) {
+        throw std::invalid_argument(
+            fmt::format("--step is '{}', expected no more than a whole turn", text));
+    }
+    return part;
+}
+
+/// "normal:1,tangential:0.1"
+DeviationWeights parse_weights(const std::string& text) {
+    DeviationWeights weights;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::string_view one = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(rest.size(), one.size() + 1));
+        const size_t colon = one.find(':');
+        const std::string_view name = one.substr(0, colon);
+        double value = -1.0;
+        if (colon != std::string_view::npos) {
+            const std::string_view number = one.substr(colon + 1);
+            const auto [end, error] =
+                std::from_chars(number.data(), number.data() + number.size(), value);
+            if (error != std::errc() || end != number.data() + number.size()) {
+                value = -1.0;
+            }
+        }
+        if ((name != "normal" && name != "tangential") || !(value >= 0.0) || std::isinf(value)) {
+            throw std::invalid_argument(fmt::format(
+                "--weights is '{}', expected weights of 0 or more such as normal:1,tangential:0.1",
+                text));
+        }
+        (name == "normal" ? weights.normal : weights.tangential) = value;
+    }
+    return weights;
+}
+
+const std::vector<int>& group_of(const CableNet& net, const std::string& name,
+                                 const std::string& option) {
+    const auto found = net.data().groups.find(name);
+    if (found == net.data().groups.end()) {
+        throw std::invalid_argument(
+            fmt::format("{} names the group '{}', which the net does not have", option, name));
+    }
+    return found->second;
+}
+
+/// "1.5kN..10kN[@GROUP]", either end may be left out.
+void take_tension(const CableNet& net, const std::string& text, TensionLimits& limits) {
+    const size_t at = text.find('@');
+    const std::string range = text.substr(0, at);
+    const size_t dots = range.find("..");
+    if (dots == std::string::npos) {
+        throw std::invalid_argument(fmt::format(
+            "--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..10kN", text));
+    }
+    const std::string lower = range.substr(0, dots);
+    const std::string upper = range.substr(dots + 2);
+    const double least = lower.empty() ? 0.0 : parse_force(lower);
+    const double most =
+        upper.empty() ? std::numeric_limits<double>::infinity() : parse_force(upper);
+    if (!(least >= 0.0) || !(most > least)) {
+        throw std::invalid_argument(fmt::format(
+            "--tension is '{}', expected a lower limit of 0 or more and an upper one above it",
+            text));
+    }
+    const auto set = [&](int edge) {
+        limits.lower(edge) = least;
+        limits.upper(edge) = most;
+    };
+    if (at == std::string::npos) {
+        limits.lower.setConstant(least);
+        limits.upper.setConstant(most);
+    } else {
+        std::ranges::for_each(group_of(net, text.substr(at + 1), "--tension"), set);
+    }
+}
+
+/// "20kN[@GROUP]": of the supports at the edges of a group.
+ReactionLimit reaction_limit(const CableNet& net, const std::string& text) {
+    const size_t at = text.find('@');
+    ReactionLimit limit{.name = text, .supports = {}, .upper = parse_force(text.substr(0, at))};
+    if (at == std::string::npos) {
+        limit.supports = net.supports();
+        return limit;
+    }
+    for (const int edge : group_of(net, text.substr(at + 1), "--reaction")) {
+        for (const int node : net.edges()[edge]) {
+            if (net.free_index(node) < 0) {
+                limit.supports.push_back(node);
+            }
+        }
+    }
+    std::ranges::sort(limit.supports);
+    limit.supports.erase(std::unique(limit.supports.begin(), limit.supports.end()),
+                         limit.supports.end());
+    if (limit.supports.empty()) {
+        throw std::invalid_argument(
+            fmt::format("--reaction is '{}', but no edge of that group is at a support", text));
+    }
+    return limit;
+}
+
+/// The edges that may be turned, and how far.
+std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNet& built,
+                                              const PlanCommand& command) {
+    std::vector<int> edges = net.adjustable_edges();
+    if (!command.adjustable.empty()) {
+        edges = parse_edge_list(net, read_file(command.adjustable), command.adjustable);
+        std::ranges::sort(edges);
+    }
+    Limits limits;
+    if (std::filesystem::is_regular_file(command.stroke)) {
+        std::vector<StrokeRange> ranges =
+            parse_stroke_ranges(net, read_file(command.stroke), command.stroke);
+        std::ranges::sort(ranges, {}, &StrokeRange::edge);
+        std::erase_if(ranges, [&](const StrokeRange& range) {
+            return !std::ranges::binary_search(edges, range.edge);
+        });
+        edges.clear();
+        limits = limits_of_stroke(net, ranges.size(), 0.0);
+        for (size_t k = 0; k < ranges.size(); ++k) {
+            edges.push_back(ranges[k].edge);
+            limits.shortest_stroke(static_cast<Eigen::Index>(k)) = ranges[k].shortest;
+            limits.longest_stroke(static_cast<Eigen::Index>(k)) = ranges[k].longest;
+        }
+    } else {
+        const double stroke = parse_length(command.stroke);
+        if (!(stroke > 0.0)) {
+            throw std::invalid_argument(
+                fmt::format("--stroke is '{}', expected more than 0", command.stroke));
+        }
+        limits = limits_of_stroke(net, edges.size(), stroke);
+    }
+    for (const std::string& text : command.tension) {
+        take_tension(net, text, limits.tension);
+    }
+    for (const std::string& text : command.reaction) {
+        limits.reactions.push_back(reaction_limit(net, text));
+    }
+    for (const std::string& file : command.checks) {
+        limits.load_cases.push_back(
+            {.name = file,
+             .loads = built.loads() + parse_loads(net, read_file(file), file),
+             .tension = limits.tension});
+    }
+    return {std::move(edges), std::move(limits)};
+}
+
+PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
+    PlanOptions options{.edges = std::move(edges),
+                        .confidence = parse_part(command.confidence),
+                        .actuator_std = parse_length(command.actuator),
+                        .turn = {},
+                        .tolerance = {},
+                        .seed = command.seed};
+    if (!command.turn.empty()) {
+        options.turn = {.pitch = parse_length(command.turn),
+                        .smallest = command.step.empty() ? 0.0 : parse_part_of_turn(command.step)};
+    }
+    if (!command.tolerance.empty()) {
+        options.tolerance = parse_length(command.tolerance);
+    }
+    return options;
+}
+
+void print_deviation(const char* what, const FormDeviation& d) {
+    fmt::print("{:<24}{:>9.2f}{:>9.2f}{:>15.2f}{:>9.2f}{:>9.2f}\n", what, 1e3 * d.mean, 1e3 * d.max,
+               1e3 * d.normal_mean, 1e3 * d.normal_max, 1e3 * d.normal_rmse);
+}
+
+std::string where_text(const CableNet& net, const LimitBreach& breach) {
+    return fmt::format("{} {}{}: {:.3g} kN, limit {:.3g} kN",
+                       breach.kind == LimitBreach::Kind::tension ? "edge" : "support",
+                       breach.kind == LimitBreach::Kind::tension ? net.edge_id(breach.index)
+                                                                 : net.node_id(breach.index),
+                       breach.load_case.empty() ? "" : " under " + breach.load_case,
+                       1e-3 * breach.value, 1e-3 * breach.limit);
+}
+
+void print_breaches(const CableNet& net, const Plan& plan) {
+    constexpr size_t shown = 10;
+    for (size_t i = 0; i < std::min(shown, plan.breaches.size()); ++i) {
+        const LimitBreach& breach = plan.breaches[i];
+        fmt::print(
+            "  {}{}\n", where_text(net, breach),
+            plan.draws > 0 ? fmt::format(", kept with {:.0f} %", 100.0 * breach.probability) : "");
+    }
+    if (plan.breaches.size() > shown) {
+        fmt::print("  and {} more\n", plan.breaches.size() - shown);
+    }
+}
+
+void print(const PlanCommand& command, const PlanRecord& record) {
+    const CableNet& net = *record.net;
+    const Plan& plan = *record.plan;
+    if (!record.trust->findings.empty()) {
+        fmt::print("identification {}: {}\n", to_string(record.trust->verdict()),
+                   record.trust->findings.front().reason);
+    }
+    fmt::print("{:<24}{:>18}{:>33}\n", "distance from target", "all directions",
+               "along the normal");
+    fmt::print("{:<24}{:>9}{:>9}{:>15}{:>9}{:>9}\n", "[mm]", "mean", "max", "mean", "max", "RMS");
+    print_deviation("as built", plan.as_built);
+    print_deviation("planned", plan.planned);
+    print_deviation("no limits, no slack", plan.unavoidable);
+    if (plan.draws > 0) {
+        fmt::print("not known of the planned form along the normal: {:.2f} mm RMS\n",
+                   1e3 * plan.normal_unknown);
+    }
+    if (record.options->turn && record.options->turn->step() > 0.0) {
+        fmt::print("whole steps of {}: normal RMS {:.3f} mm, with free strokes {:.3f} mm\n",
+                   format_length(record.options->turn->step()), 1e3 * plan.planned.normal_rmse,
+                   1e3 * plan.normal_rmse_of_free_strokes);
+    }
+    fmt::print("turn {} of {} edges, by at most {:.2f} mm\n", plan.strokes.size(),
+               record.options->edges.size(), 1e3 * plan.largest_stroke());
+    if (record.options->tolerance) {
+        fmt::print("within {}: {}; to first order no fewer than {} edges can do\n",
+                   format_length(*record.options->tolerance),
+                   *plan.is_within_tolerance ? "yes" : "no", plan.fewest_bound);
+    }
+    fmt::print("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
+               1e-3 * plan.tensions.maxCoeff());
+    if (plan.draws > 0) {
+        fmt::print("all limits are kept with {:.1f} % ({} draws), wanted {:.0f} %\n",
+                   100.0 * plan.limit_probability, plan.draws, 100.0 * record.options->confidence);
+    } else {
+        fmt::print("limits are {} by the estimate; how surely is not known, since {}\n",
+                   plan.is_feasible ? "kept" : "broken", plan.no_draws_since);
+    }
+    print_breaches(net, plan);
+    const TurnOrder& order = *record.order;
+    fmt::print(
+        "order: {} pass{}, {} crew{}, {:.0f} m between stations; {}\n", order.passes,
+        order.passes == 1 ? "" : "es", record.crews, record.crews == 1 ? "" : "s", order.walk,
+        order.is_safe ? "at no moment is a limit broken that was kept before"
+                      : fmt::format("no safe order was found: at moment {} {}",
+                                    order.worst.moment + 1, where_text(net, order.worst.breach)));
+    fmt::print("written to {}\n", command.output);
+    if (!command.csv.empty()) {
+        fmt::print("written to {}: the list for the crews\n", command.csv);
+    }
+}
+
+void run(const PlanCommand& command) {
+    const auto threads = command.limit_threads();
+    const CableNet net = read_net(command.net).net;
+    const IdentifiedNet identified = read_identified_net(net, command.result);
+    const FormTarget target(
+        net, command.target.empty() ? net.nodes() : read_form(net, command.target),
+        parse_weights(command.weights),
+        command.objective == "rms" ? FormObjective::rms : FormObjective::largest);
+    auto [edges, limits] = limits_of(net, identified.built.net, command);
+    const PlanOptions options = options_of(command, std::move(edges));
+    std::vector<std::string> inputs = command.checks;
+    inputs.insert(inputs.end(), {command.net, command.result, draws_path(command.result).string(),
+                                 command.target, command.adjustable, command.stroke});
+    check_outputs({command.output, command.csv}, inputs);
+    if (identified.trust.verdict() == Trust::Verdict::failed) {
+        warn(command.result, {"the identification failed its tests: what is planned on it may do "
+                              "harm. Mend what it names first"});
+    }
+    ProgressLine line(command.quiet);
+    const Plan plan = plan_strokes(identified.built, target, limits, options, line.progress());
+    const TurnOrder order =
+        order_turns(identified.built, limits, plan,
+                    {.crews = command.crews, .step = options.turn ? options.turn->step() : 0.0},
+                    line.progress());
+    const PlanRecord record{.net = &net,
+                            .built = &identified.built,
+                            .trust = &identified.trust,
+                            .target = &target,
+                            .limits = &limits,
+                            .options = &options,
+                            .plan = &plan,
+                            .order = &order,
+                            .crews = command.crews,
+                            .thread = command.thread == "right" ? Thread::right : Thread::left};
+    const std::string document = plan_to_json(record, run_record());
+    std::vector<std::pair<std::filesystem::path, std::string>> files{{command.output, document}};
+    if (!command.csv.empty()) {
+        files.emplace_back(command.csv, plan_to_csv(record));
+    }
+    write_files(files);
+    if (command.json) {
+        fmt::print("{}", document);
+    } else {
+        print(command, record);
+    }
+    if (!plan.is_feasible) {
+        throw NumericalFailure(fmt::format(
+            "{}: no strokes keep all limits{}; the plan that was written breaks the least: {}",
+            command.result,
+            plan.draws > 0 ? fmt::format(" with {:.0f} %", 100.0 * options.confidence) : "",
+            plan.breaches.empty() ? "by little each" : where_text(net, plan.breaches.front())));
+    }
+}
+
+}  // namespace
+
+void add_plan(CLI::App& program) {
+    auto options = std::make_shared<PlanCommand>();
+    CLI::App& command = add_command(
+        program, "plan",
+        "Tell which turnbuckle to turn how far, and in which order, so that the net comes near "
+        "its\n"
+        "target and keeps its limits",
+        "  taut plan net.json result.json -o plan.json --csv turns.csv --tension 1.5kN..10kN \\\n"
+        "      --turn 5mm --step 1/4",
+        *options);
+    command.add_option("NET", options->net, "Net file, as designed")->required();
+    command.add_option("RESULT", options->result, "Result of taut identify")->required();
+    add_output_option(command, options->output, "Plan to write (JSON)");
+    command.add_option("--target", options->target,
+                       "Form to reach, id,x,y,z (default: the nodes of NET)");
+    command.add_option("--weights", options->weights,
+                       "Of squared deviations along the target's normal and across it (default: "
+                       "normal:1,tangential:0.1)");
+    command
+        .add_option("--objective", options->objective,
+                    "What is made small: the RMS of the deviations, or the largest")
+        ->check(CLI::IsMember({"rms", "largest"}))
+        ->capture_default_str();
+    command
+        .add_option("--stroke", options->stroke,
+                    "How far a turnbuckle may be turned from where it stands, either way; or a "
+                    "file edge,shortest,longest in m")
+        ->capture_default_str();
+    command.add_option("--tension", options->tension,
+                       "Limits of tension, 1.5kN..10kN[@GROUP]; may be given again (default: no "
+                       "edge slack)");
+    command.add_option("--reaction", options->reaction,
+                       "Largest force at a support, 20kN[@GROUP of edges]; may be given again");
+    command.add_option("--check", options->checks,
+                       "Loads that come on top later, id,x,y,z in N; the limits of tension hold "
+                       "then, too. May be given again");
+    command.add_option("--turn", options->turn, "Change of length by one turn, 5mm");
+    command
+        .add_option("--step", options->step,
+                    "Smallest part of a turn, 1/4: strokes are whole steps (default: any)")
+        ->needs("--turn");
+    command.add_option("--tolerance", options->tolerance,
+                       "Turn the fewest edges with which the RMS along the normal (the largest, "
+                       "with --objective largest) is at most this");
+    command.add_option("--adjustable", options->adjustable,
+                       "Edges that may be turned, one a line (default: those of NET)");
+    command
+        .add_option("--confidence", options->confidence,
+                    "With which all limits are to hold over the draws of RESULT")
+        ->capture_default_str();
+    command
+        .add_option("--actuator", options->actuator,
+                    "Standard deviation of what is turned from what was told")
+        ->capture_default_str();
+    command.add_option("--crews", options->crews, "That turn at once")->capture_default_str();
+    command.add_option("--thread", options->thread, "Of the turnbuckles")
+        ->check(CLI::IsMember({"right", "left"}))
+        ->capture_default_str();
+    command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
+    add_seed_option(command, options->seed);
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

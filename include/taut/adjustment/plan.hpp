@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "taut/adjustment/form_target.hpp"
+#include "taut/adjustment/limits.hpp"
+#include "taut/progress.hpp"
+
+namespace taut {
+
+/// A net as it stands, and how well that is known: where turning begins.
+struct BuiltNet {
+    CableNet net;  ///< with the lengths as identified or set; its nodes are the form that follows
+    /// Draws of the unstressed lengths of the interior edges, one a column (m_I x draws) [m]; none:
+    /// limits are held for the estimate alone.
+    Eigen::MatrixXd length_draws;
+    std::string no_draws_since;  ///< why there are none, in words
+};
+
+/// What a crew can turn by.
+struct TurnSize {
+    double pitch = 0.0;     ///< change of length by one turn [m]
+    double smallest = 0.0;  ///< part of a turn that can be told and done; 0: any
+    /// Change of length by the smallest part [m].
+    [[nodiscard]] double step() const { return pitch * smallest; }
+};
+
+struct PlanOptions {
+    std::vector<int> edges;  ///< that may be turned, ascending; empty: the net's adjustable edges
+    double confidence = 0.95;
+    double actuator_std = 0.0;  ///< of what is turned, from what was told [m]
+    std::optional<TurnSize> turn;
+    /// The fewest edges are turned with which the form comes so near: the root of the mean square
+    /// of its deviations along the normal, or the largest of them, as the target's objective [m].
+    std::optional<double> tolerance;
+    std::uint64_t seed = 1;  ///< of the play of the turnbuckles
+};
+
+/// One edge that is to be turned.
+struct PlannedStroke {
+    int edge = 0;
+    double stroke = 0.0;  ///< change of its unstressed length [m]
+};
+
+/// A limit that is not kept, or not surely so.
+struct LimitBreach {
+    enum class Kind { tension, reaction };
+    Kind kind = Kind::tension;
+    int index = 0;             ///< an edge, or a support
+    std::string load_case;     ///< empty: the loads of the net
+    double value = 0.0;        ///< planned [N]
+    double limit = 0.0;        ///< [N]
+    double probability = 0.0;  ///< that the limit is kept; 0 or 1 without draws
+};
+
+struct Plan {
+    std::vector<PlannedStroke> strokes;  ///< those that are not 0, by edge
+    FormDeviation as_built;
+    FormDeviation planned;      ///< of the estimate
+    FormDeviation unavoidable;  ///< what strokes without limits leave, no edge slack
+    /// Root of the mean square, over nodes and draws, of what the deviation along the normal
+    /// differs from the planned one: not known yet, rather than not to be had. 0 without draws [m].
+    double normal_unknown = 0.0;
+    Points form;                    ///< planned (3 x n) [m]
+    Eigen::MatrixXd form_std;       ///< 3 x n; 0 without draws [m]
+    Eigen::VectorXd tensions;       ///< planned (m) [N]
+    Eigen::VectorXd tension_lower;  ///< 95 % intervals over the draws (m); empty without [N]
+    Eigen::VectorXd tension_upper;
+    /// The limits that were held: narrower than those told by what holds them in the draws, too;
+    /// of the net's loads, then of each load case.
+    std::vector<ForceRange> held;
+    int draws = 0;
+    std::string no_draws_since;  ///< where there are none
+    /// That all limits are kept; 0 or 1 without draws.
+    double limit_probability = 0.0;
+    bool is_feasible = false;  ///< all limits are kept, with the confidence wanted
+    bool has_converged = false;
+    std::vector<LimitBreach> breaches;  ///< the worst first
+    /// Cost of whole steps: normal RMS with free strokes; that of `planned` where there are no
+    /// steps [m].
+    double normal_rmse_of_free_strokes = 0.0;
+    /// Where a tolerance was told: whether it is reached, and a number of edges below which, to
+    /// first order, it cannot be.
+    std::optional<bool> is_within_tolerance;
+    int fewest_bound = 0;
+    int iterations = 0;
+
+    [[nodiscard]] double largest_stroke() const;
+};
+
+/// Strokes that bring a net near a target and keep its limits: first the limits, then the form,
+/// then little turning. docs/theory.md (stroke-program); docs/adjustment.md.
+///
+/// @param built in equilibrium; limits and options tell of its edges
+/// @throws std::invalid_argument as check_limits(), for edges out of range, doubled or none, a
+///   confidence outside (0, 1), a tolerance or pitch that is not positive, a smallest part of a
+///   turn outside (0, 1], draws of wrong size, and where this taut was built without the conic
+///   solver
+/// @throws Interrupted
+[[nodiscard]] Plan plan_strokes(const BuiltNet& built, const FormTarget& target,
+                                const Limits& limits, const PlanOptions& options = {},
+                                const Progress& progress = {});
+
+}  // namespace taut

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+/// What a plan is told of edges and nodes in files of their own. All throw InputError with the
+/// line, for a name that is not of the net or comes twice, a number that is none, and a file
+/// without a line. A header may be left out.
+namespace taut {
+
+/// How far an edge may be turned.
+struct StrokeRange {
+    int edge = 0;
+    double shortest = 0.0;  ///< 0 or less [m]
+    double longest = 0.0;   ///< 0 or more [m]
+};
+
+/// edge,shortest,longest in m; edges that are not named may not be turned.
+[[nodiscard]] std::vector<StrokeRange> parse_stroke_ranges(const CableNet& net,
+                                                           std::string_view text,
+                                                           const std::string& file_name);
+
+/// id,x,y,z in N, one node a line; 3 x n, 0 for nodes that are not named [N].
+[[nodiscard]] Points parse_loads(const CableNet& net, std::string_view text,
+                                 const std::string& file_name);
+
+}  // namespace taut

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "taut/adjustment/plan.hpp"
+#include "taut/adjustment/turn_order.hpp"
+#include "taut/identification/trust.hpp"
+#include "taut/results/results_json.hpp"
+
+namespace taut {
+
+/// Thread of a turnbuckle. With a right-hand thread, turning it clockwise, seen from the support
+/// along the cable, shortens the cable.
+enum class Thread { right, left };
+
+/// All that a saved plan tells of.
+struct PlanRecord {
+    const CableNet* net = nullptr;  ///< as designed
+    const BuiltNet* built = nullptr;
+    const Trust* trust = nullptr;  ///< of the identification that it stands on
+    const FormTarget* target = nullptr;
+    const Limits* limits = nullptr;
+    const PlanOptions* options = nullptr;
+    const Plan* plan = nullptr;
+    const TurnOrder* order = nullptr;
+    int crews = 1;
+    Thread thread = Thread::right;
+};
+
+/// plan.json: format "taut-plan", version 1; all numbers in SI units.
+[[nodiscard]] std::string plan_to_json(const PlanRecord& record, const RunRecord& run = {});
+
+/// The list that a crew works from, a line each turning, in the order of the work: crew, pass,
+/// moment, edge, stroke [mm], turns, sense, reading afterwards [mm], tension after all [kN].
+[[nodiscard]] std::string plan_to_csv(const PlanRecord& record);
+
+/// "shorten" or "lengthen".
+[[nodiscard]] std::string_view sense_of(double stroke);
+
+/// "clockwise" or "counterclockwise", seen from the support along the cable.
+[[nodiscard]] std::string_view rotation_of(double stroke, Thread thread);
+
+}  // namespace taut

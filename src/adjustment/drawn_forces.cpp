@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "adjustment/drawn_forces.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numerics/random_numbers.hpp"
+
+namespace taut {
+namespace {
+
+/// Below this part of the mean tension a force counts as known: rounding errors.
+constexpr double smallest_std = 1e-9;
+
+}  // namespace
+
+DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedResponse>& responses,
+                          const StrokedState& state, double actuator_std, std::uint64_t seed) {
+    const Eigen::Index count = built.length_draws.cols();
+    DrawnStrokes result;
+    for (const StrokedNet& net : state.nets) {
+        result.forces.emplace_back(net.forces.size(), count);
+    }
+    result.forms.resize(Eigen::Index{3} * built.net.free_node_count(), count);
+    result.unbalanced.assign(static_cast<size_t>(count), 0);
+    tbb::enumerable_thread_specific<std::vector<StrokeResponse>> workspaces([&] {
+        std::vector<StrokeResponse> copies;
+        for (const LimitedResponse& limited : responses) {
+            copies.push_back(limited.response.fresh());
+        }
+        return copies;
+    });
+    tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
+        Eigen::VectorXd lengths = built.net.unstressed_lengths();
+        lengths(built.net.interior_edges()) = built.length_draws.col(d);
+        Eigen::VectorXd strokes = state.strokes;
+        RandomNumbers random(seed, static_cast<std::uint32_t>(d));
+        for (double& stroke : strokes) {
+            const double play = actuator_std * random.normal();
+            stroke += stroke != 0.0 ? play : 0.0;
+        }
+        std::vector<StrokeResponse>& local = workspaces.local();
+        for (size_t i = 0; i < local.size(); ++i) {
+            const StrokedNet drawn = local[i].at(lengths, strokes, state.nets[i].equilibrium.form);
+            result.forces[i].col(d) = drawn.forces;
+            if (!drawn.equilibrium.balanced()) {
+                result.unbalanced[static_cast<size_t>(d)] = 1;
+            }
+            if (i == 0) {
+                result.forms.col(d) = free_coordinates(built.net, drawn.equilibrium.form);
+            }
+        }
+    });
+    return result;
+}
+
+LimitMargins::LimitMargins(std::vector<ForceRange> told, const StrokedState& state,
+                           const DrawnStrokes& draws)
+    : m_told(std::move(told)) {
+    const Eigen::Index count = draws.forms.cols();
+    m_worst.assign(static_cast<size_t>(count), -std::numeric_limits<double>::infinity());
+    for (size_t i = 0; i < m_told.size(); ++i) {
+        const Eigen::MatrixXd& forces = draws.forces[i];
+        const double least = smallest_std * std::max(1e-9, state.nets[i].equilibrium.mean_tension);
+        const Eigen::VectorXd mean = forces.rowwise().mean();
+        m_std.emplace_back(
+            ((forces.colwise() - mean).rowwise().squaredNorm() / static_cast<double>(count))
+                .cwiseSqrt()
+                .cwiseMax(least));
+        m_bias.emplace_back(mean - state.nets[i].forces);
+        for (Eigen::Index d = 0; d < count; ++d) {
+            const Eigen::ArrayXd beyond = (m_told[i].lower - forces.col(d))
+                                              .cwiseMax(forces.col(d) - m_told[i].upper)
+                                              .array() /
+                                          m_std.back().array();
+            double& worst = m_worst[static_cast<size_t>(d)];
+            worst = std::max(worst, beyond.maxCoeff());
+        }
+    }
+    for (size_t d = 0; d < m_worst.size(); ++d) {
+        if (draws.unbalanced[d] != 0) {  // no form: no limit is kept
+            m_worst[d] = std::numeric_limits<double>::infinity();
+        }
+    }
+    std::ranges::sort(m_worst);
+}
+
+double LimitMargins::probability() const {
+    const auto kept = std::ranges::upper_bound(m_worst, 0.0) - m_worst.begin();
+    return static_cast<double>(kept) / static_cast<double>(m_worst.size());
+}
+
+double LimitMargins::shortfall(double confidence) const {
+    // Another draw lies below the value of rank p (N + 1) with p.
+    const double rank = std::ceil(confidence * (static_cast<double>(m_worst.size()) + 1.0));
+    return m_worst[std::min(m_worst.size(), static_cast<size_t>(rank)) - 1];
+}
+
+std::vector<ForceRange> LimitMargins::narrowed(double factor) const {
+    std::vector<ForceRange> result = m_told;
+    for (size_t i = 0; i < result.size(); ++i) {
+        result[i].lower += factor * m_std[i] - m_bias[i];
+        result[i].upper -= factor * m_std[i] + m_bias[i];
+    }
+    return result;
+}
+
+}  // namespace taut

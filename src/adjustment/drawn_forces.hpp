@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "adjustment/stroke_search.hpp"
+#include "taut/adjustment/plan.hpp"
+
+namespace taut {
+
+/// What strokes lead to in each draw of the built net.
+struct DrawnStrokes {
+    std::vector<Eigen::MatrixXd> forces;  ///< of each set of loads: StrokedNet::forces x draws [N]
+    Eigen::MatrixXd forms;                ///< 3 n_I x draws, under the net's own loads [m]
+    std::vector<char> unbalanced;         ///< of each draw: no equilibrium was found
+};
+
+/// Exact equilibria of all draws under some strokes, each with its own play of what is turned.
+[[nodiscard]] DrawnStrokes draw_strokes(const BuiltNet& built,
+                                        const std::vector<LimitedResponse>& responses,
+                                        const StrokedState& state, double actuator_std,
+                                        std::uint64_t seed);
+
+/// What of the limits must be kept free so that they hold in draws, too (limit-margins).
+class LimitMargins {
+public:
+    /// @param told the limits, one range a set of loads
+    /// @param draws at the state
+    LimitMargins(std::vector<ForceRange> told, const StrokedState& state,
+                 const DrawnStrokes& draws);
+
+    /// The part of the draws in which all limits are kept.
+    [[nodiscard]] double probability() const;
+    /// By how many standard deviations of each force the limits would have to be narrower
+    /// (negative: may be wider) so that they hold with a confidence.
+    [[nodiscard]] double shortfall(double confidence) const;
+    /// Limits that are `factor` standard deviations inside those told, and corrected for the
+    /// difference of the draws' mean from the state.
+    [[nodiscard]] std::vector<ForceRange> narrowed(double factor) const;
+
+private:
+    std::vector<ForceRange> m_told;
+    std::vector<Eigen::VectorXd> m_std;
+    std::vector<Eigen::VectorXd> m_bias;
+    std::vector<double> m_worst;  ///< of each draw, in standard deviations beyond; ascending
+};
+
+}  // namespace taut

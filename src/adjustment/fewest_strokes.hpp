@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "adjustment/stroke_search.hpp"
+
+namespace taut {
+
+struct FewestStrokes {
+    StrokedState found;
+    int bound = 0;  ///< to first order, no fewer edges reach the tolerance
+};
+
+/// Few strokes with which the cost is at most the square of a tolerance: a reweighted l1 norm
+/// (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal. Appl. 14, 2008) chooses the edges, then
+/// each that can be spared is, with exact equilibria. docs/theory.md (fewest-strokes).
+/// @param task its target's cost is what the tolerance is about
+/// @param all a state within the tolerance
+/// @param tolerance [m]
+[[nodiscard]] FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses,
+                                           const StrokeTask& task, const StrokedState& all,
+                                           double tolerance);
+
+}  // namespace taut

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "adjustment/force_ranges.hpp"
+
+#include <limits>
+
+namespace taut {
+
+double ForceRange::violation(const Eigen::Ref<const Eigen::VectorXd>& forces) const {
+    return (lower - forces).cwiseMax(forces - upper).cwiseMax(0.0).sum();
+}
+
+std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions) {
+    std::vector<int> result;
+    for (const ReactionLimit& limit : reactions) {
+        result.insert(result.end(), limit.supports.begin(), limit.supports.end());
+    }
+    return result;
+}
+
+ForceRange range_of(const CableNet& net, const TensionLimits& tension,
+                    const std::vector<ReactionLimit>& reactions) {
+    Eigen::Index extra = 0;
+    for (const ReactionLimit& limit : reactions) {
+        extra += static_cast<Eigen::Index>(limit.supports.size());
+    }
+    ForceRange range{.lower = Eigen::VectorXd(net.edge_count() + extra),
+                     .upper = Eigen::VectorXd(net.edge_count() + extra)};
+    range.lower << tension.lower,
+        Eigen::VectorXd::Constant(extra, -std::numeric_limits<double>::infinity());
+    range.upper.head(net.edge_count()) = tension.upper;
+    Eigen::Index row = net.edge_count();
+    for (const ReactionLimit& limit : reactions) {
+        for (size_t i = 0; i < limit.supports.size(); ++i) {
+            range.upper(row++) = limit.upper;
+        }
+    }
+    return range;
+}
+
+CableNet with_loads(const CableNet& net, const Points& loads) {
+    CableNetData data = net.data();
+    data.loads = loads;
+    data.mass.resize(0);  // their weight is part of net.loads(), and of these
+    return CableNet(std::move(data));
+}
+
+}  // namespace taut

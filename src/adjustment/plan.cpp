@@ -1,0 +1,415 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/adjustment/plan.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+
+#include "adjustment/drawn_forces.hpp"
+#include "adjustment/fewest_strokes.hpp"
+#include "adjustment/force_ranges.hpp"
+#include "adjustment/stroke_program.hpp"
+#include "adjustment/whole_steps.hpp"
+#include "taut/identification/posterior_draws.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double negligible_stroke = 1e-6;     ///< [m]
+constexpr double negligible_violation = 1e-5;  ///< of the mean tension
+/// Breaking limits by the mean tension costs so many times the deviations as built.
+constexpr double violation_cost = 1e3;
+
+void check_options(const BuiltNet& built, const PlanOptions& options,
+                   const std::vector<int>& edges) {
+    const CableNet& net = built.net;
+    if (edges.empty()) {
+        throw std::invalid_argument("no edge may be turned, expected at least one");
+    }
+    for (size_t k = 0; k < edges.size(); ++k) {
+        if (edges[k] < 0 || edges[k] >= net.edge_count() || (k > 0 && edges[k] <= edges[k - 1])) {
+            throw std::invalid_argument(
+                fmt::format("the edges to turn name edge {}, expected each of the {} edges at most "
+                            "once, in their order",
+                            edges[k], net.edge_count()));
+        }
+    }
+    if (!(options.confidence > 0.0 && options.confidence < 1.0)) {
+        throw std::invalid_argument(fmt::format(
+            "the confidence is {:g}, expected more than 0 and less than 1", options.confidence));
+    }
+    if (!(options.actuator_std >= 0.0) || std::isinf(options.actuator_std)) {
+        throw std::invalid_argument(fmt::format(
+            "the play of what is turned is {:g} m, expected at least 0", options.actuator_std));
+    }
+    if (options.tolerance && !(*options.tolerance > 0.0 && std::isfinite(*options.tolerance))) {
+        throw std::invalid_argument(
+            fmt::format("the tolerance is {:g} m, expected more than 0", *options.tolerance));
+    }
+    if (options.turn) {
+        if (!(options.turn->pitch > 0.0) || std::isinf(options.turn->pitch)) {
+            throw std::invalid_argument(
+                fmt::format("a turn is {:g} m, expected more than 0", options.turn->pitch));
+        }
+        if (!(options.turn->smallest >= 0.0 && options.turn->smallest <= 1.0)) {
+            throw std::invalid_argument(
+                fmt::format("the smallest part of a turn is {:g}, expected a part of 1",
+                            options.turn->smallest));
+        }
+    }
+    if (built.length_draws.cols() > 0 &&
+        (built.length_draws.rows() != net.interior_edge_count() ||
+         !built.length_draws.allFinite() || !(built.length_draws.minCoeff() > 0.0))) {
+        throw std::invalid_argument(fmt::format(
+            "draws of {} lengths that are all positive are needed, one an interior edge",
+            net.interior_edge_count()));
+    }
+}
+
+/// A plan in the making: nets, limits, and what is found.
+class Planning {
+public:
+    Planning(const BuiltNet& built, const FormTarget& target, const Limits& limits,
+             const PlanOptions& options, const Progress& progress)
+        : m_built(&built),
+          m_target(&target),
+          m_limits(&limits),
+          m_options(&options),
+          m_progress(&progress),
+          m_edges(options.edges.empty() ? built.net.adjustable_edges() : options.edges) {
+        check_options(built, options, m_edges);
+        check_limits(built.net, m_edges, limits);
+        m_case_nets.reserve(limits.load_cases.size());
+        for (const LoadCase& load_case : limits.load_cases) {
+            m_case_nets.push_back(with_loads(built.net, load_case.loads));
+        }
+        add_response(built.net, limits.tension, limits.reactions);
+        for (size_t i = 0; i < m_case_nets.size(); ++i) {
+            add_response(m_case_nets[i], limits.load_cases[i].tension, {});
+        }
+        m_told = limits_now();
+        m_task = {.target = m_target,
+                  .shortest = limits.shortest_stroke,
+                  .longest = limits.longest_stroke};
+        m_as_built = state_at(m_responses, m_task, Eigen::VectorXd::Zero(count()), nullptr);
+        if (!m_as_built.balanced()) {
+            throw std::invalid_argument("the built net finds no equilibrium");
+        }
+        m_force_unit = std::max(m_as_built.nets.front().equilibrium.mean_tension, 1e-9);
+        m_task.violation_weight = violation_cost * std::max(m_as_built.cost, 1e-12) / m_force_unit;
+    }
+
+    Plan make() {
+        tell(0);
+        StrokeSearch search = feasible_first(m_as_built);
+        tell(1);
+        if (draws() > 0) {
+            search = with_margins(std::move(search));
+        }
+        tell(2);
+        Plan plan;
+        plan.iterations = search.iterations;
+        plan.has_converged = search.has_converged;
+        StrokedState state = std::move(search.found);
+        if (m_options->tolerance) {
+            state = fewest(state, plan);
+        }
+        tell(3);
+        plan.normal_rmse_of_free_strokes = deviation(state).normal_rmse;
+        if (m_options->turn && m_options->turn->step() > 0.0) {
+            state = in_whole_steps(m_responses, m_task, state, m_options->turn->step());
+        }
+        tell(4);
+        plan.held = limits_now();
+        describe(plan, state);
+        tell(stages);
+        return plan;
+    }
+
+private:
+    static constexpr int stages = 5;
+
+    [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(m_edges.size()); }
+    [[nodiscard]] Eigen::Index draws() const { return m_built->length_draws.cols(); }
+    void tell(int done) const { (*m_progress)("planning", done, stages); }
+
+    void add_response(const CableNet& net, const TensionLimits& tension,
+                      const std::vector<ReactionLimit>& reactions) {
+        m_responses.push_back({.response = StrokeResponse(net, m_edges, supports_of(reactions)),
+                               .range = range_of(net, tension, reactions),
+                               .start = m_built->net.nodes()});
+    }
+
+    void hold(const std::vector<ForceRange>& ranges) {
+        for (size_t i = 0; i < m_responses.size(); ++i) {
+            m_responses[i].range = ranges[i];
+        }
+    }
+
+    [[nodiscard]] bool is_violated(const StrokedState& state) const {
+        return state.violation > negligible_violation * m_force_unit;
+    }
+
+    /// The best form within the limits; where these cannot be kept, the least violation.
+    StrokeSearch feasible_first(const StrokedState& start) {
+        StrokeSearch search = search_strokes(m_responses, m_task, start);
+        if (is_violated(search.found)) {
+            StrokeTask limits_first = m_task;
+            limits_first.violation_weight *= 1e3;
+            const int before = search.iterations;
+            search = search_strokes(m_responses, limits_first, search.found);
+            search.iterations += before;
+        }
+        return search;
+    }
+
+    /// Limits that hold with the confidence over the draws: what they must be narrowed by depends
+    /// on the plan, so both are found in turn.
+    StrokeSearch with_margins(StrokeSearch search) {
+        constexpr int rounds = 6;
+        constexpr double close_enough = 0.1;  // standard deviations too wide a margin
+        double factor = 0.0;
+        StrokeSearch best = search;
+        std::vector<ForceRange> best_limits = m_told;
+        double best_shortfall = std::numeric_limits<double>::infinity();
+        for (int round = 0; round < rounds; ++round) {
+            const LimitMargins margins(m_told, search.found, drawn(search.found));
+            const double shortfall = margins.shortfall(m_options->confidence);
+            const bool is_better = best_shortfall > 0.0
+                                       ? shortfall < best_shortfall
+                                       : shortfall <= 0.0 && search.found.cost < best.found.cost;
+            if (is_better) {
+                best = search;
+                best_shortfall = shortfall;
+                best_limits = limits_now();
+            }
+            if (round + 1 == rounds ||
+                (shortfall <= 0.0 && (shortfall > -close_enough || factor == 0.0)) ||
+                std::isinf(shortfall)) {
+                break;
+            }
+            // A little more than is short, since the next plan has other edges at their limits.
+            factor = std::max(0.0, factor + shortfall + (shortfall > 0.0 ? 0.5 : 1.0) * 0.05);
+            hold(margins.narrowed(factor));
+            refresh_state(search.found);
+            const int before = search.iterations;
+            search = feasible_first(search.found);
+            search.iterations += before;
+        }
+        hold(best_limits);
+        refresh_state(best.found);
+        return best;
+    }
+
+    [[nodiscard]] std::vector<ForceRange> limits_now() const {
+        std::vector<ForceRange> result;
+        for (const LimitedResponse& limited : m_responses) {
+            result.push_back(limited.range);
+        }
+        return result;
+    }
+
+    /// The violation of a state, after limits have changed.
+    void refresh_state(StrokedState& state) const {
+        state.violation = 0.0;
+        for (size_t i = 0; i < m_responses.size(); ++i) {
+            state.violation += m_responses[i].range.violation(state.nets[i].forces);
+        }
+    }
+
+    StrokedState fewest(const StrokedState& all, Plan& plan) {
+        FormTarget normal = *m_target;
+        const Eigen::Index nodes = m_built->net.node_count();
+        normal.set_weights(Eigen::VectorXd::Ones(nodes), Eigen::VectorXd::Zero(nodes));
+        StrokeTask task = m_task;
+        task.target = &normal;
+        StrokedState near = all;
+        near.cost = cost_of(normal, m_built->net, form_of(all));
+        if (near.cost > *m_options->tolerance * *m_options->tolerance) {
+            plan.fewest_bound = static_cast<int>(count());
+            return all;
+        }
+        FewestStrokes fewest = fewest_strokes(m_responses, task, near, *m_options->tolerance);
+        plan.fewest_bound = fewest.bound;
+        for (Eigen::Index j = 0; j < count(); ++j) {
+            if (std::abs(fewest.found.strokes(j)) < negligible_stroke) {
+                m_task.shortest(j) = m_task.longest(j) = 0.0;
+            }
+        }
+        fewest.found.cost = cost_of(*m_target, m_built->net, form_of(fewest.found));
+        return fewest.found;
+    }
+
+    [[nodiscard]] static const Points& form_of(const StrokedState& state) {
+        return state.nets.front().equilibrium.form;
+    }
+
+    [[nodiscard]] FormDeviation deviation(const StrokedState& state) const {
+        return deviation_from(*m_target, m_built->net, form_of(state));
+    }
+
+    [[nodiscard]] DrawnStrokes drawn(const StrokedState& state) const {
+        return draw_strokes(*m_built, m_responses, state, m_options->actuator_std, m_options->seed);
+    }
+
+    FormDeviation unavoidable(const StrokedState& state) {
+        for (LimitedResponse& limited : m_responses) {
+            limited.range.lower = limited.range.lower.cwiseMin(0.0);  // no slack, and no more
+            limited.range.upper.setConstant(std::numeric_limits<double>::infinity());
+        }
+        StrokeTask free = m_task;
+        const Eigen::VectorXd lengths = m_built->net.unstressed_lengths()(m_edges);
+        free.shortest = -0.5 * lengths;
+        free.longest = 0.5 * lengths;
+        StrokedState start = state;
+        refresh_state(start);
+        const StrokeSearch search = search_strokes(m_responses, free, start);
+        hold(m_told);
+        return deviation(search.found);
+    }
+
+    void describe(Plan& plan, const StrokedState& state) {
+        const CableNet& net = m_built->net;
+        for (Eigen::Index j = 0; j < count(); ++j) {
+            if (std::abs(state.strokes(j)) >= negligible_stroke) {
+                plan.strokes.push_back(
+                    {.edge = m_edges[static_cast<size_t>(j)], .stroke = state.strokes(j)});
+            }
+        }
+        plan.as_built = deviation(m_as_built);
+        plan.planned = deviation(state);
+        plan.form = form_of(state);
+        plan.tensions = state.nets.front().forces.head(net.edge_count()).cwiseMax(0.0);
+        plan.form_std = Eigen::MatrixXd::Zero(3, net.node_count());
+        if (m_options->tolerance) {
+            const double reached = m_target->objective() == FormObjective::rms
+                                       ? plan.planned.normal_rmse
+                                       : plan.planned.normal_max;
+            plan.is_within_tolerance = reached <= *m_options->tolerance;
+        }
+        hold(m_told);
+        if (draws() > 0) {
+            describe_draws(plan, state);
+        } else {
+            plan.no_draws_since = m_built->no_draws_since;
+            StrokedState told = state;
+            refresh_state(told);
+            plan.is_feasible = !is_violated(told);
+            plan.limit_probability = plan.is_feasible ? 1.0 : 0.0;
+            tell_breaches(plan, state, nullptr);
+        }
+        plan.unavoidable = unavoidable(state);
+    }
+
+    void describe_draws(Plan& plan, const StrokedState& state) {
+        const CableNet& net = m_built->net;
+        const DrawnStrokes drawn_strokes = drawn(state);
+        const LimitMargins margins(m_told, state, drawn_strokes);
+        plan.draws = static_cast<int>(draws());
+        plan.limit_probability = margins.probability();
+        plan.is_feasible = margins.shortfall(m_options->confidence) <= 0.0;
+        plan.tension_lower.resize(net.edge_count());
+        plan.tension_upper.resize(net.edge_count());
+        for (int e = 0; e < net.edge_count(); ++e) {
+            const DrawnEstimate tension =
+                estimate_of(drawn_strokes.forces.front().row(e).transpose().cwiseMax(0.0));
+            plan.tension_lower(e) = tension.lower;
+            plan.tension_upper(e) = tension.upper;
+        }
+        double unknown = 0.0;
+        int with_normal = 0;
+        const Eigen::VectorXd planned = free_coordinates(net, plan.form);
+        const Eigen::MatrixXd moved = drawn_strokes.forms.colwise() - planned;
+        for (int i = 0; i < net.free_node_count(); ++i) {
+            const int node = net.free_nodes()[i];
+            const auto rows = moved.middleRows(Eigen::Index{3} * i, 3);
+            plan.form_std.col(node) =
+                (rows.rowwise().squaredNorm() / static_cast<double>(draws())).cwiseSqrt();
+            const Eigen::Vector3d normal = m_target->normals().col(node);
+            if (!normal.isZero(0.0)) {
+                unknown += (normal.transpose() * rows).squaredNorm() / static_cast<double>(draws());
+                ++with_normal;
+            }
+        }
+        plan.normal_unknown = with_normal > 0 ? std::sqrt(unknown / with_normal) : 0.0;
+        tell_breaches(plan, state, &drawn_strokes);
+    }
+
+    /// Of each force that breaks a limit, or does so in more draws than the confidence leaves, the
+    /// limit that it breaks.
+    void tell_breaches(Plan& plan, const StrokedState& state, const DrawnStrokes* drawn_strokes) {
+        const std::vector<int> supports = supports_of(m_limits->reactions);
+        for (size_t i = 0; i < m_told.size(); ++i) {
+            const Eigen::VectorXd& forces = state.nets[i].forces;
+            for (Eigen::Index row = 0; row < forces.size(); ++row) {
+                for (const bool is_lower : {true, false}) {
+                    const double limit = is_lower ? m_told[i].lower(row) : m_told[i].upper(row);
+                    if (std::isinf(limit)) {
+                        continue;
+                    }
+                    const double sign = is_lower ? -1.0 : 1.0;
+                    double probability =
+                        sign * (forces(row) - limit) <= negligible_violation * m_force_unit ? 1.0
+                                                                                            : 0.0;
+                    if (drawn_strokes != nullptr) {
+                        const auto drawn_row = drawn_strokes->forces[i].row(row).array();
+                        probability = (sign * (drawn_row - limit) <= 0.0).cast<double>().mean();
+                    }
+                    if (probability >= m_options->confidence) {
+                        continue;
+                    }
+                    const bool is_edge = row < m_built->net.edge_count();
+                    plan.breaches.push_back(
+                        {.kind = is_edge ? LimitBreach::Kind::tension : LimitBreach::Kind::reaction,
+                         .index =
+                             is_edge
+                                 ? static_cast<int>(row)
+                                 : supports[static_cast<size_t>(row - m_built->net.edge_count())],
+                         .load_case = i == 0 ? "" : m_limits->load_cases[i - 1].name,
+                         .value = is_edge ? std::max(0.0, forces(row)) : forces(row),
+                         .limit = limit,
+                         .probability = probability});
+                }
+            }
+        }
+        std::ranges::stable_sort(plan.breaches, [](const LimitBreach& a, const LimitBreach& b) {
+            return std::tuple(a.probability, -std::abs(a.value - a.limit)) <
+                   std::tuple(b.probability, -std::abs(b.value - b.limit));
+        });
+    }
+
+    const BuiltNet* m_built;
+    const FormTarget* m_target;
+    const Limits* m_limits;
+    const PlanOptions* m_options;
+    const Progress* m_progress;
+    std::vector<int> m_edges;
+    std::vector<CableNet> m_case_nets;
+    std::vector<LimitedResponse> m_responses;  ///< with the limits that are held now
+    std::vector<ForceRange> m_told;
+    StrokeTask m_task;
+    StrokedState m_as_built;
+    double m_force_unit = 1.0;
+};
+
+}  // namespace
+
+double Plan::largest_stroke() const {
+    double result = 0.0;
+    for (const PlannedStroke& stroke : strokes) {
+        result = std::max(result, std::abs(stroke.stroke));
+    }
+    return result;
+}
+
+Plan plan_strokes(const BuiltNet& built, const FormTarget& target, const Limits& limits,
+                  const PlanOptions& options, const Progress& progress) {
+    return Planning(built, target, limits, options, progress).make();
+}
+
+}  // namespace taut

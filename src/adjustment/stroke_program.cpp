@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "adjustment/stroke_program.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "statics/conic_solver.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double length_unit = 1e-3;  ///< the program's numbers are of order one [m]
+constexpr int most_conic_iterations = 100;
+
+/// Builds A x + s = b, s in its cones, row by row.
+class Rows {
+public:
+    /// a . x <= b
+    void at_most(double b) {
+        ++m_nonnegative;
+        m_b.push_back(b);
+    }
+    void entry(int column, double value) {
+        if (value != 0.0) {
+            m_entries.emplace_back(static_cast<int>(m_b.size()) - 1, column, value);
+        }
+    }
+    /// The next `dimension` rows make a second-order cone.
+    void begin_cone(int dimension) {
+        m_cones.push_back({.kind = Cone::Kind::second_order, .dimension = dimension});
+    }
+    void cone_row(double b) { m_b.push_back(b); }
+
+    void write(ConicProgram& program, int columns) const {
+        const auto rows = static_cast<Eigen::Index>(m_b.size());
+        program.A.resize(rows, columns);
+        program.A.setFromTriplets(m_entries.begin(), m_entries.end());
+        program.b = Eigen::VectorXd::Map(m_b.data(), rows);
+        if (m_nonnegative > 0) {
+            program.cones.push_back({.kind = Cone::Kind::nonnegative, .dimension = m_nonnegative});
+        }
+        program.cones.insert(program.cones.end(), m_cones.begin(), m_cones.end());
+    }
+
+private:
+    int m_nonnegative = 0;
+    std::vector<Cone> m_cones;
+    std::vector<double> m_b;
+    std::vector<Eigen::Triplet<double>> m_entries;
+};
+
+/// low <= x_j <= high for the first columns [m].
+void add_bounds(Rows& rows, const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
+    for (int j = 0; j < low.size(); ++j) {
+        rows.at_most(high(j) / length_unit);
+        rows.entry(j, 1.0);
+        rows.at_most(-low(j) / length_unit);
+        rows.entry(j, -1.0);
+    }
+}
+
+/// excess + gradient . x <= x_broken, x_broken >= 0, in units of force.
+void add_limit(Rows& rows, double excess, const Eigen::VectorXd& gradient, double force_unit,
+               int broken) {
+    rows.at_most(-excess / force_unit);
+    for (int j = 0; j < gradient.size(); ++j) {
+        rows.entry(j, gradient(j) * length_unit / force_unit);
+    }
+    rows.entry(broken, -1.0);
+    rows.at_most(0.0);
+    rows.entry(broken, -1.0);
+}
+
+Eigen::SparseMatrix<double> upper_triangle(const Eigen::MatrixXd& dense, int size) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int j = 0; j < dense.cols(); ++j) {
+        for (int i = 0; i <= j; ++i) {
+            entries.emplace_back(i, j, dense(i, j));
+        }
+    }
+    Eigen::SparseMatrix<double> result(size, size);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+}  // namespace
+
+double cost_of(const FormTarget& target, const CableNet& net, const Points& form) {
+    double sum = 0.0;
+    double largest = 0.0;
+    for (const int node : net.free_nodes()) {
+        const double square =
+            target.weighted(node, form.col(node) - target.places().col(node)).squaredNorm();
+        sum += square;
+        largest = std::max(largest, square);
+    }
+    return target.objective() == FormObjective::rms ? sum / net.free_node_count() : largest;
+}
+
+StrokeProgram::StrokeProgram(std::vector<LimitedResponse>& responses, const StrokeTask& task,
+                             const StrokedState& state)
+    : m_responses(&responses), m_task(&task), m_state(&state) {
+    const CableNet& net = responses.front().response.net();
+    for (size_t i = 0; i < responses.size(); ++i) {
+        StrokeRates rates = responses[i].response.rates(state.nets[i]);
+        m_force_rates.push_back(std::move(rates.forces));
+        if (i == 0) {
+            m_rates = std::move(rates.form);
+        }
+    }
+    m_deviation.resize(m_rates.rows());
+    for (int i = 0; i < net.free_node_count(); ++i) {
+        const int node = net.free_nodes()[i];
+        const Eigen::Matrix3d weight = task.target->weight(node);
+        m_deviation.segment<3>(Eigen::Index{3} * i) =
+            weight *
+            (state.nets.front().equilibrium.form.col(node) - task.target->places().col(node));
+        m_rates.middleRows(Eigen::Index{3} * i, 3) =
+            (weight * m_rates.middleRows(Eigen::Index{3} * i, 3)).eval();
+    }
+    if (task.target->objective() == FormObjective::rms) {
+        m_normal = m_rates.transpose() * m_rates / net.free_node_count();
+    }
+    m_force_unit = std::max(state.nets.front().equilibrium.mean_tension, 1e-9);
+}
+
+std::vector<StrokeProgram::Row> StrokeProgram::rows_within(const Eigen::VectorXd& low,
+                                                           const Eigen::VectorXd& high) const {
+    std::vector<Row> rows;
+    const auto add = [&](double excess, const Eigen::VectorXd& gradient) {
+        const double reach = gradient.cwiseProduct(low).cwiseMax(gradient.cwiseProduct(high)).sum();
+        if (excess + reach > 0.0) {
+            rows.push_back({.excess = excess, .gradient = gradient});
+        }
+    };
+    for (size_t i = 0; i < m_responses->size(); ++i) {
+        const ForceRange& range = (*m_responses)[i].range;
+        const Eigen::VectorXd& forces = m_state->nets[i].forces;
+        for (Eigen::Index row = 0; row < forces.size(); ++row) {
+            if (std::isfinite(range.upper(row))) {
+                add(forces(row) - range.upper(row), m_force_rates[i].row(row));
+            }
+            if (std::isfinite(range.lower(row))) {
+                add(range.lower(row) - forces(row), -m_force_rates[i].row(row));
+            }
+        }
+    }
+    return rows;
+}
+
+std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
+    const Eigen::VectorXd& at = m_state->strokes;
+    const Eigen::Index k = at.size();
+    const Eigen::VectorXd low = (m_task->shortest - at).cwiseMax(-radius).cwiseMin(0.0);
+    const Eigen::VectorXd high = (m_task->longest - at).cwiseMin(radius).cwiseMax(0.0);
+    const std::vector<Row> limits = rows_within(low, high);
+
+    // Columns: changes of the strokes, what each limit is broken by, the largest deviation.
+    const auto changes = static_cast<int>(k);
+    const int broken = changes;
+    const int largest = broken + static_cast<int>(limits.size());
+    const int columns = largest + (is_largest() ? 1 : 0);
+
+    const double turning = 2.0 * turning_weight / static_cast<double>(k);
+    const Eigen::VectorXd deviation = m_deviation / length_unit;
+    ConicProgram program;
+    Eigen::MatrixXd quadratic = Eigen::MatrixXd::Zero(k, k);
+    program.q = Eigen::VectorXd::Zero(columns);
+    const auto nodes = static_cast<double>(m_deviation.size()) / 3.0;
+    if (!is_largest()) {
+        quadratic = 2.0 * m_normal;
+        program.q.head(k) = 2.0 / nodes * m_rates.transpose() * deviation;
+    }
+    quadratic.diagonal().array() += turning;
+    program.q.head(k) += turning / length_unit * at;
+    program.P = upper_triangle(quadratic, columns);
+    if (is_largest()) {
+        program.P.coeffRef(largest, largest) = 2.0;
+    }
+    const double penalty = m_task->violation_weight * m_force_unit / (length_unit * length_unit);
+    program.q.segment(broken, static_cast<Eigen::Index>(limits.size())).setConstant(penalty);
+
+    Rows rows;
+    add_bounds(rows, low, high);
+    for (size_t i = 0; i < limits.size(); ++i) {
+        add_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
+                  broken + static_cast<int>(i));
+    }
+    if (is_largest()) {
+        for (Eigen::Index node = 0; node < m_deviation.size() / 3; ++node) {
+            rows.begin_cone(4);
+            rows.cone_row(0.0);
+            rows.entry(largest, -1.0);
+            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                const Eigen::Index row = 3 * node + axis;
+                rows.cone_row(deviation(row));
+                for (int j = 0; j < changes; ++j) {
+                    rows.entry(j, -m_rates(row, j));
+                }
+            }
+        }
+    }
+    rows.write(program, columns);
+    const ConicSolution solution = solve_conic(program, most_conic_iterations);
+    if (solution.status != ConeStatus::solved && solution.status != ConeStatus::almost_solved) {
+        return std::nullopt;
+    }
+
+    const Eigen::VectorXd change = (length_unit * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
+    ProposedStrokes proposed{.strokes = at + change};
+    double violation = 0.0;
+    for (const Row& row : limits) {
+        violation += std::max(0.0, row.excess + row.gradient.dot(change));
+    }
+    proposed.merit = merit_after(m_deviation + m_rates * change, proposed.strokes, violation);
+    return proposed;
+}
+
+double StrokeProgram::merit_after(const Eigen::VectorXd& deviation, const Eigen::VectorXd& strokes,
+                                  double violation) const {
+    const auto squares = deviation.reshaped(3, deviation.size() / 3).colwise().squaredNorm();
+    const double cost =
+        m_task->target->objective() == FormObjective::rms ? squares.mean() : squares.maxCoeff();
+    return merit_of(*m_task, cost, strokes, violation);
+}
+
+std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorXd& weights,
+                                                            double cost_bound,
+                                                            double radius) const {
+    const Eigen::VectorXd& at = m_state->strokes;
+    const Eigen::Index k = at.size();
+    const Eigen::VectorXd low = (m_task->shortest - at).cwiseMax(-radius).cwiseMin(0.0);
+    const Eigen::VectorXd high = (m_task->longest - at).cwiseMin(radius).cwiseMax(0.0);
+    const std::vector<Row> limits = rows_within(low, high);
+
+    // Columns: changes of the strokes, sizes of the strokes, what each limit is broken by, what the
+    // deviation is beyond its bound.
+    const auto changes = static_cast<int>(k);
+    const int sizes = changes;
+    const int broken = 2 * changes;
+    const int beyond = broken + static_cast<int>(limits.size());
+    const int columns = beyond + 1;
+    ConicProgram program;
+    program.P.resize(columns, columns);
+    program.q = Eigen::VectorXd::Zero(columns);
+    program.q.segment(sizes, k) = weights;
+    const double penalty = 1e3 * weights.maxCoeff();
+    program.q.tail(columns - broken).setConstant(penalty);
+
+    Rows rows;
+    add_bounds(rows, low, high);
+    for (int j = 0; j < changes; ++j) {
+        for (const double sign : {1.0, -1.0}) {  // +-(x_j + change) <= size
+            rows.at_most(-sign * at(j) / length_unit);
+            rows.entry(j, sign);
+            rows.entry(sizes + j, -1.0);
+        }
+    }
+    for (size_t i = 0; i < limits.size(); ++i) {
+        add_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
+                  broken + static_cast<int>(i));
+    }
+    rows.at_most(0.0);
+    rows.entry(beyond, -1.0);
+    const auto add_cone = [&](double bound, const Eigen::MatrixXd& rates,
+                              const Eigen::VectorXd& deviation) {
+        rows.begin_cone(static_cast<int>(deviation.size()) + 1);
+        rows.cone_row(bound / length_unit);
+        rows.entry(beyond, -1.0);
+        for (Eigen::Index row = 0; row < deviation.size(); ++row) {
+            rows.cone_row(deviation(row) / length_unit);
+            for (int j = 0; j < changes; ++j) {
+                rows.entry(j, -rates(row, j));
+            }
+        }
+    };
+    const Eigen::Index nodes = m_deviation.size() / 3;
+    const double bound = std::sqrt(cost_bound);
+    if (is_largest()) {
+        for (Eigen::Index node = 0; node < nodes; ++node) {
+            add_cone(bound, m_rates.middleRows(3 * node, 3), m_deviation.segment<3>(3 * node));
+        }
+    } else {
+        // |Z x + z| = |R x + r| with the triangle of Z, z: as many rows as columns.
+        Eigen::MatrixXd both(m_rates.rows(), k + 1);
+        both << m_rates, m_deviation;
+        const Eigen::HouseholderQR<Eigen::MatrixXd> factor(both);
+        const Eigen::Index size = std::min(both.rows(), k + 1);
+        const Eigen::MatrixXd triangle =
+            factor.matrixQR().topRows(size).triangularView<Eigen::Upper>();
+        add_cone(bound * std::sqrt(static_cast<double>(nodes)), triangle.leftCols(k),
+                 triangle.rightCols(1));
+    }
+    rows.write(program, columns);
+    const ConicSolution solution = solve_conic(program, most_conic_iterations);
+    if (solution.status != ConeStatus::solved && solution.status != ConeStatus::almost_solved) {
+        return std::nullopt;
+    }
+    return at + (length_unit * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
+}
+
+std::vector<ProposedStrokes> StrokeProgram::single_steps(double step) const {
+    const Eigen::VectorXd& at = m_state->strokes;
+    const double before = merit_of(*m_task, *m_state);
+    std::vector<ProposedStrokes> better;
+    for (Eigen::Index j = 0; j < at.size(); ++j) {
+        for (const double change : {-step, step}) {
+            ProposedStrokes proposed{.strokes = at};
+            proposed.strokes(j) += change;
+            const double slip = 1e-9 * step;
+            if (proposed.strokes(j) < m_task->shortest(j) - slip ||
+                proposed.strokes(j) > m_task->longest(j) + slip) {
+                continue;
+            }
+            double violation = 0.0;
+            for (size_t i = 0; i < m_responses->size(); ++i) {
+                violation += (*m_responses)[i].range.violation(m_state->nets[i].forces +
+                                                               change * m_force_rates[i].col(j));
+            }
+            proposed.merit =
+                merit_after(m_deviation + change * m_rates.col(j), proposed.strokes, violation);
+            if (proposed.merit < before) {
+                better.push_back(std::move(proposed));
+            }
+        }
+    }
+    std::ranges::sort(better, {}, &ProposedStrokes::merit);
+    return better;
+}
+
+}  // namespace taut

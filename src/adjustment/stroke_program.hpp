@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "adjustment/stroke_search.hpp"
+
+namespace taut {
+
+/// Where the form leaves strokes open the least turning is taken: the mean square of the strokes
+/// counts with this part of that of the deviations.
+constexpr double turning_weight = 1e-5;
+
+/// Mean square of the weighted deviations of the free nodes, or the square of the largest [m2].
+[[nodiscard]] double cost_of(const FormTarget& target, const CableNet& net, const Points& form);
+
+struct ProposedStrokes {
+    Eigen::VectorXd strokes;  ///< k [m]
+    double merit = 0.0;       ///< of the linearised net there [m2]
+};
+
+/// The convex program about one state (stroke-program): form and forces linear in the strokes,
+/// limits with an exact penalty.
+class StrokeProgram {
+public:
+    /// Keeps pointers to the arguments: they must outlive solve().
+    StrokeProgram(std::vector<LimitedResponse>& responses, const StrokeTask& task,
+                  const StrokedState& state);
+
+    /// The best strokes no further than `radius` from the state's [m]; empty where the conic solver
+    /// finds none.
+    [[nodiscard]] std::optional<ProposedStrokes> solve(double radius) const;
+
+    /// The least weighted turning, sum_j weight_j |x_j|, with which the cost is at most a bound, as
+    /// far as limits allow.
+    /// @param cost_bound mean square, or largest square, of the weighted deviations [m2]
+    [[nodiscard]] std::optional<Eigen::VectorXd> least_turning(const Eigen::VectorXd& weights,
+                                                               double cost_bound,
+                                                               double radius) const;
+
+    /// The strokes of the state but for one, which is a step shorter or longer: those that lower
+    /// the merit of the linearised net, the best first.
+    [[nodiscard]] std::vector<ProposedStrokes> single_steps(double step) const;
+
+private:
+    /// A limit that strokes within reach may touch: force + gradient . change <= 0 [N, N/m].
+    struct Row {
+        double excess;  ///< at the state
+        Eigen::VectorXd gradient;
+    };
+    [[nodiscard]] bool is_largest() const {
+        return m_task->target->objective() == FormObjective::largest;
+    }
+    [[nodiscard]] double merit_after(const Eigen::VectorXd& deviation,
+                                     const Eigen::VectorXd& strokes, double violation) const;
+    [[nodiscard]] std::vector<Row> rows_within(const Eigen::VectorXd& low,
+                                               const Eigen::VectorXd& high) const;
+
+    const std::vector<LimitedResponse>* m_responses;
+    const StrokeTask* m_task;
+    const StrokedState* m_state;
+    Eigen::VectorXd m_deviation;  ///< 3 n_I, weighted [m]
+    Eigen::MatrixXd m_rates;      ///< 3 n_I x k, of the weighted deviation [m/m]
+    Eigen::MatrixXd m_normal;     ///< k x k, of the mean squares [-]
+    std::vector<Eigen::MatrixXd> m_force_rates;
+    double m_force_unit = 1.0;
+};
+
+}  // namespace taut

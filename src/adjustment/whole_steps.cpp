@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "adjustment/whole_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "adjustment/stroke_program.hpp"
+
+namespace taut {
+namespace {
+
+constexpr double rounding = 1e-9;  ///< of a step
+
+double nearest_multiple(double stroke, double step, double shortest, double longest) {
+    const double lowest = std::ceil(shortest / step - rounding);
+    const double highest = std::floor(longest / step + rounding);
+    return step * std::clamp(std::round(stroke / step), lowest, highest);
+}
+
+/// Fixes the strokes nearest to a whole step and seeks the others anew, until all are fixed.
+StrokedState fixed_by_quarters(std::vector<LimitedResponse>& responses, const StrokeTask& task,
+                               const StrokedState& free, double step) {
+    StrokeTask left = task;
+    StrokedState state = free;
+    std::vector<int> open(static_cast<size_t>(free.strokes.size()));
+    std::iota(open.begin(), open.end(), 0);
+    const auto multiple = [&](int j) {
+        return nearest_multiple(state.strokes(j), step, task.shortest(j), task.longest(j));
+    };
+    while (!open.empty()) {
+        std::ranges::sort(open, {},
+                          [&](int j) { return std::abs(state.strokes(j) - multiple(j)); });
+        const size_t some = std::max<size_t>(8, open.size() / 4);
+        const size_t count = std::min(open.size(), some);
+        Eigen::VectorXd strokes = state.strokes;
+        for (size_t i = 0; i < count; ++i) {
+            const int j = open[i];
+            strokes(j) = left.shortest(j) = left.longest(j) = multiple(j);
+        }
+        open.erase(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count));
+        state = state_at(responses, task, strokes, &state);
+        if (!open.empty()) {
+            state = search_strokes(responses, left, state).found;
+        }
+    }
+    return state;
+}
+
+}  // namespace
+
+StrokedState in_whole_steps(std::vector<LimitedResponse>& responses, const StrokeTask& task,
+                            const StrokedState& free, double step) {
+    StrokedState state = fixed_by_quarters(responses, task, free, step);
+    constexpr int most_moves = 200;
+    for (int moves = 0; moves < most_moves; ++moves) {
+        const std::vector<ProposedStrokes> better =
+            StrokeProgram(responses, task, state).single_steps(step);
+        // What looks best to first order is tried first; a few that fail, and no step helps.
+        constexpr size_t tries = 3;
+        bool has_moved = false;
+        for (size_t i = 0; i < std::min(tries, better.size()) && !has_moved; ++i) {
+            StrokedState next = state_at(responses, task, better[i].strokes, &state);
+            if (merit_of(task, next) < merit_of(task, state)) {
+                state = std::move(next);
+                has_moved = true;
+            }
+        }
+        if (!has_moved) {
+            break;
+        }
+    }
+    return state;
+}
+
+}  // namespace taut

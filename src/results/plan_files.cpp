@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/results/plan_files.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "files/csv_field.hpp"
+#include "results/result_parts.hpp"
+#include "taut/statics/tensions.hpp"
+#include "taut/version.hpp"
+
+namespace taut {
+namespace {
+
+using Json = ResultJson;
+
+Json deviation_json(const FormDeviation& d) {
+    return {{"mean", d.mean},
+            {"max", d.max},
+            {"rmse", d.rmse},
+            {"normal_mean", d.normal_mean},
+            {"normal_max", d.normal_max},
+            {"normal_rmse", d.normal_rmse}};
+}
+
+/// A turning with what it leads to.
+struct Listed {
+    Turning turning;
+    double reading_after = 0.0;  ///< from the designed length [m]
+    double tension_after = 0.0;  ///< when all is done [N]
+};
+
+std::vector<Listed> list_of(const PlanRecord& record) {
+    std::map<int, double> length;
+    std::vector<Listed> list;
+    for (const Turning& turning : record.order->turnings) {
+        const auto [it, is_new] =
+            length.try_emplace(turning.edge, record.built->net.unstressed_lengths()(turning.edge));
+        it->second += turning.stroke;
+        list.push_back(
+            {.turning = turning,
+             .reading_after = it->second - record.net->unstressed_lengths()(turning.edge),
+             .tension_after = record.plan->tensions(turning.edge)});
+    }
+    return list;
+}
+
+std::optional<double> turns_of(const PlanRecord& record, double stroke) {
+    return record.options->turn ? std::optional(std::abs(stroke) / record.options->turn->pitch)
+                                : std::nullopt;
+}
+
+Json breach_json(const CableNet& net, const LimitBreach& breach) {
+    const bool is_edge = breach.kind == LimitBreach::Kind::tension;
+    return {{"kind", is_edge ? "tension" : "reaction"},
+            {is_edge ? "edge" : "node", breach.index},
+            {"id", is_edge ? net.edge_id(breach.index) : net.node_id(breach.index)},
+            {"load_case", breach.load_case.empty() ? Json() : Json(breach.load_case)},
+            {"value", breach.value},
+            {"limit", breach.limit},
+            {"probability", breach.probability}};
+}
+
+Json trust_json(const Trust& trust) {
+    Json reasons = Json::array();
+    for (const Trust::Finding& finding : trust.findings) {
+        reasons.push_back(finding.reason);
+    }
+    return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}};
+}
+
+Json tension_json(const PlanRecord& record) {
+    const Plan& plan = *record.plan;
+    const CableNet& built = record.built->net;
+    const Eigen::VectorXd as_built = tensions(built, built.unstressed_lengths(), built.nodes());
+    Json edges = Json::array();
+    for (int e = 0; e < built.edge_count(); ++e) {
+        const double upper = record.limits->tension.upper(e);
+        Json edge{{"edge", e},
+                  {"as_built", as_built(e)},
+                  {"planned", plan.tensions(e)},
+                  {"lower", plan.draws > 0 ? Json(plan.tension_lower(e)) : Json()},
+                  {"upper", plan.draws > 0 ? Json(plan.tension_upper(e)) : Json()},
+                  {"limit_lower", record.limits->tension.lower(e)},
+                  {"limit_upper", std::isinf(upper) ? Json() : Json(upper)}};
+        edges.push_back(std::move(edge));
+    }
+    return {{"least", plan.tensions.minCoeff()},           {"most", plan.tensions.maxCoeff()},
+            {"least_as_built", as_built.minCoeff()},       {"most_as_built", as_built.maxCoeff()},
+            {"limit_probability", plan.limit_probability}, {"edges", edges}};
+}
+
+Json order_json(const PlanRecord& record) {
+    const TurnOrder& order = *record.order;
+    return {{"passes", order.passes},
+            {"crews", record.crews},
+            {"walk", order.walk},
+            {"safe", order.is_safe},
+            {"worst", order.worst.moment < 0
+                          ? Json()
+                          : Json{{"moment", order.worst.moment},
+                                 {"breach", breach_json(*record.net, order.worst.breach)}}}};
+}
+
+Json optional_json(const auto& value) {
+    return value ? Json(*value) : Json();
+}
+
+}  // namespace
+
+std::string_view sense_of(double stroke) {
+    return stroke < 0.0 ? "shorten" : "lengthen";
+}
+
+std::string_view rotation_of(double stroke, Thread thread) {
+    return (stroke < 0.0) == (thread == Thread::right) ? "clockwise" : "counterclockwise";
+}
+
+std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
+    const Plan& plan = *record.plan;
+    const CableNet& net = *record.net;
+    Json turns = Json::array();
+    for (const Listed& listed : list_of(record)) {
+        const Turning& turning = listed.turning;
+        turns.push_back({{"edge", turning.edge},
+                         {"edge_id", net.edge_id(turning.edge)},
+                         {"stroke", turning.stroke},
+                         {"turns", optional_json(turns_of(record, turning.stroke))},
+                         {"sense", sense_of(turning.stroke)},
+                         {"rotation", rotation_of(turning.stroke, record.thread)},
+                         {"pass", turning.pass},
+                         {"crew", turning.crew},
+                         {"moment", turning.moment},
+                         {"reading_after", listed.reading_after},
+                         {"tension_after", listed.tension_after}});
+    }
+    Json violations = Json::array();
+    for (const LimitBreach& breach : plan.breaches) {
+        violations.push_back(breach_json(net, breach));
+    }
+    Json document{
+        {"format", "taut-plan"},
+        {"version", 1},
+        {"program", "taut " + std::string(version())},
+        {"net_fingerprint", net.fingerprint()},
+        {"net", counts_json(net)},
+        {"identification", trust_json(*record.trust)},
+        {"turns", turns},
+        {"touched", plan.strokes.size()},
+        {"largest_stroke", plan.largest_stroke()},
+        {"feasible", plan.is_feasible},
+        {"converged", plan.has_converged},
+        {"violations", violations},
+        {"form",
+         {{"as_built", deviation_json(plan.as_built)},
+          {"planned", deviation_json(plan.planned)},
+          {"unavoidable", deviation_json(plan.unavoidable)},
+          {"normal_unknown", plan.normal_unknown}}},
+        {"tension", tension_json(record)},
+        {"order", order_json(record)},
+        {"options",
+         {{"confidence", record.options->confidence},
+          {"actuator", record.options->actuator_std},
+          {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
+          {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
+          {"tolerance", optional_json(record.options->tolerance)},
+          {"thread", record.thread == Thread::right ? "right" : "left"}}},
+        {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
+        {"tolerance",
+         {{"reached", optional_json(plan.is_within_tolerance)},
+          {"fewest_bound", record.options->tolerance ? Json(plan.fewest_bound) : Json()}}},
+        {"draws", plan.draws},
+        {"no_draws_since", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
+        {"built_form", points_json(record.built->net.nodes())},
+        {"planned_form", points_json(plan.form)},
+        {"planned_form_std", points_json(plan.form_std)},
+        {"target_form", points_json(record.target->places())},
+        {"cable_net", net_json(net)}};
+    add_run(document, run);
+    return to_text(document);
+}
+
+std::string plan_to_csv(const PlanRecord& record) {
+    std::string text =
+        "crew,pass,moment,edge,sense,rotation,stroke_mm,turns,reading_after_mm,tension_after_kN\n";
+    for (const Listed& listed : list_of(record)) {
+        const Turning& turning = listed.turning;
+        const auto turns = turns_of(record, turning.stroke);
+        text +=
+            fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew, turning.pass,
+                        turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
+                        sense_of(turning.stroke), rotation_of(turning.stroke, record.thread),
+                        1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
+                        1e3 * listed.reading_after, 1e-3 * listed.tension_after);
+    }
+    return text;
+}
+
+}  // namespace taut
