@@ -60,6 +60,14 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
     }
     const auto balance = [&](const CableNet& identified, const Eigen::VectorXd& l_0) {
         result.predicted = EquilibriumSolver(identified).solve(l_0, start);
+        // Lengths that leave the net all but slack: nodes are loose, and what force is left there
+        // is none that the net was built for.
+        constexpr double negligible = 1e-7;
+        if (!result.predicted.balanced() &&
+            result.predicted.out_of_balance <=
+                negligible * taut::tensions(net, net.unstressed_lengths(), net.nodes()).mean()) {
+            result.predicted.status = EquilibriumStatus::slack_mechanism;
+        }
         result.tensions = tensions(identified, l_0, result.predicted.form);
     };
     if (result.unknowns.empty() && !result.frame_offset && result.boundary_outliers.empty()) {

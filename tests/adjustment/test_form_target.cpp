@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against plans that go for another form than was told.
+#include "taut/adjustment/form_target.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <limits>
+
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+TEST(FormTarget, WeighsSquaresAlongAndAcrossItsNormal) {
+    const CableNet net = hypar(5, 5);
+    const FormTarget target(net, net.nodes(), {.normal = 4.0, .tangential = 0.25});
+    const int node = net.free_nodes()[12];
+    const Eigen::Vector3d normal = target.normals().col(node);
+    ASSERT_NEAR(normal.norm(), 1.0, 1e-12);
+    const Eigen::Vector3d across = normal.unitOrthogonal();
+    EXPECT_NEAR(target.weighted(node, 3.0 * normal + 2.0 * across).squaredNorm(),
+                4.0 * 9.0 + 0.25 * 4.0, 1e-12);
+}
+
+TEST(FormTarget, OfASingleCableHasTheNormalsWeightInAllDirections) {
+    CableNetData data;
+    data.nodes.resize(3, 3);
+    data.nodes << 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.0, -0.1, 0.0;
+    data.supports = {0, 2};
+    data.edges = {{0, 1}, {1, 2}};
+    data.axial_stiffness = Eigen::VectorXd::Constant(2, 1e5);
+    data.unstressed_lengths = Eigen::VectorXd::Constant(2, 1.0);
+    data.adjustable = {0};
+    const CableNet net(data);
+    const FormTarget target(net, net.nodes());
+    EXPECT_TRUE(target.normals().isZero(0.0));
+    EXPECT_NEAR(target.weighted(1, Eigen::Vector3d(0.3, 0.0, 0.4)).norm(), 0.5, 1e-15);
+    const FormDeviation none = deviation_from(target, net, net.nodes());
+    EXPECT_EQ(none.normal_max, 0.0);
+}
+
+TEST(FormTarget, TellsDeviationsOverTheFreeNodes) {
+    const CableNet net = hypar(3, 3);
+    const FormTarget target(net, net.nodes());
+    Points form = net.nodes();
+    const int first = net.free_nodes()[0];
+    const int second = net.free_nodes()[1];
+    form.col(first) += 9e-3 * target.normals().col(first);
+    form.col(second) += 18e-3 * target.normals().col(second).unitOrthogonal();
+    form.col(net.supports()[0]) += Eigen::Vector3d(1.0, 1.0, 1.0);  // does not count
+    const FormDeviation deviation = deviation_from(target, net, form);
+    EXPECT_NEAR(deviation.mean, 3e-3, 1e-12);
+    EXPECT_NEAR(deviation.max, 18e-3, 1e-12);
+    EXPECT_NEAR(deviation.rmse, std::sqrt((81.0 + 324.0) / 9.0) * 1e-3, 1e-12);
+    EXPECT_NEAR(deviation.normal_mean, 1e-3, 1e-12);
+    EXPECT_NEAR(deviation.normal_max, 9e-3, 1e-12);
+    EXPECT_NEAR(deviation.normal_rmse, 3e-3, 1e-12);
+}
+
+TEST(FormTarget, RefusesWhatIsNoTarget) {
+    const CableNet net = hypar(3, 3);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto refused = [](const char* text) {
+        return ThrowsMessage<std::invalid_argument>(HasSubstr(text));
+    };
+    EXPECT_THAT([&] { FormTarget(net, net.nodes().leftCols(4)); }, refused("target"));
+    Points broken = net.nodes();
+    broken(0, 0) = nan;
+    EXPECT_THAT([&] { FormTarget(net, broken); }, refused("target"));
+    EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = -1.0}); }, refused("weight is -1"));
+    EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = nan}); }, refused("weight is nan"));
+    EXPECT_THAT([&] { FormTarget(net, net.nodes(), {.normal = 0.0, .tangential = 0.0}); },
+                refused("all weights are 0"));
+    FormTarget target(net, net.nodes());
+    EXPECT_THAT([&] { target.set_weights(Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(3)); },
+                refused("3 and 3 weights"));
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against first derivatives that do not tell what turning does: a plan then turns the wrong
+// way, or calls a limit kept that is broken.
+#include "adjustment/stroke_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/finite_differences.hpp"
+#include "support/random_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+/// Rates of forms and forces against differences of exact equilibria.
+void expect_rates(const CableNet& net, const Eigen::VectorXd& lengths, double tolerance) {
+    StrokeResponse response(net, net.adjustable_edges(), {net.supports()[1], net.supports()[4]});
+    const Eigen::VectorXd none =
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
+    const StrokedNet at = response.at(lengths, none, net.nodes());
+    ASSERT_TRUE(at.equilibrium.balanced());
+    const StrokeRates rates = response.rates(at);
+    constexpr double step = 1e-6;
+    const Eigen::MatrixXd forms = test::finite_differences(
+        [&](const Eigen::VectorXd& strokes) {
+            return free_coordinates(
+                net, response.at(lengths, strokes, at.equilibrium.form).equilibrium.form);
+        },
+        none, step);
+    EXPECT_LT((rates.form - forms).cwiseAbs().maxCoeff(), tolerance);
+    const Eigen::MatrixXd forces = test::finite_differences(
+        [&](const Eigen::VectorXd& strokes) {
+            return response.at(lengths, strokes, at.equilibrium.form).forces;
+        },
+        none, step);
+    EXPECT_LT((rates.forces - forces).cwiseAbs().maxCoeff(),
+              tolerance * forces.cwiseAbs().maxCoeff());
+}
+
+TEST(StrokeResponse, HasTheRatesOfSolvedForms) {
+    const CableNet net = hypar(4, 5);
+    test::Random random(3);
+    expect_rates(
+        net,
+        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 1e-3)),
+        2e-5);
+}
+
+TEST(StrokeResponse, HasTheRatesOfSlackEdgesToo) {
+    const CableNet net = hypar(4, 5);
+    Eigen::VectorXd lengths = net.unstressed_lengths();
+    lengths(net.interior_edges()[7]) += 30e-3;
+    StrokeResponse response(net, net.adjustable_edges(), {});
+    const StrokedNet at = response.at(
+        lengths, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size())),
+        net.nodes());
+    ASSERT_FALSE(at.equilibrium.slack_edges.empty());
+    EXPECT_LT(at.forces(net.interior_edges()[7]), 0.0);  // and by how much it is too long
+    expect_rates(net, lengths, 2e-5);
+}
+
+TEST(StrokeResponse, HasTheRatesOfTwoSlopeCables) {
+    const CableNet net = steel_roof();
+    expect_rates(net, net.unstressed_lengths(), 2e-4);
+}
+
+}  // namespace
+}  // namespace taut

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against an order of work in which a cable leaves its limits on the way.
+#include "taut/adjustment/turn_order.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "support/random_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class TurnOrderOfHilo : public ::testing::Test {
+protected:
+    TurnOrderOfHilo() {
+        test::Random random(2);
+        CableNetData data = net.data();
+        data.unstressed_lengths = with_length_deviations(
+            net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
+        data.nodes = EquilibriumSolver(net).solve(data.unstressed_lengths, net.nodes()).form;
+        built.net = CableNet(data);
+        limits = limits_of_stroke(net, net.adjustable_edges().size(), 15e-3);
+        limits.tension.lower.setConstant(1e3);
+        limits.tension.upper.setConstant(11e3);
+        PlanOptions options;
+        options.turn = TurnSize{.pitch = 5e-3, .smallest = 0.25};
+        plan = plan_strokes(built, FormTarget(net, net.nodes()), limits, options);
+    }
+
+    CableNet net = hilo_quarter();
+    BuiltNet built{.net = net, .length_draws = {}, .no_draws_since = "none were made"};
+    Limits limits;
+    Plan plan;
+};
+
+TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryMoment) {
+    ASSERT_TRUE(plan.is_feasible);
+    for (const int crews : {1, 3}) {
+        const TurnOrder order = order_turns(built, limits, plan, {.crews = crews, .step = 1.25e-3});
+        EXPECT_TRUE(order.is_safe);
+        std::map<int, double> done;
+        // What was beyond a limit before the work may be so on the way, but no further.
+        const Eigen::VectorXd before =
+            tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
+        const Eigen::VectorXd least = before.cwiseMin(1e3);
+        const Eigen::VectorXd most = before.cwiseMax(11e3);
+        Eigen::VectorXd lengths = built.net.unstressed_lengths();
+        Points form = built.net.nodes();
+        for (size_t i = 0; i < order.turnings.size(); ++i) {
+            const Turning& turning = order.turnings[i];
+            EXPECT_LE(turning.crew, crews);
+            done[turning.edge] += turning.stroke;
+            lengths(turning.edge) += turning.stroke;
+            if (i + 1 < order.turnings.size() && order.turnings[i + 1].moment == turning.moment) {
+                continue;
+            }
+            form = EquilibriumSolver(built.net).solve(lengths, form).form;
+            const Eigen::VectorXd now = tensions(built.net, lengths, form);
+            EXPECT_GT((now - least).minCoeff(), -1.0);
+            EXPECT_LT((now - most).maxCoeff(), 1.0);
+        }
+        ASSERT_EQ(done.size(), plan.strokes.size());
+        for (const PlannedStroke& stroke : plan.strokes) {
+            EXPECT_NEAR(done[stroke.edge], stroke.stroke, 1e-12);
+        }
+    }
+}
+
+TEST_F(TurnOrderOfHilo, WalksFromNeighbourToNeighbour) {
+    const TurnOrder order = order_turns(built, limits, plan);
+    // The outline of the net, with its five touch-downs, is some 17 m long.
+    EXPECT_LT(order.walk, 30.0 * order.passes);
+}
+
+TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
+    // Limits that the way cannot keep, though the net keeps them before and after.
+    const Eigen::VectorXd before =
+        tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
+    plan.held.clear();
+    limits.tension.lower = 0.999 * before.cwiseMin(plan.tensions);
+    limits.tension.upper = 1.001 * before.cwiseMax(plan.tensions);
+    const TurnOrder order = order_turns(built, limits, plan);
+    EXPECT_FALSE(order.is_safe);
+    EXPECT_GE(order.worst.moment, 0);
+    EXPECT_GT(order.worst.breach.limit, 0.0);
+}
+
+TEST_F(TurnOrderOfHilo, RefusesCrewsAndStepsThatCannotBeMeant) {
+    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.crews = 0})); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("0 crews")));
+    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.step = -1.0})); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("step")));
+}
+
+}  // namespace
+}  // namespace taut
