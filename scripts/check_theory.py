@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-ROOMS = ("estimation", "identification", "numerics", "survey")
+ROOMS = ("adjustment", "estimation", "identification", "numerics", "survey")
 
 
 def main():

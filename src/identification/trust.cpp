@@ -69,7 +69,7 @@ private:
         const FrameCheck& check = m_result.frame_check;
         if (check.is_scaled()) {
             add(Verdict::failed,
-                std::abs(check.scale) < 1e-3
+                std::abs(check.scale) < 2e-4
                     ? fmt::format("the survey is {:+.0f} +- {:.0f} ppm larger than the net",
                                   1e6 * check.scale, 1e6 * check.scale_std)
                     : fmt::format("the survey is {:.5f} +- {:.5f} times as large as the net",

@@ -198,6 +198,11 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
                        "unit?";
             }
             const std::string hint = misfit_hint(net, as_read, found.unit, frame_is_fitted);
+            constexpr double likely = 0.7;  // supports that lie close together match none
+            if (hint.empty() && names_contradict_places(net, as_read, likely)) {
+                return "; most points lie on other nodes than those of their names: --match place "
+                       "takes their places";
+            }
             return hint.empty() ? found.unit_hint : hint;
         });
     };

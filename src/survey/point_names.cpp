@@ -10,8 +10,8 @@
 
 namespace taut {
 
-bool names_contradict_places(const CableNet& net, const std::vector<SurveyPoint>& points) {
-    constexpr double most = 0.85;  // of all points: supports may lie close together
+bool names_contradict_places(const CableNet& net, const std::vector<SurveyPoint>& points,
+                             double matched_part) {
     constexpr double least_alike = 0.5;
     std::map<std::string, int> node_of;
     for (int node = 0; node < net.node_count(); ++node) {
@@ -31,7 +31,7 @@ bool names_contradict_places(const CableNet& net, const std::vector<SurveyPoint>
             alike += found->second == matches[i].node ? 1.0 : 0.0;
         }
     }
-    return named > 0.0 && matched >= most * static_cast<double>(points.size()) &&
+    return named > 0.0 && matched >= matched_part * static_cast<double>(points.size()) &&
            alike < least_alike * named;
 }
 

@@ -10,10 +10,12 @@
 namespace taut {
 
 /// Whether the names of points are other ones than the net's although they look alike, as the
-/// numbers of a surveyor who counts from 1: six of seven points lie on a node beyond doubt
+/// numbers of a surveyor who counts from 1: a part of the points lies on a node beyond doubt
 /// (match_by_place()), and less than half of these on the node of their name.
+/// @param matched_part at least that part: 0.95 to rely on it, less to guess
 [[nodiscard]] bool names_contradict_places(const CableNet& net,
-                                           const std::vector<SurveyPoint>& points);
+                                           const std::vector<SurveyPoint>& points,
+                                           double matched_part = 0.95);
 
 /// Turns names into labels, so that those points are matched by their place.
 /// @param all of them, or only those that are no node's

@@ -135,7 +135,7 @@ private:
     double step();
     [[nodiscard]] Eigen::Matrix3Xd by_poses(int target) const;
     [[nodiscard]] Eigen::Matrix<double, 3, 7> common_modes(int target) const;
-    [[nodiscard]] Eigen::MatrixXd common_modes_by_poses() const;
+    [[nodiscard]] std::pair<Eigen::MatrixXd, Eigen::RowVectorXd> common_modes_by_poses() const;
 
     const std::vector<PolarStation>& m_stations;
     const std::vector<PolarReading>& m_readings;
@@ -306,9 +306,9 @@ Eigen::Matrix<double, 3, 7> StationBlock::common_modes(int target) const {
     return H;
 }
 
-/// The motion and scale of all targets that are nearest to what each pose does to them,
-/// (pose-errors) (7 x poses).
-Eigen::MatrixXd StationBlock::common_modes_by_poses() const {
+/// The motion of all targets that is nearest to what each pose does to them (6 x poses), and the
+/// scale where that is fitted with it (1 x poses), (pose-errors).
+std::pair<Eigen::MatrixXd, Eigen::RowVectorXd> StationBlock::common_modes_by_poses() const {
     Eigen::Matrix<double, 7, 7> A = Eigen::Matrix<double, 7, 7>::Zero();
     Eigen::MatrixXd B = Eigen::MatrixXd::Zero(7, pose_size());
     for (int t = 0; t < target_count(); ++t) {
@@ -316,16 +316,22 @@ Eigen::MatrixXd StationBlock::common_modes_by_poses() const {
         A += H.transpose() * m_blocks[t].N * H;
         B += H.transpose() * m_blocks[t].N * by_poses(t);
     }
-    return A.completeOrthogonalDecomposition().solve(B);  // of targets on a line, too
+    const auto solved = [](const auto& left, const auto& right) -> Eigen::MatrixXd {
+        return left.completeOrthogonalDecomposition().solve(right);  // of targets on a line, too
+    };
+    return {solved(A.topLeftCorner<6, 6>(), B.topRows<6>()), solved(A, B).row(6)};
 }
 
 StationAdjustment StationBlock::result() const {
     StationAdjustment result{.points = {}, .poses = m_poses, .datum = m_datum};
-    const Eigen::MatrixXd common = common_modes_by_poses();
-    result.scale_std = std::sqrt(common.row(6) * m_pose_covariance * common.row(6).transpose());
+    const auto [common_motion, common_scale] = common_modes_by_poses();
+    if (pose_size() > 0) {
+        result.scale_std =
+            std::sqrt((common_scale * m_pose_covariance * common_scale.transpose()).value());
+    }
     for (int t = 0; t < target_count(); ++t) {
         const Eigen::Matrix3Xd U =
-            by_poses(t) - common_modes(t).leftCols<6>() * common.topRows<6>();  // (pose-errors)
+            by_poses(t) - common_modes(t).leftCols<6>() * common_motion;  // (pose-errors)
         const PlaceNoise noise =
             noise_of(m_blocks[t].N.inverse() + U * m_pose_covariance * U.transpose());
         result.points.push_back({.id = m_first[t]->target,

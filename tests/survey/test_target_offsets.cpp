@@ -16,6 +16,7 @@
 namespace taut {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -106,7 +107,11 @@ TEST(TargetOffsets, AreThoseOfTheNameThenOfTheCodeThenOfAll) {
     EXPECT_NEAR(moved(second).norm(), 0.002, 1e-12);
     EXPECT_GT(moved(second).z(), 0.0);
     EXPECT_NEAR(moved(net.free_nodes()[2]).norm(), 0.001, 1e-12);
+    // A table of all types that an office has is welcome; one of which none occurs is a slip.
     offsets.of["prism"] = {};
+    take_off_offsets(net, offsets, survey);
+    EXPECT_THAT(survey.notes, Contains(HasSubstr("no target has the name or code prism")));
+    offsets.of = {{"prism", {}}};
     EXPECT_THROW(take_off_offsets(net, offsets, survey), SurveyError);
 }
 

@@ -228,6 +228,10 @@ export interface Trust {
    * The worst of all findings: passed, doubtful or failed.
    */
   verdict: string;
+  /**
+   * Those of the findings.
+   */
+  reasons?: string[];
   findings: {
     verdict: string;
     reason: string;
