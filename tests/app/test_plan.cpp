@@ -102,7 +102,7 @@ TEST_F(PlanCommand, RefusesWhatCannotBeMeant) {
     expect_refused({"--tension", "1kN..@ridge"}, "the group 'ridge'");
     expect_refused({"--turn", "0mm", "--step", "1/4"}, "a turn is 0 m");
     expect_refused({"--turn", "5mm", "--step", "5/4"}, "no more than a whole turn");
-    expect_refused({"--turn", "5mm", "--step", "1/0"}, "no more than a whole turn");
+    expect_refused({"--turn", "5mm", "--step", "1/0"}, "expected a part of a turn");
     expect_refused({"--step", "1/4"}, "--turn");
     expect_refused({"--stroke=-5mm"}, "expected more than 0");
     expect_refused({"--weights", "up:1"}, "expected weights");
