@@ -26,7 +26,7 @@ MAY_INCLUDE = {
     "estimation": ["numerics", "net", "statics", "survey", "sampling"],
     "identification": ["numerics", "net", "gp", "statics", "survey", "sampling", "estimation"],
     "adjustment": ["numerics", "net", "statics", "survey", "sampling", "estimation", "identification"],
-    "study": ["net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification",
+    "study": ["numerics", "net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification",
               "adjustment"],
     "files": [],
     "interchange": ["net", "statics", "design", "survey", "files"],

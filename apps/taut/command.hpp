@@ -66,6 +66,7 @@ void add_form(CLI::App& program);
 void add_sample(CLI::App& program);
 void add_train(CLI::App& program);
 void add_identify(CLI::App& program);
+void add_control(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_reproduce(CLI::App& program);
 void add_survey(CLI::App& program);

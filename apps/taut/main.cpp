@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
     taut::app::add_train(program);
     taut::app::add_identify(program);
     taut::app::add_plan(program);
+    taut::app::add_control(program);
     taut::app::add_reproduce(program);
     taut::app::add_compare(program);
     taut::app::add_trials(program);

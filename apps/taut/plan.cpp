@@ -9,6 +9,7 @@
 
 #include "command.hpp"
 #include "net_summary.hpp"
+#include "plan_options.hpp"
 #include "progress_line.hpp"
 #include "run_record.hpp"
 #include "survey_input.hpp"
@@ -49,29 +50,6 @@ struct PlanCommand : CommonOptions {
     int crews = 1;
     std::uint64_t seed = 1;
 };
-
-/// "1/4" or "0.25": a part of a turn.
-double parse_part_of_turn(const std::string& text) {
-    const auto number = [&](std::string_view part) {
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-        if (error != std::errc() || end != part.data() + part.size() || !(value > 0.0)) {
-            throw std::invalid_argument(
-                fmt::format("--step is '{}', expected a part of a turn, such as 1/4", text));
-        }
-        return value;
-    };
-    const size_t bar = text.find('/');
-    const double part = bar == std::string::npos
-                            ? number(text)
-                            : number(std::string_view(text).substr(0, bar)) /
-                                  number(std::string_view(text).substr(bar + 1));
-    if (!(part > 0.0 && part <= 1.0)) {
-        throw std::invalid_argument(
-            fmt::format("--step is '{}', expected no more than a whole turn", text));
-    }
-    return part;
-}
 
 /// "normal:1,tangential:0.1"
 DeviationWeights parse_weights(const std::string& text) {
@@ -114,29 +92,14 @@ const std::vector<int>& group_of(const CableNet& net, const std::string& name,
 /// "1.5kN..10kN[@GROUP]", either end may be left out.
 void take_tension(const CableNet& net, const std::string& text, TensionLimits& limits) {
     const size_t at = text.find('@');
-    const std::string range = text.substr(0, at);
-    const size_t dots = range.find("..");
-    if (dots == std::string::npos) {
-        throw std::invalid_argument(fmt::format(
-            "--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..10kN", text));
-    }
-    const std::string lower = range.substr(0, dots);
-    const std::string upper = range.substr(dots + 2);
-    const double least = lower.empty() ? 0.0 : parse_force(lower);
-    const double most =
-        upper.empty() ? std::numeric_limits<double>::infinity() : parse_force(upper);
-    if (!(least >= 0.0) || !(most > least)) {
-        throw std::invalid_argument(fmt::format(
-            "--tension is '{}', expected a lower limit of 0 or more and an upper one above it",
-            text));
-    }
+    const std::pair<double, double> range = parse_tension_range(text.substr(0, at));
     const auto set = [&](int edge) {
-        limits.lower(edge) = least;
-        limits.upper(edge) = most;
+        limits.lower(edge) = range.first;
+        limits.upper(edge) = range.second;
     };
     if (at == std::string::npos) {
-        limits.lower.setConstant(least);
-        limits.upper.setConstant(most);
+        limits.lower.setConstant(range.first);
+        limits.upper.setConstant(range.second);
     } else {
         std::ranges::for_each(group_of(net, text.substr(at + 1), "--tension"), set);
     }
@@ -217,13 +180,9 @@ PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
     PlanOptions options{.edges = std::move(edges),
                         .confidence = parse_part(command.confidence),
                         .actuator_std = parse_length(command.actuator),
-                        .turn = {},
+                        .turn = parse_turn(command.turn, command.step),
                         .tolerance = {},
                         .seed = command.seed};
-    if (!command.turn.empty()) {
-        options.turn = {.pitch = parse_length(command.turn),
-                        .smallest = command.step.empty() ? 0.0 : parse_part_of_turn(command.step)};
-    }
     if (!command.tolerance.empty()) {
         options.tolerance = parse_length(command.tolerance);
     }

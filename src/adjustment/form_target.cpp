@@ -33,6 +33,11 @@ void FormTarget::set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential)
     check_weights();
 }
 
+void FormTarget::move_to(Points places) {
+    check_form("target", m_places.cols(), places);
+    m_places = std::move(places);
+}
+
 void FormTarget::check_weights() const {
     double sum = 0.0;
     for (const int node : m_free_nodes) {

@@ -59,8 +59,8 @@ TEST_F(PlanCommand, WritesTheKeysAndTheListThatOthersRead) {
     }
     double largest = 0.0;
     for (const json& turn : document["turns"]) {
-        for (const char* key : {"edge", "edge_id", "stroke", "turns", "pass", "crew",
-                                "reading_after"}) {
+        for (const char* key :
+             {"edge", "edge_id", "stroke", "turns", "pass", "crew", "reading_after"}) {
             EXPECT_TRUE(turn.contains(key)) << key;
         }
         const double steps = turn["stroke"].get<double>() / 1e-3;

@@ -35,6 +35,10 @@ public:
     /// @throws std::invalid_argument as the constructor
     void set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential);
 
+    /// Other places, with the normals as they are.
+    /// @throws std::invalid_argument for a wrong size, and places that are not finite
+    void move_to(Points places);
+
     [[nodiscard]] FormObjective objective() const { return m_objective; }
     [[nodiscard]] const Points& places() const { return m_places; }
     [[nodiscard]] const Points& normals() const { return m_normals; }

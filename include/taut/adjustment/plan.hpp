@@ -8,20 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
 #include "taut/progress.hpp"
 
 namespace taut {
-
-/// A net as it stands, and how well that is known: where turning begins.
-struct BuiltNet {
-    CableNet net;  ///< with the lengths as identified or set; its nodes are the form that follows
-    /// Draws of the unstressed lengths of the interior edges, one a column (m_I x draws) [m]; none:
-    /// limits are held for the estimate alone.
-    Eigen::MatrixXd length_draws;
-    std::string no_draws_since;  ///< why there are none, in words
-};
 
 /// What a crew can turn by.
 struct TurnSize {

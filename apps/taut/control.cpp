@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "command.hpp"
+#include "output_directory.hpp"
+#include "plan_options.hpp"
+#include "progress_line.hpp"
+#include "run_record.hpp"
+#include "taut/files/file.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/net/units.hpp"
+#include "taut/results/control_files.hpp"
+#include "taut/study/control.hpp"
+
+namespace taut::app {
+namespace {
+
+struct ControlCommand : CommonOptions {
+    std::string net;
+    std::string directory;
+    std::string law = "uniform:5mm";
+    std::string noise = "0.5mm";
+    std::string drop = "10%";
+    std::string actuator = "0mm";
+    std::string stroke = "15mm";
+    std::string tension;
+    std::string confidence = "95%";
+    std::string turn;
+    std::string step;
+    int draws = 200;
+    int rounds = 4;
+    int trials = 20;
+    std::uint64_t seed = 1;
+};
+
+ControlSettings settings_of(const ControlCommand& command) {
+    ControlSettings settings{.law = parse_length_law(command.law),
+                             .noise_std = parse_length(command.noise),
+                             .hidden_part = parse_part(command.drop),
+                             .actuator_std = parse_length(command.actuator),
+                             .stroke = parse_length(command.stroke),
+                             .confidence = parse_part(command.confidence),
+                             .turn = parse_turn(command.turn, command.step),
+                             .draws = command.draws,
+                             .rounds = command.rounds,
+                             .trials = command.trials,
+                             .seed = command.seed};
+    if (!command.tension.empty()) {
+        const auto [least, most] = parse_tension_range(command.tension);
+        settings.least_tension = least;
+        settings.most_tension = std::isinf(most) ? 0.0 : most;
+    }
+    return settings;
+}
+
+void print_record(const ControlRecord& record, const ControlSettings& settings) {
+    for (int round = record.strategy == ControlStrategy::truth ? 0 : 1;
+         round <= (record.strategy == ControlStrategy::once ? 1 : settings.rounds); ++round) {
+        const ControlRecord::Round after = record.after(round);
+        fmt::print(
+            "{:<16}{:>6}{:>10.2f}{:>8.1f}{:>12.2f}{:>8.1f}{:>9.2f}{:>12.2f}{:>8.2f}{:>10}"
+            "{:>10}{:>10}\n",
+            round == 0 ? "as built" : to_string(record.strategy), round, 1e3 * after.mean,
+            1e3 * after.max, 1e3 * after.normal_mean, 1e3 * after.normal_max,
+            1e3 * after.normal_rmse, 1e-3 * after.least_tension, 1e-3 * after.most_tension,
+            fmt::format("{}/{}", after.broken_trials, settings.trials),
+            after.broken_trials > 0 ? fmt::format("{:.1f}", 1e2 * after.worst_excess) : "-",
+            after.failed);
+    }
+}
+
+void run(const ControlCommand& command) {
+    const auto threads = command.limit_threads();
+    const CableNet net = read_net(command.net).net;
+    const ControlSettings settings = settings_of(command);
+    const std::filesystem::path directory(command.directory);
+    check_output_directory(directory, {"control.json", "control.csv"}, {command.net});
+    ProgressLine line(command.quiet);
+    const std::vector<ControlRecord> records = simulate_control(net, settings, line.progress());
+    const std::string json = control_to_json(records, net, settings, run_record());
+    write_files(directory, {{"control.json", json}, {"control.csv", control_to_csv(records)}});
+    if (command.json) {
+        fmt::print("{}", json);
+        return;
+    }
+    fmt::print("{:<16}{:>6}{:>18}{:>29}{:>20}{:>10}{:>10}{:>10}\n", "", "", "from target [mm]",
+               "along its normal [mm]", "tension [kN]", "limits", "by at", "not");
+    fmt::print("{:<16}{:>6}{:>10}{:>8}{:>12}{:>8}{:>9}{:>12}{:>8}{:>10}{:>10}{:>10}\n",
+               "planned on", "round", "mean", "max", "mean", "max", "RMS", "least", "most",
+               "broken", "most [%]", "planned");
+    for (const ControlRecord& record : records) {
+        print_record(record, settings);
+    }
+    fmt::print("written to {}: control.json, control.csv\n", command.directory);
+}
+
+}  // namespace
+
+void add_control(CLI::App& program) {
+    auto options = std::make_shared<ControlCommand>();
+    CLI::App& command = add_command(
+        program, "control",
+        "Simulate whole jobs: survey, identify, plan, turn, and again; beside the same with true\n"
+        "lengths, and with the design alone",
+        "  taut control net.json -o control --tension 1.5kN..10kN --trials 20", *options);
+    command.add_option("NET", options->net, "Net file")->required();
+    command.add_option("-o,--output", options->directory, "Directory to write into")->required();
+    command.add_option("--law", options->law, "Law of the length deviations that are built")
+        ->capture_default_str();
+    command.add_option("--noise", options->noise, "Of a surveyed coordinate")
+        ->capture_default_str();
+    command.add_option("--drop", options->drop, "Part of the free nodes that a survey misses")
+        ->capture_default_str();
+    command
+        .add_option("--actuator", options->actuator,
+                    "Standard deviation of what is turned from what was told")
+        ->capture_default_str();
+    command
+        .add_option("--stroke", options->stroke, "Of a turnbuckle since installation, either way")
+        ->capture_default_str();
+    command.add_option("--tension", options->tension,
+                       "Limits of tension, 1.5kN..10kN (default: no edge slack)");
+    command
+        .add_option("--confidence", options->confidence,
+                    "With which limits are to hold, of plans on identified lengths")
+        ->capture_default_str();
+    command.add_option("--turn", options->turn, "Change of length by one turn, 5mm");
+    command.add_option("--step", options->step, "Smallest part of a turn, 1/4")->needs("--turn");
+    command.add_option("--draws", options->draws, "Of each identification")->capture_default_str();
+    command.add_option("--rounds", options->rounds, "Surveys, each with its turns")
+        ->capture_default_str();
+    command.add_option("--trials", options->trials, "Nets that are built")->capture_default_str();
+    add_seed_option(command, options->seed);
+    command.callback([options] { run(*options); });
+}
+
+}  // namespace taut::app

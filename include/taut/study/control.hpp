@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "taut/adjustment/plan.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/progress.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+/// What is known of the net when turns are planned.
+enum class ControlStrategy {
+    truth,       ///< the true lengths: the best that turning can do
+    identified,  ///< lengths identified from the survey of each round
+    nominal,     ///< no identification: the design, moved by what the survey tells
+    once,        ///< the same, in the first round alone
+};
+
+/// "true lengths", "identified", "design", "design, once".
+[[nodiscard]] std::string_view to_string(ControlStrategy strategy);
+
+/// A job: nets are built, surveyed, turned, and so on.
+struct ControlSettings {
+    LengthLaw law;
+    double noise_std = 0.5e-3;   ///< of a surveyed coordinate [m]
+    double hidden_part = 0.1;    ///< of the free nodes, in each survey
+    double actuator_std = 0.0;   ///< of what is turned, from what was told [m]
+    double stroke = 15e-3;       ///< of a turnbuckle since installation, either way [m]
+    double least_tension = 0.0;  ///< [N]
+    double most_tension = 0.0;   ///< 0: no limit [N]
+    double confidence = 0.95;    ///< of the limits, of plans on identified lengths
+    std::optional<TurnSize> turn;
+    int draws = 200;
+    int rounds = 4;
+    int trials = 20;
+    std::uint64_t seed = 1;
+};
+
+/// The true net after a round; round 0 is as built.
+struct ControlState {
+    int trial = 0;
+    int round = 0;
+    FormDeviation deviation;  ///< of the true form from the design
+    double least_tension = 0.0;
+    double most_tension = 0.0;
+    /// Edges whose true tension is beyond a limit, and by how much the worst is, as a part of the
+    /// limit.
+    int broken = 0;
+    double worst_excess = 0.0;
+    double turned = 0.0;      ///< sum of the sizes of this round's strokes [m]
+    bool has_failed = false;  ///< no identification or plan came about; nothing was turned
+};
+
+struct ControlRecord {
+    ControlStrategy strategy = ControlStrategy::identified;
+    std::vector<ControlState> states;  ///< by trial, then round
+
+    /// Means over the trials after a round.
+    struct Round {
+        double normal_rmse = 0.0;  ///< root of the mean square over trials [m]
+        double normal_mean = 0.0;
+        double normal_max = 0.0;  ///< the most in any trial [m]
+        double mean = 0.0;
+        double max = 0.0;
+        double least_tension = 0.0;
+        double most_tension = 0.0;
+        double turned = 0.0;
+        int broken_trials = 0;
+        double worst_excess = 0.0;
+        int failed = 0;
+    };
+    [[nodiscard]] Round after(int round) const;
+};
+
+/// The whole loop, simulated: survey, identification, plan, turns, again, beside its rivals. The
+/// net of a trial, its surveys and the play of its turnbuckles follow from the seed.
+/// @throws std::invalid_argument for settings that cannot be meant, and as plan_strokes()
+/// @throws Interrupted
+[[nodiscard]] std::vector<ControlRecord> simulate_control(const CableNet& net,
+                                                          const ControlSettings& settings,
+                                                          const Progress& progress = {});
+
+}  // namespace taut

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/adjustment/built_net.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "taut/sampling/circumstances.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+
+CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
+                           std::span<const UnknownEstimate> unknowns,
+                           std::span<const BoundaryOutlier> boundary_outliers) {
+    Eigen::VectorXd lengths = net.unstressed_lengths();
+    for (const IdentifiedEdge& edge : edges) {
+        lengths(edge.edge) += edge.length_deviation;
+    }
+    Circumstances circumstances = circumstances_of(net, {unknowns.begin(), unknowns.end()});
+    for (const BoundaryOutlier& outlier : boundary_outliers) {
+        if (outlier.kind == BoundaryOutlier::Kind::support) {
+            circumstances.supports.col(outlier.index) += outlier.deviation;
+        } else {
+            lengths(outlier.index) += outlier.deviation.x();
+        }
+    }
+    const CableNet identified = net_under(net, circumstances, lengths);
+    const Equilibrium equilibrium = solve_equilibrium(identified);
+    if (!equilibrium.balanced()) {
+        throw std::invalid_argument("the identified lengths find no equilibrium");
+    }
+    CableNetData data = identified.data();
+    data.nodes = equilibrium.form;
+    data.loads = identified.loads();
+    data.mass.resize(0);  // its weight is among the loads
+    return CableNet(std::move(data));
+}
+
+void add_draws(BuiltNet& built, const CableNet& net, const PosteriorDraws& draws,
+               bool only_lengths) {
+    if (!only_lengths) {
+        built.no_draws_since =
+            "the draws of an identification hold lengths alone, and more than lengths was unknown";
+    } else if (!draws.doubt.empty()) {
+        built.no_draws_since = fmt::format("the draws are in doubt: {}", draws.doubt);
+    } else {
+        const Eigen::VectorXd nominal = net.unstressed_lengths()(net.interior_edges());
+        built.length_draws = draws.length_deviations.colwise() + nominal;
+    }
+}
+
+BuiltNet built_net_of(const CableNet& net, const Identification& identification) {
+    BuiltNet built{.net = net_as_identified(net, identification.edges, identification.unknowns,
+                                            identification.boundary_outliers),
+                   .length_draws = {},
+                   .no_draws_since = "none were made"};
+    if (identification.draws) {
+        add_draws(built, net, *identification.draws, identification.unknowns.empty());
+    }
+    return built;
+}
+
+}  // namespace taut

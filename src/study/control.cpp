@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/study/control.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "numerics/random_numbers.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/sampling/data_set.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/tensions.hpp"
+#include "taut/survey/simulation.hpp"
+
+namespace taut {
+namespace {
+
+constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identified,
+                                ControlStrategy::nominal, ControlStrategy::once};
+
+void check_control(const CableNet& net, const ControlSettings& settings) {
+    check_law(net, settings.law);
+    const auto require = [](bool is_sound, const char* what, double value) {
+        if (!is_sound) {
+            throw std::invalid_argument(fmt::format("{} is {:g}", what, value));
+        }
+    };
+    require(settings.noise_std > 0.0 && std::isfinite(settings.noise_std),
+            "the noise is to be above 0, and", settings.noise_std);
+    require(settings.hidden_part >= 0.0 && settings.hidden_part < 1.0,
+            "the hidden part is to lie in [0, 1), and", settings.hidden_part);
+    require(settings.stroke > 0.0 && std::isfinite(settings.stroke),
+            "the stroke is to be above 0, and", settings.stroke);
+    require(settings.rounds >= 1 && settings.rounds <= 100, "rounds are to be 1 to 100, and",
+            settings.rounds);
+    require(settings.trials >= 1 && settings.trials <= 100000, "trials are to be 1 to 100,000, and",
+            settings.trials);
+    require(settings.least_tension >= 0.0 &&
+                (settings.most_tension == 0.0 || settings.most_tension > settings.least_tension),
+            "the largest tension is to be above the least, and", settings.most_tension);
+}
+
+CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const Points& start) {
+    CableNetData data = net.data();
+    const Points loads = net.loads();
+    data.unstressed_lengths = lengths;
+    const Equilibrium equilibrium = EquilibriumSolver(net).solve(lengths, start);
+    if (!equilibrium.balanced()) {
+        throw std::runtime_error("a net finds no equilibrium");
+    }
+    data.nodes = equilibrium.form;
+    data.loads = loads;
+    data.mass.resize(0);  // its weight is among the loads
+    return CableNet(std::move(data));
+}
+
+/// One trial under one strategy.
+class Job {
+public:
+    Job(const CableNet& net, const ControlSettings& settings, const FormTarget& target, int trial)
+        : m_net(net), m_settings(settings), m_target(target), m_trial(trial) {
+        const Eigen::VectorXd deviations =
+            draw_length_deviations(settings.law, settings.seed, static_cast<std::uint64_t>(trial),
+                                   net.interior_edge_count());
+        m_true_lengths = with_length_deviations(net, deviations);
+        m_told_strokes =
+            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
+        m_form = with_lengths(net, m_true_lengths, net.nodes()).nodes();
+    }
+
+    [[nodiscard]] ControlState state(int round, double turned, bool has_failed) const {
+        ControlState state{.trial = m_trial,
+                           .round = round,
+                           .deviation = deviation_from(m_target, m_net, m_form),
+                           .turned = turned,
+                           .has_failed = has_failed};
+        const Eigen::VectorXd tension = tensions(m_net, m_true_lengths, m_form);
+        state.least_tension = tension.minCoeff();
+        state.most_tension = tension.maxCoeff();
+        for (const double t : tension) {
+            const double low = m_settings.least_tension - t;
+            const double high = m_settings.most_tension > 0.0 ? t - m_settings.most_tension : -1.0;
+            // An edge without tension is slack, which always breaks a limit.
+            if (low > 0.0 || t <= 0.0) {
+                ++state.broken;
+                state.worst_excess =
+                    std::max(state.worst_excess,
+                             m_settings.least_tension > 0.0 ? low / m_settings.least_tension : 1.0);
+            } else if (high > 0.0) {
+                ++state.broken;
+                state.worst_excess = std::max(state.worst_excess, high / m_settings.most_tension);
+            }
+        }
+        return state;
+    }
+
+    /// Plans, turns, and tells what comes of it.
+    ControlState work(ControlStrategy strategy, int round) {
+        double turned = 0.0;
+        bool has_failed = false;
+        if (strategy != ControlStrategy::once || round == 1) {
+            try {
+                turned = turn(plan(strategy, round), round);
+            } catch (const Interrupted&) {
+                throw;
+            } catch (const std::exception&) {
+                has_failed = true;  // counted, and the crew waits for the next survey
+            }
+        }
+        return state(round, turned, has_failed);
+    }
+
+private:
+    [[nodiscard]] std::uint64_t seed_of(int round) const {
+        constexpr std::uint64_t trials = 100003;
+        return (m_settings.seed * trials + static_cast<std::uint64_t>(m_trial)) * 128 +
+               static_cast<std::uint64_t>(round);
+    }
+
+    /// The design with the strokes that were told.
+    [[nodiscard]] CableNet told_net() const {
+        Eigen::VectorXd lengths = m_net.unstressed_lengths();
+        lengths(m_net.adjustable_edges()) += m_told_strokes;
+        CableNetData data = m_net.data();
+        data.unstressed_lengths = lengths;
+        return CableNet(std::move(data));
+    }
+
+    [[nodiscard]] Survey survey(const CableNet& told, int round) const {
+        return match_to_nodes(told, simulate_survey(told, m_form,
+                                                    {.noise_std = m_settings.noise_std,
+                                                     .dropped_part = m_settings.hidden_part,
+                                                     .seed = seed_of(round)}));
+    }
+
+    [[nodiscard]] Limits limits() const {
+        Limits limits = limits_of_stroke(m_net, m_net.adjustable_edges().size(), m_settings.stroke);
+        limits.shortest_stroke -= m_told_strokes;
+        limits.longest_stroke -= m_told_strokes;
+        limits.shortest_stroke = limits.shortest_stroke.cwiseMin(0.0);
+        limits.longest_stroke = limits.longest_stroke.cwiseMax(0.0);
+        limits.tension.lower.setConstant(m_settings.least_tension);
+        if (m_settings.most_tension > 0.0) {
+            limits.tension.upper.setConstant(m_settings.most_tension);
+        }
+        return limits;
+    }
+
+    [[nodiscard]] Plan plan(ControlStrategy strategy, int round) const {
+        PlanOptions options{.confidence = m_settings.confidence,
+                            .actuator_std = m_settings.actuator_std,
+                            .turn = m_settings.turn,
+                            .seed = seed_of(round)};
+        if (strategy == ControlStrategy::truth) {
+            const BuiltNet built{.net = with_lengths(m_net, m_true_lengths, m_form),
+                                 .length_draws = {},
+                                 .no_draws_since = "the lengths are known"};
+            return plan_strokes(built, m_target, limits(), options);
+        }
+        const CableNet told = told_net();
+        const Survey seen = survey(told, round);
+        if (strategy == ControlStrategy::identified) {
+            const Identification found = identify(told, seen,
+                                                  {.method = IdentificationMethod::map,
+                                                   .law = m_settings.law,
+                                                   .draws = m_settings.draws,
+                                                   .seed = seed_of(round)});
+            if (found.status != IdentificationStatus::converged) {
+                throw std::runtime_error(found.message);
+            }
+            return plan_strokes(built_net_of(told, found), m_target, limits(), options);
+        }
+        // What is seen is moved over to the design: its sensitivities on measured deviations. Of a
+        // node that was not seen nothing is known.
+        const BuiltNet built{.net = with_lengths(m_net, told.unstressed_lengths(), m_net.nodes()),
+                             .length_draws = {},
+                             .no_draws_since = "nothing was identified"};
+        Points places = m_target.places();
+        places(Eigen::all, seen.surveyed) -=
+            (seen.form - built.net.nodes())(Eigen::all, seen.surveyed);
+        FormTarget target = m_target;
+        target.move_to(places);
+        Eigen::VectorXd normal = Eigen::VectorXd::Ones(m_net.node_count());
+        Eigen::VectorXd tangential =
+            Eigen::VectorXd::Constant(m_net.node_count(), DeviationWeights{}.tangential);
+        for (const int node : seen.missing) {
+            normal(node) = tangential(node) = 0.0;
+        }
+        target.set_weights(normal, tangential);
+        return plan_strokes(built, target, limits(), options);
+    }
+
+    double turn(const Plan& plan, int round) {
+        RandomNumbers play(seed_of(round), 1);
+        double sum = 0.0;
+        for (const PlannedStroke& stroke : plan.strokes) {
+            const auto& edges = m_net.adjustable_edges();
+            const auto k = std::ranges::lower_bound(edges, stroke.edge) - edges.begin();
+            m_told_strokes(k) += stroke.stroke;
+            m_true_lengths(stroke.edge) += stroke.stroke + m_settings.actuator_std * play.normal();
+            sum += std::abs(stroke.stroke);
+        }
+        m_form = with_lengths(m_net, m_true_lengths, m_form).nodes();
+        return sum;
+    }
+
+    const CableNet& m_net;
+    const ControlSettings& m_settings;
+    const FormTarget& m_target;
+    int m_trial;
+    Eigen::VectorXd m_true_lengths;
+    Eigen::VectorXd m_told_strokes;  ///< of the adjustable edges, in all [m]
+    Points m_form;                   ///< the true one
+};
+
+}  // namespace
+
+std::string_view to_string(ControlStrategy strategy) {
+    switch (strategy) {
+        case ControlStrategy::truth:
+            return "true lengths";
+        case ControlStrategy::identified:
+            return "identified";
+        case ControlStrategy::nominal:
+            return "design";
+        case ControlStrategy::once:
+            return "design, once";
+    }
+    return "unknown";
+}
+
+ControlRecord::Round ControlRecord::after(int round) const {
+    Round result{.least_tension = std::numeric_limits<double>::infinity()};
+    double count = 0.0;
+    for (const ControlState& state : states) {
+        if (state.round != round) {
+            continue;
+        }
+        count += 1.0;
+        result.normal_rmse += state.deviation.normal_rmse * state.deviation.normal_rmse;
+        result.normal_mean += state.deviation.normal_mean;
+        result.normal_max = std::max(result.normal_max, state.deviation.normal_max);
+        result.mean += state.deviation.mean;
+        result.max = std::max(result.max, state.deviation.max);
+        result.least_tension = std::min(result.least_tension, state.least_tension);
+        result.most_tension = std::max(result.most_tension, state.most_tension);
+        result.turned += state.turned;
+        result.broken_trials += state.broken > 0 ? 1 : 0;
+        result.worst_excess = std::max(result.worst_excess, state.worst_excess);
+        result.failed += state.has_failed ? 1 : 0;
+    }
+    result.normal_rmse = std::sqrt(result.normal_rmse / count);
+    result.normal_mean /= count;
+    result.mean /= count;
+    result.turned /= count;
+    return result;
+}
+
+std::vector<ControlRecord> simulate_control(const CableNet& net, const ControlSettings& settings,
+                                            const Progress& progress) {
+    check_control(net, settings);
+    const FormTarget target(net, net.nodes());
+    std::vector<ControlRecord> records;
+    const int total = static_cast<int>(strategies.size()) * settings.trials;
+    for (const ControlStrategy strategy : strategies) {
+        ControlRecord record{.strategy = strategy, .states = {}};
+        for (int trial = 0; trial < settings.trials; ++trial) {
+            progress("control", static_cast<int>(records.size()) * settings.trials + trial, total);
+            Job job(net, settings, target, trial);
+            record.states.push_back(job.state(0, 0.0, false));
+            for (int round = 1; round <= settings.rounds; ++round) {
+                record.states.push_back(job.work(strategy, round));
+            }
+        }
+        records.push_back(std::move(record));
+    }
+    progress("control", total, total);
+    return records;
+}
+
+}  // namespace taut
