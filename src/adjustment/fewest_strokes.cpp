@@ -12,8 +12,8 @@ namespace taut {
 namespace {
 
 constexpr int reweightings = 6;
-constexpr double reach = 20e-3;      ///< of one linear step [m]
-constexpr double negligible = 2e-5;  ///< a stroke that is as good as none [m]
+constexpr double step_reach = 20e-3;     ///< of one linear step [m]
+constexpr double negligible_use = 2e-5;  ///< a stroke that is as good as none [m]
 
 /// The search over some edges alone.
 StrokedState search_over(std::vector<LimitedResponse>& responses, const StrokeTask& task,
@@ -44,7 +44,7 @@ FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const Stro
     StrokedState state = all;
     for (int round = 0; round < reweightings; ++round) {
         const auto strokes =
-            StrokeProgram(responses, task, state).least_turning(weights, bound, reach);
+            StrokeProgram(responses, task, state).least_turning(weights, bound, step_reach);
         if (!strokes) {
             break;
         }
@@ -64,7 +64,7 @@ FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const Stro
 
     std::vector<char> chosen(static_cast<size_t>(k));
     for (Eigen::Index j = 0; j < k; ++j) {
-        chosen[static_cast<size_t>(j)] = std::abs(state.strokes(j)) > negligible ? 1 : 0;
+        chosen[static_cast<size_t>(j)] = std::abs(state.strokes(j)) > negligible_use ? 1 : 0;
     }
     StrokedState best = search_over(responses, task, state, chosen);
     if (!keeps(best)) {

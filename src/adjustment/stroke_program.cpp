@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-constexpr double length_unit = 1e-3;  ///< the program's numbers are of order one [m]
+constexpr double program_length = 1e-3;  ///< the program's numbers are of order one [m]
 constexpr int most_conic_iterations = 100;
 
 /// Builds A x + s = b, s in its cones, row by row.
@@ -52,21 +52,21 @@ private:
 };
 
 /// low <= x_j <= high for the first columns [m].
-void add_bounds(Rows& rows, const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
+void add_stroke_bounds(Rows& rows, const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
     for (int j = 0; j < low.size(); ++j) {
-        rows.at_most(high(j) / length_unit);
+        rows.at_most(high(j) / program_length);
         rows.entry(j, 1.0);
-        rows.at_most(-low(j) / length_unit);
+        rows.at_most(-low(j) / program_length);
         rows.entry(j, -1.0);
     }
 }
 
 /// excess + gradient . x <= x_broken, x_broken >= 0, in units of force.
-void add_limit(Rows& rows, double excess, const Eigen::VectorXd& gradient, double force_unit,
-               int broken) {
+void add_force_limit(Rows& rows, double excess, const Eigen::VectorXd& gradient, double force_unit,
+                     int broken) {
     rows.at_most(-excess / force_unit);
     for (int j = 0; j < gradient.size(); ++j) {
-        rows.entry(j, gradient(j) * length_unit / force_unit);
+        rows.entry(j, gradient(j) * program_length / force_unit);
     }
     rows.entry(broken, -1.0);
     rows.at_most(0.0);
@@ -164,7 +164,7 @@ std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
     const int columns = largest + (is_largest() ? 1 : 0);
 
     const double turning = 2.0 * turning_weight / static_cast<double>(k);
-    const Eigen::VectorXd deviation = m_deviation / length_unit;
+    const Eigen::VectorXd deviation = m_deviation / program_length;
     ConicProgram program;
     Eigen::MatrixXd quadratic = Eigen::MatrixXd::Zero(k, k);
     program.q = Eigen::VectorXd::Zero(columns);
@@ -174,19 +174,20 @@ std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
         program.q.head(k) = 2.0 / nodes * m_rates.transpose() * deviation;
     }
     quadratic.diagonal().array() += turning;
-    program.q.head(k) += turning / length_unit * at;
+    program.q.head(k) += turning / program_length * at;
     program.P = upper_triangle(quadratic, columns);
     if (is_largest()) {
         program.P.coeffRef(largest, largest) = 2.0;
     }
-    const double penalty = m_task->violation_weight * m_force_unit / (length_unit * length_unit);
+    const double penalty =
+        m_task->violation_weight * m_force_unit / (program_length * program_length);
     program.q.segment(broken, static_cast<Eigen::Index>(limits.size())).setConstant(penalty);
 
     Rows rows;
-    add_bounds(rows, low, high);
+    add_stroke_bounds(rows, low, high);
     for (size_t i = 0; i < limits.size(); ++i) {
-        add_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
-                  broken + static_cast<int>(i));
+        add_force_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
+                        broken + static_cast<int>(i));
     }
     if (is_largest()) {
         for (Eigen::Index node = 0; node < m_deviation.size() / 3; ++node) {
@@ -208,7 +209,8 @@ std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
         return std::nullopt;
     }
 
-    const Eigen::VectorXd change = (length_unit * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
+    const Eigen::VectorXd change =
+        (program_length * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
     ProposedStrokes proposed{.strokes = at + change};
     double violation = 0.0;
     for (const Row& row : limits) {
@@ -250,27 +252,27 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorX
     program.q.tail(columns - broken).setConstant(penalty);
 
     Rows rows;
-    add_bounds(rows, low, high);
+    add_stroke_bounds(rows, low, high);
     for (int j = 0; j < changes; ++j) {
         for (const double sign : {1.0, -1.0}) {  // +-(x_j + change) <= size
-            rows.at_most(-sign * at(j) / length_unit);
+            rows.at_most(-sign * at(j) / program_length);
             rows.entry(j, sign);
             rows.entry(sizes + j, -1.0);
         }
     }
     for (size_t i = 0; i < limits.size(); ++i) {
-        add_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
-                  broken + static_cast<int>(i));
+        add_force_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
+                        broken + static_cast<int>(i));
     }
     rows.at_most(0.0);
     rows.entry(beyond, -1.0);
     const auto add_cone = [&](double bound, const Eigen::MatrixXd& rates,
                               const Eigen::VectorXd& deviation) {
         rows.begin_cone(static_cast<int>(deviation.size()) + 1);
-        rows.cone_row(bound / length_unit);
+        rows.cone_row(bound / program_length);
         rows.entry(beyond, -1.0);
         for (Eigen::Index row = 0; row < deviation.size(); ++row) {
-            rows.cone_row(deviation(row) / length_unit);
+            rows.cone_row(deviation(row) / program_length);
             for (int j = 0; j < changes; ++j) {
                 rows.entry(j, -rates(row, j));
             }
@@ -298,7 +300,7 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorX
     if (solution.status != ConeStatus::solved && solution.status != ConeStatus::almost_solved) {
         return std::nullopt;
     }
-    return at + (length_unit * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
+    return at + (program_length * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
 }
 
 std::vector<ProposedStrokes> StrokeProgram::single_steps(double step) const {

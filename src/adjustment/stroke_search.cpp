@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-constexpr int most_iterations = 60;
+constexpr int most_searches = 60;
 constexpr double first_radius = 5e-3;     ///< [m]
 constexpr double smallest_radius = 1e-8;  ///< [m]
 constexpr double smallest_gain = 1e-6;    ///< of the merit
@@ -56,7 +56,7 @@ StrokeSearch search_strokes(std::vector<LimitedResponse>& responses, const Strok
     StrokeSearch search{.found = start};
     double radius = first_radius;
     StrokeProgram program(responses, task, search.found);
-    while (search.iterations < most_iterations) {
+    while (search.iterations < most_searches) {
         ++search.iterations;
         const std::optional<ProposedStrokes> proposed = program.solve(radius);
         if (!proposed) {

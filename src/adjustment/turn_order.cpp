@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-constexpr double negligible = 1e-5;  ///< of the mean tension
+constexpr double negligible_excess = 1e-5;  ///< of the mean tension
 constexpr int most_passes = 8;
 
 /// Where a crew stands to turn an edge: its support, else its middle.
@@ -116,16 +116,16 @@ std::vector<std::vector<int>> stretches(const std::vector<int>& tour, int crews)
     return result;
 }
 
-struct Attempt {
+struct PassAttempt {
     TurnOrder order;
     double excess = 0.0;  ///< the most at any moment
 };
 
 /// Passes over the net, each crew along its stretch; a station that would break a limit now is
 /// left for later, and one that always does is turned where it does least harm.
-Attempt attempt(Work& work, const Plan& plan, const std::vector<std::vector<int>>& crews,
-                int passes, double step, const Progress& progress) {
-    Attempt result;
+PassAttempt try_passes(Work& work, const Plan& plan, const std::vector<std::vector<int>>& crews,
+                       int passes, double step, const Progress& progress) {
+    PassAttempt result;
     result.order.passes = passes;
     work.restart();
     int moment = 0;
@@ -161,7 +161,7 @@ Attempt attempt(Work& work, const Plan& plan, const std::vector<std::vector<int>
                         best = i;
                         best_net = std::move(there);
                     }
-                    if (harm <= negligible) {
+                    if (harm <= negligible_excess) {
                         break;
                     }
                 }
@@ -176,7 +176,7 @@ Attempt attempt(Work& work, const Plan& plan, const std::vector<std::vector<int>
                 net = std::move(best_net);
                 excess = least;
             }
-            if (excess > std::max(result.excess, negligible)) {
+            if (excess > std::max(result.excess, negligible_excess)) {
                 result.excess = excess;
                 result.order.worst = {.moment = moment, .breach = work.worst_breach(net)};
             }
@@ -184,7 +184,7 @@ Attempt attempt(Work& work, const Plan& plan, const std::vector<std::vector<int>
             ++moment;
         }
     }
-    result.order.is_safe = result.excess <= negligible;
+    result.order.is_safe = result.excess <= negligible_excess;
     return result;
 }
 
@@ -227,9 +227,9 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
     }
     const auto crews = stretches(short_tour(places), options.crews);
     Work work(built, limits, plan);
-    Attempt best;
+    PassAttempt best;
     for (int passes = 1; passes <= most_passes; passes *= 2) {
-        Attempt tried = attempt(work, plan, crews, passes, options.step, progress);
+        PassAttempt tried = try_passes(work, plan, crews, passes, options.step, progress);
         if (passes == 1 || tried.excess < best.excess) {
             best = std::move(tried);
         }

@@ -11,11 +11,11 @@
 namespace taut {
 namespace {
 
-constexpr double rounding = 1e-9;  ///< of a step
+constexpr double step_rounding = 1e-9;  ///< of a step
 
 double nearest_multiple(double stroke, double step, double shortest, double longest) {
-    const double lowest = std::ceil(shortest / step - rounding);
-    const double highest = std::floor(longest / step + rounding);
+    const double lowest = std::ceil(shortest / step - step_rounding);
+    const double highest = std::floor(longest / step + step_rounding);
     return step * std::clamp(std::round(stroke / step), lowest, highest);
 }
 

@@ -9,15 +9,15 @@
 #include "taut/results/result_file.hpp"
 
 namespace taut {
-IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::path& path) {
-    const ResultFile file = read_result(path);
+IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::path& result_path) {
+    const ResultFile file = read_result(result_path);
     const auto* result = std::get_if<IdentificationResult>(&file.content);
     if (result == nullptr) {
-        throw InputError(path.string(), "/format",
+        throw InputError(result_path.string(), "/format",
                          "is of another kind, expected the \"taut-identification\" of a survey");
     }
     if (result->net.fingerprint() != net.fingerprint()) {
-        throw InputError(path.string(), "/net/fingerprint",
+        throw InputError(result_path.string(), "/net/fingerprint",
                          fmt::format("is {}, expected {}: it is of another net",
                                      result->net.fingerprint(), net.fingerprint()));
     }
@@ -28,7 +28,8 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
                       .length_draws = {},
                       .no_draws_since = {}},
             .trust = result->trust};
-        if (const std::filesystem::path draws = draws_path(path); std::filesystem::exists(draws)) {
+        if (const std::filesystem::path draws = draws_path(result_path);
+            std::filesystem::exists(draws)) {
             add_draws(identified.built, net, read_draws(net, draws), result->unknowns.empty());
         } else {
             identified.built.no_draws_since =
@@ -38,7 +39,7 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
     } catch (const InputError&) {
         throw;
     } catch (const std::invalid_argument& error) {
-        throw InputError(path.string(), "", fmt::format("is of no net: {}", error.what()));
+        throw InputError(result_path.string(), "", fmt::format("is of no net: {}", error.what()));
     }
 }
 

@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-ResultJson state_json(const ControlState& state) {
+ResultJson control_state_json(const ControlState& state) {
     return {{"trial", state.trial},
             {"round", state.round},
             {"mean", state.deviation.mean},
@@ -27,7 +27,7 @@ ResultJson state_json(const ControlState& state) {
             {"failed", state.has_failed}};
 }
 
-ResultJson round_json(const ControlRecord& record, int round) {
+ResultJson control_round_json(const ControlRecord& record, int round) {
     const ControlRecord::Round after = record.after(round);
     return {{"round", round},
             {"mean", after.mean},
@@ -51,11 +51,11 @@ std::string control_to_json(const std::vector<ControlRecord>& records, const Cab
     for (const ControlRecord& record : records) {
         ResultJson rounds = ResultJson::array();
         for (int round = 0; round <= settings.rounds; ++round) {
-            rounds.push_back(round_json(record, round));
+            rounds.push_back(control_round_json(record, round));
         }
         ResultJson states = ResultJson::array();
         for (const ControlState& state : record.states) {
-            states.push_back(state_json(state));
+            states.push_back(control_state_json(state));
         }
         strategies.push_back(
             {{"strategy", to_string(record.strategy)}, {"rounds", rounds}, {"states", states}});
@@ -90,7 +90,7 @@ std::string control_to_csv(const std::vector<ControlRecord>& records) {
     std::string text;
     for (const ControlRecord& record : records) {
         for (const ControlState& state : record.states) {
-            const ResultJson row = state_json(state);
+            const ResultJson row = control_state_json(state);
             if (text.empty()) {
                 text = "strategy";
                 for (const auto& [key, value] : row.items()) {

@@ -34,7 +34,7 @@ struct Listed {
     double tension_after = 0.0;  ///< when all is done [N]
 };
 
-std::vector<Listed> list_of(const PlanRecord& record) {
+std::vector<Listed> listed_turnings(const PlanRecord& record) {
     std::map<int, double> length;
     std::vector<Listed> list;
     for (const Turning& turning : record.order->turnings) {
@@ -49,7 +49,7 @@ std::vector<Listed> list_of(const PlanRecord& record) {
     return list;
 }
 
-std::optional<double> turns_of(const PlanRecord& record, double stroke) {
+std::optional<double> count_of_turns(const PlanRecord& record, double stroke) {
     return record.options->turn ? std::optional(std::abs(stroke) / record.options->turn->pitch)
                                 : std::nullopt;
 }
@@ -65,7 +65,7 @@ Json breach_json(const CableNet& net, const LimitBreach& breach) {
             {"probability", breach.probability}};
 }
 
-Json trust_json(const Trust& trust) {
+Json verdict_json(const Trust& trust) {
     Json reasons = Json::array();
     for (const Trust::Finding& finding : trust.findings) {
         reasons.push_back(finding.reason);
@@ -73,7 +73,7 @@ Json trust_json(const Trust& trust) {
     return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}};
 }
 
-Json tension_json(const PlanRecord& record) {
+Json planned_tension_json(const PlanRecord& record) {
     const Plan& plan = *record.plan;
     const CableNet& built = record.built->net;
     const Eigen::VectorXd as_built = tensions(built, built.unstressed_lengths(), built.nodes());
@@ -94,7 +94,7 @@ Json tension_json(const PlanRecord& record) {
             {"limit_probability", plan.limit_probability}, {"edges", edges}};
 }
 
-Json order_json(const PlanRecord& record) {
+Json turn_order_json(const PlanRecord& record) {
     const TurnOrder& order = *record.order;
     return {{"passes", order.passes},
             {"crews", record.crews},
@@ -106,7 +106,7 @@ Json order_json(const PlanRecord& record) {
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
-Json optional_json(const auto& value) {
+Json value_or_null(const auto& value) {
     return value ? Json(*value) : Json();
 }
 
@@ -124,12 +124,12 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
     const Plan& plan = *record.plan;
     const CableNet& net = *record.net;
     Json turns = Json::array();
-    for (const Listed& listed : list_of(record)) {
+    for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
         turns.push_back({{"edge", turning.edge},
                          {"edge_id", net.edge_id(turning.edge)},
                          {"stroke", turning.stroke},
-                         {"turns", optional_json(turns_of(record, turning.stroke))},
+                         {"turns", value_or_null(count_of_turns(record, turning.stroke))},
                          {"sense", sense_of(turning.stroke)},
                          {"rotation", rotation_of(turning.stroke, record.thread)},
                          {"pass", turning.pass},
@@ -148,7 +148,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"program", "taut " + std::string(version())},
         {"net_fingerprint", net.fingerprint()},
         {"net", counts_json(net)},
-        {"identification", trust_json(*record.trust)},
+        {"identification", verdict_json(*record.trust)},
         {"turns", turns},
         {"touched", plan.strokes.size()},
         {"largest_stroke", plan.largest_stroke()},
@@ -160,18 +160,18 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"planned", deviation_json(plan.planned)},
           {"unavoidable", deviation_json(plan.unavoidable)},
           {"normal_unknown", plan.normal_unknown}}},
-        {"tension", tension_json(record)},
-        {"order", order_json(record)},
+        {"tension", planned_tension_json(record)},
+        {"order", turn_order_json(record)},
         {"options",
          {{"confidence", record.options->confidence},
           {"actuator", record.options->actuator_std},
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
           {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
-          {"tolerance", optional_json(record.options->tolerance)},
+          {"tolerance", value_or_null(record.options->tolerance)},
           {"thread", record.thread == Thread::right ? "right" : "left"}}},
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
-         {{"reached", optional_json(plan.is_within_tolerance)},
+         {{"reached", value_or_null(plan.is_within_tolerance)},
           {"fewest_bound", record.options->tolerance ? Json(plan.fewest_bound) : Json()}}},
         {"draws", plan.draws},
         {"no_draws_since", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
@@ -187,9 +187,9 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
 std::string plan_to_csv(const PlanRecord& record) {
     std::string text =
         "crew,pass,moment,edge,sense,rotation,stroke_mm,turns,reading_after_mm,tension_after_kN\n";
-    for (const Listed& listed : list_of(record)) {
+    for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
-        const auto turns = turns_of(record, turning.stroke);
+        const auto turns = count_of_turns(record, turning.stroke);
         text +=
             fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew, turning.pass,
                         turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),

@@ -119,6 +119,21 @@ TEST_F(PlanCommand, RefusesWhatCannotBeMeant) {
     expect_refused({"--check", "wet.csv"}, "wet.csv:2");
 }
 
+TEST_F(PlanCommand, IsTriedOverWholeJobsByControl) {
+    const std::string told =
+        must_run({"control", "net.json", "-o", "jobs", "--law", "uniform:2mm", "--noise", "0.2mm",
+                  "--draws", "50", "--rounds", "1", "--trials", "2"});
+    EXPECT_THAT(told, HasSubstr("identified"));
+    const json document = json::parse(read("jobs/control.json"));
+    EXPECT_EQ(document["format"].get<std::string>(), "taut-control");
+    EXPECT_EQ(document["strategies"].size(), 4U);
+    EXPECT_EQ(document["strategies"][1]["states"].size(), 4U);
+    EXPECT_THAT(read("jobs/control.csv"), testing::StartsWith("strategy,trial,round,mean"));
+    expect_error(run({"control", "net.json", "-o", "jobs", "--trials", "0"}), 2, "trials");
+    expect_error(run({"control", "net.json", "-o", "jobs", "--tension", "9kN..1kN"}), 2,
+                 "an upper one above it");
+}
+
 TEST_F(PlanCommand, RefusesAResultOfAnotherNet) {
     must_run({"example", "hypar:6x5", "-o", "other.json"});
     const Outcome outcome = run({"plan", "other.json", "result.json", "-o", "plan.json"});

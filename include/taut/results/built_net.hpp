@@ -22,6 +22,6 @@ struct IdentifiedNet {
 /// @throws InputError as read_result() and read_draws(), for a result that is no identification,
 ///   one of another net (both fingerprints are named), and one whose lengths find no equilibrium
 [[nodiscard]] IdentifiedNet read_identified_net(const CableNet& net,
-                                                const std::filesystem::path& result);
+                                                const std::filesystem::path& result_path);
 
 }  // namespace taut

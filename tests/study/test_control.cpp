@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a simulated job that knows what no crew can know, or counts limits as kept that
+// the true net breaks.
+#include "taut/study/control.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+ControlSettings small_job() {
+    return {.law = LengthLaw{.kind = LengthLaw::Kind::uniform, .scale = 2e-3},
+            .noise_std = 0.2e-3,
+            .stroke = 10e-3,
+            .draws = 50,
+            .rounds = 2,
+            .trials = 3};
+}
+
+TEST(Control, BringsTheNetNearerAndRunsTheSameTwice) {
+    const CableNet net = hypar(5, 5);
+    const std::vector<ControlRecord> records = simulate_control(net, small_job());
+    ASSERT_EQ(records.size(), 4u);
+    for (const ControlRecord& record : records) {
+        ASSERT_EQ(record.states.size(), 9u);  // as built and after two rounds, of three trials
+        EXPECT_EQ(record.after(0).normal_rmse, records.front().after(0).normal_rmse);
+        EXPECT_LT(record.after(1).normal_rmse, record.after(0).normal_rmse);
+        EXPECT_EQ(record.after(2).failed, 0);
+    }
+    const ControlRecord& truth = records[0];
+    const ControlRecord& identified = records[1];
+    const ControlRecord& once = records[3];
+    EXPECT_LE(truth.after(1).normal_rmse, identified.after(1).normal_rmse * 1.001);
+    EXPECT_LT(identified.after(1).normal_rmse, 1.3 * truth.after(1).normal_rmse);
+    EXPECT_EQ(once.after(2).turned, 0.0);
+    EXPECT_EQ(once.after(2).normal_rmse, once.after(1).normal_rmse);
+    const std::vector<ControlRecord> again = simulate_control(net, small_job());
+    EXPECT_EQ(again[1].after(2).normal_rmse, identified.after(2).normal_rmse);
+}
+
+TEST(Control, CountsLimitsOfTheTrueNet) {
+    const CableNet net = hypar(5, 5);
+    ControlSettings settings = small_job();
+    settings.rounds = 1;
+    settings.stroke = 1e-6;  // nothing can be mended
+    settings.least_tension = 1e7;
+    for (const ControlRecord& record : simulate_control(net, settings)) {
+        EXPECT_EQ(record.after(1).broken_trials, 3);
+        EXPECT_GT(record.after(1).worst_excess, 0.9);
+    }
+}
+
+TEST(Control, RefusesSettingsThatCannotBeMeant) {
+    const CableNet net = hypar(3, 3);
+    const auto expect_refused = [&](auto change, const char* text) {
+        ControlSettings settings = small_job();
+        change(settings);
+        EXPECT_THAT([&] { static_cast<void>(simulate_control(net, settings)); },
+                    ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+    };
+    expect_refused([](ControlSettings& s) { s.noise_std = 0.0; }, "noise");
+    expect_refused([](ControlSettings& s) { s.hidden_part = 1.0; }, "hidden part");
+    expect_refused([](ControlSettings& s) { s.rounds = 0; }, "rounds");
+    expect_refused([](ControlSettings& s) { s.trials = 0; }, "trials");
+    expect_refused([](ControlSettings& s) { s.stroke = -1.0; }, "stroke");
+    expect_refused(
+        [](ControlSettings& s) {
+            s.least_tension = 5.0;
+            s.most_tension = 4.0;
+        },
+        "largest tension");
+}
+
+}  // namespace
+}  // namespace taut
