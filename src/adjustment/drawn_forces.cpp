@@ -30,6 +30,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
     result.unbalanced.assign(static_cast<size_t>(count), 0);
     tbb::enumerable_thread_specific<std::vector<StrokeResponse>> workspaces([&] {
         std::vector<StrokeResponse> copies;
+        copies.reserve(responses.size());
         for (const LimitedResponse& limited : responses) {
             copies.push_back(limited.response.fresh());
         }

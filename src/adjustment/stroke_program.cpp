@@ -9,13 +9,9 @@
 #include "statics/conic_solver.hpp"
 
 namespace taut {
-namespace {
-
-constexpr double program_length = 1e-3;  ///< the program's numbers are of order one [m]
-constexpr int most_conic_iterations = 100;
 
 /// Builds A x + s = b, s in its cones, row by row.
-class Rows {
+class ProgramRows {
 public:
     /// a . x <= b
     void at_most(double b) {
@@ -51,8 +47,13 @@ private:
     std::vector<Eigen::Triplet<double>> m_entries;
 };
 
+namespace {
+
+constexpr double program_length = 1e-3;  ///< the program's numbers are of order one [m]
+constexpr int most_conic_iterations = 100;
+
 /// low <= x_j <= high for the first columns [m].
-void add_stroke_bounds(Rows& rows, const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
+void add_stroke_bounds(ProgramRows& rows, const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
     for (int j = 0; j < low.size(); ++j) {
         rows.at_most(high(j) / program_length);
         rows.entry(j, 1.0);
@@ -62,8 +63,8 @@ void add_stroke_bounds(Rows& rows, const Eigen::VectorXd& low, const Eigen::Vect
 }
 
 /// excess + gradient . x <= x_broken, x_broken >= 0, in units of force.
-void add_force_limit(Rows& rows, double excess, const Eigen::VectorXd& gradient, double force_unit,
-                     int broken) {
+void add_force_limit(ProgramRows& rows, double excess, const Eigen::VectorXd& gradient,
+                     double force_unit, int broken) {
     rows.at_most(-excess / force_unit);
     for (int j = 0; j < gradient.size(); ++j) {
         rows.entry(j, gradient(j) * program_length / force_unit);
@@ -126,36 +127,88 @@ StrokeProgram::StrokeProgram(std::vector<LimitedResponse>& responses, const Stro
     m_force_unit = std::max(state.nets.front().equilibrium.mean_tension, 1e-9);
 }
 
-std::vector<StrokeProgram::Row> StrokeProgram::rows_within(const Eigen::VectorXd& low,
-                                                           const Eigen::VectorXd& high) const {
+std::vector<StrokeProgram::Row> StrokeProgram::all_rows() const {
     std::vector<Row> rows;
-    const auto add = [&](double excess, const Eigen::VectorXd& gradient) {
-        const double reach = gradient.cwiseProduct(low).cwiseMax(gradient.cwiseProduct(high)).sum();
-        if (excess + reach > 0.0) {
-            rows.push_back({.excess = excess, .gradient = gradient});
-        }
-    };
     for (size_t i = 0; i < m_responses->size(); ++i) {
         const ForceRange& range = (*m_responses)[i].range;
         const Eigen::VectorXd& forces = m_state->nets[i].forces;
         for (Eigen::Index row = 0; row < forces.size(); ++row) {
             if (std::isfinite(range.upper(row))) {
-                add(forces(row) - range.upper(row), m_force_rates[i].row(row));
+                rows.push_back(
+                    {.net = i, .row = row, .sign = 1.0, .excess = forces(row) - range.upper(row)});
             }
             if (std::isfinite(range.lower(row))) {
-                add(range.lower(row) - forces(row), -m_force_rates[i].row(row));
+                rows.push_back(
+                    {.net = i, .row = row, .sign = -1.0, .excess = range.lower(row) - forces(row)});
             }
         }
     }
     return rows;
 }
 
+double StrokeProgram::excess_after(const Row& row, const Eigen::VectorXd& change) const {
+    return row.excess + row.sign * m_force_rates[row.net].row(row.row).dot(change);
+}
+
+/// Few limits matter: those that are near are held at first, and those that the changes would
+/// break, too, until there are none.
+std::optional<Eigen::VectorXd> StrokeProgram::change_holding_limits(
+    const std::function<std::optional<Eigen::VectorXd>(const std::vector<Row>&)>& best) const {
+    constexpr double near = 0.05;        // of the mean tension
+    constexpr double negligible = 1e-9;  // of it
+    std::vector<Row> others = all_rows();
+    std::vector<Row> held;
+    const auto hold = [&](const auto& is_needed) {
+        const auto rest = std::stable_partition(others.begin(), others.end(),
+                                                [&](const Row& row) { return !is_needed(row); });
+        const bool is_any = rest != others.end();
+        held.insert(held.end(), rest, others.end());
+        others.erase(rest, others.end());
+        return is_any;
+    };
+    hold([&](const Row& row) { return row.excess > -near * m_force_unit; });
+    while (true) {
+        std::optional<Eigen::VectorXd> change = best(held);
+        if (!change || !hold([&](const Row& row) {
+                return excess_after(row, *change) > negligible * m_force_unit;
+            })) {
+            return change;
+        }
+    }
+}
+
+void StrokeProgram::add_limits(ProgramRows& rows, const std::vector<Row>& limits,
+                               int broken) const {
+    for (size_t i = 0; i < limits.size(); ++i) {
+        add_force_limit(rows, limits[i].excess,
+                        limits[i].sign * m_force_rates[limits[i].net].row(limits[i].row),
+                        m_force_unit, broken + static_cast<int>(i));
+    }
+}
+
 std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
     const Eigen::VectorXd& at = m_state->strokes;
-    const Eigen::Index k = at.size();
     const Eigen::VectorXd low = (m_task->shortest - at).cwiseMax(-radius).cwiseMin(0.0);
     const Eigen::VectorXd high = (m_task->longest - at).cwiseMin(radius).cwiseMax(0.0);
-    const std::vector<Row> limits = rows_within(low, high);
+    const std::optional<Eigen::VectorXd> change = change_holding_limits(
+        [&](const std::vector<Row>& limits) { return best_change(low, high, limits); });
+    if (!change) {
+        return std::nullopt;
+    }
+    double violation = 0.0;
+    for (const Row& row : all_rows()) {
+        violation += std::max(0.0, excess_after(row, *change));
+    }
+    ProposedStrokes proposed{.strokes = at + *change};
+    proposed.merit = merit_after(m_deviation + m_rates * *change, proposed.strokes, violation);
+    return proposed;
+}
+
+std::optional<Eigen::VectorXd> StrokeProgram::best_change(const Eigen::VectorXd& low,
+                                                          const Eigen::VectorXd& high,
+                                                          const std::vector<Row>& limits) const {
+    const Eigen::VectorXd& at = m_state->strokes;
+    const Eigen::Index k = at.size();
 
     // Columns: changes of the strokes, what each limit is broken by, the largest deviation.
     const auto changes = static_cast<int>(k);
@@ -183,12 +236,9 @@ std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
         m_task->violation_weight * m_force_unit / (program_length * program_length);
     program.q.segment(broken, static_cast<Eigen::Index>(limits.size())).setConstant(penalty);
 
-    Rows rows;
+    ProgramRows rows;
     add_stroke_bounds(rows, low, high);
-    for (size_t i = 0; i < limits.size(); ++i) {
-        add_force_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
-                        broken + static_cast<int>(i));
-    }
+    add_limits(rows, limits, broken);
     if (is_largest()) {
         for (Eigen::Index node = 0; node < m_deviation.size() / 3; ++node) {
             rows.begin_cone(4);
@@ -209,15 +259,7 @@ std::optional<ProposedStrokes> StrokeProgram::solve(double radius) const {
         return std::nullopt;
     }
 
-    const Eigen::VectorXd change =
-        (program_length * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
-    ProposedStrokes proposed{.strokes = at + change};
-    double violation = 0.0;
-    for (const Row& row : limits) {
-        violation += std::max(0.0, row.excess + row.gradient.dot(change));
-    }
-    proposed.merit = merit_after(m_deviation + m_rates * change, proposed.strokes, violation);
-    return proposed;
+    return (program_length * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
 }
 
 double StrokeProgram::merit_after(const Eigen::VectorXd& deviation, const Eigen::VectorXd& strokes,
@@ -231,11 +273,20 @@ double StrokeProgram::merit_after(const Eigen::VectorXd& deviation, const Eigen:
 std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorXd& weights,
                                                             double cost_bound,
                                                             double radius) const {
+    const std::optional<Eigen::VectorXd> change =
+        change_holding_limits([&](const std::vector<Row>& limits) {
+            return least_change(weights, cost_bound, radius, limits);
+        });
+    return change ? std::optional<Eigen::VectorXd>(m_state->strokes + *change) : std::nullopt;
+}
+
+std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd& weights,
+                                                           double cost_bound, double radius,
+                                                           const std::vector<Row>& limits) const {
     const Eigen::VectorXd& at = m_state->strokes;
     const Eigen::Index k = at.size();
     const Eigen::VectorXd low = (m_task->shortest - at).cwiseMax(-radius).cwiseMin(0.0);
     const Eigen::VectorXd high = (m_task->longest - at).cwiseMin(radius).cwiseMax(0.0);
-    const std::vector<Row> limits = rows_within(low, high);
 
     // Columns: changes of the strokes, sizes of the strokes, what each limit is broken by, what the
     // deviation is beyond its bound.
@@ -251,7 +302,7 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorX
     const double penalty = 1e3 * weights.maxCoeff();
     program.q.tail(columns - broken).setConstant(penalty);
 
-    Rows rows;
+    ProgramRows rows;
     add_stroke_bounds(rows, low, high);
     for (int j = 0; j < changes; ++j) {
         for (const double sign : {1.0, -1.0}) {  // +-(x_j + change) <= size
@@ -260,10 +311,7 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorX
             rows.entry(sizes + j, -1.0);
         }
     }
-    for (size_t i = 0; i < limits.size(); ++i) {
-        add_force_limit(rows, limits[i].excess, limits[i].gradient, m_force_unit,
-                        broken + static_cast<int>(i));
-    }
+    add_limits(rows, limits, broken);
     rows.at_most(0.0);
     rows.entry(beyond, -1.0);
     const auto add_cone = [&](double bound, const Eigen::MatrixXd& rates,
@@ -300,7 +348,7 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_turning(const Eigen::VectorX
     if (solution.status != ConeStatus::solved && solution.status != ConeStatus::almost_solved) {
         return std::nullopt;
     }
-    return at + (program_length * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
+    return (program_length * solution.x.head(k)).cwiseMax(low).cwiseMin(high);
 }
 
 std::vector<ProposedStrokes> StrokeProgram::single_steps(double step) const {

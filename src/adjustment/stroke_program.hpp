@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,8 @@ constexpr double turning_weight = 1e-5;
 
 /// Mean square of the weighted deviations of the free nodes, or the square of the largest [m2].
 [[nodiscard]] double cost_of(const FormTarget& target, const CableNet& net, const Points& form);
+
+class ProgramRows;
 
 struct ProposedStrokes {
     Eigen::VectorXd strokes;  ///< k [m]
@@ -46,18 +49,29 @@ public:
     [[nodiscard]] std::vector<ProposedStrokes> single_steps(double step) const;
 
 private:
-    /// A limit that strokes within reach may touch: force + gradient . change <= 0 [N, N/m].
+    /// A limit: sign (force - limit) <= 0.
     struct Row {
-        double excess;  ///< at the state
-        Eigen::VectorXd gradient;
+        size_t net;        ///< of the sets of loads
+        Eigen::Index row;  ///< of its forces
+        double sign;       ///< 1 of an upper limit, -1 of a lower one
+        double excess;     ///< at the state [N]
     };
+    [[nodiscard]] std::vector<Row> all_rows() const;
+    [[nodiscard]] double excess_after(const Row& row, const Eigen::VectorXd& change) const;
+    [[nodiscard]] std::optional<Eigen::VectorXd> change_holding_limits(
+        const std::function<std::optional<Eigen::VectorXd>(const std::vector<Row>&)>& best) const;
+    void add_limits(ProgramRows& rows, const std::vector<Row>& limits, int broken) const;
+    [[nodiscard]] std::optional<Eigen::VectorXd> best_change(const Eigen::VectorXd& low,
+                                                             const Eigen::VectorXd& high,
+                                                             const std::vector<Row>& limits) const;
+    [[nodiscard]] std::optional<Eigen::VectorXd> least_change(const Eigen::VectorXd& weights,
+                                                              double cost_bound, double radius,
+                                                              const std::vector<Row>& limits) const;
     [[nodiscard]] bool is_largest() const {
         return m_task->target->objective() == FormObjective::largest;
     }
     [[nodiscard]] double merit_after(const Eigen::VectorXd& deviation,
                                      const Eigen::VectorXd& strokes, double violation) const;
-    [[nodiscard]] std::vector<Row> rows_within(const Eigen::VectorXd& low,
-                                               const Eigen::VectorXd& high) const;
 
     const std::vector<LimitedResponse>* m_responses;
     const StrokeTask* m_task;

@@ -37,6 +37,7 @@ public:
     Work(const BuiltNet& built, const Limits& limits, const Plan& plan)
         : m_net(&built.net), m_limits(&limits) {
         std::vector<int> edges;
+        edges.reserve(plan.strokes.size());
         for (const PlannedStroke& stroke : plan.strokes) {
             edges.push_back(stroke.edge);
         }
