@@ -208,6 +208,7 @@ private:
 
     [[nodiscard]] std::vector<ForceRange> limits_now() const {
         std::vector<ForceRange> result;
+        result.reserve(m_responses.size());
         for (const LimitedResponse& limited : m_responses) {
             result.push_back(limited.range);
         }

@@ -47,8 +47,10 @@ std::map<std::string, TargetOffset> parse_target_offsets(std::string_view text,
         };
         const TargetOffset offset{.offset = length(1, "offset"),
                                   .std = fields.size() == 3 ? length(2, "std") : 0.0};
-        if (offset.std < 0.0) {
-            fail(fmt::format("std is {}, expected 0 or more", quote(fields[2])));
+        try {
+            check_target_offset(offset);
+        } catch (const std::invalid_argument& error) {
+            fail(error.what());
         }
         if (!offsets.emplace(fields[0], offset).second) {
             fail(fmt::format("tells the offset of {} a second time", quote(fields[0])));

@@ -47,14 +47,13 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
 
 CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const Points& start) {
     CableNetData data = net.data();
-    const Points loads = net.loads();
     data.unstressed_lengths = lengths;
     const Equilibrium equilibrium = EquilibriumSolver(net).solve(lengths, start);
     if (!equilibrium.balanced()) {
         throw std::runtime_error("a net finds no equilibrium");
     }
     data.nodes = equilibrium.form;
-    data.loads = loads;
+    data.loads = net.loads();
     data.mass.resize(0);  // its weight is among the loads
     return CableNet(std::move(data));
 }

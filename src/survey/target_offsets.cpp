@@ -143,23 +143,24 @@ void check_names(const TargetOffsets& offsets, Survey& survey) {
 
 }  // namespace
 
+void check_target_offset(const TargetOffset& offset) {
+    constexpr double largest = 0.5;  // no target stands further off [m]
+    if (!(std::abs(offset.offset) <= largest) || !(offset.std >= 0.0) || !(offset.std <= largest)) {
+        throw std::invalid_argument(
+            fmt::format("the offset is {:g} +- {:g} m, expected at most {:g} m, and a standard "
+                        "deviation from 0 "
+                        "to {:g} m: a number without unit is in metres",
+                        offset.offset, offset.std, largest, largest));
+    }
+}
+
 TargetOffset parse_target_offset(std::string_view text) {
     const size_t colon = text.find(':');
     TargetOffset offset{.offset = parse_length(text.substr(0, colon))};
-    constexpr double largest = 0.5;  // no target stands further off [m]
-    if (std::abs(offset.offset) > largest) {
-        throw std::invalid_argument(
-            fmt::format("the offset '{}' is {:g} m, expected at most {:g} m: a number without unit "
-                        "is in metres",
-                        text, offset.offset, largest));
-    }
     if (colon != std::string_view::npos) {
         offset.std = parse_length(text.substr(colon + 1));
-        if (offset.std < 0.0) {
-            throw std::invalid_argument(fmt::format(
-                "the offset '{}' has a negative standard deviation, expected 0 or more", text));
-        }
     }
+    check_target_offset(offset);
     return offset;
 }
 

@@ -18,8 +18,12 @@ struct TargetOffset {
     double std = 0.0;     ///< of each target by itself [m]
 };
 
+/// @throws std::invalid_argument for an offset or standard deviation beyond 0.5 m, or a negative
+/// one
+void check_target_offset(const TargetOffset& offset);
+
 /// "3mm", "-3mm", "3mm:0.2mm": an offset and its standard deviation (0 where none is told).
-/// @throws std::invalid_argument for anything else, naming the text
+/// @throws std::invalid_argument for anything else, and as check_target_offset()
 [[nodiscard]] TargetOffset parse_target_offset(std::string_view text);
 
 /// Offsets of the targets of a survey.
