@@ -121,8 +121,8 @@ ReactionLimit reaction_limit(const CableNet& net, const std::string& text) {
         }
     }
     std::ranges::sort(limit.supports);
-    limit.supports.erase(std::unique(limit.supports.begin(), limit.supports.end()),
-                         limit.supports.end());
+    const auto doubled = std::ranges::unique(limit.supports);
+    limit.supports.erase(doubled.begin(), doubled.end());
     if (limit.supports.empty()) {
         throw std::invalid_argument(
             fmt::format("--reaction is '{}', but no edge of that group is at a support", text));

@@ -60,7 +60,9 @@ void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told) {
     for (size_t i = 0; i < m_laws.size(); ++i) {
         const LengthLikelihood& of_edge = m_told[i];
         const double variance = of_edge.std * of_edge.std;
-        if (!std::isfinite(variance) || of_edge.extension < tested_extension) {
+        // One that was released for being too long is all the longer if it is slack.
+        const bool is_long = m_released[i] && of_edge.mean > 0.0;
+        if (!std::isfinite(variance) || (of_edge.extension < tested_extension && !is_long)) {
             continue;
         }
         const auto k = static_cast<Eigen::Index>(i);

@@ -33,6 +33,36 @@ std::string and_more(std::vector<std::string> names) {
                        count > shown ? fmt::format(" and {} more", count - shown) : "");
 }
 
+/// A law as one would tell it, without the rounding errors of its last digit.
+std::string law_text(const LengthLaw& law) {
+    const std::string exact = law.to_string();
+    return exact.substr(0, exact.find(':') + 1) + format_length(law.scale);
+}
+
+/// The largest number of targets left out that stand next to each other.
+size_t largest_cluster(const CableNet& net, const std::vector<Outlier>& outliers) {
+    std::vector<int> cluster(net.node_count(), -1);
+    for (const Outlier& outlier : outliers) {
+        cluster[outlier.node] = outlier.node;
+    }
+    // Each takes the least number among its neighbours, until none changes.
+    for (bool has_changed = true; has_changed;) {
+        has_changed = false;
+        for (const auto& [s, t] : net.edges()) {
+            if (cluster[s] >= 0 && cluster[t] >= 0 && cluster[s] != cluster[t]) {
+                cluster[s] = cluster[t] = std::min(cluster[s], cluster[t]);
+                has_changed = true;
+            }
+        }
+    }
+    size_t largest = 0;
+    for (const Outlier& outlier : outliers) {
+        largest = std::max(largest,
+                           static_cast<size_t>(std::ranges::count(cluster, cluster[outlier.node])));
+    }
+    return largest;
+}
+
 class Tests {
 public:
     Tests(const CableNet& net, const Survey& survey, const Identification& result)
@@ -113,7 +143,7 @@ private:
 
     void test_law() {
         const LawCheck& check = m_result.law_check;
-        const std::string told = m_result.law.to_string();
+        const std::string told = law_text(m_result.law);
         if (check.has_mean()) {
             add(Verdict::failed,
                 fmt::format("the lengths deviate by {:+.2f} mm in common, where the law {} gives 0 "
@@ -127,12 +157,12 @@ private:
             add(Verdict::doubtful,
                 fmt::format("the law told, {}, is contradicted (log likelihood {:.0f} lower): "
                             "lengths and intervals are by {}, which the survey shows",
-                            m_result.contradicted_law->checked.to_string(),
+                            law_text(m_result.contradicted_law->checked),
                             m_result.contradicted_law->gain, told),
                 "is that how the edges were cut?");
         }
         if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
-            const std::string likeliest = check.likeliest.to_string();
+            const std::string likeliest = law_text(check.likeliest);
             add(check.is_untenable() && !check.is_too_wide() ? Verdict::failed : Verdict::doubtful,
                 fmt::format("the law {} is contradicted: {} lengths show {} (log likelihood "
                             "{:.0f} higher)",
@@ -224,6 +254,15 @@ private:
                 count == 1 ? "a target contradicts" : fmt::format("{} targets contradict", count),
                 count == 1 ? "is" : "are", and_more(std::move(names))),
             is_few ? "" : "are frame, supports and noise right?");
+        constexpr size_t by_chance = 3;
+        if (const size_t cluster = largest_cluster(m_net, m_result.outliers);
+            is_few && cluster > by_chance) {
+            add(Verdict::doubtful,
+                fmt::format("{} of the targets that are left out stand next to each other",
+                            cluster),
+                "rather than these, something near them is not as told: turnbuckles, supports or "
+                "cables there");
+        }
     }
 
     void test_names() {

@@ -191,9 +191,16 @@ Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& point
     std::vector<SurveyPoint> named;
     std::vector<SurveyPoint> unnamed;
     for (const SurveyPoint& point : points) {
+        constexpr double furthest = 1e9;  // no grid on earth goes further [m]
         if (!point.position.allFinite()) {
             throw SurveyError(
                 point.line, fmt::format("node '{}' has a coordinate that is not finite", point.id));
+        }
+        if (point.position.cwiseAbs().maxCoeff() > furthest) {
+            throw SurveyError(
+                point.line, fmt::format("node '{}' has a coordinate of {:.3g} m, expected at most "
+                                        "{:g} m",
+                                        point.id, point.position.cwiseAbs().maxCoeff(), furthest));
         }
         (point.id.empty() ? unnamed : named).push_back(point);
     }

@@ -103,6 +103,46 @@ INSTANTIATE_TEST_SUITE_P(Methods, MisCut,
                          testing::Values(IdentificationMethod::map, IdentificationMethod::balance),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
+TEST(Doubt, NamesMisCutCablesThatAreAllButSlack) {
+    // 15 mm of 132 mm: what is left of the stretch is less than its standard deviations by far.
+    const CableNet saddle = hypar(9, 9);
+    const LengthLaw narrow{LengthLaw::Kind::uniform, 0.002};
+    for (const int i : {40, 71, 98}) {
+        const SimulatedSurvey s = survey_of(saddle, narrow, 3, {i}, 0.015);
+        const Identification result =
+            identify(saddle, s.survey, {.method = IdentificationMethod::map, .law = narrow});
+        ASSERT_EQ(result.lengths_beyond_law.size(), 1u);
+        EXPECT_EQ(result.lengths_beyond_law[0].edge, saddle.interior_edges()[i]);
+        EXPECT_TRUE(result.outliers.empty());
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
+        EXPECT_LE(result.edges[i].lower, 0.015);
+        EXPECT_GE(result.edges[i].upper, 0.015);
+    }
+}
+
+TEST(Doubt, IsDueWhereTargetsNextToEachOtherAreLeftOut) {
+    // A gross error each on four nodes in a row: something there moved, rather than four targets.
+    SimulatedSurvey s = survey_of(net(), law, 4);
+    std::vector<int> row{net().free_nodes()[100]};
+    while (row.size() < 4) {
+        for (const auto& [a, b] : net().edges()) {
+            const int other = a == row.back() ? b : b == row.back() ? a : -1;
+            if (other >= 0 && net().free_index(other) >= 0 &&
+                std::ranges::find(row, other) == row.end()) {
+                row.push_back(other);
+                break;
+            }
+        }
+    }
+    for (size_t i = 0; i < row.size(); ++i) {
+        s.survey.form.col(row[i]) += Eigen::Vector3d(0.03, 0.04, i % 2 == 0 ? 0.05 : -0.05);
+    }
+    const Identification result = identified(s.survey, law);
+    EXPECT_EQ(result.outliers.size(), 4u);
+    EXPECT_TRUE(says(result, "stand next to each other"));
+    EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
+}
+
 TEST(Doubt, OfALawThatIsTooNarrowOrOfAnotherShapeIsTold) {
     const LengthLaw normal{LengthLaw::Kind::normal, 0.0029};
     const LengthLaw bimodal{LengthLaw::Kind::bimodal, 0.004};
