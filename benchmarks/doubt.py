@@ -46,6 +46,16 @@ def off(kind, count, by):
     return alter
 
 
+def warmer(by):
+    """All cables are longer by their expansion: 12e-6 of their length and kelvin."""
+
+    def alter(net, deviations, nodes, random):
+        deviations += 12e-6 * by * np.array(net.data["unstressed_lengths"])
+        return set()
+
+    return alter
+
+
 def moved_supports(count, by):
     def alter(net, deviations, nodes, random):
         moved = random.choice(net.data["supports"], count, replace=False)
@@ -74,6 +84,12 @@ CASES = [
     Case("nothing is wrong, the law told", told="uniform:5mm"),
     Case("five cables 15 mm too long", alter=off("interior", 5, 0.015), culprits=5),
     Case("five cables 15 mm too long, the law told", told="uniform:5mm", alter=off("interior", 5, 0.015), culprits=5),
+    Case("hypar:9x9, uniform:2mm: a cable 15 mm too long", truth="uniform:2mm", told="uniform:2mm",
+         alter=off("interior", 1, 0.015), culprits=1, net="hypar:9x9"),
+    Case("hypar:9x9, uniform:2mm: three cables 15 mm too long", truth="uniform:2mm", told="uniform:2mm",
+         alter=off("interior", 3, 0.015), culprits=3, net="hypar:9x9"),
+    Case("steel-roof, uniform:2mm: 30 K warmer", truth="uniform:2mm", told="uniform:2mm", alter=warmer(30.0),
+         net="steel-roof"),
     Case("lengths uniform:7mm", truth="uniform:7mm", told="uniform:5mm"),
     Case("lengths normal:2.9mm", truth="normal:2.9mm", told="uniform:5mm"),
     Case("lengths bimodal:4mm", truth="bimodal:4mm", told="uniform:5mm"),

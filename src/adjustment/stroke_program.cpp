@@ -231,6 +231,7 @@ std::optional<Eigen::VectorXd> StrokeProgram::best_change(const Eigen::VectorXd&
     program.P = upper_triangle(quadratic, columns);
     if (is_largest()) {
         program.P.coeffRef(largest, largest) = 2.0;
+        program.P.makeCompressed();
     }
     const double penalty =
         m_task->violation_weight * m_force_unit / (program_length * program_length);

@@ -118,6 +118,24 @@ TEST(Plan, KeepsItsLimitsInExactEquilibrium) {
     EXPECT_LT((after - plan.tensions).cwiseAbs().maxCoeff(), 1e-3);
 }
 
+TEST(Plan, MakesTheLargestDeviationSmallWhereThatIsAskedFor) {
+    const CableNet net = hypar(6, 6);
+    const BuiltNet built = random_built(net, 6, 3e-3);
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    const DeviationWeights weights{.normal = 1.0, .tangential = 1.0};
+    const Plan mean = plan_strokes(built, FormTarget(net, net.nodes(), weights), limits);
+    const Plan largest = plan_strokes(
+        built, FormTarget(net, net.nodes(), weights, FormObjective::largest), limits);
+    EXPECT_LT(largest.planned.max, 0.98 * mean.planned.max);
+    EXPECT_GT(largest.planned.rmse, mean.planned.rmse);
+    PlanOptions options;
+    options.tolerance = 0.5 * (largest.planned.normal_max + largest.as_built.normal_max);
+    const Plan few = plan_strokes(
+        built, FormTarget(net, net.nodes(), weights, FormObjective::largest), limits, options);
+    EXPECT_TRUE(few.is_within_tolerance.value_or(false));
+    EXPECT_LT(few.strokes.size(), largest.strokes.size());
+}
+
 TEST(Plan, TellsTheLeastViolationWhereLimitsCannotBeKept) {
     const CableNet net = hypar(4, 4);
     const BuiltNet built = random_built(net, 1, 2e-3);
