@@ -124,8 +124,8 @@ TEST(Plan, MakesTheLargestDeviationSmallWhereThatIsAskedFor) {
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
     const DeviationWeights weights{.normal = 1.0, .tangential = 1.0};
     const Plan mean = plan_strokes(built, FormTarget(net, net.nodes(), weights), limits);
-    const Plan largest = plan_strokes(
-        built, FormTarget(net, net.nodes(), weights, FormObjective::largest), limits);
+    const Plan largest =
+        plan_strokes(built, FormTarget(net, net.nodes(), weights, FormObjective::largest), limits);
     EXPECT_LT(largest.planned.max, 0.98 * mean.planned.max);
     EXPECT_GT(largest.planned.rmse, mean.planned.rmse);
     PlanOptions options;
