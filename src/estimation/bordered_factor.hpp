@@ -24,7 +24,7 @@ namespace taut {
 class BorderedFactor {
 public:
     BorderedFactor(const LocalNet& net, const std::vector<bool>& unknown, Supports supports,
-                   int border_count);
+                   Lengths lengths, int border_count);
 
     using Inner = SaddlePointFactor::Vector;
 

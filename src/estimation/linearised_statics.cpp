@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/linearised_statics.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,7 +89,8 @@ LawBlur blur_by(const CableNet& net, double extension_std, const std::vector<Unk
 }
 
 LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns,
-                                     bool frame_is_unknown, const BoundaryReleases& released)
+                                     bool frame_is_unknown, const BoundaryReleases& released,
+                                     Lengths lengths)
     : m_net(net),
       m_unknowns(unknowns),
       m_common(net, unknowns, frame_is_unknown, released),
@@ -98,7 +101,7 @@ LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unkn
       m_free_nodes(m_local.node_of.begin(), m_local.node_of.begin() + m_local.free_count),
       m_nodes(m_free_nodes),
       m_slack(net.edge_count(), false),
-      m_matrix(m_local, interior_flags(net), supports_of(unknowns), m_common.count()) {
+      m_matrix(m_local, interior_flags(net), supports_of(unknowns), lengths, m_common.count()) {
     for (size_t i = 0; i < m_local.node_of.size(); ++i) {
         m_local_of[m_local.node_of[i]] = static_cast<int>(i);
     }
@@ -351,6 +354,31 @@ void LinearisedStatics::set_border(const Observations& observations) {
     }
 }
 
+/// (epoch-evidence)
+void LinearisedStatics::set_evidence(const Observations& observations) {
+    const Eigen::MatrixXd& information = observations.evidence->information;
+    const std::vector<int>& edges = m_net.interior_edges();
+    const auto lengths = std::ssize(edges);
+    const Eigen::Index common = information.rows() - lengths;
+    m_matrix.inner.length_couplings(edges, edges) =
+        m_length_unit * m_length_unit * information.topLeftCorner(lengths, lengths);
+    for (Eigen::Index k = 0; k < common; ++k) {
+        m_matrix.border[k].lengths(edges) +=
+            m_length_unit * information.col(lengths + k).head(lengths);
+    }
+    m_matrix.corner.topLeftCorner(common, common) += information.bottomRightCorner(common, common);
+}
+
+void LinearisedStatics::add_evidence(const Iterate& iterate, const Observations& observations,
+                                     BorderedFactor::Vector& right_side) const {
+    const Eigen::VectorXd& pull = observations.evidence_pull;
+    const Eigen::VectorXd misfit =
+        pull - observations.evidence->information * iterate.lengths_and_common(pull.size());
+    const auto lengths = std::ssize(m_net.interior_edges());
+    right_side.inner.lengths(m_net.interior_edges()) += m_length_unit * misfit.head(lengths);
+    right_side.border.head(pull.size() - lengths) += misfit.tail(pull.size() - lengths);
+}
+
 /// (frame), (boundary): of known supports what was measured of them tells of it; of unknown ones
 /// what is known of them beforehand.
 void LinearisedStatics::add_motions_to_border(const Observations& observations) {
@@ -409,6 +437,9 @@ bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& ob
         }
     }
     set_border(observations);
+    if (observations.evidence) {
+        set_evidence(observations);
+    }
     m_multipliers.setZero(3, m_local.free_count);
     m_place_reactions.setZero(3, node_count);
     m_length_reactions.setZero(m_net.edge_count());
@@ -482,6 +513,9 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
         }
     }
     add_readings(iterate, observations, result);
+    if (observations.evidence) {
+        add_evidence(iterate, observations, result);
+    }
     return result;
 }
 
@@ -542,6 +576,10 @@ double LinearisedStatics::squared_norm(const Observations& observations,
     sum += (observations.load_variance.array() > 0.0)
                .select(change.loads.array().square() / observations.load_variance.array(), 0.0)
                .sum();
+    if (observations.evidence) {
+        const Eigen::VectorXd x = change.lengths_and_common(observations.evidence_pull.size());
+        sum += (observations.evidence->root.transpose() * x).squaredNorm();
+    }
     const double unit = 1.0 / (m_length_unit * m_multiplier_unit);
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (observations.tension_weights(e) > 0.0 && !m_slack[e]) {
@@ -568,12 +606,19 @@ double LinearisedStatics::objective(const Observations& observations,
     Observations without_readings = observations;
     without_readings.tension_weights.setZero();
     without_readings.support_weights.setZero();
+    without_readings.set_evidence(nullptr);
+    double of_evidence = 0.0;
+    if (observations.evidence) {
+        const Eigen::VectorXd x = iterate.lengths_and_common(observations.evidence_pull.size());
+        of_evidence = 0.5 * (observations.evidence->root.transpose() * x).squaredNorm() -
+                      observations.evidence_pull.dot(x);
+    }
     const Eigen::VectorXd read = observations.tension - tensions(iterate);
-    return 0.5 * (squared_norm(without_readings, misfit) +
-                  observations.support_weights
-                      .cwiseProduct(support_misfit(iterate, observations).cwiseAbs2())
-                      .sum() +
-                  observations.tension_weights.dot(read.cwiseAbs2()));
+    return of_evidence + 0.5 * (squared_norm(without_readings, misfit) +
+                                observations.support_weights
+                                    .cwiseProduct(support_misfit(iterate, observations).cwiseAbs2())
+                                    .sum() +
+                                observations.tension_weights.dot(read.cwiseAbs2()));
 }
 
 Eigen::VectorXd LinearisedStatics::tensions(const Iterate& iterate) const {
@@ -650,6 +695,21 @@ Eigen::VectorXd LinearisedStatics::covariances_with(const Eigen::VectorXd& weigh
         result(e) = of_edge / (m_multiplier_unit * m_multiplier_unit);
     }
     return result;
+}
+
+Eigen::MatrixXd LinearisedStatics::evidence_covariance(int common_count) const {
+    const std::vector<int>& edges = m_net.interior_edges();
+    const auto lengths = static_cast<int>(std::ssize(edges));
+    Eigen::MatrixXd result(lengths + common_count, lengths + common_count);
+    tbb::parallel_for(0, lengths + common_count, [&](int k) {
+        BorderedFactor::Vector unit = empty_vector();
+        (k < lengths ? unit.inner.lengths(edges[k]) : unit.border(k - lengths)) = 1.0;
+        const BorderedFactor::Vector column = m_matrix.solve(unit);
+        result.col(k) << m_length_unit * column.inner.lengths(edges),
+            column.border.head(common_count);
+    });
+    result.leftCols(lengths) *= m_length_unit;
+    return 0.5 * (result + result.transpose());
 }
 
 double LinearisedStatics::length_sum_variance(const Eigen::VectorXd& weights) const {

@@ -58,9 +58,10 @@ public:
     /// @param unknowns of the net, checked; observations are to have places and loads as they say
     /// @param frame_is_unknown of the survey: places are then told in its frame, in which the
     ///   supports move together
+    /// @param lengths coupled where observations have evidence
     explicit LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns = {},
-                               bool frame_is_unknown = false,
-                               const BoundaryReleases& released = {});
+                               bool frame_is_unknown = false, const BoundaryReleases& released = {},
+                               Lengths lengths = Lengths::independent);
     LinearisedStatics(const LinearisedStatics&) = delete;  // the factor refers to the local net
     LinearisedStatics& operator=(const LinearisedStatics&) = delete;
 
@@ -149,6 +150,9 @@ public:
     [[nodiscard]] const Eigen::MatrixXd& common_covariance() const { return m_covariance.border; }
     /// Of all edges' tensions with a sum of them with weights (m) (m) [N2 of the weights].
     [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights) const;
+    /// Of all length deviations and, behind them, so many of the first common unknowns, as evidence
+    /// tells of them; takes a solution for each.
+    [[nodiscard]] Eigen::MatrixXd evidence_covariance(int common_count) const;
     /// Of the sum of length deviations with weights (m_I) [m2 of the weights].
     [[nodiscard]] double length_sum_variance(const Eigen::VectorXd& weights) const;
     /// Of all edges' tensions with the mean of them (m) [N2].
@@ -208,6 +212,9 @@ private:
     void set_weights(const Observations& observations);
     void add_edge(int edge, const Iterate& iterate, const Observations& observations);
     void set_border(const Observations& observations);
+    void set_evidence(const Observations& observations);
+    void add_evidence(const Iterate& iterate, const Observations& observations,
+                      BorderedFactor::Vector& right_side) const;
     void add_motions_to_border(const Observations& observations);
     [[nodiscard]] Points support_misfit(const Iterate& iterate,
                                         const Observations& observations) const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/observations.hpp"
 
+#include <utility>
+
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/covariance.hpp"
 
@@ -45,6 +47,17 @@ double Observations::squared_norm(const Points& errors) const {
                                     : weights.cwiseProduct(errors.cwiseAbs2()).sum();
 }
 
+void Observations::set_evidence(std::shared_ptr<const LengthEvidence> told) {
+    evidence = std::move(told);
+    evidence_pull = evidence ? evidence->pull : Eigen::VectorXd();
+}
+
+Eigen::VectorXd Iterate::lengths_and_common(Eigen::Index size) const {
+    Eigen::VectorXd result(size);
+    result << deviations, common.head(size - deviations.size());
+    return result;
+}
+
 Iterate Iterate::moved(const Iterate& step, double part) const {
     return {.form = form + part * step.form,
             .deviations = deviations + part * step.deviations,
@@ -82,7 +95,9 @@ Observations nothing_observed(const CableNet& net, double length_std, int common
         .load_variance = none,
         .common_mean = Eigen::VectorXd::Zero(common_unknowns),
         .tension = Eigen::VectorXd::Zero(net.edge_count()),
-        .tension_weights = Eigen::VectorXd::Zero(net.edge_count())};
+        .tension_weights = Eigen::VectorXd::Zero(net.edge_count()),
+        .evidence = nullptr,
+        .evidence_pull = {}};
 }
 
 Observations observe(const CableNet& net, const Survey& survey, const Points& noise,

@@ -3,12 +3,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
+
+/// What other surveys of the same net tell of x: its length deviations (m_I) and, behind them, the
+/// common unknowns that are told, in their standard deviations. Their log-likelihood is
+/// -1/2 x' J x + p' x; J is positive semidefinite. docs/theory.md, (epoch-evidence).
+struct LengthEvidence {
+    Eigen::MatrixXd information;  ///< J
+    Eigen::MatrixXd root;         ///< R, R R' = J
+    Eigen::VectorXd pull;         ///< p
+};
 
 /// What is known of form, lengths and all else apart from the statics: independent normal
 /// distributions. docs/theory.md, (observation), (prior), (unknown), (reading).
@@ -31,6 +41,8 @@ struct Observations {
     Eigen::VectorXd common_mean;      ///< of each common unknown, in its standard deviations
     Eigen::VectorXd tension;          ///< m, as read; anything where the weight is 0 [N]
     Eigen::VectorXd tension_weights;  ///< m, 1 / variance, else 0 [1/N2]
+    std::shared_ptr<const LengthEvidence> evidence;  ///< null: there is none
+    Eigen::VectorXd evidence_pull;                   ///< p; empty without
 
     [[nodiscard]] Eigen::Matrix3d weight(int node) const;  ///< S of a node [1/m2]
     /// Makes S of a node so many times as large.
@@ -39,6 +51,7 @@ struct Observations {
     [[nodiscard]] Points weighted(const Points& errors) const;
     /// e' S e of errors of places (3 x n).
     [[nodiscard]] double squared_norm(const Points& errors) const;
+    void set_evidence(std::shared_ptr<const LengthEvidence> told);
 };
 
 /// A form, length deviations and values of all else that is unknown, which need not be in
@@ -48,6 +61,9 @@ struct Iterate {
     Eigen::VectorXd deviations;  ///< m_I [m]
     Points loads;                ///< 3 x n, deviations of the nodes' loads [N]
     Eigen::VectorXd common;      ///< the common unknowns, each divided by its standard deviation
+
+    /// What evidence tells of: the deviations, and as many common unknowns as that leaves.
+    [[nodiscard]] Eigen::VectorXd lengths_and_common(Eigen::Index size) const;
 
     /// Itself and a part of a step.
     [[nodiscard]] Iterate moved(const Iterate& step, double part = 1.0) const;

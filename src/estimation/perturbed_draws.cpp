@@ -89,6 +89,13 @@ Observations perturbed(const CableNet& net, const Observations& observations,
             result.tension(e) += random.normal() / std::sqrt(weight);
         }
     }
+    if (observations.evidence) {
+        Eigen::VectorXd error(observations.evidence->root.cols());
+        for (double& of_one : error) {
+            of_one = random.normal();
+        }
+        result.evidence_pull += observations.evidence->root * error;
+    }
     return result;
 }
 
@@ -207,7 +214,8 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
                                               Workspace& workspace) const {
     if (!workspace.statics) {
         workspace.statics = std::make_unique<LinearisedStatics>(
-            m_net, m_knowledge.unknowns, m_knowledge.frame_is_unknown, m_knowledge.released);
+            m_net, m_knowledge.unknowns, m_knowledge.frame_is_unknown, m_knowledge.released,
+            m_knowledge.coupling());
         workspace.statics->set_blur(m_statics.blur());
         workspace.statics->set_slack(
             m_knowledge.as_seen(std::vector<bool>(m_net.edge_count(), false)));

@@ -82,6 +82,7 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
             result.load_variance.col(node).setConstant(std * std);
         }
     }
+    result.set_evidence(knowledge.evidence);
     for (const ForceReading& reading : knowledge.forces.readings) {
         result.tension(reading.edge) = reading.tension;
         result.tension_weights(reading.edge) = 1.0 / (reading.std * reading.std);

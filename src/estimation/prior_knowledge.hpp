@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "estimation/common_unknowns.hpp"
 #include "estimation/observations.hpp"
+#include "estimation/saddle_point_layout.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/sampling/unknown.hpp"
@@ -18,13 +20,17 @@ struct PriorKnowledge {
     std::vector<LengthLaw> laws;  ///< of each interior edge's length deviation (m_I)
     std::vector<Unknown> unknowns;
     Forces forces;
-    bool frame_is_unknown = false;  ///< of the survey
-    BoundaryReleases released;      ///< what was found not to be as told
+    bool frame_is_unknown = false;                   ///< of the survey
+    BoundaryReleases released;                       ///< what was found not to be as told
+    std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: there is none
 
     /// One law for all, and nothing else.
     PriorKnowledge(const CableNet& net, const LengthLaw& law)
         : laws(net.interior_edge_count(), law) {}
 
+    [[nodiscard]] Lengths coupling() const {
+        return evidence ? Lengths::coupled : Lengths::independent;
+    }
     /// Root mean square standard deviation of the laws [m].
     [[nodiscard]] double length_std() const;
     /// Corrects which edges (m) are taken to be slack by what was seen; and by what was read, where

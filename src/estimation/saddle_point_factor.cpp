@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/saddle_point_factor.hpp"
 
+#include <algorithm>
+
 namespace taut {
 
 SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool>& unknown,
-                                     Supports supports)
-    : m_layout(net, unknown, supports), m_factor(m_layout.sizes, m_layout.couplings()) {
+                                     Supports supports, Lengths lengths)
+    : m_layout(net, unknown, supports, lengths), m_factor(m_layout.sizes, m_layout.couplings()) {
     const auto edge_count = static_cast<Eigen::Index>(net.edges.size());
     place_weights.setZero(3, m_layout.node_count());
     cross_place_weights.setZero(3, m_layout.node_count());
@@ -18,6 +20,15 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
     reading_weights.setZero(edge_count);
     reading_place_rates.setZero(3, edge_count);
     reading_length_rates.setZero(edge_count);
+    if (lengths == Lengths::coupled) {
+        length_couplings.setZero(edge_count, edge_count);
+        for (int e = 0; e < edge_count; ++e) {
+            if (m_layout.is_unknown(e)) {
+                m_coupled.push_back(e);
+            }
+        }
+        std::ranges::sort(m_coupled, {}, [this](int edge) { return m_layout.length[edge]; });
+    }
 }
 
 /// The entries of a node's block with itself and with later ones, lower triangle.
@@ -49,10 +60,23 @@ void SaddlePointFactor::assemble(int node, const Places& places, Eigen::MatrixXd
             }
             if (!is_before) {
                 front(row, row) += length_weights(e);
+                assemble_couplings(e, places, front);
             }
         }
         if (reading_weights(e) > 0.0) {
             assemble_reading(e, node, places, front);
+        }
+    }
+}
+
+/// The entries of a coupled length with itself and with later ones.
+void SaddlePointFactor::assemble_couplings(int edge, const Places& places,
+                                           Eigen::MatrixXd& front) const {
+    const int own = m_layout.length[edge];
+    const int column = places.of(own);
+    for (const int other : m_coupled) {
+        if (m_layout.length[other] >= own) {
+            front(places.of(m_layout.length[other]), column) += length_couplings(other, edge);
         }
     }
 }

@@ -46,7 +46,7 @@ class SaddlePointFactor {
 public:
     /// @param unknown one flag an edge of the net: whether its length is unknown
     SaddlePointFactor(const LocalNet& net, const std::vector<bool>& unknown,
-                      Supports supports = Supports::fixed);
+                      Supports supports = Supports::fixed, Lengths lengths = Lengths::independent);
 
     // The matrix, to be filled before factorize(). Nodes: the free ones, in the order of the local
     // net, then the supports where these are unknown.
@@ -54,7 +54,9 @@ public:
     /// xy, xz, yz (3 x nodes).
     Eigen::Matrix3Xd place_weights;
     Eigen::Matrix3Xd cross_place_weights;
-    Eigen::VectorXd length_weights;               ///< P, one an edge; unused for known lengths
+    Eigen::VectorXd length_weights;  ///< P, one an edge; unused for known lengths
+    /// What coupled lengths add to P, edges x edges; unused for known lengths.
+    Eigen::MatrixXd length_couplings;
     Eigen::Matrix3Xd load_variances;              ///< V, 3 x free nodes
     std::vector<Eigen::Matrix3d> node_stiffness;  ///< diagonal block of H, one a free node
     /// One an edge: -1 times the block of H between its nodes.
@@ -104,6 +106,7 @@ private:
     using Places = SupernodalFactor::Places;
 
     void assemble(int node, const Places& places, Eigen::MatrixXd& front) const;
+    void assemble_couplings(int edge, const Places& places, Eigen::MatrixXd& front) const;
     void read_covariance(int node, const Places& places, const Eigen::MatrixXd& inverse,
                          Covariance& result) const;
     void assemble_reading(int edge, int node, const Places& places, Eigen::MatrixXd& front) const;
@@ -113,6 +116,7 @@ private:
     [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns) const;
 
     SaddlePointLayout m_layout;
+    std::vector<int> m_coupled;  ///< edges of unknown length in the order of elimination; or none
     SupernodalFactor m_factor;
 };
 

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/saddle_point_layout.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace taut {
 
 SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool>& unknown,
-                                     Supports supports)
-    : free_count(net.free_count),
+                                     Supports supports, Lengths with_lengths)
+    : lengths(with_lengths),
+      free_count(net.free_count),
       support_blocks(supports == Supports::unknown ? static_cast<int>(net.supports.cols()) : 0),
       edges(net.edges),
       edges_of_node(node_count()),
@@ -61,7 +63,27 @@ std::vector<std::vector<int>> SaddlePointLayout::couplings() const {
             }
         }
     }
+    if (lengths == Lengths::coupled) {
+        couple_lengths(result);
+    }
     return result;
+}
+
+/// Each with all of later blocks.
+void SaddlePointLayout::couple_lengths(std::vector<std::vector<int>>& couplings) const {
+    std::vector<int> unknown = length;
+    std::erase(unknown, -1);
+    std::ranges::sort(unknown);
+    int first = 0;
+    auto own = unknown.begin();
+    for (size_t block = 0; block < couplings.size(); ++block) {
+        first += sizes[block];
+        const auto later = std::lower_bound(own, unknown.end(), first);
+        if (later != own) {
+            couplings[block].insert(couplings[block].end(), later, unknown.end());
+        }
+        own = later;
+    }
 }
 
 }  // namespace taut

@@ -11,6 +11,9 @@ namespace taut {
 /// Whether the places of the supports are given, or unknown like those of the free nodes.
 enum class Supports { fixed, unknown };
 
+/// Whether the weights of the lengths are one an edge, or a full matrix.
+enum class Lengths { independent, coupled };
+
 /// How the unknowns of the saddle-point matrix of a net are numbered: first a block a support, of
 /// its place, where these are unknown; then a block a free node, in the order of the local net, of
 /// its place, its multipliers, and the unknown lengths of its edges to earlier nodes and to
@@ -18,8 +21,9 @@ enum class Supports { fixed, unknown };
 struct SaddlePointLayout {
     /// @param unknown one flag an edge of the net: whether its length is unknown
     SaddlePointLayout(const LocalNet& net, const std::vector<bool>& unknown,
-                      Supports supports = Supports::fixed);
+                      Supports supports = Supports::fixed, Lengths lengths = Lengths::independent);
 
+    Lengths lengths = Lengths::independent;
     int free_count = 0;
     int support_blocks = 0;                       ///< 0 where supports are fixed
     std::vector<Edge> edges;                      ///< of the local net
@@ -49,6 +53,9 @@ struct SaddlePointLayout {
     }
     /// Of each block, the unknowns of later blocks that it has entries with.
     [[nodiscard]] std::vector<std::vector<int>> couplings() const;
+
+private:
+    void couple_lengths(std::vector<std::vector<int>>& couplings) const;
 };
 
 }  // namespace taut

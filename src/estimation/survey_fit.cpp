@@ -83,7 +83,7 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_settings(checked(net, survey, knowledge, settings)),
       m_noise(with_noise_floor(net, m_survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
-      m_statics(net, knowledge.unknowns, knowledge.frame_is_unknown),
+      m_statics(net, knowledge.unknowns, knowledge.frame_is_unknown, {}, knowledge.coupling()),
       m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
       m_length_snooping(net, knowledge.laws, length_threshold(survey, knowledge, settings)),
       m_boundary_snooping(net, knowledge.unknowns,

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/epoch_evidence.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+namespace taut {
+namespace {
+
+Eigen::MatrixXd symmetric(const Eigen::MatrixXd& matrix) {
+    return 0.5 * (matrix + matrix.transpose());
+}
+
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& positive) {
+    return symmetric(
+        positive.ldlt().solve(Eigen::MatrixXd::Identity(positive.rows(), positive.cols())));
+}
+
+/// A distribution of x in the standard deviations that it has before any survey.
+struct Standardised {
+    Eigen::VectorXd mean;
+    Eigen::MatrixXd covariance;
+};
+
+Standardised standardised(const LengthEvidence& evidence, const Eigen::VectorXd& prior_stds) {
+    const auto by_std = prior_stds.asDiagonal();
+    const Eigen::MatrixXd precision =
+        Eigen::MatrixXd::Identity(prior_stds.size(), prior_stds.size()) +
+        by_std * evidence.information * by_std;
+    Standardised result{.mean = {}, .covariance = inverse_of(precision)};
+    result.mean = result.covariance * (by_std * evidence.pull);
+    return result;
+}
+
+/// Sets the root of evidence, and takes out what rounding errors made negative of it.
+/// @param information and pull in standard deviations
+LengthEvidence with_root(const Eigen::MatrixXd& information, const Eigen::VectorXd& pull,
+                         const Eigen::VectorXd& prior_stds) {
+    const Eigen::LDLT<Eigen::MatrixXd> factor(symmetric(information));
+    const Eigen::VectorXd pivots = factor.vectorD().cwiseMax(0.0).cwiseSqrt();
+    Eigen::MatrixXd root = factor.matrixL();
+    root *= pivots.asDiagonal();
+    root = factor.transpositionsP().transpose() * root;
+    const Eigen::VectorXd by_std = prior_stds.cwiseInverse();
+    LengthEvidence result;
+    result.root = by_std.asDiagonal() * root;
+    result.information = result.root * result.root.transpose();
+    result.pull = by_std.cwiseProduct(pull);
+    return result;
+}
+
+}  // namespace
+
+EpochStep EpochStep::reversed() const {
+    const Eigen::VectorXd back = factor.cwiseProduct(prior_from).cwiseQuotient(prior_to);
+    return {.factor = back,
+            .added = (prior_from - back.cwiseAbs2().cwiseProduct(prior_to)).cwiseMax(0.0),
+            .prior_from = prior_to,
+            .prior_to = prior_from};
+}
+
+LengthEvidence own_evidence(const LinearisedStatics& statics, const Observations& observations,
+                            const Iterate& fitted, int common_count) {
+    const Eigen::Index lengths = fitted.deviations.size();
+    Eigen::VectorXd prior_variances = Eigen::VectorXd::Ones(lengths + common_count);
+    prior_variances.head(lengths) =
+        observations.variance + statics.blur().length_variances(lengths);
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(lengths + common_count);
+    mean.head(lengths) = observations.mean;
+    mean.tail(common_count) = observations.common_mean.head(common_count);
+    const Eigen::VectorXd stds = prior_variances.cwiseSqrt();
+    const auto by_std = stds.cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd precision =
+        inverse_of(by_std * statics.evidence_covariance(common_count) * by_std);
+    const Eigen::VectorXd x = by_std * fitted.lengths_and_common(stds.size());
+    LengthEvidence result{.information = by_std * precision * by_std,
+                          .root = {},
+                          .pull = by_std * (precision * x - by_std * mean)};
+    result.information.diagonal() -= prior_variances.cwiseInverse();
+    if (observations.evidence) {
+        result.information -= observations.evidence->information;
+        result.pull -= observations.evidence_pull;
+    }
+    return result;
+}
+
+LengthEvidence no_evidence(Eigen::Index size) {
+    return {.information = Eigen::MatrixXd::Zero(size, size),
+            .root = Eigen::MatrixXd::Zero(size, 0),
+            .pull = Eigen::VectorXd::Zero(size)};
+}
+
+LengthEvidence sum_of(const LengthEvidence& a, const LengthEvidence& b) {
+    return {.information = a.information + b.information, .root = {}, .pull = a.pull + b.pull};
+}
+
+LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step) {
+    const Eigen::VectorXd from = step.prior_from.cwiseSqrt();
+    const Eigen::VectorXd to = step.prior_to.cwiseSqrt();
+    const Standardised before = standardised(evidence, from);
+    const Eigen::VectorXd factor = step.factor.cwiseProduct(from).cwiseQuotient(to);
+    Eigen::MatrixXd covariance = factor.asDiagonal() * before.covariance * factor.asDiagonal();
+    covariance.diagonal() += step.added.cwiseQuotient(step.prior_to);
+    const Eigen::VectorXd mean = factor.cwiseProduct(before.mean);
+    Eigen::MatrixXd precision = inverse_of(covariance);
+    const Eigen::VectorXd pull = precision * mean;
+    precision.diagonal().array() -= 1.0;  // what was known before any survey
+    return with_root(precision, pull, to);
+}
+
+/// In standard deviations before any survey, with A the covariance by the others, m their mean and
+/// J, p the survey's own evidence: g = W (y - m) for p = J y, W = (J^-1 + A)^-1, without J^-1:
+///
+///   g = (1 + J A)^-1 (p - J m),   W = (1 + J A)^-1 J
+EvidenceTest test_evidence(const Eigen::VectorXd& prior_variances, const LengthEvidence& others,
+                           const LengthEvidence& own) {
+    constexpr double least_shown = 1e-3;  // in standard deviations before any survey
+    const Eigen::VectorXd stds = prior_variances.cwiseSqrt();
+    const auto by_std = stds.asDiagonal();
+    const Standardised before = standardised(others, stds);
+    const Eigen::MatrixXd J = by_std * own.information * by_std;
+    const Eigen::VectorXd p = by_std * own.pull;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
+        Eigen::MatrixXd::Identity(J.rows(), J.cols()) + J * before.covariance);
+    const Eigen::VectorXd gradient = factor.solve(p - J * before.mean);
+    const Eigen::MatrixXd information = symmetric(factor.solve(J));
+    EvidenceTest result{
+        .change = Eigen::VectorXd::Zero(stds.size()),
+        .std = Eigen::VectorXd::Constant(stds.size(), std::numeric_limits<double>::infinity()),
+        .statistic = Eigen::VectorXd::Zero(stds.size())};
+    for (Eigen::Index i = 0; i < stds.size(); ++i) {
+        const double shown = information(i, i);
+        if (shown > least_shown * least_shown) {
+            result.change(i) = stds(i) * gradient(i) / shown;
+            result.std(i) = stds(i) / std::sqrt(shown);
+            result.statistic(i) = std::abs(gradient(i)) / std::sqrt(shown);
+        }
+    }
+    // L^-1 P g has independent entries of variance D.
+    const Eigen::LDLT<Eigen::MatrixXd> of_gradient(information);
+    Eigen::VectorXd independent = of_gradient.transpositionsP() * gradient;
+    of_gradient.matrixL().solveInPlace(independent);
+    constexpr double rounding = 1e-9;
+    const double least = rounding * of_gradient.vectorD().maxCoeff();
+    for (Eigen::Index i = 0; i < stds.size(); ++i) {
+        if (const double variance = of_gradient.vectorD()(i); variance > least) {
+            result.squares += independent(i) * independent(i) / variance;
+            ++result.rank;
+        }
+    }
+    return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+
+namespace taut {
+
+/// How x, lengths and common unknowns, of one epoch follow from those of another, each by itself:
+///
+///   x_to = factor x_from + e,   e of variance `added`
+///
+/// with what was known of both before any survey. docs/theory.md, (epoch-step).
+struct EpochStep {
+    Eigen::VectorXd factor;
+    Eigen::VectorXd added;       ///< variances
+    Eigen::VectorXd prior_from;  ///< variances
+    Eigen::VectorXd prior_to;    ///< variances: factor^2 prior_from + added
+
+    /// The same the other way round.
+    [[nodiscard]] EpochStep reversed() const;
+};
+
+/// What one survey tells of x by itself, at the fit of it: the information that the prior and other
+/// surveys do not hold already. docs/theory.md, (own-evidence).
+/// @param statics linearised and inverted at the fit
+/// @param common_count so many of the first common unknowns are in x
+[[nodiscard]] LengthEvidence own_evidence(const LinearisedStatics& statics,
+                                          const Observations& observations, const Iterate& fitted,
+                                          int common_count);
+
+/// No survey: nothing.
+[[nodiscard]] LengthEvidence no_evidence(Eigen::Index size);
+
+/// What two surveys tell together; of x alike.
+[[nodiscard]] LengthEvidence sum_of(const LengthEvidence& a, const LengthEvidence& b);
+
+/// What evidence of x_from tells of x_to, (epoch-step); with its root.
+[[nodiscard]] LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step);
+
+/// A survey held against others: whether x is the same in all, docs/theory.md (epoch-change).
+struct EvidenceTest {
+    /// If it is but for one entry of x: that entry's change, its standard deviation (infinite where
+    /// the surveys do not show it), and the change over it.
+    Eigen::VectorXd change;
+    Eigen::VectorXd std;
+    Eigen::VectorXd statistic;
+    double squares = 0.0;  ///< of all together: chi squared of so many
+    int rank = 0;
+};
+/// @param others as carried to the epoch of the survey
+[[nodiscard]] EvidenceTest test_evidence(const Eigen::VectorXd& prior_variances,
+                                         const LengthEvidence& others, const LengthEvidence& own);
+
+}  // namespace taut

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against evidence that is lost, doubled or carried wrong from one epoch to another: against
+// one normal distribution of everything at once.
+#include "estimation/epoch_evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "support/random_nets.hpp"
+
+namespace taut {
+namespace {
+
+constexpr int size = 6;
+
+/// Of a few sums of x, so that much of x is not told at all.
+LengthEvidence random_evidence(test::Random& random, int sums) {
+    LengthEvidence evidence;
+    evidence.root.resize(size, sums);
+    for (Eigen::Index k = 0; k < evidence.root.size(); ++k) {
+        evidence.root(k) = test::uniform_vector(random, 1, 3.0)(0);
+    }
+    evidence.information = evidence.root * evidence.root.transpose();
+    evidence.pull = evidence.root * test::uniform_vector(random, sums, 2.0);
+    return evidence;
+}
+
+/// One entry of each kind: kept, turned with play, forgotten.
+EpochStep mixed_step() {
+    EpochStep step;
+    step.prior_from.resize(size);
+    step.prior_from << 4.0, 4.0, 1e-6, 1.0, 2.0, 1.0;
+    step.factor.resize(size);
+    step.factor << 1.0, 1.0, 1.0, 0.0, 1.0, 1.0;
+    step.added.resize(size);
+    step.added << 0.0, 0.0, 0.3, 1.0, 0.5, 0.0;
+    step.prior_to = step.factor.cwiseAbs2().cwiseProduct(step.prior_from) + step.added;
+    return step;
+}
+
+/// Mean and covariance of x_to by evidence of x_from and of x_to, by the joint distribution.
+std::pair<Eigen::VectorXd, Eigen::MatrixXd> jointly(const EpochStep& step,
+                                                    const LengthEvidence& of_from,
+                                                    const LengthEvidence& of_to) {
+    Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+    prior.topLeftCorner(size, size) = step.prior_from.asDiagonal();
+    prior.bottomRightCorner(size, size) = step.prior_to.asDiagonal();
+    prior.topRightCorner(size, size) =
+        step.factor.cwiseProduct(step.prior_from).asDiagonal().toDenseMatrix();
+    prior.bottomLeftCorner(size, size) = prior.topRightCorner(size, size).transpose();
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(2 * size, 2 * size);
+    information.topLeftCorner(size, size) = of_from.information;
+    information.bottomRightCorner(size, size) = of_to.information;
+    Eigen::VectorXd pull(2 * size);
+    pull << of_from.pull, of_to.pull;
+    // (P^-1 + J)^-1 without P^-1: entries that are the same in both make P singular.
+    const Eigen::MatrixXd covariance =
+        (Eigen::MatrixXd::Identity(2 * size, 2 * size) + prior * information).lu().solve(prior);
+    return {(covariance * pull).tail(size), covariance.bottomRightCorner(size, size)};
+}
+
+void expect_same(const LengthEvidence& carried_and_own, const EpochStep& step,
+                 const std::pair<Eigen::VectorXd, Eigen::MatrixXd>& expected) {
+    const Eigen::MatrixXd prior = step.prior_to.asDiagonal();
+    const Eigen::MatrixXd covariance =
+        (Eigen::MatrixXd::Identity(size, size) + prior * carried_and_own.information)
+            .lu()
+            .solve(prior);
+    EXPECT_LT((covariance - expected.second).cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_LT((covariance * carried_and_own.pull - expected.first).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST(EpochEvidence, IsCarriedAsInTheJointDistribution) {
+    test::Random random(3);
+    const EpochStep step = mixed_step();
+    for (int trial = 0; trial < 20; ++trial) {
+        const LengthEvidence from = random_evidence(random, 3);
+        const LengthEvidence to = random_evidence(random, 2);
+        expect_same(sum_of(carried(from, step), to), step, jointly(step, from, to));
+    }
+}
+
+TEST(EpochEvidence, IsCarriedBackTheSameWay) {
+    test::Random random(4);
+    const EpochStep step = mixed_step();
+    const EpochStep back = step.reversed();
+    EXPECT_LT((back.prior_to - step.prior_from).norm(), 1e-15);
+    for (int trial = 0; trial < 20; ++trial) {
+        const LengthEvidence from = random_evidence(random, 3);
+        const LengthEvidence to = random_evidence(random, 2);
+        expect_same(sum_of(carried(to, back), from), back, jointly(back, to, from));
+    }
+}
+
+TEST(EpochEvidence, HasARoot) {
+    test::Random random(5);
+    const LengthEvidence evidence = carried(random_evidence(random, 3), mixed_step());
+    EXPECT_LT((evidence.root * evidence.root.transpose() - evidence.information).norm(), 1e-12);
+    EXPECT_EQ(carried(no_evidence(size), mixed_step()).information.cwiseAbs().maxCoeff() < 1e-12,
+              true);
+}
+
+/// Where all of x is told, the change of one entry that explains the difference best is that of
+/// least squares, and all together are chi squared.
+TEST(EpochEvidence, IsTestedAsDifferencesOfLeastSquares) {
+    test::Random random(6);
+    const Eigen::VectorXd prior = Eigen::VectorXd::Constant(size, 2.0);
+    const LengthEvidence others = random_evidence(random, 2);
+    const LengthEvidence own = random_evidence(random, size);
+    const EvidenceTest test = test_evidence(prior, others, own);
+    const Eigen::MatrixXd before =
+        (prior.cwiseInverse().asDiagonal().toDenseMatrix() + others.information).inverse();
+    const Eigen::MatrixXd of_own = own.information.inverse();
+    const Eigen::VectorXd difference = of_own * own.pull - before * others.pull;
+    const Eigen::MatrixXd weights = (before + of_own).inverse();
+    EXPECT_EQ(test.rank, size);
+    EXPECT_NEAR(test.squares, difference.dot(weights * difference), 1e-6 * test.squares);
+    for (int i = 0; i < size; ++i) {
+        const Eigen::VectorXd only = Eigen::VectorXd::Unit(size, i);
+        const double information = only.dot(weights * only);
+        EXPECT_NEAR(test.change(i), only.dot(weights * difference) / information, 1e-7);
+        EXPECT_NEAR(test.std(i), 1.0 / std::sqrt(information), 1e-7);
+        EXPECT_NEAR(test.statistic(i), std::abs(test.change(i)) / test.std(i), 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace taut
