@@ -53,10 +53,11 @@ void add_draws(BuiltNet& built, const CableNet& net, const PosteriorDraws& draws
 }
 
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {
-    BuiltNet built{.net = net_as_identified(net, identification.edges, identification.unknowns,
-                                            identification.boundary_outliers),
-                   .length_draws = {},
-                   .no_draws_since = "none were made"};
+    BuiltNet built{
+        .net = net_as_identified(turned_net(net, identification.turned), identification.edges,
+                                 identification.unknowns, identification.boundary_outliers),
+        .length_draws = {},
+        .no_draws_since = "none were made"};
     if (identification.draws) {
         add_draws(built, net, *identification.draws, identification.unknowns.empty());
     }

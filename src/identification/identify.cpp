@@ -179,15 +179,6 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     }
 }
 
-/// Standard deviations of all that was surveyed times a factor.
-Survey with_noise_times(Survey survey, double factor) {
-    survey.noise_std *= factor;
-    for (SurveyedSupport& support : survey.supports) {
-        support.noise_std *= factor;
-    }
-    return survey;
-}
-
 /// By which the noise of a survey fits what it shows, gross errors left out, (components).
 double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw& law,
                       const IdentifyOptions& options) {

@@ -158,23 +158,25 @@ Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& la
     return doubt;
 }
 
-}  // namespace
-
-Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
-                                                const Told& told, const SurveyFitSettings& settings,
-                                                const DrawSettings& draws,
-                                                const Progress& progress) {
+/// @param own what the survey tells by itself, with its number of common unknowns; null: not wanted
+Identification identify_by_map(const CableNet& net, const Survey& survey, const Told& told,
+                               const SurveyFitSettings& settings, const DrawSettings& draws,
+                               LengthEvidence* own, int common_count, const Progress& progress) {
     check_survey(net, survey);
     check_unknowns(net, told.unknowns);
     Identification result;
-    const bool only_lengths = told.unknowns.empty() && told.forces.empty();
+    const bool only_lengths = told.unknowns.empty() && told.forces.empty() && !told.evidence;
     if (survey.is_exact() && survey.is_whole() && only_lengths) {
         result = identify_by_exact_balance(net, survey, told.law);
         result.method = "map";
         return result;
     }
     const CableNet fit_net = net_to_fit(net, told.unknowns);
-    PriorKnowledge all = knowledge_of(net, fit_net, told.law, told.unknowns, told.forces);
+    PriorKnowledge all =
+        knowledge_of(net, fit_net, told.law, told.unknowns, told.forces,
+                     told.adjustable_stds.size() > 0 ? told.adjustable_stds
+                                                     : adjustable_stds(net, told.unknowns));
+    all.evidence = told.evidence;
     all.frame_is_unknown = survey.frame_is_unknown;
     PriorKnowledge unseen = all;
     unseen.forces.taut.clear();
@@ -194,6 +196,12 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
     Observations observations = fit.observations();
     const Doubt doubt =
         fitted.converged ? doubt_of(net, fit_net, told.law, fit, fitted.iterate) : Doubt();
+    if (own != nullptr) {
+        const Eigen::Index size = fit_net.interior_edge_count() + common_count;
+        *own = fitted.converged
+                   ? own_evidence(fit.statics(), observations, fitted.iterate, common_count)
+                   : no_evidence(size);
+    }
     if (fitted.converged) {
         Propagated settled = propagate_law(fit_net, knowledge, fit.statics(), observations,
                                            fitted.iterate, fit.tolerance());
@@ -226,6 +234,23 @@ Identification identify_by_maximum_a_posteriori(const CableNet& net, const Surve
                    fitted.iterate, draws, progress);
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";
+    return result;
+}
+
+}  // namespace
+
+Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
+                                                const Told& told, const SurveyFitSettings& settings,
+                                                const DrawSettings& draws,
+                                                const Progress& progress) {
+    return identify_by_map(net, survey, told, settings, draws, nullptr, 0, progress);
+}
+
+IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, const Told& told,
+                                   int common_count, const Progress& progress) {
+    IdentifiedEpoch result;
+    result.identification =
+        identify_by_map(net, survey, told, {}, {}, &result.own, common_count, progress);
     return result;
 }
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <vector>
+
+#include "estimation/epoch_evidence.hpp"
 #include "estimation/survey_fit.hpp"
 #include "identification/draw_posterior.hpp"
 #include "taut/identification/result.hpp"
@@ -18,6 +22,10 @@ struct Told {
     LengthLaw law;  ///< of the length deviations
     std::vector<Unknown> unknowns;
     Forces forces;
+    /// Of adjustable edges' lengths, where these are unknown (m); empty: as the unknowns tell [m].
+    Eigen::VectorXd adjustable_stds;
+    /// Of other surveys of the same net to fit; null: there is none.
+    std::shared_ptr<const LengthEvidence> evidence;
 
     /// The law, and nothing else.
     Told(const LengthLaw& with_law) : law(with_law) {}  // NOLINT(google-explicit-constructor)
@@ -33,6 +41,16 @@ struct Told {
     const CableNet& net, const Survey& survey, const Told& told,
     const SurveyFitSettings& settings = {}, const DrawSettings& draws = {},
     const Progress& progress = {});
+
+/// The same, without draws, and what the survey tells of the lengths by itself; nothing where the
+/// fit does not converge.
+struct IdentifiedEpoch {
+    Identification identification;
+    LengthEvidence own;
+};
+[[nodiscard]] IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey,
+                                                 const Told& told, int common_count,
+                                                 const Progress& progress = {});
 
 /// What a fit tells of the lengths, under the law; no form is predicted yet.
 /// @param fit_net of the fit, net_to_fit()

@@ -45,7 +45,8 @@ public:
              const Forces& forces, const std::vector<Unknown>& unknowns)
         : m_net(net),
           m_fit_net(net_to_fit(net, unknowns)),
-          m_knowledge(knowledge_of(net, m_fit_net, law, unknowns, forces)),
+          m_knowledge(
+              knowledge_of(net, m_fit_net, law, unknowns, forces, adjustable_stds(net, unknowns))),
           m_statics(m_fit_net, unknowns) {
         std::vector<bool> slack(net.edge_count(), false);
         for (const int edge : slack_edges(net, net.unstressed_lengths(), form)) {

@@ -107,6 +107,9 @@ private:
 
     void add_adjustable(const Unknown& unknown) {
         for (const int edge : m_net.adjustable_edges()) {
+            if (m_knowledge.laws[edge].std() < 1e-3 * unknown.std) {
+                continue;  // as good as known: not turned since it was
+            }
             const Share length = share(edge, m_sites.variance(edge));
             m_result.push_back({.unknown = unknown,
                                 .edge = edge,
@@ -236,17 +239,25 @@ CableNet net_to_fit(const CableNet& net, const std::vector<Unknown>& unknowns) {
     return CableNet(std::move(data));
 }
 
+Eigen::VectorXd adjustable_stds(const CableNet& net, const std::vector<Unknown>& unknowns) {
+    constexpr double as_good_as_known = 1e-7;  // of a length, as of exact places
+    const double told = std_of(unknowns, Kind::adjustable);
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(net.edge_count());
+    for (const int edge : net.adjustable_edges()) {
+        result(edge) = std::max(told, as_good_as_known * net.unstressed_lengths()(edge));
+    }
+    return result;
+}
+
 PriorKnowledge knowledge_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& law,
-                            const std::vector<Unknown>& unknowns, const Forces& forces) {
+                            const std::vector<Unknown>& unknowns, const Forces& forces,
+                            const Eigen::VectorXd& stds) {
     PriorKnowledge knowledge(fit_net, law);
     knowledge.unknowns = unknowns;
     knowledge.forces = forces;
     if (fit_net.interior_edge_count() > net.interior_edge_count()) {
-        constexpr double as_good_as_known = 1e-7;  // of a length, as of exact places
-        const double told = std_of(unknowns, Kind::adjustable);
         for (const int edge : net.adjustable_edges()) {
-            const double least = as_good_as_known * net.unstressed_lengths()(edge);
-            knowledge.laws[edge] = {LengthLaw::Kind::normal, std::max(told, least)};
+            knowledge.laws[edge] = {LengthLaw::Kind::normal, stds(edge)};
         }
     }
     return knowledge;

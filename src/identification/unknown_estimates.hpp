@@ -15,12 +15,18 @@ namespace taut {
 /// stiffness of its own, which acts as a length; else the net itself. docs/theory.md, (unknown).
 [[nodiscard]] CableNet net_to_fit(const CableNet& net, const std::vector<Unknown>& unknowns);
 
+/// Of the lengths of adjustable edges as these unknowns tell them (m), 0 for other edges; positive
+/// where they are as good as known, too [m].
+[[nodiscard]] Eigen::VectorXd adjustable_stds(const CableNet& net,
+                                              const std::vector<Unknown>& unknowns);
+
 /// Everything that is told besides net and survey, of the net to fit: adjustable edges follow a
 /// normal law of their own there.
+/// @param stds of adjustable edges' lengths (m), used where the net to fit has them unknown [m]
 [[nodiscard]] PriorKnowledge knowledge_of(const CableNet& net, const CableNet& fit_net,
                                           const LengthLaw& law,
                                           const std::vector<Unknown>& unknowns,
-                                          const Forces& forces);
+                                          const Forces& forces, const Eigen::VectorXd& stds);
 
 /// All unknowns of a net after a fit, in the order in which they were told.
 /// @param statics linearised and inverted at the fit, of the net to fit

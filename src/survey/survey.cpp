@@ -210,4 +210,12 @@ Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& point
     return std::move(matching).finished();
 }
 
+Survey with_noise_times(Survey survey, double factor) {
+    survey.noise_std *= factor;
+    for (SurveyedSupport& support : survey.supports) {
+        support.noise_std *= factor;
+    }
+    return survey;
+}
+
 }  // namespace taut

@@ -17,6 +17,7 @@
 #include "taut/sampling/length_law.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/survey/survey.hpp"
+#include "taut/survey/turned_net.hpp"
 
 namespace taut {
 
@@ -55,6 +56,30 @@ struct FrameOffset {
 
     /// What it moves these places by, to first order (3 x n) [m].
     [[nodiscard]] Points motion_of(const Points& places) const;
+};
+
+/// A length that was not the same in two surveys, one after the other, but for what was turned.
+struct LengthChange {
+    int edge = 0;
+    double change = 0.0;     ///< of it, where it was set free [m]
+    double std = 0.0;        ///< [m]
+    double statistic = 0.0;  ///< in standard deviations, when it was found
+};
+
+/// One survey among several, as all together tell it.
+struct EpochResult {
+    int surveyed = 0;                ///< free nodes
+    std::vector<EdgeTurned> turned;  ///< since the survey before
+    std::vector<Outlier> outliers;   ///< targets left out, the worst first
+    std::vector<BoundaryOutlier> boundary_outliers;
+    std::optional<FrameOffset> frame_offset;
+    double noise_ratio = 0.0;
+    double noise_scale = 1.0;
+    /// How far the survey moves lengths from where earlier ones have them, root mean square, over
+    /// what both let expect: about 1. 0 of the first.
+    double change_ratio = 0.0;
+    std::vector<LengthChange> changes;  ///< since the survey before; the worst first
+    Trust trust;                        ///< of this survey alone
 };
 
 /// The outcome of an identification, by whatever method. Only where the status is `converged` may
@@ -113,6 +138,9 @@ struct Identification {
 
     /// Of the posterior; empty where none were asked for, or the method gives none.
     std::optional<PosteriorDraws> draws;
+    std::vector<EpochResult> epochs;  ///< of identify_epochs(), by survey; else empty
+    /// Since the net was as designed, until the last survey, by edge.
+    std::vector<EdgeTurned> turned;
     Trust trust;  ///< whether all this may be acted on; identify() tells it
 
     DrawnSummary drawn;  ///< what follows from them; empty without, and where they are in doubt

@@ -114,6 +114,9 @@ struct Survey {
 ///   that no noise can have, a position that is not finite, and where no node was surveyed
 void check_survey(const CableNet& net, const Survey& survey);
 
+/// With the standard deviations of all that was surveyed times a factor.
+[[nodiscard]] Survey with_noise_times(Survey survey, double factor);
+
 /// @param expected what the survey should have held, for the message: "all for ..."
 /// @throws SurveyError where a free node was not surveyed; names the first
 void require_whole(const CableNet& net, const Survey& survey, std::string_view expected);

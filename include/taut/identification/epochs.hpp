@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "taut/identification/identify.hpp"
+#include "taut/survey/turned_net.hpp"
+
+namespace taut {
+
+/// One survey among several of the same net.
+struct Epoch {
+    Survey survey;
+    std::vector<EdgeTurned> turned;  ///< since the survey before; of the first: none
+};
+
+/// More interior edges are refused: what surveys tell together is a full matrix of all lengths.
+inline constexpr int most_edges_of_epochs = 3000;
+
+/// Identifies lengths from all surveys at once: those of interior edges are the same in all, those
+/// of adjustable ones were changed by what was turned, with its play; frame, noise and temperature
+/// are each survey's own. By maximum a posteriori; each survey is fitted with what the others tell
+/// of the lengths, until they agree. Lengths that changed in between are found and set free.
+/// docs/theory.md, "Epochs".
+///
+/// @param net as designed, before anything was turned
+/// @param epochs at least two, in the order of the surveys, with their noise
+/// @param options forces and draws are of the last survey; no model
+/// @return of the net at the last survey, turned_net(net, result.turned); `epochs` tells of each
+/// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
+///   than most_edges_of_epochs, unknowns that all surveys would share one by one (supports,
+///   stiffness-each, loads in newtons), and a method that is not map
+/// @throws SurveyError as identify(); for an exact survey
+[[nodiscard]] Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
+                                             const IdentifyOptions& options = {},
+                                             const Progress& progress = {});
+
+}  // namespace taut

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+
+namespace taut {
+
+/// What was turned at an adjustable edge.
+struct EdgeTurned {
+    int edge = 0;
+    double stroke = 0.0;  ///< change of its unstressed length [m]
+    double std = 0.0;     ///< standard deviation of that, the play of the turnbuckle; 0: none [m]
+};
+
+/// No turnbuckle changes its edge by a larger part of the unstressed length.
+inline constexpr double most_turned_part = 0.1;
+
+/// @throws std::invalid_argument for an edge that is not adjustable or comes twice, a stroke that
+/// is
+///   not finite or more than most_turned_part of the edge, and a std that is negative, not finite
+///   or more than that
+void check_turned(const CableNet& net, std::span<const EdgeTurned> turned);
+
+/// All that was turned in one step after another: one entry an edge, ascending; variances add up.
+[[nodiscard]] std::vector<EdgeTurned> all_turned(std::span<const std::vector<EdgeTurned>> steps);
+
+/// The net with these lengths; its nodes where they were.
+[[nodiscard]] CableNet turned_net(const CableNet& net, std::span<const EdgeTurned> turned);
+
+}  // namespace taut

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/survey/turned_net.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace taut {
+
+void check_turned(const CableNet& net, std::span<const EdgeTurned> turned) {
+    std::vector<bool> is_named(net.edge_count(), false);
+    for (const EdgeTurned& one : turned) {
+        if (one.edge < 0 || one.edge >= net.edge_count() ||
+            !std::ranges::binary_search(net.adjustable_edges(), one.edge)) {
+            throw std::invalid_argument(fmt::format(
+                "edge '{}' was turned, expected an adjustable one",
+                one.edge >= 0 && one.edge < net.edge_count() ? net.edge_id(one.edge)
+                                                             : std::to_string(one.edge)));
+        }
+        if (is_named[one.edge]) {
+            throw std::invalid_argument(
+                fmt::format("edge '{}' is turned a second time", net.edge_id(one.edge)));
+        }
+        is_named[one.edge] = true;
+        const double most = most_turned_part * net.unstressed_lengths()(one.edge);
+        if (!(std::abs(one.stroke) <= most)) {
+            throw std::invalid_argument(fmt::format(
+                "edge '{}' was turned by {:g} m, expected at most {:.3g} m, a tenth of its length",
+                net.edge_id(one.edge), one.stroke, most));
+        }
+        if (!(one.std >= 0.0 && one.std <= most)) {
+            throw std::invalid_argument(
+                fmt::format("edge '{}' was turned with a standard deviation of {:g} m, expected 0 "
+                            "to {:.3g} m, a tenth of its length",
+                            net.edge_id(one.edge), one.std, most));
+        }
+    }
+}
+
+std::vector<EdgeTurned> all_turned(std::span<const std::vector<EdgeTurned>> steps) {
+    std::map<int, EdgeTurned> sum;
+    for (const std::vector<EdgeTurned>& step : steps) {
+        for (const EdgeTurned& one : step) {
+            EdgeTurned& all = sum[one.edge];
+            all = {.edge = one.edge,
+                   .stroke = all.stroke + one.stroke,
+                   .std = std::hypot(all.std, one.std)};
+        }
+    }
+    std::vector<EdgeTurned> result;
+    for (const auto& [edge, all] : sum) {
+        result.push_back(all);
+    }
+    return result;
+}
+
+CableNet turned_net(const CableNet& net, std::span<const EdgeTurned> turned) {
+    CableNetData data = net.data();
+    for (const EdgeTurned& one : turned) {
+        data.unstressed_lengths(one.edge) += one.stroke;
+    }
+    return CableNet(std::move(data));
+}
+
+}  // namespace taut

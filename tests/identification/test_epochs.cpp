@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against surveys that are put together wrong: a posterior that is not that of all of them,
+// turns or cables that were not as told without a word, sound ones blamed.
+#include "taut/identification/epochs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+constexpr double noise = 0.5e-3;
+
+const CableNet& net() {
+    static const CableNet saddle = hypar(9, 9);
+    return saddle;
+}
+
+Points points_of(const json& rows) {
+    Points result(3, std::ssize(rows));
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const auto row = rows[i].get<std::vector<double>>();
+        result.col(static_cast<Eigen::Index>(i)) = Eigen::Vector3d::Map(row.data());
+    }
+    return result;
+}
+
+Eigen::VectorXd vector_of(const json& numbers) {
+    const auto values = numbers.get<std::vector<double>>();
+    return Eigen::VectorXd::Map(values.data(), std::ssize(values));
+}
+
+Survey survey_of(const CableNet& of, Points form, double std, const std::vector<int>& surveyed) {
+    Survey survey{.form = std::move(form),
+                  .noise_std = Points::Constant(3, of.node_count(), std),
+                  .surveyed = surveyed,
+                  .missing = {}};
+    std::ranges::set_difference(of.free_nodes(), surveyed, std::back_inserter(survey.missing));
+    return survey;
+}
+
+TEST(Epochs, AreThoseOfOneLeastSquaresProblem) {
+    const json reference = json::parse(std::ifstream(TAUT_TEST_DATA_DIR "/epochs_reference.json"));
+    CableNetData data;
+    data.nodes = points_of(reference["nodes"]);
+    data.supports = reference["supports"].get<std::vector<int>>();
+    data.edges = reference["edges"].get<std::vector<Edge>>();
+    data.unstressed_lengths = vector_of(reference["nominal"]);
+    data.axial_stiffness = Eigen::VectorXd::Constant(std::ssize(data.edges),
+                                                     reference["axial_stiffness"].get<double>());
+    for (int e = 0; e < std::ssize(data.edges); ++e) {
+        if (std::ranges::any_of(data.edges[e], [&](int node) {
+                return std::ranges::find(data.supports, node) != data.supports.end();
+            })) {
+            data.adjustable.push_back(e);
+        }
+    }
+    const CableNet small(data);
+    std::vector<Epoch> epochs;
+    for (const json& told : reference["epochs"]) {
+        Epoch epoch{.survey = survey_of(small, points_of(told["form"]), reference["noise"],
+                                        told["surveyed"].get<std::vector<int>>()),
+                    .turned = {}};
+        for (const json& one : told["turned"]) {
+            epoch.turned.push_back(
+                {.edge = one["edge"], .stroke = one["stroke"], .std = one["std"]});
+        }
+        epochs.push_back(std::move(epoch));
+    }
+    IdentifyOptions options;
+    options.law = LengthLaw{LengthLaw::Kind::normal, reference["law"]};
+    const Identification result = identify_epochs(small, epochs, options);
+    ASSERT_EQ(result.status, IdentificationStatus::converged);
+    const Eigen::VectorXd expected = vector_of(reference["deviations"]);
+    const Eigen::VectorXd stds = vector_of(reference["stds"]);
+    ASSERT_EQ(std::ssize(result.edges), expected.size());
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        EXPECT_NEAR(result.edges[i].length_deviation, expected(k), 0.02 * stds(k));
+        EXPECT_NEAR(result.edges[i].std, stds(k), 0.02 * stds(k));
+    }
+    const Points form = points_of(reference["last_form"]);
+    EXPECT_LT((result.predicted.form - form).cwiseAbs().maxCoeff(), 2e-5);
+}
+
+/// A net as built, surveyed before and after some edges were turned.
+struct Job {
+    Eigen::VectorXd deviations;  ///< m_I, at first
+    std::vector<Epoch> epochs;
+};
+
+std::vector<EdgeTurned> some_turns(std::uint64_t seed, double play = 0.0) {
+    std::mt19937_64 random(seed);
+    std::vector<EdgeTurned> turned;
+    for (const int edge : net().adjustable_edges()) {
+        if (random() % 2 == 0) {
+            const double stroke = std::uniform_real_distribution<double>(-8e-3, 8e-3)(random);
+            turned.push_back({.edge = edge, .stroke = stroke, .std = play});
+        }
+    }
+    return turned;
+}
+
+/// @param done what was turned in truth; by default as told
+/// @param slip change of interior lengths in between (m_I); empty: none
+Job job_of(std::uint64_t seed, const std::vector<EdgeTurned>& told,
+           const std::vector<EdgeTurned>& done, const Eigen::VectorXd& slip = {}) {
+    const test::SimulatedSurvey first = test::simulate(net(), law, noise, seed);
+    const CableNet after = turned_net(net(), done);
+    test::SimulatedSurvey second =
+        test::simulate(after, law, noise, seed, [&](Eigen::VectorXd& deviations) {
+            if (slip.size() > 0) {
+                deviations += slip;
+            }
+        });
+    // simulate() draws the same noise for the same seed.
+    std::mt19937_64 random(seed + 1000);
+    std::normal_distribution<double> normal(0.0, noise);
+    second.survey.form = second.truth.form;
+    for (const int node : net().free_nodes()) {
+        for (int k = 0; k < 3; ++k) {
+            second.survey.form(k, node) += normal(random);
+        }
+    }
+    return {.deviations = first.deviations,
+            .epochs = {{.survey = first.survey, .turned = {}},
+                       {.survey = second.survey, .turned = told}}};
+}
+
+IdentifyOptions with_law() {
+    IdentifyOptions options;
+    options.law = law;
+    options.draws = 0;
+    return options;
+}
+
+struct Score {
+    double rmse = 0.0;
+    double inside = 0.0;
+};
+
+Score score(const Identification& result, const Eigen::VectorXd& truth) {
+    Score sum;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const IdentifiedEdge& edge = result.edges[i];
+        const double deviation = truth(static_cast<Eigen::Index>(i));
+        sum.rmse += std::pow(edge.length_deviation - deviation, 2);
+        sum.inside += edge.lower <= deviation && deviation <= edge.upper ? 1.0 : 0.0;
+    }
+    const auto count = static_cast<double>(result.edges.size());
+    return {.rmse = std::sqrt(sum.rmse / count), .inside = sum.inside / count};
+}
+
+TEST(Epochs, TellMoreThanOneSurvey) {
+    Score one;
+    Score two;
+    constexpr int jobs = 4;
+    for (std::uint64_t seed = 1; seed <= jobs; ++seed) {
+        const std::vector<EdgeTurned> turned = some_turns(seed);
+        const Job job = job_of(seed, turned, turned);
+        const Score alone =
+            score(identify(net(), job.epochs[0].survey, with_law()), job.deviations);
+        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed)
+            << result.trust.findings[0].reason;
+        ASSERT_EQ(result.epochs.size(), 2U);
+        EXPECT_NEAR(result.epochs[1].change_ratio, 1.0, 0.3);
+        EXPECT_TRUE(result.epochs[1].changes.empty());
+        const Score both = score(result, job.deviations);
+        one.rmse += alone.rmse / jobs;
+        two.rmse += both.rmse / jobs;
+        two.inside += both.inside / jobs;
+    }
+    EXPECT_LT(two.rmse, 0.8 * one.rmse);
+    EXPECT_GT(two.inside, 0.92);
+    EXPECT_LT(two.inside, 0.98);
+}
+
+TEST(Epochs, NameATurnThatWasDoneTheWrongWay) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const std::vector<EdgeTurned> told = some_turns(seed);
+        std::vector<EdgeTurned> done = told;
+        done[3].stroke = told[3].stroke > 0.0 ? -5e-3 : 5e-3;
+        const double wrong = done[3].stroke - told[3].stroke;
+        const Job job = job_of(seed, told, done);
+        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        ASSERT_EQ(result.epochs.size(), 2U);
+        const std::vector<LengthChange>& changes = result.epochs[1].changes;
+        ASSERT_EQ(changes.size(), 1U) << seed;
+        EXPECT_EQ(changes[0].edge, told[3].edge);
+        EXPECT_NEAR(changes[0].change, wrong, 5.0 * changes[0].std);
+        EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
+        EXPECT_TRUE(result.epochs[0].outliers.empty() && result.epochs[1].outliers.empty());
+        EXPECT_GT(score(result, job.deviations).inside, 0.9);
+    }
+}
+
+TEST(Epochs, NameACableThatSlipped) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Eigen::VectorXd slip = Eigen::VectorXd::Zero(net().interior_edge_count());
+        slip(40) = 8e-3;
+        const std::vector<EdgeTurned> turned = some_turns(seed);
+        const Job job = job_of(seed, turned, turned, slip);
+        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        const std::vector<LengthChange>& changes = result.epochs[1].changes;
+        ASSERT_EQ(changes.size(), 1U) << seed;
+        EXPECT_EQ(changes[0].edge, net().interior_edges()[40]);
+        EXPECT_NEAR(changes[0].change, slip(40), 5.0 * changes[0].std);
+        EXPECT_THAT(result.trust.findings.front().reason,
+                    HasSubstr(net().edge_id(changes[0].edge)));
+        EXPECT_GT(score(result, job.deviations + slip).inside, 0.9);  // as it is now
+    }
+}
+
+TEST(Epochs, FailWhereTheTurnsAreOfAnotherDay) {
+    const Job job = job_of(1, some_turns(1), some_turns(2));
+    const Identification result = identify_epochs(net(), job.epochs, with_law());
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
+}
+
+TEST(Epochs, TakeThePlayOfTurnbucklesIntoAccount) {
+    constexpr double play = 1e-3;
+    Score sum;
+    constexpr int jobs = 4;
+    for (std::uint64_t seed = 1; seed <= jobs; ++seed) {
+        const std::vector<EdgeTurned> told = some_turns(seed, play);
+        std::vector<EdgeTurned> done = told;
+        std::mt19937_64 random(seed + 50);
+        std::normal_distribution<double> normal(0.0, play);
+        for (EdgeTurned& one : done) {
+            one.stroke += normal(random);
+        }
+        const Job job = job_of(seed, told, done);
+        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        EXPECT_NE(result.trust.verdict(), Trust::Verdict::failed)
+            << result.trust.findings[0].reason;
+        EXPECT_EQ(result.unknowns.size(), told.size());
+        sum.inside += score(result, job.deviations).inside / jobs;
+    }
+    EXPECT_GT(sum.inside, 0.92);
+}
+
+TEST(Epochs, DrawAsWidelyAsTheyTell) {
+    const std::vector<EdgeTurned> turned = some_turns(2);
+    const Job job = job_of(2, turned, turned);
+    IdentifyOptions options = with_law();
+    options.draws = 200;
+    const Identification result = identify_epochs(net(), job.epochs, options);
+    ASSERT_TRUE(result.draws);
+    EXPECT_EQ(result.draws->doubt, "");
+    double ratio = 0.0;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const Eigen::VectorXd drawn =
+            result.draws->length_deviations.row(static_cast<Eigen::Index>(i));
+        const double std = std::sqrt((drawn.array() - drawn.mean()).square().mean());
+        ratio += std / result.edges[i].std / static_cast<double>(result.edges.size());
+    }
+    EXPECT_NEAR(ratio, 1.0, 0.1);
+}
+
+TEST(Epochs, MaySeeOtherTargetsInOtherFrames) {
+    const std::vector<EdgeTurned> turned = some_turns(3);
+    Job job = job_of(3, turned, turned);
+    for (size_t i = 0; i < net().free_nodes().size(); ++i) {
+        if (i % 3 != 2) {
+            test::hide(net(), job.epochs[i % 3].survey, net().free_nodes()[i]);
+        }
+    }
+    job.epochs[1].survey.form.colwise() += Eigen::Vector3d(3e-3, -2e-3, 1e-3);
+    for (Epoch& epoch : job.epochs) {
+        epoch.survey.frame_is_unknown = true;
+    }
+    const Identification result = identify_epochs(net(), job.epochs, with_law());
+    ASSERT_EQ(result.status, IdentificationStatus::converged);
+    ASSERT_TRUE(result.frame_offset);
+    EXPECT_NEAR(result.frame_offset->translation.x(), 3e-3,
+                5.0 * result.frame_offset->translation_std.x());
+    EXPECT_NEAR(result.epochs[0].frame_offset->translation.x(), 0.0,
+                5.0 * result.epochs[0].frame_offset->translation_std.x());
+    EXPECT_GT(score(result, job.deviations).inside, 0.9);
+}
+
+TEST(Epochs, RefuseWhatTheyCannotTell) {
+    const std::vector<EdgeTurned> turned = some_turns(1);
+    const Job job = job_of(1, turned, turned);
+    const auto refused = [&](const std::vector<Epoch>& epochs, const IdentifyOptions& options) {
+        return [=] { static_cast<void>(identify_epochs(net(), epochs, options)); };
+    };
+    EXPECT_THAT(refused({job.epochs[0]}, with_law()),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("at least two surveys")));
+    IdentifyOptions options = with_law();
+    options.unknowns = {parse_unknown("supports:1mm")};
+    EXPECT_THAT(refused(job.epochs, options),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("does not go with --epoch")));
+    std::vector<Epoch> exact = job.epochs;
+    exact[1].survey.noise_std.setZero();
+    EXPECT_THAT(refused(exact, with_law()), ThrowsMessage<SurveyError>(HasSubstr("noise")));
+    std::vector<Epoch> wrong = job.epochs;
+    wrong[1].turned.push_back({.edge = net().interior_edges()[0], .stroke = 1e-3});
+    EXPECT_THAT(refused(wrong, with_law()),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("expected an adjustable one")));
+    wrong = job.epochs;
+    wrong[1].turned.push_back(wrong[1].turned[0]);
+    EXPECT_THAT(refused(wrong, with_law()),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("a second time")));
+    wrong = job.epochs;
+    wrong[1].turned[0].stroke = 1.0;
+    EXPECT_THAT(refused(wrong, with_law()),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("a tenth of its length")));
+}
+
+}  // namespace
+}  // namespace taut
