@@ -9,6 +9,7 @@
 #include "taut/io/form_csv.hpp"
 #include "taut/io/lengths_csv.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/io/turned_csv.hpp"
 #include "taut/sampling/built_net.hpp"
 #include "taut/statics/cone_program.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -27,7 +28,15 @@ struct FormOptions : CommonOptions {
     std::string law;
     std::uint64_t seed = 1;
     std::string lengths;
+    std::string turned;
 };
+
+/// The net as designed, with what was turned since.
+CableNet as_turned(const FormOptions& options, const CableNet& net) {
+    return options.turned.empty()
+               ? net
+               : turned_net(net, parse_turned(net, read_file(options.turned), options.turned));
+}
 
 /// The net as designed, or as it might be built under the law.
 CableNet net_of(const FormOptions& options, const CableNet& nominal) {
@@ -132,10 +141,11 @@ nlohmann::ordered_json to_json(const FormOptions& options, const CableNet& net, 
 
 void run(const FormOptions& options) {
     const auto threads = options.limit_threads();
-    const CableNet nominal = read_net(options.net).net;
+    const CableNet designed = read_net(options.net).net;
+    const CableNet nominal = as_turned(options, designed);
     const CableNet net = net_of(options, nominal);
-    check_outputs({options.output, options.lengths}, {options.net});
-    const std::vector<std::string> warnings = unit_warnings(nominal);
+    check_outputs({options.output, options.lengths}, {options.net, options.turned});
+    const std::vector<std::string> warnings = unit_warnings(designed);
     warn(options.net, warnings);
     const Found found = options.solver == "socp" ? find_by_cone_program(options, net)
                                                  : find_by_newton(options, net);
@@ -189,6 +199,10 @@ void add_form(CLI::App& program) {
     add_seed_option(command, options->seed);
     command.add_option("--lengths", options->lengths,
                        "File to write the length deviations to (CSV, m): the truth of a trial");
+    command.add_option("--turned", options->turned,
+                       "What was turned since the net was as designed: edge,stroke in m, or the "
+                       "list of taut plan --csv. With the same --law and --seed it is the same "
+                       "built net, as turned");
     command.callback([options] { run(*options); });
 }
 

@@ -19,10 +19,12 @@
 #include "survey_input.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/io/turned_csv.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/sampling/data_set.hpp"
@@ -37,6 +39,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     std::string law;  ///< empty: the model's, or the default
     std::string output;
     std::vector<std::string> unknowns;
+    std::vector<std::string> epochs;    ///< SURVEY[:TURNED], of later surveys
     std::optional<std::int64_t> draws;  ///< empty: default_draws()
     std::uint64_t seed = 1;
 
@@ -206,6 +209,26 @@ void print_draws(const Identification& result) {
                draws.count(), draws.how, taken_as_told(result));
 }
 
+/// What each survey told, where there are several.
+void print_epochs(const CableNet& net, const Identification& result) {
+    for (size_t k = 0; k < result.epochs.size(); ++k) {
+        const EpochResult& epoch = result.epochs[k];
+        fmt::print("survey {}: {} free nodes, {} left out", k + 1, epoch.surveyed,
+                   epoch.outliers.size());
+        if (k > 0) {
+            fmt::print(
+                "; {} edges turned before it; lengths differ from those before by {:.2f} "
+                "times what is expected",
+                epoch.turned.size(), epoch.change_ratio);
+        }
+        fmt::print("\n");
+        for (const LengthChange& change : epoch.changes) {
+            fmt::print("  {:<12} changed by {:+.2f} +- {:.2f} mm\n", net.edge_id(change.edge),
+                       1e3 * change.change, 1e3 * change.std);
+        }
+    }
+}
+
 /// Of a slack edge no deviation is known, only a bound: those are listed apart.
 void print_largest(const CableNet& net, const Identification& result) {
     std::vector<IdentifiedEdge> edges = result.edges;
@@ -302,6 +325,7 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
                1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
                1e3 * residuals.maxCoeff());
     print_frame(result);
+    print_epochs(net, result);
     print_forces(net, result);
     print_unknowns(net, result);
     print_draws(result);
@@ -334,6 +358,52 @@ void refuse_unless_converged(const Options& options, const Identification& resul
     }
 }
 
+/// --epoch, as it was told.
+struct EpochFiles {
+    std::string survey;
+    std::string turned;  ///< empty: nothing was
+};
+
+EpochFiles epoch_files(const std::string& text) {
+    if (std::filesystem::exists(text)) {
+        return {.survey = text, .turned = {}};
+    }
+    const size_t colon = text.rfind(':');
+    if (colon == std::string::npos) {
+        return {.survey = text, .turned = {}};
+    }
+    EpochFiles files{.survey = text.substr(0, colon), .turned = text.substr(colon + 1)};
+    if (files.survey.empty() || files.turned.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "--epoch is '{}', expected a survey, and behind a colon what was turned before it: "
+            "second.csv:turned.csv",
+            text));
+    }
+    return files;
+}
+
+/// The first survey and those of --epoch.
+std::vector<Epoch> read_epochs(const CableNet& net, const Survey& first, const Options& options) {
+    std::vector<Epoch> epochs{{.survey = first, .turned = {}}};
+    std::vector<std::vector<EdgeTurned>> steps;
+    for (const std::string& text : options.epochs) {
+        const EpochFiles files = epoch_files(text);
+        Epoch epoch;
+        if (!files.turned.empty()) {
+            epoch.turned = parse_turned(net, read_file(files.turned), files.turned);
+        }
+        steps.push_back(epoch.turned);
+        Options of_epoch = options;
+        of_epoch.survey = files.survey;
+        epoch.survey =
+            read_survey(turned_net(net, all_turned(steps)), files.survey, options.reading());
+        tell_of_survey(of_epoch, epoch.survey, options.json);
+        with_survey_of(files.survey, [&] { check_survey(net, epoch.survey); });
+        epochs.push_back(std::move(epoch));
+    }
+    return epochs;
+}
+
 void run(const Options& options) {
     const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
@@ -345,7 +415,12 @@ void run(const Options& options) {
     const std::vector<Unknown> unknowns = unknowns_of(net, options.unknowns, options.net);
     const std::int64_t draws = options.draws.value_or(default_draws(net));
     check_draws(net, draws);
+    std::vector<Epoch> epochs = read_epochs(net, survey, options);
     std::vector<std::string> inputs = options.files();
+    for (const std::string& text : options.epochs) {
+        const EpochFiles files = epoch_files(text);
+        inputs.insert(inputs.end(), {files.survey, files.turned});
+    }
     inputs.insert(inputs.end(),
                   {options.net, options.survey, options.model, options.control, options.offsets});
     check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names}, inputs);
@@ -360,9 +435,11 @@ void run(const Options& options) {
         settings.method = parse_identification_method(options.method);
     }
     ProgressLine line(options.quiet);
-    const Identification result = with_survey_of(
-        options.survey, [&] { return identify(net, survey, settings, line.progress()); });
-    survey.noise_std *= result.noise_scale;
+    const Identification result = with_survey_of(options.survey, [&] {
+        return epochs.size() > 1 ? identify_epochs(net, epochs, settings, line.progress())
+                                 : identify(net, survey, settings, line.progress());
+    });
+    survey = with_noise_times(std::move(epochs.back().survey), result.noise_scale);
     refuse_unless_converged(options, result);
     const std::string document = identification_to_json(net, survey, result, run_record());
     std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -379,7 +456,10 @@ void run(const Options& options) {
     if (options.json) {
         fmt::print("{}", document);
     } else {
-        print(options, net, survey, result);
+        Options of_last = options;
+        of_last.survey =
+            options.epochs.empty() ? options.survey : epoch_files(options.epochs.back()).survey;
+        print(of_last, net, survey, result);
     }
 }
 
@@ -415,6 +495,12 @@ void add_identify(CLI::App& program) {
                        "are kept beside the result (_draws.h5). 0: none, and what is slack is told "
                        "by the linearised fit alone (default: 200; 40 for more than 10,000 "
                        "interior edges and for tension laws)");
+    command
+        .add_option("--epoch", options->epochs,
+                    "A later survey of the same net, and what was turned before it: "
+                    "second.csv:turned.csv, or second.csv where nothing was. Lengths are told by "
+                    "all surveys at once, the result by the last. May be repeated")
+        ->allow_extra_args(false);
     add_seed_option(command, options->seed);
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
     command.callback([options] { run(*options); });

@@ -29,20 +29,26 @@ public:
         throw InputError(m_file_name, std::to_string(record.line), what);
     }
 
-    /// The edge that the first field of a record names.
-    int edge(const CsvRecord& record) {
-        const std::string& id = record.fields[0];
+    /// The edge of a name, any number of times.
+    [[nodiscard]] int find(const CsvRecord& record, const std::string& id) const {
         const auto found = m_edge_of.find(id);
         if (found == m_edge_of.end()) {
             fail(record, fmt::format("{} is no edge of the net '{}'", quote(id), m_net.name()));
         }
-        int& line = m_line_of[found->second];
+        return found->second;
+    }
+
+    /// The edge that the first field of a record names.
+    int edge(const CsvRecord& record) {
+        const std::string& id = record.fields[0];
+        const int found = find(record, id);
+        int& line = m_line_of[found];
         if (line != 0) {
             fail(record,
                  fmt::format("names edge {} a second time, first in line {}", quote(id), line));
         }
         line = record.line;
-        return found->second;
+        return found;
     }
 
 private:

@@ -23,8 +23,8 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
     }
     try {
         IdentifiedNet identified{
-            .built = {.net = net_as_identified(net, result->edges, result->unknowns,
-                                               result->boundary_outliers),
+            .built = {.net = net_as_identified(turned_net(net, result->turned), result->edges,
+                                               result->unknowns, result->boundary_outliers),
                       .length_draws = {},
                       .no_draws_since = {}},
             .trust = result->trust};

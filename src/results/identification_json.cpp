@@ -120,6 +120,21 @@ Json boundary_json(const CableNet& net, const std::vector<BoundaryOutlier>& outl
     return list;
 }
 
+/// Targets left out.
+Json outliers_json(const CableNet& net, const std::vector<Outlier>& outliers) {
+    Json list = Json::array();
+    for (const Outlier& outlier : outliers) {
+        list.push_back({{"node", outlier.node},
+                        {"id", net.node_id(outlier.node)},
+                        {"distance", outlier.distance},
+                        {"statistic", outlier.statistic}});
+        if (outlier.swapped_with >= 0) {
+            list.back()["swapped_with"] = net.node_id(outlier.swapped_with);
+        }
+    }
+    return list;
+}
+
 Json frame_check_json(const FrameCheck& check) {
     return {{"scale", check.scale},
             {"scale_std", check.scale_std},
@@ -272,6 +287,43 @@ Json forces_json(const CableNet& net, const Identification& identification) {
             {"contradicted_slack", identification.contradicted_slack}};
 }
 
+Json turned_json(const CableNet& net, const std::vector<EdgeTurned>& turned) {
+    Json list = Json::array();
+    for (const EdgeTurned& one : turned) {
+        list.push_back({{"edge", one.edge},
+                        {"id", net.edge_id(one.edge)},
+                        {"stroke", one.stroke},
+                        {"std", one.std}});
+    }
+    return list;
+}
+
+/// What each of several surveys told.
+Json epochs_json(const CableNet& net, const std::vector<EpochResult>& epochs) {
+    Json list = Json::array();
+    for (const EpochResult& epoch : epochs) {
+        Json changes = Json::array();
+        for (const LengthChange& change : epoch.changes) {
+            changes.push_back({{"edge", change.edge},
+                               {"id", net.edge_id(change.edge)},
+                               {"change", change.change},
+                               {"std", change.std},
+                               {"statistic", change.statistic}});
+        }
+        list.push_back({{"used", epoch.surveyed},
+                        {"turned", turned_json(net, epoch.turned)},
+                        {"outliers", outliers_json(net, epoch.outliers)},
+                        {"boundary", boundary_json(net, epoch.boundary_outliers)},
+                        {"frame_offset", offset_json(epoch.frame_offset)},
+                        {"noise_ratio", epoch.noise_ratio},
+                        {"noise_scale", epoch.noise_scale},
+                        {"change_ratio", epoch.change_ratio},
+                        {"changes", changes},
+                        {"trust", trust_json(epoch.trust)}});
+    }
+    return list;
+}
+
 }  // namespace
 
 std::string identification_to_json(const CableNet& net, const Survey& survey,
@@ -293,16 +345,6 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     Json form = Json::array();
     for (const auto& node : identification.predicted.form.colwise()) {
         form.push_back({node.x(), node.y(), node.z()});
-    }
-    Json outliers = Json::array();
-    for (const Outlier& outlier : identification.outliers) {
-        outliers.push_back({{"node", outlier.node},
-                            {"id", net.node_id(outlier.node)},
-                            {"distance", outlier.distance},
-                            {"statistic", outlier.statistic}});
-        if (outlier.swapped_with >= 0) {
-            outliers.back()["swapped_with"] = net.node_id(outlier.swapped_with);
-        }
     }
     double noise = 0.0;
     if (survey.noise_std.cols() > 0) {
@@ -329,13 +371,15 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                     {"missing", survey.missing.size()},
                     {"noise", noise},
                     {"noise_ratio", identification.noise_ratio},
-                    {"outliers", outliers},
+                    {"outliers", outliers_json(net, identification.outliers)},
                     {"outlier_threshold", identification.outlier_threshold},
                     {"rms_residual", std::sqrt(residuals.squaredNorm() / in_use)},
                     {"max_residual", residuals.lpNorm<Eigen::Infinity>()}}}};
     add_run(document, run);
     document["net"] = counts_json(net);
     document["frame_offset"] = offset_json(identification.frame_offset);
+    document["turned"] = turned_json(net, identification.turned);
+    document["epochs"] = epochs_json(net, identification.epochs);
     document["doubt"] = doubt_json(net, identification);
     document["survey"]["residuals"] = residuals_json(survey, identification.predicted.form);
     document["survey"]["missing_nodes"] = survey.missing;

@@ -28,6 +28,9 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
             unobserved.push_back(edge.edge);
         }
     }
+    for (const EdgeTurned& turned : result.turned) {
+        lengths(turned.edge) += turned.stroke;
+    }
     for (const BoundaryOutlier& outlier : result.boundary_outliers) {
         if (outlier.kind == BoundaryOutlier::Kind::adjustable_edge) {
             lengths(outlier.index) += outlier.deviation.x();

@@ -209,6 +209,25 @@ UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
     return estimate;
 }
 
+/// What was turned between surveys.
+std::vector<EdgeTurned> read_turned(const JsonValue& root, const CableNet& net) {
+    std::vector<EdgeTurned> result;
+    if (!root.find("turned")) {
+        return result;
+    }
+    for (const JsonValue& entry : entries(root, "turned")) {
+        result.push_back({.edge = static_cast<int>(member(entry, "edge").integer()),
+                          .stroke = member(entry, "stroke").number(),
+                          .std = member(entry, "std").number()});
+    }
+    try {
+        check_turned(net, result);
+    } catch (const std::invalid_argument& error) {
+        member(root, "turned").fail(error.what());
+    }
+    return result;
+}
+
 /// Adjustable edges of another length than told, and supports at another place.
 std::vector<BoundaryOutlier> read_boundary_outliers(const JsonValue& root, const CableNet& net) {
     std::vector<BoundaryOutlier> result;
@@ -271,6 +290,7 @@ IdentificationResult read_identification(const JsonValue& root) {
         result.unknowns.push_back(read_unknown(unknown, result.net));
     }
     result.boundary_outliers = read_boundary_outliers(root, result.net);
+    result.turned = read_turned(root, result.net);
     result.trust = read_trust(root);
     const JsonValue survey = member(root, "survey");
     for (const JsonValue& node : entries(survey, "missing_nodes")) {

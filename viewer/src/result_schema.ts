@@ -25,6 +25,36 @@ export type Indices = Index[];
 export type Pair = [Index, Index];
 export type Numbers = number[];
 export type Texts = string[];
+/**
+ * Since the net was as designed, until the last of several surveys.
+ */
+export type Turned = {
+  edge: Index;
+  id: string;
+  /**
+   * Change of the unstressed length [m].
+   */
+  stroke: number;
+  /**
+   * Play of the turnbuckle [m].
+   */
+  std: number;
+}[];
+/**
+ * Since the survey before.
+ */
+export type Turned1 = {
+  edge: Index;
+  id: string;
+  /**
+   * Change of the unstressed length [m].
+   */
+  stroke: number;
+  /**
+   * Play of the turnbuckle [m].
+   */
+  std: number;
+}[];
 export type EdgeStatus = "identified" | "slack" | "unobserved";
 /**
  * Of all edges, in the predicted form [N].
@@ -179,6 +209,11 @@ export interface Identification {
    * How far the net's supports are moved and turned in the survey's frame; null where that was told to be the net's.
    */
   frame_offset?: FrameOffset | null;
+  turned?: Turned;
+  /**
+   * By survey, where there are several; else empty.
+   */
+  epochs?: Epoch[];
   /**
    * Of the length deviations, as reckoned with: "uniform:5mm".
    */
@@ -355,6 +390,82 @@ export interface FrameOffset {
   translation_std: number[];
   rotation: number[];
   rotation_std: number[];
+}
+/**
+ * One survey among several of the same net.
+ */
+export interface Epoch {
+  /**
+   * Free nodes that were surveyed.
+   */
+  used: number;
+  turned: Turned1;
+  /**
+   * Targets left out.
+   */
+  outliers: Outlier[];
+  /**
+   * As in doubt.
+   */
+  boundary?: unknown[];
+  frame_offset?: FrameOffset | null;
+  noise_ratio?: number;
+  noise_scale?: number;
+  /**
+   * Root mean square of what its lengths differ by from those of the surveys before, over what all let expect; about 1. 0 of the first.
+   */
+  change_ratio: number;
+  /**
+   * Lengths that changed since the survey before, but for what was turned; the worst first.
+   */
+  changes: {
+    edge: Index;
+    id: string;
+    change: number;
+    std: number;
+    statistic: number;
+  }[];
+  trust: Trust1;
+}
+/**
+ * A target left out for a gross error.
+ */
+export interface Outlier {
+  node: Index;
+  id?: string;
+  /**
+   * Of the surveyed place from the one that all others tell [m].
+   */
+  distance?: number;
+  /**
+   * Its square in standard deviations, to be compared with outlier_threshold.
+   */
+  statistic?: number;
+  /**
+   * Name of the node whose target has this one's name, where two are swapped.
+   */
+  swapped_with?: string;
+}
+/**
+ * Of this survey alone.
+ */
+export interface Trust1 {
+  /**
+   * The worst of all findings: passed, doubtful or failed.
+   */
+  verdict: string;
+  /**
+   * Those of the findings.
+   */
+  reasons?: string[];
+  findings: {
+    verdict: string;
+    reason: string;
+    /**
+     * What to do about it; may be empty.
+     */
+    next: string;
+  }[];
 }
 export interface IdentifiedEdge {
   edge: Index;
@@ -534,25 +645,6 @@ export interface Survey {
    * As in frame, for readers that do not know it.
    */
   control?: ControlResidual[];
-}
-/**
- * A target left out for a gross error.
- */
-export interface Outlier {
-  node: Index;
-  id?: string;
-  /**
-   * Of the surveyed place from the one that all others tell [m].
-   */
-  distance?: number;
-  /**
-   * Its square in standard deviations, to be compared with outlier_threshold.
-   */
-  statistic?: number;
-  /**
-   * Name of the node whose target has this one's name, where two are swapped.
-   */
-  swapped_with?: string;
 }
 /**
  * Surveyed less predicted [m].

@@ -40,7 +40,8 @@ struct IdentificationResult {
     std::vector<UnknownEstimate> unknowns;
     /// Adjustable edges of another length than told, and supports at another place.
     std::vector<BoundaryOutlier> boundary_outliers;
-    Trust trust;  ///< empty in results of older versions
+    std::vector<EdgeTurned> turned;  ///< since the net was as designed, until the last survey
+    Trust trust;                     ///< empty in results of older versions
     struct Residual {
         int node = 0;
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]

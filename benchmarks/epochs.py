@@ -1,0 +1,217 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""What a second survey adds after turning, and what taut says where the turns are not as told; prints docs/epochs.md.
+
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py > docs/epochs.md
+"""
+
+import csv
+import json
+import pathlib
+import sys
+import tempfile
+from collections import Counter
+
+import numpy as np
+from coverage import Net, drawn, quantity, taut
+
+JOBS = 10
+LAW = "uniform:5mm"
+SETTINGS = [("hilo-quarter", "0.5mm", "10%"), ("hilo-quarter", "2mm", "30%"), ("hypar:9x9", "0.5mm", "10%")]
+
+
+class Job:
+    """A net as built: surveyed, turned by a plan, surveyed again. Files of the folder."""
+
+    def __init__(self, net, noise, hidden, folder, seed):
+        self.net, self.noise, self.hidden, self.folder = net, noise, hidden, folder
+        self.random = np.random.default_rng(seed)
+        self.deviations = np.zeros(len(net.edges))
+        self.deviations[net.interior] = drawn(LAW, len(net.interior), self.random)
+        self.survey("first.csv", {})
+        self.identify("first.csv", "--draws", "40")
+        taut("plan", folder / "net.json", folder / "result.json", "-o", folder / "plan.json", "--csv",
+             folder / "turns.csv", "--tension", "1.5kN..10kN" if net.data["name"] == "hilo-quarter" else "0.1kN..")
+        self.told = {}
+        if (folder / "turns.csv").exists():
+            ids = net.data.get("edge_ids") or [str(e) for e in range(len(net.edges))]
+            for row in csv.DictReader((folder / "turns.csv").open()):
+                edge = ids.index(row["edge"])
+                self.told[edge] = self.told.get(edge, 0.0) + 1e-3 * float(row["stroke_mm"])
+
+    def survey(self, name, turned, slipped=None, noise=None):
+        data = dict(self.net.data)
+        lengths = self.net.lengths + self.deviations
+        for edge, stroke in {**turned, **(slipped or {})}.items():
+            lengths[edge] += stroke
+        data["unstressed_lengths"] = lengths.tolist()
+        (self.folder / "built.json").write_text(json.dumps(data))
+        taut("form", self.folder / "built.json", "-o", self.folder / "built.csv", "--quiet")
+        form = [row for row in csv.reader((self.folder / "built.csv").open()) if row[0] != "id"]
+        with (self.folder / name).open("w") as out:
+            for node in self.net.free:
+                place = np.array(form[node][1:4], float) + quantity(noise or self.noise) * self.random.normal(size=3)
+                if self.random.random() >= quantity(self.hidden):
+                    out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
+
+    def tell(self, turned):
+        """Writes what is told of the turns."""
+        with (self.folder / "turned.csv").open("w") as out:
+            out.write("edge,stroke\n")
+            for edge, stroke in turned.items():
+                out.write(f"{edge},{stroke!r}\n")
+
+    def identify(self, survey, *options):
+        """Length deviations, whether their intervals hold the truth, and the result."""
+        result = self.folder / "result.json"
+        result.unlink(missing_ok=True)
+        ended = taut("identify", self.folder / "net.json", self.folder / survey, "--noise", self.noise, "--frame", "net",
+                     "--quiet", "-o", result, *options)
+        if not result.exists():
+            return None, None, {"trust": {"verdict": "refused", "reasons": [ended.stderr.strip()]}}
+        data = json.loads(result.read_text())
+        found = np.array([e["length_deviation"] for e in data["edges"]])
+        truth = self.deviations[[e["edge"] for e in data["edges"]]]
+        inside = [e["lower"] - 1e-9 <= t <= e["upper"] + 1e-9 for e, t in zip(data["edges"], truth)]
+        return found - truth, np.mean(inside), data
+
+    def again(self, survey="second.csv", turned="turned.csv"):
+        epoch = str(self.folder / survey) + (f":{self.folder / turned}" if turned else "")
+        return self.identify("first.csv", "--draws", "0", "--epoch", epoch)
+
+
+def average_of_files(job):
+    """One survey of the mean places of two."""
+    places = {}
+    for name in ("first.csv", "same.csv"):
+        for row in csv.reader((job.folder / name).open()):
+            places.setdefault(row[0], []).append(np.array(row[1:], float))
+    noise = quantity(job.noise)
+    with (job.folder / "mean.csv").open("w") as out:
+        out.write("id,x,y,z,sx,sy,sz\n")
+        for node, seen in places.items():
+            std = noise / np.sqrt(len(seen))
+            out.write(",".join([node, *map(repr, map(float, np.mean(seen, axis=0))), *[repr(std)] * 3]) + "\n")
+
+
+def gains(net, noise, hidden, folder, jobs):
+    errors, inside = {}, {}
+    for seed in range(jobs):
+        job = Job(net, noise, hidden, folder, seed)
+        job.survey("second.csv", job.told)
+        job.survey("same.csv", {})
+        job.tell(job.told)
+        average_of_files(job)
+        one = job.identify("first.csv", "--draws", "0")
+        other = job.identify("same.csv", "--draws", "0")
+        ways = {
+            "one": one[:2],
+            "mean of two results": ((one[0] + other[0]) / 2, np.nan),
+            "mean of two surveys": job.identify("mean.csv", "--draws", "0")[:2],
+            "both surveys of one state": job.again("same.csv", None)[:2],
+            "both, turned in between": job.again()[:2],
+        }
+        for way, (error, share) in ways.items():
+            errors.setdefault(way, []).append(np.mean(np.square(error)))
+            inside.setdefault(way, []).append(share)
+    root = {way: 1e3 * np.sqrt(np.mean(values)) for way, values in errors.items()}
+    cells = [f"{root[way]:.3f}" + ("" if np.isnan(inside[way][0]) else f" ({100 * np.mean(inside[way]):.1f})") for way in root]
+    return f"| {net.data['name']}, {noise}, {hidden} hidden | " + " | ".join(cells) + " |"
+
+
+def turned_the_wrong_way(job):
+    edge = max(job.told, key=lambda e: abs(job.told[e]))
+    return {**job.told, edge: -job.told[edge]}, {}, {edge}
+
+
+def forgotten(job):
+    edge = sorted(job.told, key=lambda e: -abs(job.told[e]))[3]
+    return {**job.told, edge: 0.0}, {}, {edge}
+
+
+def three_off(job):
+    edges = sorted(job.told)[5::20][:3]
+    return {e: s + (4e-3 if e in edges else 0.0) for e, s in job.told.items()}, {}, set(edges)
+
+
+def slipped(job):
+    edge = int(job.net.interior[len(job.net.interior) // 3])
+    return job.told, {edge: 5e-3}, {edge}
+
+
+def two_slipped(job):
+    edges = [int(job.net.interior[len(job.net.interior) * k // 7]) for k in (2, 5)]
+    return job.told, {edge: -5e-3 for edge in edges}, set(edges)
+
+
+FALSE = [
+    ("nothing", lambda job: (job.told, {}, set())),
+    ("one turned the wrong way", turned_the_wrong_way),
+    ("one not turned", forgotten),
+    ("three turned 4 mm too far", three_off),
+    ("a cable slipped by 5 mm", slipped),
+    ("two cables 5 mm shorter than before", two_slipped),
+    ("pitch told 20 % too small", lambda job: ({e: 1.2 * s for e, s in job.told.items()}, {}, set())),
+    ("all told with the wrong sign", lambda job: ({e: -s for e, s in job.told.items()}, {}, set())),
+    ("nothing was turned, though told", lambda job: ({}, {}, set())),
+    ("turned with a play of 0.3 mm, not told",
+     lambda job: ({e: s + 0.3e-3 * job.random.normal() for e, s in job.told.items()}, {}, set())),
+]
+
+
+def false_premise(name, alter, net, folder, jobs):
+    said, inside, named, expected, innocent, silent = Counter(), [], 0, 0, 0, 0
+    for seed in range(jobs):
+        job = Job(net, "0.5mm", "10%", folder, 100 + seed)
+        done, slip, culprits = alter(job)
+        job.survey("second.csv", done, slip)
+        job.tell(job.told)
+        # What the last survey saw.
+        for edge, change in slip.items():
+            job.deviations[edge] += change
+        _, share, result = job.again()
+        said[result["trust"]["verdict"]] += 1
+        if share is None:
+            continue
+        inside.append(share)
+        silent += result["trust"]["verdict"] == "passed" and share < 0.85
+        blamed = {c["edge"] for epoch in result["epochs"] for c in epoch["changes"]}
+        blamed |= {b["edge"] for epoch in result["epochs"] for b in epoch["boundary"] if "edge" in b}
+        named += len(blamed & culprits)
+        expected += len(culprits)
+        innocent += len(blamed - culprits) if culprits or name == "nothing" else 0
+        innocent += sum(len(epoch["outliers"]) for epoch in result["epochs"])
+    verdicts = ", ".join(f"{verdict} {count}" for verdict, count in said.most_common())
+    share = f"{100 * np.mean(inside):.1f}" if inside else "-"
+    return f"| {name} | {share} | {f'{named} of {expected}' if expected else '-'} | {innocent} | {verdicts} | {silent} |"
+
+
+def main():
+    jobs = int(sys.argv[1]) if len(sys.argv) > 1 else JOBS
+    print("# Surveys before and after turning\n")
+    print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py`: nets built with lengths uniform:5mm, surveyed,")
+    print(f"turned as `taut plan` says, surveyed again; {jobs} jobs a row. [adjustment.md](adjustment.md) tells how.\n")
+    print("## What a second survey adds\n")
+    print("RMSE of the lengths [mm], and in brackets the part of them inside their 95 % intervals [%]. *Mean of two results*")
+    print("takes the mean of what two surveys of one state tell, each by itself; *mean of two surveys* identifies from the mean")
+    print("places. The others are `taut identify --epoch`.\n")
+    print("| net, noise | one survey | mean of two results | mean of two surveys | both surveys of one state | both, turned in between |")
+    print("|" + "---|" * 6, flush=True)
+    for name, noise, hidden in SETTINGS:
+        with tempfile.TemporaryDirectory() as folder:
+            net = Net(name, 1, pathlib.Path(folder))
+            print(gains(net, noise, hidden, pathlib.Path(folder), jobs), flush=True)
+    print("\n## What it says where something is not as told\n")
+    print("hilo-quarter, noise 0.5 mm, a tenth hidden. A culprit is *named* among the `changes` or the `boundary` of an epoch;")
+    print("*sound ones blamed* are other edges there, and targets left out. *Passed below 85 %* counts results that passed")
+    print("though less than 85 % of their lengths are inside their intervals.\n")
+    print("| what is wrong | lengths inside 95 % [%] | culprits named | sound ones blamed | said | passed below 85 % |")
+    print("|" + "---|" * 6, flush=True)
+    for name, alter in FALSE:
+        with tempfile.TemporaryDirectory() as folder:
+            net = Net("hilo-quarter", 1, pathlib.Path(folder))
+            print(false_premise(name, alter, net, pathlib.Path(folder), jobs), flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards the way from a first survey over turns to a second one on the command line: that both are
+// used, that what was turned is kept for all who read the result, and one line for what cannot be
+// meant.
+#include <cmath>
+
+#include "app/program.hpp"
+
+namespace {
+
+using namespace taut::test;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class EpochCommand : public ProgramTest {
+protected:
+    EpochCommand() {
+        must_run({"example", "hypar:6x6", "-o", "net.json"});
+        must_run({"form", "net.json", "--law", "uniform:3mm", "--seed", "7", "-o", "built.csv",
+                  "--lengths", "truth.csv"});
+        must_run({"survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "first.csv"});
+        must_run({"identify", "net.json", "first.csv", "--law", "uniform:3mm", "--draws", "50",
+                  "-o", "one.json"});
+        must_run({"plan", "net.json", "one.json", "-o", "plan.json", "--csv", "turns.csv"});
+        must_run({"form", "net.json", "--law", "uniform:3mm", "--seed", "7", "--turned",
+                  "turns.csv", "-o", "turned_form.csv"});
+        must_run({"survey", "net.json", "turned_form.csv", "--noise", "0.3mm", "--seed", "2", "-o",
+                  "second.csv"});
+    }
+
+    [[nodiscard]] Outcome identify(const std::string& epoch) const {
+        return run({"identify", "net.json", "first.csv", "--law", "uniform:3mm", "--draws", "50",
+                    "--epoch", epoch, "-o", "both.json"});
+    }
+};
+
+TEST_F(EpochCommand, LeadsToAPlanOfWhatIsLeft) {
+    const Outcome outcome = identify("second.csv:turns.csv");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("trust: passed"));
+    EXPECT_THAT(outcome.out, HasSubstr("survey second.csv"));
+    EXPECT_THAT(outcome.out, HasSubstr("survey 2: 36 free nodes"));
+    const json result = json::parse(read("both.json"));
+    ASSERT_EQ(result["epochs"].size(), 2U);
+    EXPECT_FALSE(result["turned"].empty());
+    EXPECT_EQ(result["turned"], result["epochs"][1]["turned"]);
+    double one = 0.0;
+    double both = 0.0;
+    const json first = json::parse(read("one.json"));
+    for (size_t i = 0; i < result["edges"].size(); ++i) {
+        one += std::pow(first["edges"][i]["std"].get<double>(), 2);
+        both += std::pow(result["edges"][i]["std"].get<double>(), 2);
+    }
+    EXPECT_LT(both, 0.7 * one);
+    // The plan starts from where the net stands: there is little left to do.
+    must_run({"plan", "net.json", "both.json", "-o", "again.json"});
+    const json before = json::parse(read("plan.json"));
+    const json again = json::parse(read("again.json"));
+    EXPECT_LT(again["largest_stroke"].get<double>(), 0.5 * before["largest_stroke"].get<double>());
+    // So does an export.
+    must_run({"export", "both.json", "--to", "net", "-o", "as_built.json"});
+    const json exported = json::parse(read("as_built.json"));
+    const json designed = json::parse(read("net.json"));
+    const json& turned = result["turned"][0];
+    const auto edge = turned["edge"].get<size_t>();
+    EXPECT_NEAR(exported["unstressed_lengths"][edge].get<double>(),
+                designed["unstressed_lengths"][edge].get<double>() + turned["stroke"].get<double>(),
+                1e-9);
+    must_run({"report", "both.json", "-o", "both.html"});
+}
+
+TEST_F(EpochCommand, TellsInOneLineWhatCannotBeMeant) {
+    write("wrong.csv", "edge,stroke\n0,5\n");
+    const auto refused = [&](const std::string& epoch, const char* words) {
+        const Outcome outcome = identify(epoch);
+        EXPECT_EQ(outcome.exit_code, 2) << epoch;
+        EXPECT_THAT(outcome.err, HasSubstr(words)) << epoch;
+        EXPECT_FALSE(exists("both.json"));
+    };
+    refused("second.csv:wrong.csv", "wrong.csv:2: edge");
+    refused("second.csv:none.csv", "none.csv");
+    refused("none.csv:turns.csv", "none.csv");
+    refused("second.csv:", "expected a survey, and behind a colon");
+    refused("second.csv:second.csv", "second.csv:");
+    const Outcome by_balance = run({"identify", "net.json", "first.csv", "--method", "balance",
+                                    "--epoch", "second.csv:turns.csv", "-o", "both.json"});
+    EXPECT_EQ(by_balance.exit_code, 2);
+    EXPECT_THAT(by_balance.err, HasSubstr("--epoch is for --method map"));
+}
+
+TEST_F(EpochCommand, NothingIsOverwrittenThatWasRead) {
+    const std::string turns = read("turns.csv");
+    const Outcome outcome = run({"identify", "net.json", "first.csv", "--epoch",
+                                 "second.csv:turns.csv", "-o", "turns.csv"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(read("turns.csv"), turns);
+}
+
+}  // namespace
