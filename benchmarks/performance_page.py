@@ -38,7 +38,7 @@ def main():
         return json.loads((folder / name).read_text())
 
     rows = {}
-    for name in ("statics", "learning", "identification", "factorisation"):
+    for name in ("statics", "learning", "identification", "factorisation", "adjustment"):
         rows |= medians(folder / f"{name}.json")
     study = load("reproduce.json")
     whole = load("reproduce_process.json")
@@ -46,6 +46,9 @@ def main():
     large_identified = load("hypar300_identify_process.json")
     opened = load("opening.json")
     peer = load("sklearn.json")
+    planned = load("plan.json")
+    plan_process = load("plan_process.json")
+    plan_peer = load("scipy_plan.json")
     cores = len(__import__("os").sched_getaffinity(0))
     compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True, check=True)
     seconds = study["seconds"]
@@ -157,6 +160,21 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 
 `taut identify` on an exact survey of `hypar:300x300` (179,400 interior edges), from file to file:
 {large_identified['seconds']:.0f} s and {large_identified['peak_kib'] / 2**20:.1f} GiB.
+
+## Turns, built-in net
+
+| work | time |
+|---|---|
+| plan, limits held for the estimate | {ms('plan/0/0')} |
+| plan, limits held with 95 % over 200 draws | {ms('plan/200/0')} |
+| the same in quarter turns of 5 mm | {ms('plan/200/1')} |
+| order for three crews, every moment in exact equilibrium | {ms('order_of_plan')} |
+| lengths from two surveys at once | {ms('two_epochs')} |
+| one job: survey, identification, plan, turns, by all four strategies of `taut control` | {ms('control')} |
+
+The same plan by SciPy {plan_peer['scipy']}'s SLSQP with exact derivatives (`benchmarks/peers/scipy_plan.py`), from the same identified
+net: {plan_peer['seconds']:.2f} s to a normal RMS of {1e3 * plan_peer['normal_rmse']:.3f} mm; `taut plan`, from file to file and with the order, {plan_process['seconds']:.2f} s to
+{1e3 * planned['form']['planned']['normal_rmse']:.3f} mm: {plan_peer['seconds'] / plan_process['seconds']:.1f} times as fast.
 
 ## Factorisations, one core
 

@@ -25,6 +25,20 @@ build/release/benchmarks/bench_identification --benchmark_filter='^(balance|map)
     --benchmark_repetitions=3 --benchmark_out="$out/identification.json" \
     --benchmark_out_format=json
 
+build/release/benchmarks/bench_adjustment --benchmark_repetitions=3 \
+    --benchmark_out="$out/adjustment.json" --benchmark_out_format=json
+
+# One plan with SciPy, from the same identified net.
+build/taut example hilo-quarter -o "$out/net.json" > /dev/null
+build/taut form "$out/net.json" --law uniform:5mm --seed 1 -o "$out/site.csv" > /dev/null
+build/taut survey "$out/net.json" "$out/site.csv" --noise 0.5mm --drop 10% -o "$out/site_survey.csv" > /dev/null
+build/taut identify "$out/net.json" "$out/site_survey.csv" --draws 0 -o "$out/site.json" > /dev/null
+build/taut export "$out/site.json" --to net -o "$out/identified.json" > /dev/null
+/usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/plan_process.json" \
+    build/taut plan "$out/net.json" "$out/site.json" --tension 1.5kN..10kN -o "$out/plan.json" > /dev/null
+/usr/bin/python3 benchmarks/peers/scipy_plan.py "$out/net.json" "$out/identified.json" 1500 10000 \
+    > "$out/scipy_plan.json"
+
 # The whole of reproduce, with its largest use of memory.
 /usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/reproduce_process.json" \
     build/taut reproduce -o "$out/reproduce" --keep --quiet --json > "$out/reproduce.json"
