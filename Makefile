@@ -20,8 +20,8 @@ build: ## install what is missing, build the release; leaves the program at buil
 	cmake --build --preset release --target taut_app
 	ln -sfn release/apps/taut/taut build/taut
 
-demo: build ## run the paper's experiment on the built-in net, report in build/demo
-	build/taut reproduce -o build/demo
+demo: build ## run the paper's experiment and plan a job on the built-in net, reports in build/demo
+	scripts/demo.sh
 
 test: ## install what is missing, build, run every test
 	scripts/install_dependencies.sh test
