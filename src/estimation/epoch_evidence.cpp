@@ -14,9 +14,14 @@ Eigen::MatrixXd symmetric(const Eigen::MatrixXd& matrix) {
     return 0.5 * (matrix + matrix.transpose());
 }
 
+/// By Cholesky; where rounding errors made it indefinite, with pivots.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& positive) {
-    return symmetric(
-        positive.ldlt().solve(Eigen::MatrixXd::Identity(positive.rows(), positive.cols())));
+    const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(positive.rows(), positive.cols());
+    const Eigen::LLT<Eigen::MatrixXd> factor(positive);
+    if (factor.info() == Eigen::Success) {
+        return symmetric(factor.solve(unit));
+    }
+    return symmetric(positive.ldlt().solve(unit));
 }
 
 /// A distribution of x in the standard deviations that it has before any survey.

@@ -118,12 +118,12 @@ private:
         const double most = most_turned_part * m_net.unstressed_lengths()(edge);
         if (!(std::abs(turned.stroke) <= most)) {
             m_lines.fail(record, fmt::format("edge {} is turned by {:g} m, expected at most {:.3g} "
-                                             "m, a tenth of its length: strokes are in metres",
+                                             "m, a quarter of its length: strokes are in metres",
                                              name, turned.stroke, most));
         }
         if (!(turned.std >= 0.0 && turned.std <= most)) {
             m_lines.fail(record,
-                         fmt::format("std is {:g} m, expected 0 to {:.3g} m, a tenth of the "
+                         fmt::format("std is {:g} m, expected 0 to {:.3g} m, a quarter of the "
                                      "edge's length",
                                      turned.std, most));
         }

@@ -29,14 +29,15 @@ void check_turned(const CableNet& net, std::span<const EdgeTurned> turned) {
         is_named[one.edge] = true;
         const double most = most_turned_part * net.unstressed_lengths()(one.edge);
         if (!(std::abs(one.stroke) <= most)) {
-            throw std::invalid_argument(fmt::format(
-                "edge '{}' was turned by {:g} m, expected at most {:.3g} m, a tenth of its length",
-                net.edge_id(one.edge), one.stroke, most));
+            throw std::invalid_argument(
+                fmt::format("edge '{}' was turned by {:g} m, expected at most {:.3g} m, a quarter "
+                            "of its length",
+                            net.edge_id(one.edge), one.stroke, most));
         }
         if (!(one.std >= 0.0 && one.std <= most)) {
             throw std::invalid_argument(
                 fmt::format("edge '{}' was turned with a standard deviation of {:g} m, expected 0 "
-                            "to {:.3g} m, a tenth of its length",
+                            "to {:.3g} m, a quarter of its length",
                             net.edge_id(one.edge), one.std, most));
         }
     }

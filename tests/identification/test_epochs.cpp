@@ -321,7 +321,7 @@ TEST(Epochs, RefuseWhatTheyCannotTell) {
     wrong = job.epochs;
     wrong[1].turned[0].stroke = 1.0;
     EXPECT_THAT(refused(wrong, with_law()),
-                ThrowsMessage<std::invalid_argument>(HasSubstr("a tenth of its length")));
+                ThrowsMessage<std::invalid_argument>(HasSubstr("a quarter of its length")));
 }
 
 }  // namespace

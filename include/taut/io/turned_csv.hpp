@@ -17,7 +17,7 @@ namespace taut {
 /// @param file_name for messages
 /// @throws InputError with the line, for a file without a line, an edge that is not of the net, not
 ///   adjustable, or comes twice (in the list of a plan: twice in one pass), a number that is none,
-///   and a stroke or std that is more than a tenth of the edge
+///   and a stroke or std that is more than a quarter of the edge
 [[nodiscard]] std::vector<EdgeTurned> parse_turned(const CableNet& net, std::string_view text,
                                                    const std::string& file_name);
 

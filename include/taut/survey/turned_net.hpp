@@ -17,7 +17,7 @@ struct EdgeTurned {
 };
 
 /// No turnbuckle changes its edge by a larger part of the unstressed length.
-inline constexpr double most_turned_part = 0.1;
+inline constexpr double most_turned_part = 0.25;
 
 /// @throws std::invalid_argument for an edge that is not adjustable or comes twice, a stroke that
 /// is
