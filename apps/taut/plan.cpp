@@ -44,6 +44,7 @@ struct PlanCommand : CommonOptions {
     std::string tolerance;
     std::string adjustable;
     std::string confidence = "95%";
+    std::string survey_first;
     std::string actuator = "0mm";
     std::string thread = "right";
     std::string csv;
@@ -182,11 +183,36 @@ PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
                         .actuator_std = parse_length(command.actuator),
                         .turn = parse_turn(command.turn, command.step),
                         .tolerance = {},
+                        .survey_noise = {},
                         .seed = command.seed};
     if (!command.tolerance.empty()) {
         options.tolerance = parse_length(command.tolerance);
     }
+    if (!command.survey_first.empty()) {
+        options.survey_noise = parse_length(command.survey_first);
+    }
     return options;
+}
+
+/// Whether one should rather look again before turning, and where.
+void print_survey_first(const CableNet& net, const Plan& plan, double noise) {
+    if (plan.draws == 0) {
+        fmt::print("which targets to survey first is not known, since {}\n", plan.no_draws_since);
+        return;
+    }
+    if (plan.further_targets.empty()) {
+        fmt::print("survey first: no single target seen with {} tells more of the planned form\n",
+                   format_length(noise));
+        return;
+    }
+    fmt::print("survey first: targets seen with {} would leave of these {:.2f} mm\n",
+               format_length(noise), 1e3 * plan.normal_unknown);
+    for (const FurtherTarget& target : plan.further_targets) {
+        fmt::print("  {:<12} {:.3f} mm, with those above\n", net.node_id(target.node),
+                   1e3 * target.normal_unknown);
+    }
+    fmt::print("  turning as planned takes {:.2f} mm off the normal RMS\n",
+               1e3 * (plan.as_built.normal_rmse - plan.planned.normal_rmse));
 }
 
 void print_deviation(const char* what, const FormDeviation& d) {
@@ -232,6 +258,9 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     if (plan.draws > 0) {
         fmt::print("not known of the planned form along the normal: {:.2f} mm RMS\n",
                    1e3 * plan.normal_unknown);
+    }
+    if (record.options->survey_noise) {
+        print_survey_first(net, plan, *record.options->survey_noise);
     }
     if (record.options->turn && record.options->turn->step() > 0.0) {
         fmt::print("whole steps of {}: normal RMS {:.3f} mm, with free strokes {:.3f} mm\n",
@@ -374,6 +403,9 @@ void add_plan(CLI::App& program) {
         .add_option("--confidence", options->confidence,
                     "With which all limits are to hold over the draws of RESULT")
         ->capture_default_str();
+    command.add_option("--survey-first", options->survey_first,
+                       "Tell which targets, seen with this noise, would tell most of the planned "
+                       "form before anything is turned: 0.5mm");
     command
         .add_option("--actuator", options->actuator,
                     "Standard deviation of what is turned from what was told")

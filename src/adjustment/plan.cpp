@@ -14,6 +14,7 @@
 #include "adjustment/fewest_strokes.hpp"
 #include "adjustment/force_ranges.hpp"
 #include "adjustment/stroke_program.hpp"
+#include "adjustment/survey_gain.hpp"
 #include "adjustment/whole_steps.hpp"
 #include "taut/identification/posterior_draws.hpp"
 
@@ -50,6 +51,12 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
     if (options.tolerance && !(*options.tolerance > 0.0 && std::isfinite(*options.tolerance))) {
         throw std::invalid_argument(
             fmt::format("the tolerance is {:g} m, expected more than 0", *options.tolerance));
+    }
+    if (options.survey_noise &&
+        !(*options.survey_noise > 0.0 && std::isfinite(*options.survey_noise))) {
+        throw std::invalid_argument(
+            fmt::format("the noise of targets to survey first is {:g} m, expected more than 0",
+                        *options.survey_noise));
     }
     if (options.turn) {
         if (!(options.turn->pitch > 0.0) || std::isinf(options.turn->pitch)) {
@@ -338,7 +345,35 @@ private:
             }
         }
         plan.normal_unknown = with_normal > 0 ? std::sqrt(unknown / with_normal) : 0.0;
+        if (m_options->survey_noise) {
+            tell_further_targets(plan, drawn_strokes);
+        }
         tell_breaches(plan, state, &drawn_strokes);
+    }
+
+    /// (survey-gain): of the net as it stands, for the form that is planned.
+    void tell_further_targets(Plan& plan, const DrawnStrokes& planned) const {
+        constexpr int most = 10;
+        const CableNet& net = m_built->net;
+        const DrawnStrokes as_built =
+            draw_strokes(*m_built, m_responses, m_as_built, 0.0, m_options->seed);
+        std::vector<Eigen::RowVectorXd> along;
+        for (int i = 0; i < net.free_node_count(); ++i) {
+            const Eigen::Vector3d normal = m_target->normals().col(net.free_nodes()[i]);
+            if (!normal.isZero(0.0)) {
+                along.emplace_back(normal.transpose() *
+                                   planned.forms.middleRows(Eigen::Index{3} * i, 3));
+            }
+        }
+        Eigen::MatrixXd numbers(std::ssize(along), planned.forms.cols());
+        for (Eigen::Index k = 0; k < numbers.rows(); ++k) {
+            numbers.row(k) = along[static_cast<size_t>(k)];
+        }
+        for (const SurveyGain& gain :
+             gains_of_targets(as_built.forms, numbers, *m_options->survey_noise, most)) {
+            plan.further_targets.push_back(
+                {.node = net.free_nodes()[gain.place], .normal_unknown = gain.left_over});
+        }
     }
 
     /// Of each force that breaks a limit, or does so in more draws than the confidence leaves, the

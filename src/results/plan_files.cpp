@@ -106,6 +106,20 @@ Json turn_order_json(const PlanRecord& record) {
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
+/// Which targets would tell of the planned form what is not known yet; null where it was not asked.
+Json survey_first_json(const PlanRecord& record) {
+    if (!record.options->survey_noise) {
+        return {};
+    }
+    Json targets = Json::array();
+    for (const FurtherTarget& target : record.plan->further_targets) {
+        targets.push_back({{"node", target.node},
+                           {"id", record.net->node_id(target.node)},
+                           {"normal_unknown", target.normal_unknown}});
+    }
+    return {{"noise", *record.options->survey_noise}, {"targets", targets}};
+}
+
 Json value_or_null(const auto& value) {
     return value ? Json(*value) : Json();
 }
@@ -173,6 +187,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"tolerance",
          {{"reached", value_or_null(plan.is_within_tolerance)},
           {"fewest_bound", record.options->tolerance ? Json(plan.fewest_bound) : Json()}}},
+        {"survey_first", survey_first_json(record)},
         {"draws", plan.draws},
         {"no_draws_since", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
         {"built_form", points_json(record.built->net.nodes())},

@@ -31,6 +31,9 @@ struct PlanOptions {
     /// The fewest edges are turned with which the form comes so near: the root of the mean square
     /// of its deviations along the normal, or the largest of them, as the target's objective [m].
     std::optional<double> tolerance;
+    /// Noise of targets that might be surveyed before turning: which ones tell most of the planned
+    /// form is told, where there are draws [m].
+    std::optional<double> survey_noise;
     std::uint64_t seed = 1;  ///< of the play of the turnbuckles
 };
 
@@ -51,6 +54,13 @@ struct LimitBreach {
     double probability = 0.0;  ///< that the limit is kept; 0 or 1 without draws
 };
 
+/// A target that tells of the planned form what is not known yet.
+struct FurtherTarget {
+    int node = 0;
+    /// Plan::normal_unknown after a survey of this and those before it [m].
+    double normal_unknown = 0.0;
+};
+
 struct Plan {
     std::vector<PlannedStroke> strokes;  ///< those that are not 0, by edge
     FormDeviation as_built;
@@ -59,6 +69,9 @@ struct Plan {
     /// Root of the mean square, over nodes and draws, of what the deviation along the normal
     /// differs from the planned one: not known yet, rather than not to be had. 0 without draws [m].
     double normal_unknown = 0.0;
+    /// Where PlanOptions::survey_noise is told: at most ten, those that tell most first. Of other
+    /// targets the draws do not show that they tell anything.
+    std::vector<FurtherTarget> further_targets;
     Points form;                    ///< planned (3 x n) [m]
     Eigen::MatrixXd form_std;       ///< 3 x n; 0 without draws [m]
     Eigen::VectorXd tensions;       ///< planned (m) [N]

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "adjustment/survey_gain.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+namespace taut {
+namespace {
+
+/// Deviations from the mean of the draws, so that A A' is the covariance.
+Eigen::MatrixXd anomalies(const Eigen::MatrixXd& draws) {
+    return (draws.colwise() - draws.rowwise().mean()) /
+           std::sqrt(static_cast<double>(draws.cols() - 1));
+}
+
+/// Of draws of independent numbers a target seems to tell this part of the variance by chance, once
+/// for each of its coordinates; so much more than that is believed.
+constexpr double beyond_chance = 2.0;
+
+}  // namespace
+
+std::vector<SurveyGain> gains_of_targets(const Eigen::MatrixXd& forms,
+                                         const Eigen::MatrixXd& numbers, double noise_std,
+                                         int most) {
+    std::vector<SurveyGain> result;
+    if (forms.cols() < 2) {
+        return result;
+    }
+    Eigen::MatrixXd Y = anomalies(forms);
+    Eigen::MatrixXd X = anomalies(numbers);
+    const Eigen::Index places = forms.rows() / 3;
+    const double by_chance = beyond_chance * 3.0 / static_cast<double>(forms.cols());
+    const Eigen::Matrix3d noise = noise_std * noise_std * Eigen::Matrix3d::Identity();
+    std::vector<bool> is_taken(static_cast<size_t>(places), false);
+    while (std::ssize(result) < most) {
+        Eigen::Index best = -1;
+        double best_gain = by_chance * X.squaredNorm();
+        const Eigen::MatrixXd covariances = X * Y.transpose();
+        for (Eigen::Index s = 0; s < places; ++s) {
+            const auto at = Y.middleRows(3 * s, 3);
+            const Eigen::LLT<Eigen::Matrix3d> factor(at * at.transpose() + noise);
+            const double gain =
+                factor.matrixL().solve(covariances.middleCols(3 * s, 3).transpose()).squaredNorm();
+            if (!is_taken[static_cast<size_t>(s)] && gain > best_gain) {
+                best = s;
+                best_gain = gain;
+            }
+        }
+        if (best < 0) {
+            break;
+        }
+        is_taken[static_cast<size_t>(best)] = true;
+        // (survey-gain): T^2 = 1 - Y_s' (Y_s Y_s' + noise)^-1 Y_s
+        const Eigen::MatrixXd at = Y.middleRows(3 * best, 3);
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(at, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const Eigen::VectorXd squares = svd.singularValues().cwiseAbs2();
+        const Eigen::VectorXd kept =
+            (noise_std / (squares.array() + noise_std * noise_std).sqrt()).matrix();
+        const Eigen::MatrixXd& V = svd.matrixV();
+        const auto told = (1.0 - kept.array()).matrix().asDiagonal();
+        X -= (X * V) * told * V.transpose();
+        Y -= (Y * V) * told * V.transpose();
+        result.push_back(
+            {.place = static_cast<int>(best),
+             .left_over = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
+    }
+    return result;
+}
+
+}  // namespace taut
