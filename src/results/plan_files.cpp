@@ -179,6 +179,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"planned_form", points_json(plan.form)},
         {"planned_form_std", points_json(plan.form_std)},
         {"target_form", points_json(record.target->places())},
+        {"target_normals", points_json(record.target->normals())},
         {"cable_net", net_json(net)}};
     add_run(document, run);
     return to_text(document);
