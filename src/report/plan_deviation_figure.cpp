@@ -46,8 +46,9 @@ Deviations along_normal(const PlanResult& plan) {
             .cwiseAbs()
             .transpose();
     };
-    return {
-        .nodes = nodes, .built = distances(plan.built_form), .planned = distances(plan.planned_form)};
+    return {.nodes = nodes,
+            .built = distances(plan.built_form),
+            .planned = distances(plan.planned_form)};
 }
 
 double rms(const Eigen::VectorXd& values) {

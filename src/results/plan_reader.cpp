@@ -21,7 +21,8 @@ void check_breach(const JsonValue& breach, const CableNet& net) {
 PlanResult::Tension read_tension(const JsonValue& value, int edge) {
     const JsonValue told = member(value, "edge");
     if (told.integer() != edge) {
-        told.fail(fmt::format("is {}, expected {}: all edges in their order", told.integer(), edge));
+        told.fail(
+            fmt::format("is {}, expected {}: all edges in their order", told.integer(), edge));
     }
     const PlanResult::Tension tension{.as_built = member(value, "as_built").number(),
                                       .planned = member(value, "planned").number(),
@@ -33,9 +34,10 @@ PlanResult::Tension read_tension(const JsonValue& value, int edge) {
         value.fail("has one end of the interval of tension, expected both or none");
     }
     if (tension.lower && *tension.lower > *tension.upper) {
-        value.fail(fmt::format("has the interval of tension from {} to {}, expected lower before "
-                               "upper",
-                               *tension.lower, *tension.upper));
+        value.fail(
+            fmt::format("has the interval of tension from {} to {}, expected lower before "
+                        "upper",
+                        *tension.lower, *tension.upper));
     }
     if (tension.limit_upper && tension.limit_lower > *tension.limit_upper) {
         value.fail(fmt::format("has limits of tension from {} to {}, expected lower before upper",

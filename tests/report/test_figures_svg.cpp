@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 
+#include "report/colour_bar.hpp"
 #include "report/figures.hpp"
 #include "report/markup_tree.hpp"
 #include "support/studies.hpp"
@@ -330,9 +331,11 @@ TEST(PlanFigures, ShowBeforeAndAfterOnOneScale) {
         EXPECT_EQ(labels(figures.at(name)), labels(figures.at("plan_distance_built.svg"))) << name;
     }
     // Only where the net is farthest from its target is the brightest colour.
-    EXPECT_THAT(figures.at("plan_distance_built.svg"), HasSubstr("stroke:#fde725"));
-    EXPECT_THAT(figures.at("plan_distance_planned.svg"), Not(HasSubstr("stroke:#fde725")));
-    EXPECT_THAT(figures.at("plan_normal_built.svg"), Not(HasSubstr("stroke:#fde725")));
+    const std::string brightest =
+        "stroke:" + report::ColourBar::colour_of(report::ColourBar::levels - 1);
+    EXPECT_THAT(figures.at("plan_distance_built.svg"), HasSubstr(brightest));
+    EXPECT_THAT(figures.at("plan_distance_planned.svg"), Not(HasSubstr(brightest)));
+    EXPECT_THAT(figures.at("plan_normal_built.svg"), Not(HasSubstr(brightest)));
 }
 
 TEST(PlanFigures, DrawEveryTensionAndMarkThoseBeyondTheirLimit) {

@@ -106,10 +106,10 @@ inline ResultFile made_up_comparison() {
         "compare.json");
 }
 
-/// A plan of two crews that turn the first two adjustable edges, one shorter and one longer, made up
-/// without looking for one: every node is 3 mm above the target and 4 mm beside it as built, a third
-/// of that as planned; tensions grow with the edge's number from 2 kN, and the last one is beyond
-/// its limit.
+/// A plan of two crews that turn the first two adjustable edges, one shorter and one longer, made
+/// up without looking for one: every node is 3 mm above the target and 4 mm beside it as built, a
+/// third of that as planned; tensions grow with the edge's number from 2 kN, and the last one is
+/// beyond its limit.
 /// @param draws 0: nothing is told of how sure it is
 inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
     const int m = net.edge_count();
