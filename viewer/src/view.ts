@@ -98,7 +98,11 @@ export class NetView {
     this.selectedLine.object.renderOrder = this.hoveredLine.object.renderOrder = 1;
     this.markDots.object.renderOrder = 2;
 
-    this.camera = new NetCamera(this.canvas, model.form, () => this.move());
+    const arrows = arrowLines(model, model.form);
+    const points = new Float32Array(model.form.length + arrows.length);
+    points.set(model.form);
+    points.set(arrows, model.form.length);
+    this.camera = new NetCamera(this.canvas, points, () => this.move());
     this.listen();
     selection.subscribe(() => this.mark());
     new ResizeObserver(() => this.resize()).observe(container);
