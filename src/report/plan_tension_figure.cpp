@@ -85,13 +85,15 @@ std::string caption(const std::vector<Tension>& tensions, const std::vector<int>
                     double top) {
     const auto count = static_cast<int>(tensions.size());
     const auto beyond = static_cast<int>(std::ranges::count_if(tensions, is_beyond));
-    const auto high = static_cast<int>(std::ranges::count_if(tensions, [&](const Tension& t) {
-        return t.limit_upper && kN * *t.limit_upper > top;
-    }));
+    const auto high = static_cast<int>(std::ranges::count_if(
+        tensions, [&](const Tension& t) { return t.limit_upper && kN * *t.limit_upper > top; }));
+    const bool has_limits = std::ranges::any_of(
+        tensions, [](const Tension& t) { return t.limit_lower > 0.0 || t.limit_upper; });
     std::string text = fmt::format(
-        "Tension of {} as built and as planned{}; the lines are the limits that were told. {}",
-        counted(count, "edge"),
+        "Tension of {} as built and as planned{}; {}. {}", counted(count, "edge"),
         tensions.front().lower ? ", with the 95 % interval over the draws" : "",
+        has_limits ? "the lines are the limits that were told"
+                   : "no limit was told but that no edge goes slack",
         beyond == 0 ? "None is planned beyond a limit."
                     : fmt::format("{} planned beyond a limit.",
                                   beyond == 1 ? "1 edge is" : fmt::format("{} edges are", beyond)));
@@ -113,8 +115,9 @@ Figure plan_tension_figure(const PlanResult& plan) {
         return {};
     }
     const std::vector<int> edges = drawn_edges(tensions);
-    const Axes axes = edge_axes(static_cast<int>(tensions.size()),
-                                {.low = 0.0, .high = top_of(tensions)}, "edge i, in the order of the net", "tension [kN]");
+    const Axes axes =
+        edge_axes(static_cast<int>(tensions.size()), {.low = 0.0, .high = top_of(tensions)},
+                  "edge i, in the order of the net", "tension [kN]");
     PathData intervals;
     PathData built;
     PathData planned;
@@ -130,7 +133,8 @@ Figure plan_tension_figure(const PlanResult& plan) {
         (is_beyond(tension) ? beyond : planned).dot(place(tension.planned));
     }
     // Few dots may be larger than the style has them.
-    const double larger = std::clamp(std::sqrt(300.0 / static_cast<double>(edges.size())), 0.8, 1.8);
+    const double larger =
+        std::clamp(std::sqrt(300.0 / static_cast<double>(edges.size())), 0.8, 1.8);
     const auto dot_width = [larger](double width) {
         return fmt::format("style=\"stroke-width:{:.1f}\"", larger * width);
     };
