@@ -212,7 +212,7 @@ export function settingsSection(result: Result): HTMLElement {
     add("change of length by one turn", options.pitch === null ? "not told" : `${short(1e3 * options.pitch)} mm`);
     add("smallest step", options.step ? `${short(1e3 * options.step)} mm` : "");
     add("tolerance along the normal", options.tolerance === null ? "" : `${short(1e3 * options.tolerance)} mm`);
-    add("thread", `${options.thread}-hand`);
+    add("thread", options.thread === null ? "not told" : `${options.thread}-hand`);
     add("draws of the identification", result.draws);
     add("no draws, since", result.no_draws_since);
   }

@@ -24,7 +24,7 @@ export function planSection(plan: Plan): HTMLElement {
     h("p", { class: "quiet" }, unknown, " The last column is what the best strokes without limits leave; as they make the weighted RMS small, single numbers may be above those planned."),
     plan.violations.length === 0 ? h("p", { class: "quiet" }, `Every limit is kept${plan.draws > 0 ? " as surely as was asked for" : " by the estimate"}.`)
       : plainTable("Limits that are not kept, or not surely", [plan.feasible ? "Least sure limits" : "Limits in the way", "under the loads", "as planned [kN]", "limit [kN]", "kept with [%]"],
-        violations.map((b) => [`${b.kind === "tension" ? "tension of edge" : "reaction of support"} ${b.id}`, b.load_case ?? "of the net", number(b.value / 1e3), number(b.limit / 1e3), plan.draws > 0 ? percent(b.probability) : "–"])),
+        violations.map((b) => [`${b.kind === "tension" ? "tension of edge" : "reaction of support"} ${b.id}`, b.load_case ?? "of the net", number(b.value / 1e3), number(b.limit / 1e3), plan.draws > 0 ? percent(b.probability) : "–"]),
     plan.violations.length > most ? h("p", { class: "quiet" }, `and ${plan.violations.length - most} more, all of them in the plan's file`) : null);
 }
 
@@ -47,14 +47,14 @@ const signed = (value: number, decimals: number): string => (value > 0 ? "+" : "
 
 /** What one crew does in one pass. */
 function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
-  const withTurns = plan.options.pitch !== null;
+  const { pitch, thread } = plan.options;
   return turns.map((turn) => h("tr", {},
     h("td", {}, h("span", { class: "tick", role: "img", "aria-label": "to tick" })),
     h("td", {}, turn.moment + 1),
     h("th", { scope: "row" }, turn.edge_id),
     h("td", { class: `text ${turn.sense}` }, turn.sense === "shorten" ? "→← shorten" : "←→ lengthen"),
-    h("td", { class: "text" }, turn.rotation === "clockwise" ? "↻ clockwise" : "↺ counterclockwise"),
-    withTurns ? h("td", { class: "turns" }, turn.turns === null ? "–" : turnsText(turn.turns, plan.options)) : null,
+    thread === null ? null : h("td", { class: "text" }, turn.rotation === "clockwise" ? "↻ clockwise" : "↺ counterclockwise"),
+    pitch === null ? null : h("td", { class: "turns" }, turn.turns === null ? "–" : turnsText(turn.turns, plan.options)),
     h("td", {}, fixed(Math.abs(1e3 * turn.stroke), 2)),
     h("td", {}, signed(1e3 * turn.reading_after, 2)),
     h("td", {}, fixed(turn.tension_after / 1e3, 2))));
@@ -63,7 +63,7 @@ function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
 function crewList(plan: Plan, crew: number, how: string): HTMLElement {
   const own = plan.turns.filter((t) => t.crew === crew);
   const passes = [...new Set(own.map((t) => t.pass))];
-  const head = ["", "step", "cable", "do", "turn", ...(plan.options.pitch === null ? [] : ["turns"]), "by [mm]", "reading afterwards [mm]", "tension at the end [kN]"];
+  const head = ["", "step", "cable", "do", ...(plan.options.thread === null ? [] : ["turn"]), ...(plan.options.pitch === null ? [] : ["turns"]), "by [mm]", "reading afterwards [mm]", "tension at the end [kN]"];
   const bodies = passes.map((pass) => h("tbody", {},
     h("tr", { class: "pass" }, h("th", { colspan: head.length, scope: "rowgroup" }, `Pass ${pass} of ${plan.order.passes}`)),
     ...rowsOf(plan, own.filter((t) => t.pass === pass))));
@@ -90,10 +90,12 @@ function printLists(): void {
 export function crewsSection(plan: Plan): HTMLElement {
   const heading = "Lists for the crews";
   if (plan.turns.length === 0) return section("crews", heading, h("p", { class: "quiet" }, "Nothing is to be turned: there is no list."));
+  const { thread } = plan.options;
   const { crews, passes, safe } = plan.order;
   const together = crews > 1 ? " What has the same step is turned at once; nobody begins a step before all crews have ended the one before." : " Keep to the order: it was checked step by step.";
   const again = passes > 1 ? ` A cable may come again in a later pass: its reading is that after the pass, its tension that after all.` : "";
-  const how = `The turnbuckles have a ${plan.options.thread}-hand thread; clockwise is as seen from the support along the cable. The reading is how far the turnbuckle then stands from its designed length, + for longer; the tension is the cable's when all is done.${together}${again}`;
+  const turning = thread === null ? "Which way to turn is not told, as the thread is not known." : `The turnbuckles have a ${thread}-hand thread; clockwise is as seen from the support along the cable.`;
+  const how = `${turning} The reading is how far the turnbuckle then stands from its designed length, + for longer; the tension is the cable's when all is done.${together}${again}`;
   const present = [...new Set(plan.turns.map((t) => t.crew))].sort((a, b) => a - b);
   const idle = crews - present.length;
   return section("crews", heading,

@@ -760,7 +760,10 @@ export interface Plan {
      * [m].
      */
     tolerance: number | null;
-    thread: "right" | "left";
+    /**
+     * Of the turnbuckles; null where it was not told.
+     */
+    thread: "right" | "left" | null;
   };
   /**
    * What whole steps of a turn cost.
@@ -809,9 +812,9 @@ export interface Turn {
   turns: number | null;
   sense: "shorten" | "lengthen";
   /**
-   * Seen from the support along the cable.
+   * Seen from the support along the cable; null where the thread was not told.
    */
-  rotation: "clockwise" | "counterclockwise";
+  rotation: "clockwise" | "counterclockwise" | null;
   /**
    * From 1.
    */

@@ -463,7 +463,9 @@ test("a plan without draws, pitch or turns says what it does not tell", async ()
   assert.equal(reports.unsure.result.draws, 0);
   assert.match(await unsure.textContent("#verdict"), /by the estimate alone/);
   assert.match(await unsure.textContent(".sentences"), /how surely is not known: /);
-  assert.equal((await crewRows(unsure, 1))[0].length, 8, "no column of turns");
+  assert.equal((await crewRows(unsure, 1))[0].length, 7, "neither turns nor which way to turn");
+  assert.match(await unsure.textContent("#crews"), /the thread is not known/);
+  assert.doesNotMatch(await unsure.textContent("#crews"), /clockwise/);
   await close(unsure);
   const idle = await open(reports.idle.page);
   assert.equal(reports.idle.result.turns.length, 0);
