@@ -24,7 +24,7 @@ export function planSection(plan: Plan): HTMLElement {
     h("p", { class: "quiet" }, unknown, " The last column is what the best strokes without limits leave; as they make the weighted RMS small, single numbers may be above those planned."),
     plan.violations.length === 0 ? h("p", { class: "quiet" }, `Every limit is kept${plan.draws > 0 ? " as surely as was asked for" : " by the estimate"}.`)
       : plainTable("Limits that are not kept, or not surely", [plan.feasible ? "Least sure limits" : "Limits in the way", "under the loads", "as planned [kN]", "limit [kN]", "kept with [%]"],
-        violations.map((b) => [`${b.kind === "tension" ? "tension of edge" : "reaction of support"} ${b.id}`, b.load_case ?? "of the net", number(b.value / 1e3), number(b.limit / 1e3), plan.draws > 0 ? percent(b.probability) : "–"]),
+        violations.map((b) => [`${b.kind === "tension" ? "tension of edge" : "reaction of support"} ${b.id}`, b.load_case ?? "of the net", number(b.value / 1e3), number(b.limit / 1e3), plan.draws > 0 ? percent(b.probability) : "–"]), ["", "text", "", "", ""]),
     plan.violations.length > most ? h("p", { class: "quiet" }, `and ${plan.violations.length - most} more, all of them in the plan's file`) : null);
 }
 
@@ -60,6 +60,15 @@ function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
     h("td", {}, fixed(turn.tension_after / 1e3, 2))));
 }
 
+/** What must be known before the first turn, on the sheets of each crew. */
+function warningsOf(plan: Plan): string[] {
+  return [
+    ...(plan.identification.verdict === "failed" ? ["The identification that this plan stands on failed its tests: do not work from it before what the report names is mended."] : []),
+    ...(plan.feasible ? [] : ["This plan does not keep all limits: do not work from it before they are cleared."]),
+    ...(plan.order.safe ? [] : ["No safe order was found: somebody must watch what the head of the report names."]),
+  ];
+}
+
 function crewList(plan: Plan, crew: number, how: string): HTMLElement {
   const own = plan.turns.filter((t) => t.crew === crew);
   const passes = [...new Set(own.map((t) => t.pass))];
@@ -72,6 +81,7 @@ function crewList(plan: Plan, crew: number, how: string): HTMLElement {
   return h("article", { class: "crew", "data-crew": crew },
     h("h3", {}, title, h("small", {}, of)),
     h("p", { class: "how print-only" }, how),
+    ...warningsOf(plan).map((text) => h("p", { class: "how print-only" }, h("strong", {}, text))),
     h("div", { class: "scroll" }, h("table", { class: "plain" },
       h("caption", { class: "hidden" }, `What crew ${crew} turns, in the order of the work`),
       // Each sheet of paper tells whose it is, and of which plan.
@@ -91,7 +101,7 @@ export function crewsSection(plan: Plan): HTMLElement {
   const heading = "Lists for the crews";
   if (plan.turns.length === 0) return section("crews", heading, h("p", { class: "quiet" }, "Nothing is to be turned: there is no list."));
   const { thread } = plan.options;
-  const { crews, passes, safe } = plan.order;
+  const { crews, passes } = plan.order;
   const together = crews > 1 ? " What has the same step is turned at once; nobody begins a step before all crews have ended the one before." : " Keep to the order: it was checked step by step.";
   const again = passes > 1 ? ` A cable may come again in a later pass: its reading is that after the pass, its tension that after all.` : "";
   const turning = thread === null ? "Which way to turn is not told, as the thread is not known." : `The turnbuckles have a ${thread}-hand thread; clockwise is as seen from the support along the cable.`;
@@ -101,8 +111,7 @@ export function crewsSection(plan: Plan): HTMLElement {
   return section("crews", heading,
     h("div", { class: "no-print tools" }, h("button", { type: "button", class: "print", onclick: printLists }, "Print the lists")),
     h("p", { class: "how no-print" }, how),
-    safe ? null : h("p", { class: "how" }, h("strong", {}, "No safe order was found: somebody must watch what the head of this report names.")),
-    plan.feasible ? null : h("p", { class: "how" }, h("strong", {}, "This plan does not keep all limits: do not work from it before they are cleared.")),
+    ...warningsOf(plan).map((text) => h("p", { class: "how no-print" }, h("strong", {}, text))),
     idle > 0 ? h("p", { class: "quiet" }, `${counted(idle, "crew")} ${idle === 1 ? "has" : "have"} nothing to do.`) : null,
     ...present.map((crew) => crewList(plan, crew, how)));
 }

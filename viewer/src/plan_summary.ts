@@ -58,9 +58,10 @@ function orderSentence({ order, turns }: Plan): string {
 
 export function ofPlan(plan: Plan): Summary {
   const { form, tension, draws } = plan;
+  const aim = plan.turns.length === 0 ? "" : plan.feasible ? ", and brings the form near its target while no cable leaves its limits" : ", and breaks the limits, which no strokes can all keep, the least";
   return {
     title: "Which turnbuckle to turn how far",
-    done: `A plan for the net ${nameOf(plan.net)}: ${netWords(plan.net)}. It stands on the lengths that were identified from a survey, and brings the form near its target while no cable leaves its limits.`,
+    done: `A plan for the net ${nameOf(plan.net)}: ${netWords(plan.net)}. It stands on the lengths that were identified from a survey${aim}.`,
     sentences: [formSentence(plan), limitSentence(plan), orderSentence(plan)],
     figures: [
       { value: String(plan.touched), unit: "", label: "cables to turn" },

@@ -454,6 +454,9 @@ test("a plan that cannot keep its limits says so, and names those in the way", a
   assert.match(verdict, /Limits cannot all be kept/);
   assert.ok(verdict.includes(`tension of edge ${result.violations[0].id}: `), verdict);
   assert.match(await page.textContent("#crews"), /do not work from it/);
+  // A crew may have no other sheet than its own.
+  await page.emulateMedia({ media: "print" });
+  assert.match(await page.innerText("[data-crew='1']"), /do not work from it/);
   assert.doesNotMatch(await page.textContent("header"), /All limits are kept/);
   await close(page);
 });
