@@ -340,7 +340,8 @@ void add_plan(CLI::App& program) {
         "its\n"
         "target and keeps its limits",
         "  taut plan net.json result.json -o plan.json --csv turns.csv --tension 1.5kN..10kN \\\n"
-        "      --turn 5mm --step 1/4 --thread right",
+        "      --turn 5mm --step 1/4 --thread right\n"
+        "  taut report plan.json -o plan.html",
         *options);
     command.add_option("NET", options->net, "Net file, as designed")->required();
     command.add_option("RESULT", options->result, "Result of taut identify")->required();
