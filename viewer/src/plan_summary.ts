@@ -14,13 +14,15 @@ export function breachWords({ kind, id, load_case, value, limit }: LimitBreach):
   return `${kind === "tension" ? "tension of edge" : "reaction of support"} ${id}${under}: ${kN(value)} kN, the limit is ${kN(limit)} kN`;
 }
 
+const isNearer = ({ form }: Plan): boolean => form.planned.normal_rmse <= form.as_built.normal_rmse;
+
 function formSentence(plan: Plan): string {
   const { as_built, planned, unavoidable } = plan.form;
   if (plan.turns.length === 0) {
     const since = plan.tolerance.reached ? `which is within the ${millimetres(plan.options.tolerance)} mm that were asked for` : "and no stroke within the limits brings it nearer";
     return `Nothing is to be turned: as built, the net is ${millimetres(as_built.normal_rmse)} mm from its target (RMS along the normal), ${since}.`;
   }
-  const by = `Turning ${counted(plan.touched, "cable")} by at most ${millimetres(plan.largest_stroke)} mm ${planned.normal_rmse <= as_built.normal_rmse ? "brings" : "takes"} the net from ${millimetres(as_built.normal_rmse)} mm to ${millimetres(planned.normal_rmse)} mm from its target (RMS along the normal)`;
+  const by = `Turning ${counted(plan.touched, "cable")} by at most ${millimetres(plan.largest_stroke)} mm ${isNearer(plan) ? "brings" : "takes"} the net from ${millimetres(as_built.normal_rmse)} mm to ${millimetres(planned.normal_rmse)} mm from its target (RMS along the normal)`;
   return `${by}; ${millimetres(unavoidable.normal_rmse)} mm could not be removed by any stroke.` + stepWords(plan) + toleranceWords(plan);
 }
 
@@ -35,8 +37,9 @@ function stepWords(plan: Plan): string {
 function toleranceWords(plan: Plan): string {
   const { tolerance } = plan.options;
   if (tolerance === null) return "";
-  const bound = plan.tolerance.fewest_bound === null ? "" : `, to first order with no fewer than ${counted(plan.tolerance.fewest_bound, "cable")}`;
-  return ` The ${millimetres(tolerance)} mm that were asked for are ${plan.tolerance.reached ? "reached" : "not reached"}${bound}.`;
+  const { reached, fewest_bound } = plan.tolerance;
+  const bound = !reached || fewest_bound === null ? "" : `; to first order no fewer than ${counted(fewest_bound, "cable")} can do`;
+  return ` The ${millimetres(tolerance)} mm that were asked for are ${reached ? "reached" : "not reached"}${bound}.`;
 }
 
 function limitSentence(plan: Plan): string {
@@ -56,12 +59,18 @@ function orderSentence({ order, turns }: Plan): string {
   return `${work}. No safe order was found; this is the least unsafe one${worst}.`;
 }
 
+/** What the plan is for; nothing where there is nothing to do. */
+function aimOf(plan: Plan): string {
+  if (plan.turns.length === 0) return "";
+  if (!plan.feasible) return ", and breaks the limits, which no strokes can all keep, the least";
+  return isNearer(plan) ? ", and brings the form nearer to its target while no cable leaves its limits" : ", and brings all cables into their limits, which takes the form from its target";
+}
+
 export function ofPlan(plan: Plan): Summary {
   const { form, tension, draws } = plan;
-  const aim = plan.turns.length === 0 ? "" : plan.feasible ? ", and brings the form near its target while no cable leaves its limits" : ", and breaks the limits, which no strokes can all keep, the least";
   return {
     title: "Which turnbuckle to turn how far",
-    done: `A plan for the net ${nameOf(plan.net)}: ${netWords(plan.net)}. It stands on the lengths that were identified from a survey${aim}.`,
+    done: `A plan for the net ${nameOf(plan.net)}: ${netWords(plan.net)}. It stands on the lengths that were identified from a survey${aimOf(plan)}.`,
     sentences: [formSentence(plan), limitSentence(plan), orderSentence(plan)],
     figures: [
       { value: String(plan.touched), unit: "", label: "cables to turn" },
