@@ -51,7 +51,7 @@ function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
   return turns.map((turn) => h("tr", {},
     h("td", {}, h("span", { class: "tick", role: "img", "aria-label": "to tick" })),
     h("td", {}, turn.moment + 1),
-    h("th", { scope: "row" }, turn.edge_id),
+    h("th", { scope: "row", class: "text" }, turn.edge_id),
     h("td", { class: `text ${turn.sense}` }, turn.sense === "shorten" ? "→← shorten" : "←→ lengthen"),
     thread === null ? null : h("td", { class: "text" }, turn.rotation === "clockwise" ? "↻ clockwise" : "↺ counterclockwise"),
     pitch === null ? null : h("td", { class: "turns" }, turn.turns === null ? "–" : turnsText(turn.turns, plan.options)),
@@ -85,7 +85,7 @@ function crewList(plan: Plan, crew: number, how: string): HTMLElement {
     h("div", { class: "scroll" }, h("table", { class: "plain" },
       h("caption", { class: "hidden" }, `What crew ${crew} turns, in the order of the work`),
       // Each sheet of paper tells whose it is, and of which plan.
-      h("thead", {}, h("tr", { class: "whose" }, h("th", { colspan: head.length }, title, h("small", {}, of))), h("tr", {}, ...head.map((text) => h("th", { scope: "col", class: text === "do" || text === "turn" ? "text" : "" }, text)))), ...bodies)),
+      h("thead", {}, h("tr", { class: "whose" }, h("th", { colspan: head.length }, title, h("small", {}, of))), h("tr", {}, ...head.map((text) => h("th", { scope: "col", class: ["cable", "do", "turn"].includes(text) ? "text" : "" }, text)))), ...bodies)),
     h("p", { class: "sign print-only" }, "done by ____________________   date ____________   checked by ____________________"));
 }
 
