@@ -16,7 +16,7 @@ namespace {
 
 using Tension = PlanResult::Tension;
 
-constexpr double kN = 1e-3;
+constexpr double per_kilonewton = 1e-3;  // of a newton
 
 /// By more than what equilibrium is computed to: a plan may rest on its limits.
 bool is_beyond(const Tension& tension) {
@@ -42,7 +42,7 @@ double top_of(const std::vector<Tension>& tensions) {
             top = std::max(top, *tension.limit_upper);
         }
     }
-    return top > 0.0 ? 1.05 * kN * top : 1.0;
+    return top > 0.0 ? 1.05 * per_kilonewton * top : 1.0;
 }
 
 /// Some edges, and all that are beyond a limit.
@@ -64,7 +64,7 @@ template <class LimitOf>
 PathData limit_path(const Axes& axes, int count, const LimitOf& limit_of) {
     PathData path;
     const auto is_drawn = [&](const std::optional<double>& limit) {
-        return limit && kN * *limit <= axes.y.high;
+        return limit && per_kilonewton * *limit <= axes.y.high;
     };
     for (int first = 0, last = 0; first < count; first = last) {
         const std::optional<double> limit = limit_of(first);
@@ -74,9 +74,9 @@ PathData limit_path(const Axes& axes, int count, const LimitOf& limit_of) {
         if (!is_drawn(limit)) {
             continue;
         }
-        const Eigen::Vector2d from = axes(first + 0.5, kN * *limit);
+        const Eigen::Vector2d from = axes(first + 0.5, per_kilonewton * *limit);
         first > 0 && is_drawn(limit_of(first - 1)) ? path.line_to(from) : path.move_to(from);
-        path.line_to(axes(last + 0.5, kN * *limit));
+        path.line_to(axes(last + 0.5, per_kilonewton * *limit));
     }
     return path;
 }
@@ -85,8 +85,9 @@ std::string caption(const std::vector<Tension>& tensions, const std::vector<int>
                     double top) {
     const auto count = static_cast<int>(tensions.size());
     const auto beyond = static_cast<int>(std::ranges::count_if(tensions, is_beyond));
-    const auto high = static_cast<int>(std::ranges::count_if(
-        tensions, [&](const Tension& t) { return t.limit_upper && kN * *t.limit_upper > top; }));
+    const auto high = static_cast<int>(std::ranges::count_if(tensions, [&](const Tension& t) {
+        return t.limit_upper && per_kilonewton * *t.limit_upper > top;
+    }));
     const bool has_limits = std::ranges::any_of(
         tensions, [](const Tension& t) { return t.limit_lower > 0.0 || t.limit_upper; });
     std::string text = fmt::format(
@@ -124,7 +125,7 @@ Figure plan_tension_figure(const PlanResult& plan) {
     PathData beyond;
     for (const int e : edges) {
         const Tension& tension = tensions[e];
-        const auto place = [&](double newton) { return axes(e + 1, kN * newton); };
+        const auto place = [&](double newton) { return axes(e + 1, per_kilonewton * newton); };
         if (tension.lower) {
             intervals.move_to(place(std::max(*tension.lower, 0.0)));
             intervals.line_to(place(*tension.upper));
