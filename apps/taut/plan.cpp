@@ -46,7 +46,7 @@ struct PlanCommand : CommonOptions {
     std::string confidence = "95%";
     std::string survey_first;
     std::string actuator = "0mm";
-    std::string thread = "right";
+    std::string thread;
     std::string csv;
     int crews = 1;
     std::uint64_t seed = 1;
@@ -215,6 +215,14 @@ void print_survey_first(const CableNet& net, const Plan& plan, double noise) {
                1e3 * (plan.as_built.normal_rmse - plan.planned.normal_rmse));
 }
 
+/// Empty where none is told: a wrong one would have crews turn the wrong way.
+std::optional<Thread> parse_thread(const std::string& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    return text == "right" ? Thread::right : Thread::left;
+}
+
 void print_deviation(const char* what, const FormDeviation& d) {
     fmt::print("{:<24}{:>9.2f}{:>9.2f}{:>15.2f}{:>9.2f}{:>9.2f}\n", what, 1e3 * d.mean, 1e3 * d.max,
                1e3 * d.normal_mean, 1e3 * d.normal_max, 1e3 * d.normal_rmse);
@@ -330,7 +338,7 @@ void run(const PlanCommand& command) {
                             .plan = &plan,
                             .order = &order,
                             .crews = command.crews,
-                            .thread = command.thread == "right" ? Thread::right : Thread::left};
+                            .thread = parse_thread(command.thread)};
     const std::string document = plan_to_json(record, run_record());
     std::vector<std::pair<std::filesystem::path, std::string>> files{{command.output, document}};
     if (!command.csv.empty()) {
@@ -361,7 +369,8 @@ void add_plan(CLI::App& program) {
         "its\n"
         "target and keeps its limits",
         "  taut plan net.json result.json -o plan.json --csv turns.csv --tension 1.5kN..10kN \\\n"
-        "      --turn 5mm --step 1/4",
+        "      --turn 5mm --step 1/4 --thread right\n"
+        "  taut report plan.json -o plan.html",
         *options);
     command.add_option("NET", options->net, "Net file, as designed")->required();
     command.add_option("RESULT", options->result, "Result of taut identify")->required();
@@ -411,9 +420,10 @@ void add_plan(CLI::App& program) {
                     "Standard deviation of what is turned from what was told")
         ->capture_default_str();
     command.add_option("--crews", options->crews, "That turn at once")->capture_default_str();
-    command.add_option("--thread", options->thread, "Of the turnbuckles")
-        ->check(CLI::IsMember({"right", "left"}))
-        ->capture_default_str();
+    command
+        .add_option("--thread", options->thread,
+                    "Of the turnbuckles, right or left: with it the lists tell which way to turn")
+        ->check(CLI::IsMember({"right", "left"}));
     command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
     add_seed_option(command, options->seed);
     command.callback([options] { run(*options); });

@@ -46,6 +46,13 @@ struct Figure {
 /// samples, with the best possible as a line.
 [[nodiscard]] Figure comparison_figure(const ComparisonResult& comparison);
 
+/// Distance from the target before and after turning, along its normal and in all directions, over
+/// the net in plan, on one scale.
+[[nodiscard]] Figure plan_deviation_figure(const PlanResult& plan);
+
+/// Tensions as built and as planned, with their intervals and limits, over all edges.
+[[nodiscard]] Figure plan_tension_figure(const PlanResult& plan);
+
 /// All that a result has, in this order.
 [[nodiscard]] std::vector<Figure> result_figures(const ResultFile& result);
 

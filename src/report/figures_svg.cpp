@@ -22,6 +22,10 @@ std::vector<Figure> figures(const ComparisonResult& comparison) {
     return {comparison_figure(comparison)};
 }
 
+std::vector<Figure> figures(const PlanResult& plan) {
+    return {plan_deviation_figure(plan), plan_tension_figure(plan)};
+}
+
 }  // namespace
 
 std::vector<Figure> result_figures(const ResultFile& result) {

@@ -54,6 +54,14 @@ std::optional<double> count_of_turns(const PlanRecord& record, double stroke) {
                                 : std::nullopt;
 }
 
+std::optional<std::string_view> told_rotation(const PlanRecord& record, double stroke) {
+    return record.thread ? std::optional(rotation_of(stroke, *record.thread)) : std::nullopt;
+}
+
+Json value_or_null(const auto& value) {
+    return value ? Json(*value) : Json();
+}
+
 Json breach_json(const CableNet& net, const LimitBreach& breach) {
     const bool is_edge = breach.kind == LimitBreach::Kind::tension;
     return {{"kind", is_edge ? "tension" : "reaction"},
@@ -120,10 +128,6 @@ Json survey_first_json(const PlanRecord& record) {
     return {{"noise", *record.options->survey_noise}, {"targets", targets}};
 }
 
-Json value_or_null(const auto& value) {
-    return value ? Json(*value) : Json();
-}
-
 }  // namespace
 
 std::string_view sense_of(double stroke) {
@@ -145,7 +149,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
                          {"stroke", turning.stroke},
                          {"turns", value_or_null(count_of_turns(record, turning.stroke))},
                          {"sense", sense_of(turning.stroke)},
-                         {"rotation", rotation_of(turning.stroke, record.thread)},
+                         {"rotation", value_or_null(told_rotation(record, turning.stroke))},
                          {"pass", turning.pass},
                          {"crew", turning.crew},
                          {"moment", turning.moment},
@@ -182,7 +186,8 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
           {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
           {"tolerance", value_or_null(record.options->tolerance)},
-          {"thread", record.thread == Thread::right ? "right" : "left"}}},
+          {"thread",
+           record.thread ? Json(*record.thread == Thread::right ? "right" : "left") : Json()}}},
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
          {{"reached", value_or_null(plan.is_within_tolerance)},
@@ -194,6 +199,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"planned_form", points_json(plan.form)},
         {"planned_form_std", points_json(plan.form_std)},
         {"target_form", points_json(record.target->places())},
+        {"target_normals", points_json(record.target->normals())},
         {"cable_net", net_json(net)}};
     add_run(document, run);
     return to_text(document);
@@ -205,12 +211,12 @@ std::string plan_to_csv(const PlanRecord& record) {
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
         const auto turns = count_of_turns(record, turning.stroke);
-        text +=
-            fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew, turning.pass,
-                        turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
-                        sense_of(turning.stroke), rotation_of(turning.stroke, record.thread),
-                        1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
-                        1e3 * listed.reading_after, 1e-3 * listed.tension_after);
+        text += fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew,
+                            turning.pass, turning.moment + 1,
+                            csv_field(record.net->edge_id(turning.edge)), sense_of(turning.stroke),
+                            told_rotation(record, turning.stroke).value_or(""),
+                            1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
+                            1e3 * listed.reading_after, 1e-3 * listed.tension_after);
     }
     return text;
 }

@@ -11,6 +11,7 @@
 
 #include "files/json_parse.hpp"
 #include "files/message.hpp"
+#include "results/plan_reader.hpp"
 #include "results/result_values.hpp"
 #include "results/schema_check.hpp"
 #include "taut/files/file.hpp"
@@ -19,16 +20,6 @@ namespace taut {
 namespace {
 
 constexpr int known_version = 1;
-
-std::optional<JsonValue> find_unless_null(const JsonValue& object, const char* key) {
-    auto value = object.find(key);
-    return value && !value->json().is_null() ? value : std::nullopt;
-}
-
-std::optional<double> optional_number(const JsonValue& object, const char* key) {
-    const auto value = find_unless_null(object, key);
-    return value ? std::optional(value->number()) : std::nullopt;
-}
 
 Eigen::MatrixXd read_errors(const JsonValue& errors, Eigen::Index edges, int samples) {
     const auto all = errors.find("all");
@@ -152,17 +143,6 @@ Eigen::Vector3d read_vector(const JsonValue& value) {
     return {value.at(0).number(), value.at(1).number(), value.at(2).number()};
 }
 
-/// Entries of a list that may be missing.
-std::vector<JsonValue> entries(const JsonValue& parent, const char* key) {
-    std::vector<JsonValue> all;
-    if (const auto list = parent.find(key)) {
-        for (size_t i = 0; i < list->json().size(); ++i) {
-            all.push_back(list->at(i));
-        }
-    }
-    return all;
-}
-
 std::vector<IdentificationResult::Residual> read_residuals(const JsonValue& survey,
                                                            const CableNet& net) {
     std::set<int> left_out;
@@ -195,11 +175,7 @@ UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
     }
     const Unknown::Kind kind = estimate.unknown.kind;
     if (kind == Unknown::Kind::stiffness_each || kind == Unknown::Kind::adjustable) {
-        const JsonValue edge = value.require("edge", "the edge whose it is");
-        estimate.edge = edge.integer();
-        if (estimate.edge < 0 || estimate.edge >= net.edge_count()) {
-            edge.fail(fmt::format("is {}, expected an edge of the net", estimate.edge));
-        }
+        estimate.edge = read_edge_index(value.require("edge", "the edge whose it is"), net);
     }
     if (kind == Unknown::Kind::supports || kind == Unknown::Kind::loads_each) {
         estimate.node = read_node(value.require("node", "the node whose it is"), net);
@@ -245,10 +221,7 @@ std::vector<BoundaryOutlier> read_boundary_outliers(const JsonValue& root, const
                               .deviation = moved});
             continue;
         }
-        BoundaryOutlier outlier{.index = edge->integer()};
-        if (outlier.index < 0 || outlier.index >= net.edge_count()) {
-            edge->fail(fmt::format("is {}, expected an edge of the net", outlier.index));
-        }
+        BoundaryOutlier outlier{.index = read_edge_index(*edge, net)};
         outlier.deviation.x() = member(entry, "deviation").number();
         result.push_back(outlier);
     }
@@ -319,11 +292,13 @@ ComparisonResult read_comparison(const JsonValue& root) {
 ResultFile parse_result(std::string_view text, const std::string& file_name) {
     const nlohmann::json json = parse_json(text, file_name);
     const JsonValue root(json, file_name);
-    constexpr const char* formats = R"("taut-study", "taut-identification" or "taut-comparison")";
+    constexpr const char* formats =
+        R"("taut-study", "taut-identification", "taut-comparison" or "taut-plan")";
     root.require_object(fmt::format(R"(an object with "format": {})", formats));
     const JsonValue format = root.require("format", formats);
     const std::string& name = format.text();
-    if (name != "taut-study" && name != "taut-identification" && name != "taut-comparison") {
+    if (name != "taut-study" && name != "taut-identification" && name != "taut-comparison" &&
+        name != "taut-plan") {
         format.fail(fmt::format("is {}, expected {}", quote(name), formats));
     }
     const JsonValue version = root.require("version", std::to_string(known_version));
@@ -339,6 +314,10 @@ ResultFile parse_result(std::string_view text, const std::string& file_name) {
         if (name == "taut-identification") {
             check_against_schema(root, "identification");
             return read_identification(root);
+        }
+        if (name == "taut-plan") {
+            check_against_schema(root, "plan");
+            return read_plan(root);
         }
         check_against_schema(root, "comparison");
         return read_comparison(root);

@@ -12,6 +12,26 @@ JsonValue member(const JsonValue& parent, const std::string& key) {
     return parent.require(key, "what the schema says");
 }
 
+std::optional<JsonValue> find_unless_null(const JsonValue& parent, const char* key) {
+    auto value = parent.find(key);
+    return value && !value->json().is_null() ? value : std::nullopt;
+}
+
+std::optional<double> optional_number(const JsonValue& parent, const char* key) {
+    const auto value = find_unless_null(parent, key);
+    return value ? std::optional(value->number()) : std::nullopt;
+}
+
+std::vector<JsonValue> entries(const JsonValue& parent, const char* key) {
+    std::vector<JsonValue> all;
+    if (const auto list = parent.find(key)) {
+        for (size_t i = 0; i < list->json().size(); ++i) {
+            all.push_back(list->at(i));
+        }
+    }
+    return all;
+}
+
 Eigen::VectorXd require_list(const JsonValue& parent, const std::string& key, Eigen::Index size,
                              const std::string& what) {
     const JsonValue list = member(parent, key);
@@ -44,6 +64,14 @@ int read_node(const JsonValue& value, const CableNet& net) {
         value.fail(fmt::format("is {}, expected a node from 0 to {}", node, net.node_count() - 1));
     }
     return node;
+}
+
+int read_edge_index(const JsonValue& value, const CableNet& net) {
+    const int edge = value.integer();
+    if (edge < 0 || edge >= net.edge_count()) {
+        value.fail(fmt::format("is {}, expected an edge of the net", edge));
+    }
+    return edge;
 }
 
 CableNet require_net(const JsonValue& root) {

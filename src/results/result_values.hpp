@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "files/json_value.hpp"
 #include "taut/net/cable_net.hpp"
@@ -15,6 +17,15 @@ namespace taut {
 /// Member of an object that the schema says it has.
 [[nodiscard]] JsonValue member(const JsonValue& parent, const std::string& key);
 
+/// A member that may be missing or null.
+[[nodiscard]] std::optional<JsonValue> find_unless_null(const JsonValue& parent, const char* key);
+
+/// Such a member that is a number.
+[[nodiscard]] std::optional<double> optional_number(const JsonValue& parent, const char* key);
+
+/// Entries of a list that may be missing.
+[[nodiscard]] std::vector<JsonValue> entries(const JsonValue& parent, const char* key);
+
 /// A member that lists so many numbers. @param what they are, "a number for each edge" say
 [[nodiscard]] Eigen::VectorXd require_list(const JsonValue& parent, const std::string& key,
                                            Eigen::Index size, const std::string& what);
@@ -25,6 +36,9 @@ namespace taut {
 
 /// A node of the net.
 [[nodiscard]] int read_node(const JsonValue& value, const CableNet& net);
+
+/// An edge of the net.
+[[nodiscard]] int read_edge_index(const JsonValue& value, const CableNet& net);
 
 /// The net of a result, its fingerprint that of the counts beside it.
 [[nodiscard]] CableNet require_net(const JsonValue& root);

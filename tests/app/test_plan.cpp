@@ -13,6 +13,7 @@ namespace {
 using namespace taut::test;
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class PlanCommand : public ProgramTest {
 protected:
@@ -77,6 +78,25 @@ TEST_F(PlanCommand, WritesTheKeysAndTheListThatOthersRead) {
         ++lines;
     }
     EXPECT_EQ(lines, document["turns"].size() + 1);
+}
+
+TEST_F(PlanCommand, TellsWhichWayToTurnOnlyWhereTheThreadIsTold) {
+    ASSERT_EQ(plan({"--csv", "turns.csv"}).exit_code, 0);
+    EXPECT_TRUE(json::parse(read("plan.json"))["options"]["thread"].is_null());
+    EXPECT_TRUE(json::parse(read("plan.json"))["turns"][0]["rotation"].is_null());
+    EXPECT_THAT(read("turns.csv"), Not(HasSubstr("clockwise")));
+    for (const bool is_right : {true, false}) {
+        ASSERT_EQ(plan({"--csv", "turns.csv", "--thread", is_right ? "right" : "left"}).exit_code,
+                  0);
+        const json turns = json::parse(read("plan.json"))["turns"];
+        ASSERT_FALSE(turns.empty());
+        for (const json& turn : turns) {
+            const bool shortens = turn["stroke"].get<double>() < 0.0;
+            EXPECT_EQ(turn["rotation"].get<std::string>(),
+                      shortens == is_right ? "clockwise" : "counterclockwise");
+        }
+        EXPECT_THAT(read("turns.csv"), HasSubstr("clockwise"));
+    }
 }
 
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 
+#include "report/colour_bar.hpp"
 #include "report/figures.hpp"
 #include "report/markup_tree.hpp"
 #include "support/studies.hpp"
@@ -305,6 +306,67 @@ TEST(StudyFiguresOf, ASmallNetAreNotThinnedOut) {
          report::result_figures(test::saved(test::made_up_study(hypar(5, 6))))) {
         EXPECT_THAT(figure.caption, Not(HasSubstr("stays small"))) << figure.heading;
     }
+}
+
+/// All that is written in a drawing but its heading.
+std::vector<std::string> labels(const std::string& svg) {
+    std::vector<std::string> texts;
+    for (const test::Tree& element : test::elements(test::parse_xml(svg), "text")) {
+        texts.push_back(element.data());
+    }
+    texts.erase(texts.begin());
+    return texts;
+}
+
+TEST(PlanFigures, ShowBeforeAndAfterOnOneScale) {
+    const CableNet net = hypar(5, 6);
+    const ResultFile plan = test::made_up_plan(net);
+    EXPECT_THAT(names_of(plan),
+                ::testing::ElementsAre("plan_normal_built.svg", "plan_normal_planned.svg",
+                                       "plan_distance_built.svg", "plan_distance_planned.svg",
+                                       "plan_tensions.svg"));
+    const auto figures = figures_of(plan);
+    for (const std::string name :
+         {"plan_normal_built.svg", "plan_normal_planned.svg", "plan_distance_planned.svg"}) {
+        EXPECT_EQ(labels(figures.at(name)), labels(figures.at("plan_distance_built.svg"))) << name;
+    }
+    // Only where the net is farthest from its target is the brightest colour.
+    const std::string brightest =
+        "stroke:" + report::ColourBar::colour_of(report::ColourBar::levels - 1);
+    EXPECT_THAT(figures.at("plan_distance_built.svg"), HasSubstr(brightest));
+    EXPECT_THAT(figures.at("plan_distance_planned.svg"), Not(HasSubstr(brightest)));
+    EXPECT_THAT(figures.at("plan_normal_built.svg"), Not(HasSubstr(brightest)));
+}
+
+TEST(PlanFigures, DrawEveryTensionAndMarkThoseBeyondTheirLimit) {
+    const CableNet net = hypar(5, 6);
+    const ResultFile plan = test::made_up_plan(net);
+    const std::string svg = figures_of(plan).at("plan_tensions.svg");
+    const auto& tensions = std::get<PlanResult>(plan.content).tensions;
+    const long beyond = std::ranges::count_if(
+        tensions, [](const auto& t) { return t.limit_upper && t.planned > *t.limit_upper; });
+    ASSERT_GT(beyond, 0);
+    // The legend has a mark of each style, which path() passes over or finds first.
+    const auto dots = [&](const std::string& style) {
+        long most = 0;
+        for (const test::Tree& element : test::elements(test::parse_xml(svg), "path")) {
+            if (element.get<std::string>("<xmlattr>.class") == style) {
+                const auto data = element.get<std::string>("<xmlattr>.d");
+                most = std::max<long>(most, std::ranges::count(data, 'h'));
+            }
+        }
+        return most;
+    };
+    EXPECT_EQ(dots("true"), net.edge_count());
+    EXPECT_EQ(dots("predicted"), net.edge_count() - beyond);
+    EXPECT_EQ(dots("error"), beyond);
+    EXPECT_THAT(svg, HasSubstr("beyond a limit"));
+    EXPECT_THAT(svg, HasSubstr(">tension [kN]<"));
+}
+
+TEST(PlanFigures, WithoutDrawsShowNoIntervals) {
+    const auto figures = figures_of(test::made_up_plan(hypar(3, 4), 0));
+    EXPECT_THAT(figures.at("plan_tensions.svg"), Not(HasSubstr("95 % interval")));
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ TEST(NetOrResult, OfANetIsTheNet) {
 
 TEST(NetOrResult, RefusesAResultThatIsNotOfOneBuiltNet) {
     for (const std::string& text :
-         {test::saved(test::made_up_study(hypar(2, 3))).json, test::made_up_comparison().json}) {
+         {test::saved(test::made_up_study(hypar(2, 3))).json, test::made_up_comparison().json,
+          test::made_up_plan(hypar(2, 3)).json}) {
         EXPECT_THAT(test::input_error_of([&] { return parse_net_or_result(text, "r.json"); }),
                     AllOf(HasSubstr("r.json:/format: is 'taut-"),
                           HasSubstr(R"(expected "taut-net", or "taut-identification")")));

@@ -25,7 +25,8 @@ json good(const std::string& kind) {
     static const std::map<std::string, std::string> texts{
         {"study", test::saved(test::made_up_study(hypar(2, 3))).json},
         {"identification", test::made_up_identification(hypar(2, 3)).json},
-        {"comparison", test::made_up_comparison().json}};
+        {"comparison", test::made_up_comparison().json},
+        {"plan", test::made_up_plan(hypar(2, 3)).json}};
     return json::parse(texts.at(kind));
 }
 
@@ -53,6 +54,32 @@ TEST(ResultFile, OfAnIdentificationGivesItsNumbersBack) {
     EXPECT_EQ(read.residuals.size(), 6U);
     EXPECT_NEAR(read.residuals.front().surveyed_less_predicted.x(), 1e-4, 1e-12);
     EXPECT_FALSE(read.residuals.front().standardised);
+}
+
+TEST(ResultFile, OfAPlanGivesItsNumbersBack) {
+    const CableNet net = hypar(2, 3);
+    const ResultFile file = test::made_up_plan(net);
+    const auto& read = std::get<PlanResult>(file.content);
+    EXPECT_EQ(read.net.fingerprint(), net.fingerprint());
+    EXPECT_TRUE(read.target_form.isApprox(net.nodes(), 1e-8));
+    Points built_less_target = 0.003 * read.target_normals;
+    built_less_target.row(0).array() += 0.004;
+    EXPECT_TRUE((read.built_form - read.target_form).isApprox(built_less_target, 1e-4));
+    EXPECT_TRUE((3.0 * (read.planned_form - read.target_form))
+                    .isApprox(read.built_form - read.target_form, 1e-4));
+    ASSERT_EQ(read.tensions.size(), static_cast<size_t>(net.edge_count()));
+    EXPECT_EQ(read.tensions.back().planned, 4200.0);
+    EXPECT_EQ(read.tensions.back().upper, 4350.0);
+    EXPECT_EQ(read.tensions.back().limit_upper, 4000.0);
+    EXPECT_FALSE(read.tensions.front().limit_upper);
+    EXPECT_EQ(read.tensions.front().limit_lower, 1500.0);
+}
+
+TEST(ResultFile, OfAPlanWithoutDrawsHasNoIntervals) {
+    const ResultFile file = test::made_up_plan(hypar(2, 3), 0);
+    for (const auto& tension : std::get<PlanResult>(file.content).tensions) {
+        EXPECT_FALSE(tension.lower || tension.upper);
+    }
 }
 
 TEST(ResultFile, OfAnIdentificationMayLackWhatOnlySomeMethodsTell) {
@@ -114,7 +141,7 @@ void for_each_object(const json& value, const json& rule_or_reference,
 TEST(ResultFile, LacksNoKeyThatTheSchemaRequiresAndMayLackAllOthers) {
     int required = 0;
     int optional = 0;
-    for (const std::string kind : {"study", "identification", "comparison"}) {
+    for (const std::string kind : {"study", "identification", "comparison", "plan"}) {
         const json whole = good(kind);
         for_each_object(
             whole, {{"$ref", "#/definitions/" + kind}}, json::json_pointer(),
@@ -283,6 +310,34 @@ INSTANTIATE_TEST_SUITE_P(
                "/unknowns/0/observed: is 1, expected true or false"},
         Damage{"WithTooFewTensions", "identification", "/tension", json{1.0},
                "/tension: has 1 entries"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Plan, DamagedResult,
+    ::testing::Values(
+        Damage{"OfAnotherNet", "plan", "/net_fingerprint", "0000000000000000",
+               "/net_fingerprint: is 0000000000000000, expected "},
+        Damage{"OfANodeTooFew", "plan", "/planned_form", without_last(good("plan")["planned_form"]),
+               "/planned_form: has 15 entries, expected a point [x, y, z] for each node"},
+        Damage{"WithANormalTooFew", "plan", "/target_normals",
+               without_last(good("plan")["target_normals"]), "/target_normals: has "},
+        Damage{"WithATensionTooFew", "plan", "/tension/edges",
+               without_last(good("plan")["tension"]["edges"]), "expected one for each edge: "},
+        Damage{"WithEdgesOutOfOrder", "plan", "/tension/edges/1/edge", 0,
+               "/tension/edges/1/edge: is 0, expected 1"},
+        Damage{"WithHalfAnInterval", "plan", "/tension/edges/1/lower", json(nullptr),
+               "/tension/edges/1: has one end of the interval"},
+        Damage{"WithAnIntervalUpsideDown", "plan", "/tension/edges/1/lower", 1e9,
+               "/tension/edges/1: has the interval of tension from"},
+        Damage{"WithLimitsThatContradict", "plan", "/tension/edges/1/limit_lower", 1e9,
+               "/tension/edges/1: has limits of tension from"},
+        Damage{"ThatTurnsNoEdge", "plan", "/turns/0/edge", 999,
+               "/turns/0/edge: is 999, expected an edge of the net"},
+        Damage{"ThatTurnsSomehow", "plan", "/turns/0/sense", "tighten", "/turns/0/sense: is"},
+        Damage{"WithABreachOfNoEdge", "plan", "/violations/0/edge", 999,
+               "/violations/0/edge: is 999"},
+        Damage{"WithAWorstMomentOfNoEdge", "plan", "/order/worst/breach/edge", 999,
+               "/order/worst/breach/edge: is 999"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
+#include "taut/results/plan_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/study/study.hpp"
@@ -102,6 +104,64 @@ inline ResultFile made_up_comparison() {
         {"method": "balance", "noise": 0.0, "training_samples": null, "mse": 1e-24, "best_possible_mse": 1e-10},
         {"method": "balance", "noise": 0.0001, "mse": null, "best_possible_mse": 2e-8}]})",
         "compare.json");
+}
+
+/// A plan of two crews that turn the first two adjustable edges, one shorter and one longer, made
+/// up without looking for one: every node is 3 mm above the target and 4 mm beside it as built, a
+/// third of that as planned; tensions grow with the edge's number from 2 kN, and the last one is
+/// beyond its limit.
+/// @param draws 0: nothing is told of how sure it is
+inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
+    const int m = net.edge_count();
+    const FormTarget target(net, net.nodes());
+    Points deviation = 0.003 * target.normals();
+    deviation.colwise() += Eigen::Vector3d(0.004, 0.0, 0.0);
+    CableNetData data = net.data();
+    data.nodes += deviation;
+    const BuiltNet built{.net = CableNet(data), .length_draws = {}, .no_draws_since = ""};
+    Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 0.015);
+    limits.tension.lower.setConstant(1500.0);
+    limits.tension.upper.setConstant(4000.0);
+    limits.tension.upper(0) = std::numeric_limits<double>::infinity();
+    const int shorter = net.adjustable_edges()[0];
+    const int longer = net.adjustable_edges()[1];
+    Plan plan{.strokes = {{.edge = shorter, .stroke = -0.00375}, {.edge = longer, .stroke = 0.005}},
+              .as_built = deviation_from(target, net, built.net.nodes())};
+    plan.form = net.nodes() + deviation / 3.0;
+    plan.planned = deviation_from(target, net, plan.form);
+    plan.unavoidable = plan.planned;
+    plan.normal_unknown = draws > 0 ? 0.0002 : 0.0;
+    plan.form_std.setConstant(3, net.node_count(), draws > 0 ? 0.0003 : 0.0);
+    plan.tensions = Eigen::VectorXd::LinSpaced(m, 2000.0, 4200.0);
+    if (draws > 0) {
+        plan.tension_lower = plan.tensions.array() - 150.0;
+        plan.tension_upper = plan.tensions.array() + 150.0;
+    }
+    plan.draws = draws;
+    plan.no_draws_since = draws > 0 ? "" : "it was made up";
+    plan.has_converged = true;
+    plan.breaches = {{.index = m - 1, .value = 4200.0, .limit = 4000.0, .probability = 0.0}};
+    plan.normal_rmse_of_free_strokes = plan.planned.normal_rmse;
+    const TurnOrder order{
+        .turnings = {{.edge = shorter, .stroke = -0.00375, .pass = 1, .crew = 1, .moment = 0},
+                     {.edge = longer, .stroke = 0.005, .pass = 1, .crew = 2, .moment = 0}},
+        .passes = 1,
+        .walk = 1.5,
+        .is_safe = false,
+        .worst = {.moment = 0, .breach = plan.breaches.front()}};
+    PlanOptions options;
+    options.turn = TurnSize{.pitch = 0.005, .smallest = 0.25};
+    const Trust trust;
+    return parse_result(plan_to_json({.net = &net,
+                                      .built = &built,
+                                      .trust = &trust,
+                                      .target = &target,
+                                      .limits = &limits,
+                                      .options = &options,
+                                      .plan = &plan,
+                                      .order = &order,
+                                      .crews = 2}),
+                        "plan.json");
 }
 
 }  // namespace taut::test

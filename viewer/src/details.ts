@@ -10,7 +10,7 @@ import {
 import type { Selection } from "./selection";
 import { type Column, Table } from "./table";
 
-function plainTable(caption: string, head: (string | HTMLElement)[], rows: (string | number)[][], classes: string[] = []): HTMLElement {
+export function plainTable(caption: string, head: (string | HTMLElement)[], rows: (string | number)[][], classes: string[] = []): HTMLElement {
   const cells = (row: (string | number)[]): HTMLElement[] =>
     row.map((text, i) => (i === 0 ? h("th", { scope: "row" }, text) : h("td", { class: classes[i] ?? "" }, text)));
   return h("div", { class: "scroll" }, h("table", { class: "plain" },
@@ -160,8 +160,8 @@ export function settingsSection(result: Result): HTMLElement {
   add("command", result.command);
   add("net", result.net.name);
   add("net fingerprint", result.net.fingerprint);
-  add("law of the length deviations", result.law);
-  if (result.format !== "taut-identification") add("seed", result.seed);
+  if (result.format !== "taut-plan") add("law of the length deviations", result.law);
+  if (result.format === "taut-study" || result.format === "taut-comparison") add("seed", result.seed);
   if (result.format === "taut-study") {
     const { samples, seconds } = result;
     add("samples drawn", samples.total);
@@ -204,6 +204,17 @@ export function settingsSection(result: Result): HTMLElement {
       const { mean, lower, upper } = result.mean_tension;
       add("mean tension, with its 95 % interval", `${number(mean / 1e3)} kN, ${number(lower / 1e3)} to ${number(upper / 1e3)} kN`);
     }
+  }
+  if (result.format === "taut-plan") {
+    const { options } = result;
+    add("confidence asked for", `${percent(options.confidence)} %`);
+    add("play of what is turned, standard deviation", `${short(1e3 * options.actuator)} mm`);
+    add("change of length by one turn", options.pitch === null ? "not told" : `${short(1e3 * options.pitch)} mm`);
+    add("smallest step", options.step ? `${short(1e3 * options.step)} mm` : "");
+    add("tolerance along the normal", options.tolerance === null ? "" : `${short(1e3 * options.tolerance)} mm`);
+    add("thread", options.thread === null ? "not told" : `${options.thread}-hand`);
+    add("draws of the identification", result.draws);
+    add("no draws, since", result.no_draws_since);
   }
   return section("settings", "Settings", plainTable("Settings", ["what", "value"], rows, ["", "text"]));
 }

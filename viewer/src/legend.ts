@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { colourAt, css } from "./colours";
+import { colourAt, css, palette } from "./colours";
 import { h } from "./dom";
-import { short } from "./format";
+import { millimetres, short } from "./format";
 import { type Model, type Quantity, rangeOf } from "./model";
 
 /** The key to a quantity's colours: a bar with numbers and unit, or names. */
@@ -32,4 +32,18 @@ export function legend(model: Model, quantity: Quantity): HTMLElement {
   box.append(bar, h("div", { class: "ticks" }, ...ticks), h("div", { class: "unit" }, `${quantity.label} [${quantity.unit}]`));
   box.setAttribute("aria-label", `Colour scale of ${quantity.label}, from ${short(low)} to ${short(high)} ${quantity.unit}`);
   return box;
+}
+
+/** The key to the arrows at what is to be turned. */
+export function strokeLegend(model: Model): HTMLElement {
+  const strokes = [...model.strokes.values()];
+  const entry = (text: string, colour: typeof palette.blue, count: number): HTMLElement => {
+    const arrow = h("span", { class: "arrow", "aria-hidden": "true" }, "➜");
+    arrow.style.color = css(colour);
+    return h("span", { class: "name" }, arrow, `${text} (${count})`);
+  };
+  return h("div", { class: "legend strokes" },
+    entry("shorten: out of the net", palette.blue, strokes.filter((s) => s < 0).length),
+    entry("lengthen: into it", palette.orange, strokes.filter((s) => s > 0).length),
+    h("div", { class: "unit" }, `longest arrow: ${millimetres(Math.max(...strokes.map(Math.abs)))} mm of stroke`));
 }

@@ -6,6 +6,8 @@ import { comparisonSection, frameSection, listsSection, paperSection, settingsSe
 import { byId, h } from "./dom";
 import { type Model, modelOfIdentification, modelOfStudy } from "./model";
 import { netSection } from "./net_section";
+import { modelOfPlan } from "./plan_model";
+import { crewsSection, planSection } from "./plan_sections";
 import { readResult, type Result } from "./result";
 import { Selection } from "./selection";
 import { summary } from "./summary";
@@ -13,8 +15,16 @@ import { tablesSection } from "./tables";
 
 function modelOf(result: Result): Model | null {
   if (result.format === "taut-study") return modelOfStudy(result);
+  if (result.format === "taut-plan") return modelOfPlan(result);
   return result.format === "taut-identification" ? modelOfIdentification(result) : null;
 }
+
+/** Quantities that view and tables begin with. */
+const firstShown = {
+  "taut-study": { edge: "identified", node: "form_identified" },
+  "taut-identification": { edge: "identified", node: "form_predicted" },
+  "taut-plan": { edge: "stroke", node: "normal_planned" },
+};
 
 /** After the page was drawn once. */
 const drawn = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -28,8 +38,8 @@ async function show(result: Result): Promise<void> {
   let start = (): void => {};
   main.before(summary(result));
   if (model) {
-    const isStudy = result.format === "taut-study";
-    const net = netSection(model, selection, "identified");
+    const first = firstShown[result.format as keyof typeof firstShown];
+    const net = netSection(model, selection, first.edge);
     start = net.start;
     figures.before(net.element);
     linkCharts(model, selection);
@@ -38,7 +48,11 @@ async function show(result: Result): Promise<void> {
       const frame = frameSection(result);
       figures.before(listsSection(result, model, selection), ...(frame ? [frame] : []));
     }
-    main.append(tablesSection(model, selection, { edge: "identified", node: isStudy ? "form_identified" : "form_predicted" }));
+    if (result.format === "taut-plan") {
+      net.element.before(planSection(result));
+      main.append(crewsSection(result));
+    }
+    main.append(tablesSection(model, selection, first));
   } else if (result.format === "taut-comparison") {
     main.append(comparisonSection(result));
   }

@@ -31,6 +31,8 @@ export interface Displacement {
   label: string;
   base: Float32Array;
   vectors: Float32Array;
+  /** Displacements with the same name are exaggerated alike. */
+  scale?: string;
 }
 
 /** A net with all that a result tells of it, the same for every kind of result. */
@@ -48,28 +50,30 @@ export interface Model {
   unstressed: number[];
   /** What else is told of a node when it is selected: name and text. */
   remarks: Map<number, [string, string][]>;
+  /** Change of length of the edges that are to be turned, drawn as arrows; empty where that is not told [m]. */
+  strokes: Map<number, number>;
   nodeId(node: number): string;
   edgeId(edge: number): string;
 }
 
 type Spec = Omit<Quantity, "values"> & { values: ArrayLike<number> };
 
-const quantity = (spec: Spec): Quantity => ({ ...spec, values: Float64Array.from(spec.values) });
+export const quantity = (spec: Spec): Quantity => ({ ...spec, values: Float64Array.from(spec.values) });
 
-const flat = (points: [number, number, number][]): Float32Array => {
+export const flat = (points: [number, number, number][]): Float32Array => {
   const result = new Float32Array(3 * points.length);
   points.forEach((p, i) => result.set(p, 3 * i));
   return result;
 };
 
-function difference(to: [number, number, number][], from: [number, number, number][]): Float32Array {
+export function difference(to: [number, number, number][], from: [number, number, number][]): Float32Array {
   const result = new Float32Array(3 * to.length);
   to.forEach((p, i) => p.forEach((x, k) => (result[3 * i + k] = x - from[i]![k]!)));
   return result;
 }
 
 /** Lengths of vectors in millimetres, at the nodes that are free. */
-function distances(vectors: Float32Array, isSupport: Uint8Array): Float64Array {
+export function distances(vectors: Float32Array, isSupport: Uint8Array): Float64Array {
   return Float64Array.from(isSupport, (support, i) =>
     support ? NaN : 1e3 * Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!),
   );
@@ -88,7 +92,7 @@ function marks(count: number, indices: number[]): Uint8Array {
   return result;
 }
 
-function netOf(net: NetFile, form: [number, number, number][]): Model {
+export function netOf(net: NetFile, form: [number, number, number][]): Model {
   const isAdjustable = marks(net.edges.length, net.adjustable);
   return {
     nodeCount: net.nodes.length,
@@ -107,6 +111,7 @@ function netOf(net: NetFile, form: [number, number, number][]): Model {
     displacements: [],
     unstressed: net.unstressed_lengths,
     remarks: new Map(),
+    strokes: new Map(),
     nodeId: (node) => net.node_ids?.[node] ?? String(node),
     edgeId: (edge) => net.edge_ids?.[edge] ?? String(edge),
   };

@@ -18,8 +18,8 @@ export class NetCamera {
   private readonly middle = new Vector3();
   private readonly size: number;
 
-  /** @param form coordinates of all nodes, three each; @param moved told of every move */
-  constructor(canvas: HTMLCanvasElement, private readonly form: Float32Array, moved: () => void) {
+  /** @param points what the picture is fitted to, three coordinates each; @param moved told of every move */
+  constructor(canvas: HTMLCanvasElement, private readonly points: Float32Array, moved: () => void) {
     this.size = this.measure();
     for (const camera of [this.perspective, this.orthographic]) camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.perspective, canvas);
@@ -112,8 +112,8 @@ export class NetCamera {
     const low = new Vector3(Infinity, Infinity, Infinity);
     const high = low.clone().negate();
     const place = new Vector3();
-    for (let i = 0; i < this.form.length; i += 3) {
-      place.fromArray(this.form, i);
+    for (let i = 0; i < this.points.length; i += 3) {
+      place.fromArray(this.points, i);
       low.min(place);
       high.max(place);
     }
@@ -125,8 +125,8 @@ export class NetCamera {
   private extent(camera: PerspectiveCamera | OrthographicCamera): { x: number; y: number; reach: number } {
     const place = new Vector3();
     let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
-    for (let i = 0; i < this.form.length; i += 3) {
-      place.fromArray(this.form, i).project(camera);
+    for (let i = 0; i < this.points.length; i += 3) {
+      place.fromArray(this.points, i).project(camera);
       [left, right] = [Math.min(left, place.x), Math.max(right, place.x)];
       [bottom, top] = [Math.min(bottom, place.y), Math.max(top, place.y)];
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import { h } from "./dom";
-import { legend } from "./legend";
+import { legend, strokeLegend } from "./legend";
 import type { Displacement, Model, Quantity } from "./model";
 import type { Viewpoint } from "./net_camera";
 import type { NetView } from "./view";
@@ -13,11 +13,15 @@ function nice(value: number): number {
   return power * (value >= 5 * power ? 5 : value >= 2 * power ? 2 : 1);
 }
 
-/** The factor at which the largest displacement is a fifth of the net. */
-function largestFactor(model: Model, { vectors }: Displacement): number {
+/** The factor at which the largest displacement of its scale is a fifth of the net. */
+function largestFactor(model: Model, displacement: Displacement): number {
   let largest = 0;
-  for (let i = 0; i < vectors.length; i += 3) {
-    largest = Math.max(largest, Math.hypot(vectors[i]!, vectors[i + 1]!, vectors[i + 2]!));
+  for (const other of model.displacements) {
+    if (other !== displacement && !(displacement.scale && other.scale === displacement.scale)) continue;
+    const { vectors } = other;
+    for (let i = 0; i < vectors.length; i += 3) {
+      largest = Math.max(largest, Math.hypot(vectors[i]!, vectors[i + 1]!, vectors[i + 2]!));
+    }
   }
   let extent = 0;
   for (let k = 0; k < 3; ++k) {
@@ -60,6 +64,7 @@ export class NetControls {
     this.slider.addEventListener("input", () => this.move());
     this.element = h("div", { class: "controls" },
       field("Colour by", this.colourBy), this.key,
+      model.strokes.size > 0 ? strokeLegend(model) : null,
       field("Show displacement", this.moved),
       field("exaggerated", h("span", { class: "slider" }, this.slider, this.factor)),
       h("div", { class: "buttons no-print", role: "group", "aria-label": "Viewpoint" }, ...this.viewpoints));

@@ -6,7 +6,7 @@
 /**
  * A saved result of taut, version 1. All numbers are in SI units. Keys that are not named here may stand beside those that are.
  */
-export type Result = Study | Identification | Comparison;
+export type Result = Study | Identification | Comparison | Plan;
 export type Count = number;
 export type SizeOrNull = number | null;
 export type Size = number;
@@ -69,6 +69,14 @@ export type Indices1 = Index[];
  */
 export type Indices2 = Index[];
 export type CountOrNull = number | null;
+/**
+ * Of each coordinate, over the draws; 0 without.
+ */
+export type Points1 = Point[];
+/**
+ * Unit normals of the target; 0 at nodes without.
+ */
+export type Points2 = Point[];
 
 /**
  * Of taut reproduce. Lists over edges are in the order of the interior edges, lists over nodes in that of the free nodes, forms and tensions those of all nodes and edges.
@@ -735,4 +743,273 @@ export interface ComparisonRow {
   coverage?: SizeOrNull;
   training_seconds?: SizeOrNull;
   seconds?: SizeOrNull;
+}
+/**
+ * Of taut plan: which turnbuckle to turn how far, in which order, and what follows.
+ */
+export interface Plan {
+  format: "taut-plan";
+  version: 1;
+  program?: string;
+  date?: string;
+  command?: string;
+  net_fingerprint: string;
+  net: Counts;
+  /**
+   * Trust in the result that the plan stands on.
+   */
+  identification: {
+    /**
+     * passed, doubtful or failed.
+     */
+    verdict: string;
+    reasons: Texts;
+  };
+  /**
+   * In the order of the work.
+   */
+  turns: Turn[];
+  /**
+   * Edges that are turned.
+   */
+  touched: number;
+  /**
+   * [m].
+   */
+  largest_stroke: number;
+  /**
+   * Whether all limits are kept with the confidence wanted.
+   */
+  feasible: boolean;
+  converged: boolean;
+  /**
+   * Limits that are not kept, or not surely so; the worst first.
+   */
+  violations: LimitBreach[];
+  form: {
+    as_built: FormDeviation;
+    planned: FormDeviation;
+    unavoidable: FormDeviation1;
+    /**
+     * What of the planned deviation along the normal is not known yet, RMS over nodes and draws; 0 without [m].
+     */
+    normal_unknown: number;
+  };
+  /**
+   * [N].
+   */
+  tension: {
+    least: number;
+    most: number;
+    least_as_built: number;
+    most_as_built: number;
+    /**
+     * That all limits are kept; 0 or 1 without draws.
+     */
+    limit_probability: number;
+    /**
+     * Of all edges, in their order.
+     */
+    edges: PlannedTension[];
+  };
+  order: {
+    /**
+     * Over the net.
+     */
+    passes: number;
+    crews: Count;
+    /**
+     * Of all crews, along straight lines between stations [m].
+     */
+    walk: number;
+    /**
+     * Whether at no moment a limit is broken that was kept before the work.
+     */
+    safe: boolean;
+    /**
+     * When it is worst, where it is not safe.
+     */
+    worst: {
+      moment: Index;
+      breach: LimitBreach;
+    } | null;
+  };
+  options: {
+    confidence: number;
+    /**
+     * Standard deviation of what is turned from what was told [m].
+     */
+    actuator: number;
+    /**
+     * Change of length by one turn; null where that was not told [m].
+     */
+    pitch: number | null;
+    /**
+     * By the smallest part of a turn; 0: any [m].
+     */
+    step: number | null;
+    /**
+     * [m].
+     */
+    tolerance: number | null;
+    /**
+     * Of the turnbuckles; null where it was not told.
+     */
+    thread: "right" | "left" | null;
+  };
+  /**
+   * What whole steps of a turn cost.
+   */
+  whole_steps: {
+    /**
+     * [m].
+     */
+    normal_rmse_of_free_strokes: number;
+  };
+  /**
+   * Both null where none was told.
+   */
+  tolerance: {
+    reached: boolean | null;
+    /**
+     * Edges below which, to first order, it cannot be reached.
+     */
+    fewest_bound: number | null;
+  };
+  draws: Count;
+  /**
+   * Why there are none; null where there are.
+   */
+  no_draws_since: string | null;
+  built_form: Points;
+  planned_form: Points;
+  planned_form_std: Points1;
+  target_form: Points;
+  target_normals: Points2;
+  cable_net: NetFile1;
+}
+/**
+ * One thing that a crew does at one turnbuckle.
+ */
+export interface Turn {
+  edge: Index;
+  edge_id: string;
+  /**
+   * Change of the unstressed length, positive lengthens [m].
+   */
+  stroke: number;
+  /**
+   * Without sign; null where the pitch was not told.
+   */
+  turns: number | null;
+  sense: "shorten" | "lengthen";
+  /**
+   * Seen from the support along the cable; null where the thread was not told.
+   */
+  rotation: "clockwise" | "counterclockwise" | null;
+  /**
+   * From 1.
+   */
+  pass: number;
+  /**
+   * From 1.
+   */
+  crew: number;
+  /**
+   * Those of one moment are turned at once; from 0.
+   */
+  moment: number;
+  /**
+   * Unstressed length then, less the designed one [m].
+   */
+  reading_after: number;
+  /**
+   * When all is done [N].
+   */
+  tension_after: number;
+}
+export interface LimitBreach {
+  kind: "tension" | "reaction";
+  /**
+   * Of a tension.
+   */
+  edge?: number;
+  /**
+   * The support of a reaction.
+   */
+  node?: number;
+  id: string;
+  /**
+   * Null: the loads of the net.
+   */
+  load_case: string | null;
+  /**
+   * Planned [N].
+   */
+  value: number;
+  /**
+   * [N].
+   */
+  limit: number;
+  /**
+   * That the limit is kept; 0 or 1 without draws.
+   */
+  probability: number;
+}
+/**
+ * Distances from the target over the free nodes, and along its normal over those that have one [m].
+ */
+export interface FormDeviation {
+  mean: Size;
+  max: Size;
+  rmse: Size;
+  normal_mean: Size;
+  normal_max: Size;
+  normal_rmse: Size;
+}
+/**
+ * Distances from the target over the free nodes, and along its normal over those that have one [m].
+ */
+export interface FormDeviation1 {
+  mean: Size;
+  max: Size;
+  rmse: Size;
+  normal_mean: Size;
+  normal_max: Size;
+  normal_rmse: Size;
+}
+/**
+ * Of an edge [N].
+ */
+export interface PlannedTension {
+  edge: Index;
+  as_built: number;
+  planned: number;
+  /**
+   * 95 % interval over the draws; null without.
+   */
+  lower: number | null;
+  upper: number | null;
+  limit_lower: number;
+  /**
+   * Null: none.
+   */
+  limit_upper: number | null;
+}
+/**
+ * A net in taut's own format; its reader checks it further.
+ */
+export interface NetFile1 {
+  format: "taut-net";
+  version: 1;
+  name?: string;
+  nodes: Points;
+  supports: Indices;
+  edges: Pair[];
+  axial_stiffness: number | Numbers;
+  unstressed_lengths: Numbers;
+  adjustable: Indices;
+  loads?: Points;
+  node_ids?: Texts;
+  edge_ids?: Texts;
 }

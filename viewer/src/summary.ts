@@ -3,21 +3,22 @@
 
 import { h } from "./dom";
 import { counted, millimetres, number, percent, rootMeanSquare, short } from "./format";
+import { ofPlan, planLines } from "./plan_summary";
 import {
   type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isSlack, lengthOf, methodsOf, type Result, type Study,
 } from "./result";
 
 /** What the top of the page says: a title, what was done, three sentences, some numbers. */
-interface Summary {
+export interface Summary {
   title: string;
   done: string;
   sentences: string[];
   figures: { value: string; unit: string; label: string }[];
 }
 
-const nameOf = (net: Counts): string => (net.name ? `“${net.name}”` : "the net");
+export const nameOf = (net: Counts): string => (net.name ? `“${net.name}”` : "the net");
 
-function netWords(net: Counts): string {
+export function netWords(net: Counts): string {
   return [
     [net.free_nodes, "free node"], [net.supports, "support"],
     [net.interior_edges, "interior edge"], [net.adjustable_edges, "adjustable edge"],
@@ -232,6 +233,7 @@ function ofComparison(comparison: Comparison): Summary {
 
 function summaryOf(result: Result): Summary {
   if (result.format === "taut-study") return ofStudy(result);
+  if (result.format === "taut-plan") return ofPlan(result);
   return result.format === "taut-identification" ? ofIdentification(result) : ofComparison(result);
 }
 
@@ -245,7 +247,7 @@ export function summary(result: Result): HTMLElement {
   return h("header", {},
     h("div", { class: "brand" }, h("span", { class: "logo", "aria-hidden": "true" }), h("span", {}, "taut report"), h("span", { class: "quiet provenance" }, provenance)),
     h("h1", {}, result.net.name || "A net", h("small", {}, title)),
-    trustLines(result),
+    ...(result.format === "taut-plan" ? planLines(result) : [trustLines(result)]),
     h("p", { class: "done" }, done),
     h("ol", { class: "sentences", "aria-label": "What matters" }, ...sentences.map((text) => h("li", {}, text))),
     cards.length > 0 ? h("div", { class: "cards" }, ...cards) : null);

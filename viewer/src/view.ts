@@ -9,6 +9,7 @@ import { NetCamera, type Viewpoint } from "./net_camera";
 import { discTexture, NodeDots } from "./node_dots";
 import { nearestItem } from "./picking";
 import type { Item, Selection } from "./selection";
+import { arrowLines, strokeColours } from "./stroke_arrows";
 
 /** More edges than this are drawn as lines one pixel wide. */
 const mostWideLines = 8000;
@@ -47,6 +48,7 @@ export class NetView {
   private readonly camera: NetCamera;
   private readonly groups: { edges: number[]; lines: EdgeLines }[];
   private readonly ghost = new ThinLines();
+  private readonly arrows = new WideLines(3);
   private readonly selectedLine = new WideLines(7);
   private readonly hoveredLine = new WideLines(5);
   private readonly freeDots: NodeDots;
@@ -89,12 +91,18 @@ export class NetView {
     (this.ghost.object.material as { opacity?: number }).opacity = 0.8;
     // Marks are drawn last and over all else.
     for (const { material } of [this.selectedLine, this.hoveredLine, this.markDots.object]) Object.assign(material, { depthTest: false, transparent: true });
-    this.scene.add(this.ghost.object, ...this.groups.map((g) => g.lines.object), this.supportDots.object, this.freeDots.object,
+    this.arrows.object.visible = model.strokes.size > 0;
+    if (model.strokes.size > 0) this.arrows.setColours(strokeColours(model));
+    this.scene.add(this.ghost.object, this.arrows.object, ...this.groups.map((g) => g.lines.object), this.supportDots.object, this.freeDots.object,
       this.hoveredLine.object, this.selectedLine.object, this.markDots.object);
     this.selectedLine.object.renderOrder = this.hoveredLine.object.renderOrder = 1;
     this.markDots.object.renderOrder = 2;
 
-    this.camera = new NetCamera(this.canvas, model.form, () => this.move());
+    const arrows = arrowLines(model, model.form);
+    const points = new Float32Array(model.form.length + arrows.length);
+    points.set(model.form);
+    points.set(arrows, model.form.length);
+    this.camera = new NetCamera(this.canvas, points, () => this.move());
     this.listen();
     selection.subscribe(() => this.mark());
     new ResizeObserver(() => this.resize()).observe(container);
@@ -133,6 +141,7 @@ export class NetView {
       if (edges.length > 0) lines.setPositions(this.endsOf(edges, this.positions));
       lines.object.visible = edges.length > 0;
     }
+    if (this.model.strokes.size > 0) this.arrows.setPositions(arrowLines(this.model, this.positions));
     this.ghost.object.visible = displacement !== null && factor > 0;
     if (this.ghost.object.visible) {
       const all = this.groups.flatMap((g) => g.edges);

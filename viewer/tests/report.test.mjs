@@ -77,6 +77,7 @@ test("every report opens from disk, without a request or a complaint", async () 
     assert.equal(await page.locator(".sentences li").count(), 3);
     assert.ok((await page.locator("#figures svg").count()) > 0);
     assert.equal(await page.locator(".failure[role=alert]").count(), 0);
+    assert.doesNotMatch(await page.innerText("body"), /NaN|undefined|Infinity/);
     await close(page);
   }
 });
@@ -398,6 +399,147 @@ test("a comparison shows each method and the best possible", async () => {
   await close(page);
 });
 
+/** Cells of a crew's list: ["", step, cable, do, turn, turns, mm, reading, tension]. */
+const crewRows = (page, crew) => page.$$eval(`[data-crew="${crew}"] tbody tr:not(.pass)`, (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+
+test("each crew's list has all that it turns, in the order of the work", async () => {
+  const { page: path, result } = reports.plan;
+  assert.ok(result.turns.length > 2);
+  const page = await open(path);
+  for (const crew of [1, 2]) {
+    const own = result.turns.filter((t) => t.crew === crew);
+    assert.ok(own.length > 0);
+    const rows = await crewRows(page, crew);
+    assert.deepEqual(rows.map((r) => r[2]), own.map((t) => t.edge_id));
+    rows.forEach((row, i) => {
+      const turn = own[i];
+      assert.equal(Number(row[1]), turn.moment + 1);
+      assert.ok(row[3].includes(turn.stroke < 0 ? "shorten" : "lengthen"), row[3]);
+      // With a left-hand thread clockwise lengthens.
+      assert.equal(row[4], turn.stroke < 0 ? "↺ counterclockwise" : "↻ clockwise");
+      const [, whole, part] = /^(\d*) ?([¼½¾]?)$/.exec(row[5]);
+      assert.equal(5 * (Number(whole) + ({ "¼": 0.25, "½": 0.5, "¾": 0.75 }[part] ?? 0)), Math.abs(1e3 * turn.stroke).toFixed(6) * 1);
+      assert.ok(Math.abs(plainNumber(row[6]) - Math.abs(1e3 * turn.stroke)) < 0.0051);
+      assert.ok(Math.abs(plainNumber(row[7]) - 1e3 * turn.reading_after) < 0.0051);
+      assert.ok(Math.abs(plainNumber(row[8]) - turn.tension_after / 1e3) < 0.0051);
+    });
+    assert.equal(await page.locator(`[data-crew="${crew}"] .tick`).count(), own.length);
+  }
+  await close(page);
+});
+
+test("the head of a plan tells what it stands on, whether limits are kept, and how near it comes", async () => {
+  const { page: path, result } = reports.plan;
+  const page = await open(path);
+  const top = await page.textContent("header");
+  assert.ok(top.includes(`The identification that this plan stands on: ${result.identification.verdict}`));
+  assert.ok(result.feasible);
+  assert.match(await page.textContent("#verdict"), /All limits are kept, with the 95 % that were asked for/);
+  const [, probability] = /probability of ([\d.]+) % \(50 draws\), where 95 % was asked for/.exec(top);
+  assert.ok(Math.abs(Number(probability) - 100 * result.tension.limit_probability) < 0.06);
+  const keys = ["normal_rmse", "normal_mean", "normal_max", "rmse", "mean", "max"];
+  const rows = await page.$$eval("#plan table >> nth=0", ([table]) => [...table.tBodies[0].rows].map((row) => [...row.children].slice(1).map((cell) => cell.textContent)));
+  keys.forEach((key, i) => ["as_built", "planned", "unavoidable"].forEach((state, k) => {
+    const expected = 1e3 * result.form[state][key];
+    assert.ok(Math.abs(plainNumber(rows[i][k]) - expected) <= 0.006 * expected, `${state} ${key}: ${rows[i][k]}`);
+  }));
+  await close(page);
+});
+
+test("a plan that cannot keep its limits says so, and names those in the way", async () => {
+  const { page: path, result } = reports.infeasible;
+  assert.equal(result.feasible, false);
+  const page = await open(path);
+  const verdict = await page.textContent("#verdict");
+  assert.match(verdict, /Limits cannot all be kept/);
+  assert.ok(verdict.includes(`tension of edge ${result.violations[0].id}: `), verdict);
+  assert.match(await page.textContent("#crews"), /do not work from it/);
+  // A crew may have no other sheet than its own.
+  await page.emulateMedia({ media: "print" });
+  assert.match(await page.innerText("[data-crew='1']"), /do not work from it/);
+  assert.match(await page.textContent("header"), /limits, which no strokes can all keep/);
+  assert.doesNotMatch(await page.textContent("header"), /All limits are kept|no cable leaves its limits/);
+  await close(page);
+});
+
+test("a plan without draws, pitch or turns says what it does not tell", async () => {
+  const unsure = await open(reports.unsure.page);
+  assert.equal(reports.unsure.result.draws, 0);
+  assert.match(await unsure.textContent("#verdict"), /by the estimate alone/);
+  assert.match(await unsure.textContent(".sentences"), /how surely is not known: /);
+  assert.equal((await crewRows(unsure, 1))[0].length, 7, "neither turns nor which way to turn");
+  assert.match(await unsure.textContent("#crews"), /the thread is not known/);
+  assert.doesNotMatch(await unsure.textContent("#crews"), /clockwise/);
+  await close(unsure);
+  const idle = await open(reports.idle.page);
+  assert.equal(reports.idle.result.turns.length, 0);
+  assert.match(await idle.textContent(".sentences"), /Nothing is to be turned: .* which is within the 50\.0 mm/);
+  assert.match(await idle.textContent("#crews"), /there is no list/);
+  assert.equal(await idle.locator(".strokes").count(), 0);
+  await close(idle);
+});
+
+test("before and after are exaggerated alike, and coloured on one scale", async () => {
+  const page = await open(reports.plan.page);
+  await page.selectOption("#displacement", "0");
+  const factor = await page.textContent(".slider output");
+  await page.selectOption("#displacement", "1");
+  assert.equal(await page.textContent(".slider output"), factor);
+  for (const name of ["normal", "distance", "tension"]) {
+    const scales = [];
+    for (const state of ["built", "planned"]) {
+      await page.selectOption("#colour-by", `${name}_${state}`);
+      scales.push(await page.textContent(".legend .ticks"));
+    }
+    assert.equal(scales[0], scales[1], name);
+  }
+  await close(page);
+});
+
+test("arrows at the turnbuckles are told by hue and sense", async () => {
+  const { page: path, result } = reports.plan;
+  const page = await open(path);
+  const strokes = new Map();
+  for (const { edge, stroke } of result.turns) strokes.set(edge, (strokes.get(edge) ?? 0) + stroke);
+  const shorter = [...strokes.values()].filter((s) => s < 0).length;
+  assert.match(await page.textContent(".strokes"), new RegExp(`shorten: out of the net \\(${shorter}\\).*lengthen: into it \\(${strokes.size - shorter}\\)`));
+  await page.selectOption("#colour-by", "kind");
+  await page.click("[data-view=top]");
+  // On grey edges only the arrows, and the nodes' blue, have these hues.
+  await page.selectOption("#colour-by", "std");
+  const hues = await page.$eval(".canvas canvas", async (canvas) => {
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    const near = (i, [r, g, b]) => Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 24;
+    let [blue, orange] = [0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      if (near(i, [0, 114, 178])) ++blue;
+      if (near(i, [213, 94, 0])) ++orange;
+    }
+    return { blue, orange };
+  });
+  assert.equal(hues.blue > 20, shorter > 0, JSON.stringify(hues));
+  assert.equal(hues.orange > 20, strokes.size > shorter, JSON.stringify(hues));
+  await close(page);
+});
+
+test("the lists of crews are printed whole, each on its own sheets", async () => {
+  const { page: path, result } = reports.plan;
+  const page = await open(path);
+  await page.evaluate(() => (window.print = () => {}));
+  await page.click("#crews .print");
+  const pdf = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+  assert.equal(pdf.match(/\/Type \/Page\b/g).length, 2, "one page a crew, and nothing else");
+  await page.click("#crews .print");
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator("header").isVisible(), false);
+  assert.equal(await page.locator("#crews .crew tbody tr:not(.pass):visible").count(), result.turns.length);
+  for (const crew of [1, 2]) assert.ok((await page.innerText(`[data-crew="${crew}"] thead`)).includes(`Crew ${crew} of 2`));
+  await close(page);
+});
+
 test("a page whose result is damaged says so", async () => {
   const whole = readFileSync(reports.plain.page, "utf8");
   const start = whole.indexOf("id=\"result\">") + 12;
@@ -414,7 +556,7 @@ test("a page whose result is damaged says so", async () => {
 
 test("tablets and phones see all of the page without scrolling sideways", async () => {
   for (const [width, height] of [[1180, 820], [820, 1180], [390, 844]]) {
-    for (const { page: path } of [reports.study, reports.troubled, reports.comparison]) {
+    for (const { page: path } of [reports.study, reports.troubled, reports.comparison, reports.plan]) {
       const page = await open(path, { viewport: { width, height }, hasTouch: true, isMobile: true });
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${path} at ${width}`);
       await close(page);
@@ -459,7 +601,7 @@ test("light and dark differ, in page and view", async () => {
 });
 
 test("every control and drawing has a name for a screen reader", async () => {
-  for (const { page: path } of [reports.study, reports.troubled, reports.comparison]) {
+  for (const { page: path } of [reports.study, reports.troubled, reports.comparison, reports.plan]) {
     const page = await open(path);
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll("button, select, input, svg, canvas, section, [role=region]")]

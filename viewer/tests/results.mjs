@@ -31,6 +31,26 @@ function report(name) {
   return { page: join(folder, `${name}.html`), result: JSON.parse(readFileSync(join(folder, `${name}.json`), "utf8")) };
 }
 
+/** A plan; one that cannot keep its limits is written, too, and the program ends with 1. */
+function plan(name, ...words) {
+  const { status, stderr } = spawnSync(program, ["plan", "net.json", ...words, "-o", `${name}.json`, "--quiet"], { cwd: folder, encoding: "utf8" });
+  if (status !== 0 && status !== 1) throw new Error(stderr);
+}
+
+/** Plans in quarter turns by two crews, without limits that can be kept, without draws or pitch, and without a turn. */
+function makePlans() {
+  taut("form", "net.json", "--law", "uniform:5mm", "--seed", "3", "-o", "built.csv");
+  taut("survey", "net.json", "built.csv", "--noise", "0.2mm", "--seed", "2", "-o", "site.csv");
+  const identify = ["identify", "net.json", "site.csv", "--noise", "0.2mm", "--law", "uniform:5mm", "--quiet", "--draws"];
+  taut(...identify, "50", "-o", "site.json");
+  taut(...identify, "0", "-o", "drawless.json");
+  plan("plan", "site.json", "--tension", "0.05kN..20kN", "--turn", "5mm", "--step", "1/4", "--crews", "2", "--thread", "left");
+  plan("infeasible", "site.json", "--tension", "1N..200N", "--turn", "5mm", "--step", "1/4");
+  plan("unsure", "drawless.json");
+  plan("idle", "site.json", "--tolerance", "50mm");
+  return ["plan", "infeasible", "unsure", "idle"];
+}
+
 /** What a survey with troubles gives: gross errors, hidden nodes, slack edges, targets of no node. */
 function troubled(identification) {
   const result = structuredClone(identification);
@@ -74,5 +94,5 @@ export function makeReports() {
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
   taut("compare", "net.json", "-o", "comparison", "--law", "uniform:2mm", "--noise", "0,0.1mm,0.5mm", "--training", "30,60", "--surveys", "4", "--quiet");
-  return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison"].map((name) => [name.split("/")[0], report(name)]));
+  return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison", ...makePlans()].map((name) => [name.split("/")[0], report(name)]));
 }

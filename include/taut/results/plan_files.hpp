@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
@@ -26,14 +28,15 @@ struct PlanRecord {
     const Plan* plan = nullptr;
     const TurnOrder* order = nullptr;
     int crews = 1;
-    Thread thread = Thread::right;
+    std::optional<Thread> thread;  ///< empty: not told
 };
 
 /// plan.json: format "taut-plan", version 1; all numbers in SI units.
 [[nodiscard]] std::string plan_to_json(const PlanRecord& record, const RunRecord& run = {});
 
 /// The list that a crew works from, a line each turning, in the order of the work: crew, pass,
-/// moment, edge, stroke [mm], turns, sense, reading afterwards [mm], tension after all [kN].
+/// moment, edge, sense, rotation (empty where the thread is not told), stroke [mm], turns, reading
+/// afterwards [mm], tension after all [kN].
 [[nodiscard]] std::string plan_to_csv(const PlanRecord& record);
 
 /// "shorten" or "lengthen".

@@ -65,16 +65,34 @@ struct ComparisonResult {
     std::vector<Row> rows;
 };
 
-/// A saved result of `taut reproduce`, `identify` or `compare`.
+/// What a saved plan tells, as far as its figures need it.
+struct PlanResult {
+    CableNet net;  ///< as designed
+    Points built_form;
+    Points planned_form;
+    Points target_form;
+    Points target_normals;  ///< 0 at nodes without normal
+    struct Tension {
+        double as_built = 0.0;
+        double planned = 0.0;
+        std::optional<double> lower;  ///< 95 % interval; empty without draws
+        std::optional<double> upper;
+        double limit_lower = 0.0;
+        std::optional<double> limit_upper;  ///< empty: no limit
+    };
+    std::vector<Tension> tensions;  ///< of each edge [N]
+};
+
+/// A saved result of `taut reproduce`, `identify`, `compare` or `plan`.
 struct ResultFile {
-    std::variant<StudyResult, IdentificationResult, ComparisonResult> content;
+    std::variant<StudyResult, IdentificationResult, ComparisonResult, PlanResult> content;
     std::string json;  ///< the whole document, without white space
 };
 
-/// Reads a result in one of the formats "taut-study", "taut-identification" and "taut-comparison",
-/// version 1. It must keep to their schema (result.schema.json, installed beside the library), and
-/// to what a schema cannot tell: sizes and indices those of the net, one edge for each interior
-/// one.
+/// Reads a result in one of the formats "taut-study", "taut-identification", "taut-comparison" and
+/// "taut-plan", version 1. It must keep to their schema (result.schema.json, installed beside the
+/// library), and to what a schema cannot tell: sizes and indices those of the net, one edge for
+/// each interior one.
 /// @param file_name for messages
 /// @throws InputError at a line and column for what is no JSON, and at a JSON pointer for what is
 ///   missing, of another type or size, or breaks a rule

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "results/plan_reader.hpp"
+
+#include <fmt/core.h>
+
+#include "results/result_values.hpp"
+
+namespace taut {
+namespace {
+
+void check_breach(const JsonValue& breach, const CableNet& net) {
+    if (const auto edge = breach.find("edge")) {
+        static_cast<void>(read_edge_index(*edge, net));
+    }
+    if (const auto node = breach.find("node")) {
+        static_cast<void>(read_node(*node, net));
+    }
+}
+
+PlanResult::Tension read_tension(const JsonValue& value, int edge) {
+    const JsonValue told = member(value, "edge");
+    if (told.integer() != edge) {
+        told.fail(
+            fmt::format("is {}, expected {}: all edges in their order", told.integer(), edge));
+    }
+    const PlanResult::Tension tension{.as_built = member(value, "as_built").number(),
+                                      .planned = member(value, "planned").number(),
+                                      .lower = optional_number(value, "lower"),
+                                      .upper = optional_number(value, "upper"),
+                                      .limit_lower = member(value, "limit_lower").number(),
+                                      .limit_upper = optional_number(value, "limit_upper")};
+    if (tension.lower.has_value() != tension.upper.has_value()) {
+        value.fail("has one end of the interval of tension, expected both or none");
+    }
+    if (tension.lower && *tension.lower > *tension.upper) {
+        value.fail(
+            fmt::format("has the interval of tension from {} to {}, expected lower before "
+                        "upper",
+                        *tension.lower, *tension.upper));
+    }
+    if (tension.limit_upper && tension.limit_lower > *tension.limit_upper) {
+        value.fail(fmt::format("has limits of tension from {} to {}, expected lower before upper",
+                               tension.limit_lower, *tension.limit_upper));
+    }
+    return tension;
+}
+
+}  // namespace
+
+PlanResult read_plan(const JsonValue& root) {
+    PlanResult plan{.net = require_net(root)};
+    plan.built_form = require_form(root, "built_form", plan.net);
+    plan.planned_form = require_form(root, "planned_form", plan.net);
+    static_cast<void>(require_form(root, "planned_form_std", plan.net));
+    plan.target_form = require_form(root, "target_form", plan.net);
+    plan.target_normals = require_form(root, "target_normals", plan.net);
+    const int count = plan.net.edge_count();
+    const JsonValue edges = member(member(root, "tension"), "edges");
+    edges.require_array(count, fmt::format("one for each edge: {}", count));
+    for (int e = 0; e < count; ++e) {
+        plan.tensions.push_back(read_tension(edges.at(e), e));
+    }
+    for (const JsonValue& turn : entries(root, "turns")) {
+        static_cast<void>(read_edge_index(member(turn, "edge"), plan.net));
+    }
+    for (const JsonValue& breach : entries(root, "violations")) {
+        check_breach(breach, plan.net);
+    }
+    if (const auto worst = find_unless_null(member(root, "order"), "worst")) {
+        check_breach(member(*worst, "breach"), plan.net);
+    }
+    return plan;
+}
+
+}  // namespace taut

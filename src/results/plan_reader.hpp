@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "files/json_value.hpp"
+#include "taut/results/result_file.hpp"
+
+namespace taut {
+
+/// A plan that its schema accepts.
+/// @throws InputError at what is of another size than the net, or names what it does not have
+[[nodiscard]] PlanResult read_plan(const JsonValue& root);
+
+}  // namespace taut

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+import { difference, distances, flat, type Model, netOf, type Quantity, quantity } from "./model";
+import type { Plan, PlannedTension } from "./result";
+
+const kN = 1e-3;
+
+/** Change of the length of each edge by all that is turned [m]. */
+export function strokesOf(plan: Plan): Map<number, number> {
+  const strokes = new Map<number, number>();
+  for (const { edge, stroke } of plan.turns) strokes.set(edge, (strokes.get(edge) ?? 0) + stroke);
+  return strokes;
+}
+
+/** From an edge's planned tension to the nearest of its limits, negative beyond [N]. */
+export const roomOf = (t: PlannedTension): number => Math.min(t.planned - t.limit_lower, (t.limit_upper ?? Infinity) - t.planned);
+
+function tensions(plan: Plan): Quantity[] {
+  const { edges } = plan.tension;
+  const of = (value: (t: PlannedTension) => number | null): number[] => edges.map((t) => kN * (value(t) ?? NaN));
+  const tension = { unit: "kN", of: "edge", kind: "sequential", decimals: 3, scale: "tension", fromLowest: true } as const;
+  const interval = plan.draws > 0 ? { interval: { lower: Float64Array.from(of((t) => t.lower)), upper: Float64Array.from(of((t) => t.upper)) } } : {};
+  const limits = edges.some((t) => t.limit_lower > 0 || t.limit_upper !== null);
+  return [
+    quantity({ ...tension, key: "tension_built", label: "tension, as built", head: "tension, built", values: of((t) => t.as_built) }),
+    quantity({ ...tension, key: "tension_planned", label: "tension, as planned", head: "tension, planned", values: of((t) => t.planned), ...interval }),
+    ...(limits ? [
+      quantity({ key: "room", label: "room from the planned tension to the nearest limit", head: "room to limit", unit: "kN", of: "edge", kind: "diverging", decimals: 3, values: of(roomOf) }),
+    ] : []),
+  ];
+}
+
+/** Along the target's normal, at the free nodes that have one, in millimetres. */
+function alongNormal(plan: Plan, vectors: Float32Array, isSupport: Uint8Array): number[] {
+  return plan.target_normals.map((n, i) =>
+    isSupport[i] || n.every((x) => x === 0) ? NaN : 1e3 * n.reduce((sum, x, k) => sum + x * vectors[3 * i + k]!, 0));
+}
+
+export function modelOfPlan(plan: Plan): Model {
+  const net = plan.cable_net;
+  const model = netOf(net, plan.planned_form);
+  model.charted = net.edges.map((_, e) => e);
+  const strokes = strokesOf(plan);
+  const stroke = new Float64Array(model.edgeCount).fill(NaN);
+  for (const [edge, metres] of strokes) stroke[edge] = 1e3 * metres;
+  const built = difference(plan.built_form, plan.target_form);
+  const planned = difference(plan.planned_form, plan.target_form);
+  const base = flat(plan.target_form);
+  const node = (key: string, label: string, head: string, kind: "sequential" | "diverging", scale: string, values: ArrayLike<number>): Quantity =>
+    quantity({ key, label, head, unit: "mm", of: "node", kind, decimals: 2, scale, values });
+  if (strokes.size > 0) {
+    model.quantities.unshift(quantity({ key: "stroke", label: "to turn, + lengthens", head: "to turn", unit: "mm", of: "edge", kind: "diverging", decimals: 2, values: stroke }));
+  }
+  model.quantities.push(
+    ...tensions(plan),
+    node("normal_built", "from the target along its normal, as built", "normal, built", "diverging", "normal", alongNormal(plan, built, model.isSupport)),
+    node("normal_planned", "from the target along its normal, as planned", "normal, planned", "diverging", "normal", alongNormal(plan, planned, model.isSupport)),
+    node("distance_built", "distance from the target, as built", "distance, built", "sequential", "distance", distances(built, model.isSupport)),
+    node("distance_planned", "distance from the target, as planned", "distance, planned", "sequential", "distance", distances(planned, model.isSupport)),
+  );
+  if (plan.draws > 0) {
+    const std = plan.planned_form_std.map((s, i) => (model.isSupport[i] ? NaN : 1e3 * Math.max(...s)));
+    model.quantities.push(quantity({ key: "std", label: "standard deviation of the planned place, worst axis", head: "std", unit: "mm", of: "node", kind: "sequential", decimals: 2, values: std }));
+  }
+  // One scale, so that before and after can be told apart by eye.
+  model.displacements = [
+    { label: "as built, from the target", base, vectors: built, scale: "target" },
+    { label: "as planned, from the target", base, vectors: planned, scale: "target" },
+    { label: "what turning does: as planned, from as built", base: flat(plan.built_form), vectors: difference(plan.planned_form, plan.built_form), scale: "target" },
+  ];
+  model.strokes = strokes;
+  return model;
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+
+import { h } from "./dom";
+import { counted, millimetres, number, percent, short } from "./format";
+import type { LimitBreach, Plan } from "./result";
+import { nameOf, netWords, type Summary } from "./summary";
+
+const kN = (newton: number): string => number(newton / 1e3);
+
+/** "tension of edge 12: 1.43 kN, the limit is 1.50 kN". */
+export function breachWords({ kind, id, load_case, value, limit }: LimitBreach): string {
+  const under = load_case === null ? "" : ` under ${load_case}`;
+  return `${kind === "tension" ? "tension of edge" : "reaction of support"} ${id}${under}: ${kN(value)} kN, the limit is ${kN(limit)} kN`;
+}
+
+const isNearer = ({ form }: Plan): boolean => form.planned.normal_rmse <= form.as_built.normal_rmse;
+
+function formSentence(plan: Plan): string {
+  const { as_built, planned, unavoidable } = plan.form;
+  if (plan.turns.length === 0) {
+    const since = plan.tolerance.reached ? `which is within the ${millimetres(plan.options.tolerance)} mm that were asked for` : "and no stroke within the limits brings it nearer";
+    return `Nothing is to be turned: as built, the net is ${millimetres(as_built.normal_rmse)} mm from its target (RMS along the normal), ${since}.`;
+  }
+  const by = `Turning ${counted(plan.touched, "cable")} by at most ${millimetres(plan.largest_stroke)} mm ${isNearer(plan) ? "brings" : "takes"} the net from ${millimetres(as_built.normal_rmse)} mm to ${millimetres(planned.normal_rmse)} mm from its target (RMS along the normal)`;
+  return `${by}; ${millimetres(unavoidable.normal_rmse)} mm could not be removed by any stroke.` + stepWords(plan) + toleranceWords(plan);
+}
+
+/** What whole steps of a turn cost. */
+function stepWords(plan: Plan): string {
+  const free = plan.whole_steps.normal_rmse_of_free_strokes;
+  if (!plan.options.step || !(free > 0)) return "";
+  const part = plan.form.planned.normal_rmse / free - 1;
+  return ` With free strokes it would be ${millimetres(free)} mm: whole steps of ${millimetres(plan.options.step)} mm cost ${part > 0 ? `${number(100 * part, 2)} %` : "nothing"}.`;
+}
+
+function toleranceWords(plan: Plan): string {
+  const { tolerance } = plan.options;
+  if (tolerance === null) return "";
+  const { reached, fewest_bound } = plan.tolerance;
+  const bound = !reached || fewest_bound === null ? "" : `; to first order no fewer than ${counted(fewest_bound, "cable")} can do`;
+  return ` The ${millimetres(tolerance)} mm that were asked for are ${reached ? "reached" : "not reached"}${bound}.`;
+}
+
+function limitSentence(plan: Plan): string {
+  const { tension, draws, options } = plan;
+  const range = `Tensions go from ${kN(tension.least)} to ${kN(tension.most)} kN, where they are ${kN(tension.least_as_built)} to ${kN(tension.most_as_built)} kN as built.`;
+  if (draws > 0) {
+    return `${plan.feasible ? "All limits are kept together with a probability of" : "Not all limits are kept: the probability that they are is"} ${percent(tension.limit_probability)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for. ${range}`;
+  }
+  return `Limits are ${plan.feasible ? "kept" : "not all kept"} by the estimate; how surely is not known${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}. ${range}`;
+}
+
+function orderSentence({ order, turns }: Plan): string {
+  if (turns.length === 0) return "There is no work for a crew.";
+  const work = `${counted(order.crews, "crew")} ${order.crews === 1 ? "goes" : "go"} over the net ${order.passes === 1 ? "once" : `${order.passes} times`}, ${number(order.walk)} m between stations in all`;
+  if (order.safe) return `${work}; at no moment of the work is a limit broken that was kept before it.`;
+  const worst = order.worst ? `: at step ${order.worst.moment + 1}, ${breachWords(order.worst.breach)}` : "";
+  return `${work}. No safe order was found; this is the least unsafe one${worst}.`;
+}
+
+/** What the plan is for; nothing where there is nothing to do. */
+function aimOf(plan: Plan): string {
+  if (plan.turns.length === 0) return "";
+  if (!plan.feasible) return ", and breaks the limits, which no strokes can all keep, the least";
+  return isNearer(plan) ? ", and brings the form nearer to its target while no cable leaves its limits" : ", and brings all cables into their limits, which takes the form from its target";
+}
+
+export function ofPlan(plan: Plan): Summary {
+  const { form, tension, draws } = plan;
+  return {
+    title: "Which turnbuckle to turn how far",
+    done: `A plan for the net ${nameOf(plan.net)}: ${netWords(plan.net)}. It stands on the lengths that were identified from a survey${aimOf(plan)}.`,
+    sentences: [formSentence(plan), limitSentence(plan), orderSentence(plan)],
+    figures: [
+      { value: String(plan.touched), unit: "", label: "cables to turn" },
+      { value: millimetres(plan.largest_stroke), unit: "mm", label: "largest stroke" },
+      { value: `${number(1e3 * form.as_built.normal_rmse, 2)} → ${number(1e3 * form.planned.normal_rmse, 2)}`, unit: "mm", label: "from the target along its normal, RMS" },
+      { value: `${kN(tension.least)} – ${kN(tension.most)}`, unit: "kN", label: "tension as planned" },
+      draws > 0
+        ? { value: percent(tension.limit_probability), unit: "%", label: `probability that all limits are kept, ${short(100 * plan.options.confidence)} % wanted` }
+        : { value: "–", unit: "", label: "probability of the limits: not known without draws" },
+    ],
+  };
+}
+
+/** May one act on it: the verdict of what it stands on, and whether limits are kept. */
+export function planLines(plan: Plan): HTMLElement[] {
+  const { verdict, reasons } = plan.identification;
+  const about = {
+    passed: "no test speaks against it",
+    failed: "what is planned on it may do harm; mend what it names first",
+  }[verdict];
+  const stands = h("div", { class: `trust ${verdict}` },
+    h("p", {}, h("strong", {}, `The identification that this plan stands on: ${verdict}`), about ? `, ${about}` : ""),
+    ...reasons.map((reason) => h("p", {}, `${reason}.`)));
+  const shown = 5;
+  const more = plan.violations.length - shown;
+  const words = plan.feasible ? (plan.order.safe ? "" : "; but no safe order was found") : "; the plan breaks them the least. In the way stand:";
+  const limits = h("div", { class: `trust ${!plan.feasible ? "failed" : plan.order.safe && plan.draws > 0 ? "passed" : "doubtful"}`, id: "verdict" },
+    h("p", {}, h("strong", {}, plan.feasible ? "All limits are kept" : "Limits cannot all be kept"),
+      !plan.feasible ? "" : plan.draws === 0 ? ", by the estimate alone" : `, with the ${short(100 * plan.options.confidence)} % that were asked for`, words),
+    ...(plan.feasible ? [] : plan.violations.slice(0, shown).map((breach) => h("p", {}, `${breachWords(breach)}.`))),
+    !plan.feasible && more > 0 ? h("p", {}, `And ${more} more, in the table below.`) : null,
+    plan.converged ? null : h("p", {}, "The search for the best plan ended before it had converged: another may be nearer to the target."));
+  return [stands, limits];
+}
