@@ -33,8 +33,9 @@ int main() {
     limits.tension.lower.setConstant(1.5e3);
     limits.tension.upper.setConstant(10e3);
     const taut::TurnSize turn{.pitch = 0.005, .smallest = 0.25};
-    const taut::Plan plan = taut::plan_strokes(built, taut::FormTarget(net, net.nodes()), limits,
-                                               {.edges = {}, .turn = turn, .tolerance = {}, .survey_noise = {}});
+    const taut::Plan plan =
+        taut::plan_strokes(built, taut::FormTarget(net, net.nodes()), limits,
+                           {.edges = {}, .turn = turn, .tolerance = {}, .survey_noise = {}});
     const taut::TurnOrder order =
         taut::order_turns(built, limits, plan, {.crews = 2, .step = turn.step()});
 

@@ -205,8 +205,8 @@ void print_survey_first(const CableNet& net, const Plan& plan, double noise) {
                    format_length(noise));
         return;
     }
-    fmt::print("survey first: targets seen with {} would leave of these {:.2f} mm\n",
-               format_length(noise), 1e3 * plan.normal_unknown);
+    fmt::print("survey first: of these {:.2f} mm, targets seen with {} would leave\n",
+               1e3 * plan.normal_unknown, format_length(noise));
     for (const FurtherTarget& target : plan.further_targets) {
         fmt::print("  {:<12} {:.3f} mm, with those above\n", net.node_id(target.node),
                    1e3 * target.normal_unknown);
@@ -297,8 +297,9 @@ void print(const PlanCommand& command, const PlanRecord& record) {
         "order: {} pass{}, {} crew{}, {:.0f} m between stations; {}\n", order.passes,
         order.passes == 1 ? "" : "es", record.crews, record.crews == 1 ? "" : "s", order.walk,
         order.is_safe ? "at no moment is a limit broken that was kept before"
-                      : fmt::format("no safe order was found: at moment {} {}",
-                                    order.worst.moment + 1, where_text(net, order.worst.breach)));
+                      : fmt::format("no safe order was found: at moment {} {}{}",
+                                    order.worst.moment + 1, where_text(net, order.worst.breach),
+                                    plan.draws > 0 ? " with its margin" : ""));
     fmt::print("written to {}\n", command.output);
     if (!command.csv.empty()) {
         fmt::print("written to {}: the list for the crews\n", command.csv);

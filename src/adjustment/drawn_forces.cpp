@@ -64,6 +64,7 @@ LimitMargins::LimitMargins(std::vector<ForceRange> told, const StrokedState& sta
                            const DrawnStrokes& draws)
     : m_told(std::move(told)) {
     const Eigen::Index count = draws.forms.cols();
+    m_kept = std::numeric_limits<double>::infinity();
     m_worst.assign(static_cast<size_t>(count), -std::numeric_limits<double>::infinity());
     for (size_t i = 0; i < m_told.size(); ++i) {
         const Eigen::MatrixXd& forces = draws.forces[i];
@@ -74,6 +75,10 @@ LimitMargins::LimitMargins(std::vector<ForceRange> told, const StrokedState& sta
                 .cwiseSqrt()
                 .cwiseMax(least));
         m_bias.emplace_back(mean - state.nets[i].forces);
+        m_kept = std::min(m_kept, (mean - m_told[i].lower)
+                                      .cwiseMin(m_told[i].upper - mean)
+                                      .cwiseQuotient(m_std.back())
+                                      .minCoeff());
         for (Eigen::Index d = 0; d < count; ++d) {
             const Eigen::ArrayXd beyond = (m_told[i].lower - forces.col(d))
                                               .cwiseMax(forces.col(d) - m_told[i].upper)

@@ -36,6 +36,8 @@ public:
     /// By how many standard deviations of each force the limits would have to be narrower
     /// (negative: may be wider) so that they hold with a confidence.
     [[nodiscard]] double shortfall(double confidence) const;
+    /// By how many standard deviations of each force the mean of the draws keeps all limits.
+    [[nodiscard]] double kept() const { return m_kept; }
     /// Limits that are `factor` standard deviations inside those told, and corrected for the
     /// difference of the draws' mean from the state.
     [[nodiscard]] std::vector<ForceRange> narrowed(double factor) const;
@@ -44,6 +46,7 @@ private:
     std::vector<ForceRange> m_told;
     std::vector<Eigen::VectorXd> m_std;
     std::vector<Eigen::VectorXd> m_bias;
+    double m_kept = 0.0;
     std::vector<double> m_worst;  ///< of each draw, in standard deviations beyond; ascending
 };
 

@@ -178,7 +178,7 @@ private:
     /// Limits that hold with the confidence over the draws: what they must be narrowed by depends
     /// on the plan, so both are found in turn.
     StrokeSearch with_margins(StrokeSearch search) {
-        constexpr int rounds = 6;
+        constexpr int rounds = 10;
         constexpr double close_enough = 0.1;  // standard deviations too wide a margin
         double factor = 0.0;
         StrokeSearch best = search;
@@ -201,7 +201,9 @@ private:
                 break;
             }
             // A little more than is short, since the next plan has other edges at their limits.
-            factor = std::max(0.0, factor + shortfall + (shortfall > 0.0 ? 0.5 : 1.0) * 0.05);
+            // And limits may be farther away than the margin that they were given.
+            const double now = shortfall > 0.0 ? std::max(factor, margins.kept()) : factor;
+            factor = std::max(0.0, now + shortfall + (shortfall > 0.0 ? 0.5 : 1.0) * 0.05);
             hold(margins.narrowed(factor));
             refresh_state(search.found);
             const int before = search.iterations;

@@ -63,9 +63,8 @@ std::vector<SurveyGain> gains_of_targets(const Eigen::MatrixXd& forms,
         const auto told = (1.0 - kept.array()).matrix().asDiagonal();
         X -= (X * V) * told * V.transpose();
         Y -= (Y * V) * told * V.transpose();
-        result.push_back(
-            {.place = static_cast<int>(best),
-             .left_over = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
+        result.push_back({.place = static_cast<int>(best),
+                          .left_over = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
     }
     return result;
 }

@@ -9,8 +9,8 @@ namespace taut {
 
 /// What one more target tells.
 struct SurveyGain {
-    int place = 0;            ///< of the node, among those of the draws
-    double left_over = 0.0;   ///< root of the mean variance after this target and those before
+    int place = 0;           ///< of the node, among those of the draws
+    double left_over = 0.0;  ///< root of the mean variance after this target and those before
 };
 
 /// The targets that tell most of numbers that are known by draws, one after the other: each lowers

@@ -19,6 +19,9 @@ namespace {
 constexpr double negligible_excess = 1e-5;  ///< of the mean tension
 constexpr int most_passes = 8;
 
+/// Of the margin that a plan keeps for what is not known, this part is kept on the way.
+constexpr double margin_on_the_way = 0.9;
+
 /// Where a crew stands to turn an edge: its support, else its middle.
 Eigen::Vector3d station_of(const CableNet& net, int edge) {
     const auto [s, t] = net.edges()[edge];
@@ -29,6 +32,17 @@ Eigen::Vector3d station_of(const CableNet& net, int edge) {
         return net.nodes().col(t);
     }
     return 0.5 * (net.nodes().col(s) + net.nodes().col(t));
+}
+
+ForceRange range_on_the_way(ForceRange told, const Plan& plan) {
+    if (!plan.held.empty()) {
+        const auto between = [](double from, double to) {
+            return std::isinf(from) ? from : from + margin_on_the_way * (to - from);
+        };
+        told.lower = told.lower.binaryExpr(plan.held.front().lower, between).eval();
+        told.upper = told.upper.binaryExpr(plan.held.front().upper, between).eval();
+    }
+    return told;
 }
 
 /// Work under way: the strokes done, and how much worse than before the work forces are beyond.
@@ -44,12 +58,17 @@ public:
         // Later loads do not act yet while the crews turn.
         m_response.emplace_back(LimitedResponse{
             .response = StrokeResponse(built.net, edges, supports_of(limits.reactions)),
-            .range = plan.held.empty() ? range_of(built.net, limits.tension, limits.reactions)
-                                       : plan.held.front(),
+            .range = range_on_the_way(range_of(built.net, limits.tension, limits.reactions), plan),
             .start = built.net.nodes()});
         m_strokes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(edges.size()));
         m_now = at(m_strokes);
-        m_allowed = beyond(m_now).cwiseMax(0.0);
+        Eigen::VectorXd all = m_strokes;
+        for (Eigen::Index k = 0; k < all.size(); ++k) {
+            all(k) = plan.strokes[static_cast<size_t>(k)].stroke;
+        }
+        // Where the plan ends it was accepted, though the limits that it held may be missed by
+        // little there.
+        m_allowed = beyond(m_now).cwiseMax(beyond(at(all))).cwiseMax(0.0);
         m_unit = std::max(1e-9, m_now.equilibrium.mean_tension);
     }
 

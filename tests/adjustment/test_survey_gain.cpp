@@ -23,8 +23,8 @@ Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index columns, std::uint
 TEST(SurveyGain, IsThatOfTheConditionalDistribution) {
     constexpr int places = 5;
     constexpr double noise = 0.4;
-    const Eigen::MatrixXd forms = normal_matrix(3 * places, 3 * places, 1) *
-                                  normal_matrix(3 * places, 400, 2);
+    const Eigen::MatrixXd forms =
+        normal_matrix(3 * places, 3 * places, 1) * normal_matrix(3 * places, 400, 2);
     const Eigen::MatrixXd numbers = normal_matrix(4, 3 * places, 3) * forms;
     const std::vector<SurveyGain> gains = gains_of_targets(forms, numbers, noise, 2);
     ASSERT_EQ(gains.size(), 2U);

@@ -876,6 +876,20 @@ export interface Plan {
      */
     fewest_bound: number | null;
   };
+  /**
+   * Targets that would tell of the planned form what is not known yet; null where it was not asked.
+   */
+  survey_first?: {
+    noise: number;
+    targets: {
+      node: Index;
+      id: string;
+      /**
+       * What is left with this and those before, root mean square [m].
+       */
+      normal_unknown: number;
+    }[];
+  } | null;
   draws: Count;
   /**
    * Why there are none; null where there are.

@@ -43,7 +43,8 @@ struct TurnOrderOptions {
 /// Looks for passes over the net in which no cable leaves its limits at any moment: neighbouring
 /// stations together, in one pass if that can be, else in two, four or eight, each with its part of
 /// every stroke. Exact equilibrium after every moment. docs/theory.md (turn-order).
-/// @param plan of this net; its limits hold for the estimate, narrowed as the plan's were
+/// @param plan of this net; its limits hold for the estimate, narrowed by nine tenths of what the
+/// plan's were
 /// @throws std::invalid_argument for crews below 1 or above 100, a step that is negative, and what
 ///   plan_strokes() refuses of limits
 /// @throws Interrupted
