@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 #
-# Takes the pictures of README.md and docs/ anew, from a report of the program at build/taut.
+# Takes the pictures of README.md and docs/ anew, from reports of the program at build/taut.
 # Needs what the tests need: Chromium, and the viewer's npm packages.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-build/taut reproduce -o build/pictures --quiet > /dev/null
+scripts/demo.sh build/pictures > /dev/null 2>&1
 mkdir -p docs/images
 cd viewer
 [[ -d node_modules/playwright-core ]] || npm ci --ignore-scripts --no-audit --no-fund
-node tests/pictures.mjs ../build/pictures/report.html ../docs/images
+node tests/pictures.mjs ../build/pictures/report.html ../build/pictures/plan.html ../docs/images

@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Takes the pictures of the documentation from a report: node tests/pictures.mjs REPORT FOLDER
+// Takes the pictures of the documentation from the reports of a study and of a plan:
+// node tests/pictures.mjs STUDY PLAN FOLDER
 
 import { join, resolve } from "node:path";
 import { chromium } from "playwright-core";
 
-const [report, folder] = process.argv.slice(2);
+const [study, plan, folder] = process.argv.slice(2);
 const browser = await chromium.launch({
   executablePath: process.env.TAUT_CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
 
 /** One picture: what is done to the page first, and the part of it that is taken, from the top without one. */
-async function take(name, { colorScheme = "light", first = async () => {}, part }) {
+async function take(name, { report = study, colorScheme = "light", first = async () => {}, part }) {
   const page = await browser.newPage({ viewport: { width: 1200, height: 840 }, colorScheme });
   await page.goto(`file://${resolve(report)}`);
   await page.waitForSelector("body[data-ready]");
@@ -48,4 +49,5 @@ await take("report-top", {
     await page.click("#tables tr[data-row] >> nth=0");
   },
 });
+await take("plan", { report: plan, part: "#net" });
 await browser.close();
