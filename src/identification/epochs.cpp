@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,15 @@ bool goes_with_epochs(const Unknown& unknown) {
     using Kind = Unknown::Kind;
     return unknown.kind == Kind::stiffness || unknown.kind == Kind::temperature ||
            unknown.kind == Kind::loads || unknown.kind == Kind::adjustable;
+}
+
+/// Two surveys of which most targets agree to the last digit are one, counted twice.
+bool is_repeated(const Survey& a, const Survey& b) {
+    std::vector<int> both;
+    std::ranges::set_intersection(a.surveyed, b.surveyed, std::back_inserter(both));
+    const auto same =
+        std::ranges::count_if(both, [&](int node) { return a.form.col(node) == b.form.col(node); });
+    return !both.empty() && 2 * same > std::ssize(both);
 }
 
 void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
@@ -60,6 +70,14 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
             throw SurveyError(0,
                               "is taken for exact, and --epoch needs its noise (--noise, or sx, "
                               "sy, sz in the file)");
+        }
+        for (size_t j = 0; j < k; ++j) {
+            if (is_repeated(epochs[j].survey, epochs[k].survey)) {
+                throw SurveyError(0,
+                                  fmt::format("repeats survey {} as survey {} to the last digit: "
+                                              "what was seen once would be counted twice",
+                                              j + 1, k + 1));
+            }
         }
     }
 }
@@ -121,7 +139,8 @@ void add_changes(Trust& trust, const CableNet& net, const std::vector<EpochResul
                      fmt::format("{} length{} changed {}: {}", names.size(),
                                  names.size() == 1 ? "" : "s", between, fmt::join(names, ", ")),
                  .next = "If these were turned, tell it among the turns; else look whether they "
-                         "slipped. Each survey was given a length of its own for them"});
+                         "slipped, or a support at them moved. Each survey was given a length of "
+                         "its own for them"});
         }
     }
 }

@@ -311,6 +311,9 @@ TEST(Epochs, RefuseWhatTheyCannotTell) {
     exact[1].survey.noise_std.setZero();
     EXPECT_THAT(refused(exact, with_law()), ThrowsMessage<SurveyError>(HasSubstr("noise")));
     std::vector<Epoch> wrong = job.epochs;
+    wrong[1].survey = wrong[0].survey;
+    EXPECT_THAT(refused(wrong, with_law()), ThrowsMessage<SurveyError>(HasSubstr("counted twice")));
+    wrong = job.epochs;
     wrong[1].turned.push_back({.edge = net().interior_edges()[0], .stroke = 1e-3});
     EXPECT_THAT(refused(wrong, with_law()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("expected an adjustable one")));
