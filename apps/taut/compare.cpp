@@ -138,7 +138,9 @@ void add_compare(CLI::App& program) {
         "Along three axes, not over all combinations: the noise of the survey, at 950 training\n"
         "samples (or the most, where 950 is none of them); the training samples, at noise 0 and\n"
         "0.5 mm (or the largest); the part of hidden nodes, at 950 samples and 0.5 mm. And with\n"
-        "--unknown on nets that differ in more than lengths, told to the methods and not.",
+        "--unknown on nets that differ in more than lengths, told to the methods and not. And "
+        "with\n"
+        "--epochs by several surveys of each net at once.",
         "  taut compare net.json -o comparison\n"
         "  taut compare net.json -o comparison --noise 0,0.5mm --training 100,300 --hidden 0,20%",
         *options);
@@ -161,6 +163,11 @@ void add_compare(CLI::App& program) {
     command.add_option("--law", options->law, "Law of the length deviations")
         ->capture_default_str();
     add_unknown_option(command, options->unknowns);
+    command
+        .add_option("--epochs", options->comparison.epochs,
+                    "Surveys of each net used at once, up to so many: as it stands, and with every "
+                    "turnbuckle turned by up to 5 mm in between")
+        ->capture_default_str();
     add_seed_option(command, options->comparison.seed);
     command.callback([options] { run(*options); });
 }

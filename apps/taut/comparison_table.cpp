@@ -141,6 +141,13 @@ std::string comparison_table(const Comparison& comparison) {
             last = place;
         }
     }
+    if (!comparison.epoch_rows.empty()) {
+        text += fmt::format("\nOver the surveys of each net, all used at once, noise {:.4g} mm\n{}",
+                            1e3 * settings.common_noise(), head("surveys"));
+        for (const ComparisonRow& row : comparison.epoch_rows) {
+            text += line(fmt::format("{}{}", row.epochs, row.is_turned ? " turned" : ""), row);
+        }
+    }
     text += fmt::format(
         "\nSeconds: sampling {:.2f}, training {:.2f}, identification {:.2f}, in all {:.2f}\n",
         comparison.seconds.sampling, comparison.seconds.training, comparison.seconds.identification,

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace taut {
 namespace {
@@ -116,47 +117,68 @@ LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step) {
     return with_root(precision, pull, to);
 }
 
-/// In standard deviations before any survey, with A the covariance by the others, m their mean and
-/// J, p the survey's own evidence: g = W (y - m) for p = J y, W = (J^-1 + A)^-1, without J^-1:
+EvidenceTest::EvidenceTest(const Eigen::VectorXd& prior_variances, const LengthEvidence& others,
+                           const LengthEvidence& own)
+    : m_stds(prior_variances.cwiseSqrt()) {
+    const auto by_std = m_stds.asDiagonal();
+    Standardised before = standardised(others, m_stds);
+    m_covariance = std::move(before.covariance);
+    m_mean = std::move(before.mean);
+    m_own = by_std * own.information * by_std;
+    m_pull = by_std * own.pull;
+    update();
+}
+
+void EvidenceTest::let_go(Eigen::Index entry) {
+    constexpr double anything = 0.1;  // [m]
+    m_covariance(entry, entry) += std::pow(anything / m_stds(entry), 2);
+    update();
+}
+
+/// With A the covariance by the others, m their mean and J, p the survey's own evidence:
+/// g = W (y - m) for p = J y, W = (J^-1 + A)^-1, without J^-1:
 ///
 ///   g = (1 + J A)^-1 (p - J m),   W = (1 + J A)^-1 J
-EvidenceTest test_evidence(const Eigen::VectorXd& prior_variances, const LengthEvidence& others,
-                           const LengthEvidence& own) {
-    constexpr double least_shown = 1e-3;  // in standard deviations before any survey
-    const Eigen::VectorXd stds = prior_variances.cwiseSqrt();
-    const auto by_std = stds.asDiagonal();
-    const Standardised before = standardised(others, stds);
-    const Eigen::MatrixXd J = by_std * own.information * by_std;
-    const Eigen::VectorXd p = by_std * own.pull;
+void EvidenceTest::update() {
     const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
-        Eigen::MatrixXd::Identity(J.rows(), J.cols()) + J * before.covariance);
-    const Eigen::VectorXd gradient = factor.solve(p - J * before.mean);
-    const Eigen::MatrixXd information = symmetric(factor.solve(J));
-    EvidenceTest result{
-        .change = Eigen::VectorXd::Zero(stds.size()),
-        .std = Eigen::VectorXd::Constant(stds.size(), std::numeric_limits<double>::infinity()),
-        .statistic = Eigen::VectorXd::Zero(stds.size())};
-    for (Eigen::Index i = 0; i < stds.size(); ++i) {
-        const double shown = information(i, i);
+        Eigen::MatrixXd::Identity(m_own.rows(), m_own.cols()) + m_own * m_covariance);
+    m_gradient = factor.solve(m_pull - m_own * m_mean);
+    m_information = symmetric(factor.solve(m_own));
+}
+
+EvidenceTest::Changes EvidenceTest::changes() const {
+    constexpr double least_shown = 1e-3;  // in standard deviations before any survey
+    const Eigen::Index size = m_stds.size();
+    Changes result{.change = Eigen::VectorXd::Zero(size),
+                   .std = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity()),
+                   .statistic = Eigen::VectorXd::Zero(size)};
+    for (Eigen::Index i = 0; i < size; ++i) {
+        const double shown = m_information(i, i);
         if (shown > least_shown * least_shown) {
-            result.change(i) = stds(i) * gradient(i) / shown;
-            result.std(i) = stds(i) / std::sqrt(shown);
-            result.statistic(i) = std::abs(gradient(i)) / std::sqrt(shown);
-        }
-    }
-    // L^-1 P g has independent entries of variance D.
-    const Eigen::LDLT<Eigen::MatrixXd> of_gradient(information);
-    Eigen::VectorXd independent = of_gradient.transpositionsP() * gradient;
-    of_gradient.matrixL().solveInPlace(independent);
-    constexpr double rounding = 1e-9;
-    const double least = rounding * of_gradient.vectorD().maxCoeff();
-    for (Eigen::Index i = 0; i < stds.size(); ++i) {
-        if (const double variance = of_gradient.vectorD()(i); variance > least) {
-            result.squares += independent(i) * independent(i) / variance;
-            ++result.rank;
+            result.change(i) = m_stds(i) * m_gradient(i) / shown;
+            result.std(i) = m_stds(i) / std::sqrt(shown);
+            result.statistic(i) = std::abs(m_gradient(i)) / std::sqrt(shown);
         }
     }
     return result;
+}
+
+/// L^-1 P g has independent entries of variance D.
+double EvidenceTest::ratio() const {
+    const Eigen::LDLT<Eigen::MatrixXd> factor(m_information);
+    Eigen::VectorXd independent = factor.transpositionsP() * m_gradient;
+    factor.matrixL().solveInPlace(independent);
+    constexpr double rounding = 1e-9;
+    const double least = rounding * factor.vectorD().maxCoeff();
+    double squares = 0.0;
+    int rank = 0;
+    for (Eigen::Index i = 0; i < independent.size(); ++i) {
+        if (const double variance = factor.vectorD()(i); variance > least) {
+            squares += independent(i) * independent(i) / variance;
+            ++rank;
+        }
+    }
+    return rank > 0 ? std::sqrt(squares / rank) : 0.0;
 }
 
 }  // namespace taut

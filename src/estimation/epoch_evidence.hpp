@@ -42,17 +42,37 @@ struct EpochStep {
 [[nodiscard]] LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step);
 
 /// A survey held against others: whether x is the same in all, docs/theory.md (epoch-change).
-struct EvidenceTest {
-    /// If it is but for one entry of x: that entry's change, its standard deviation (infinite where
-    /// the surveys do not show it), and the change over it.
-    Eigen::VectorXd change;
-    Eigen::VectorXd std;
-    Eigen::VectorXd statistic;
-    double squares = 0.0;  ///< of all together: chi squared of so many
-    int rank = 0;
+class EvidenceTest {
+public:
+    /// @param others as carried to the epoch of the survey
+    EvidenceTest(const Eigen::VectorXd& prior_variances, const LengthEvidence& others,
+                 const LengthEvidence& own);
+
+    /// Lets an entry of x have changed by anything.
+    void let_go(Eigen::Index entry);
+
+    /// If nothing changed but for one entry of x besides those let go: that entry's change, its
+    /// standard deviation (infinite where the surveys do not show it), and the change over it.
+    struct Changes {
+        Eigen::VectorXd change;
+        Eigen::VectorXd std;
+        Eigen::VectorXd statistic;
+    };
+    [[nodiscard]] Changes changes() const;
+
+    /// How far x differs in all that is shown, root mean square, over what is expected: about 1.
+    [[nodiscard]] double ratio() const;
+
+private:
+    void update();
+
+    Eigen::VectorXd m_stds;        ///< before any survey
+    Eigen::MatrixXd m_covariance;  ///< by the others, in these
+    Eigen::VectorXd m_mean;
+    Eigen::MatrixXd m_own;  ///< J
+    Eigen::VectorXd m_pull;
+    Eigen::VectorXd m_gradient;     ///< g
+    Eigen::MatrixXd m_information;  ///< W
 };
-/// @param others as carried to the epoch of the survey
-[[nodiscard]] EvidenceTest test_evidence(const Eigen::VectorXd& prior_variances,
-                                         const LengthEvidence& others, const LengthEvidence& own);
 
 }  // namespace taut

@@ -196,16 +196,16 @@ bool EpochChain::has_settled() const {
 }
 
 /// (epoch-change)
-std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest& test) const {
+std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest::Changes& changes) const {
     Eigen::Index worst = 0;
-    const Eigen::VectorXd lengths = test.statistic.head(std::ssize(m_edges));
+    const Eigen::VectorXd lengths = changes.statistic.head(std::ssize(m_edges));
     const double statistic = lengths.maxCoeff(&worst);
     if (statistic * statistic <= snooping_threshold(default_false_alarm_rate, m_edges.size(), 1)) {
         return std::nullopt;
     }
     return LengthChange{.edge = m_edges[static_cast<size_t>(worst)],
-                        .change = test.change(worst),
-                        .std = test.std(worst),
+                        .change = changes.change(worst),
+                        .std = changes.std(worst),
                         .statistic = statistic};
 }
 
@@ -230,18 +230,19 @@ void EpochChain::find_changes(const Progress& progress) {
         Changes& changes = m_changes[k];
         State& before = m_states[k - 1];
         State& state = m_states[k];
-        while (true) {
-            progress("comparing surveys", static_cast<int>(k), count());
-            state.earlier = carried(sum_of(before.earlier, before.own), before.step);
-            const EvidenceTest test = test_evidence(before.step.prior_to, state.earlier, state.own);
-            changes.ratio = test.rank > 0 ? std::sqrt(test.squares / test.rank) : 0.0;
-            const std::optional<LengthChange> worst = worst_change(test);
-            if (!worst || are_too_many_changes(m_net, changes.lengths.size())) {
-                break;
-            }
-            let_go(k, worst->edge);
+        progress("comparing surveys", static_cast<int>(k), count());
+        state.earlier = carried(sum_of(before.earlier, before.own), before.step);
+        EvidenceTest test(before.step.prior_to, state.earlier, state.own);
+        std::optional<LengthChange> worst = worst_change(test.changes());
+        while (worst && !are_too_many_changes(m_net, changes.lengths.size())) {
             changes.lengths.push_back(*worst);
+            let_go(k, worst->edge);
+            test.let_go(std::ranges::find(m_edges, worst->edge) - m_edges.begin());
+            worst = worst_change(test.changes());
         }
+        changes.ratio = test.ratio();
+        // What was let go is not told to later surveys.
+        state.earlier = carried(sum_of(before.earlier, before.own), before.step);
     }
 }
 

@@ -78,7 +78,8 @@ private:
     [[nodiscard]] Told told_of_form_alone(int k) const;
     [[nodiscard]] bool has_settled() const;
     [[nodiscard]] Eigen::VectorXd last_lengths() const;
-    [[nodiscard]] std::optional<LengthChange> worst_change(const EvidenceTest& test) const;
+    [[nodiscard]] std::optional<LengthChange> worst_change(
+        const EvidenceTest::Changes& changes) const;
 
     const CableNet& m_net;
     const IdentifyOptions& m_options;

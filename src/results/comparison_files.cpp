@@ -44,7 +44,9 @@ ResultJson row_json(const ComparisonRow& row) {
             {"coverage", number(any, result.coverage)},
             {"training_seconds", number(row.training_samples.has_value(), result.training_seconds)},
             {"seconds", number(any, result.seconds)},
-            {"model_errors", to_string(row.model_errors)}};
+            {"model_errors", to_string(row.model_errors)},
+            {"epochs", row.epochs},
+            {"turned", row.is_turned}};
 }
 
 ResultJson rows_json(const std::vector<ComparisonRow>& all) {
@@ -84,6 +86,7 @@ std::string comparison_to_json(const Comparison& comparison, const RunRecord& ru
     }
     document["rows"] = rows_json(comparison.rows);
     document["model_error_rows"] = rows_json(comparison.model_error_rows);
+    document["epoch_rows"] = rows_json(comparison.epoch_rows);
     return to_text(document);
 }
 
@@ -91,6 +94,7 @@ std::string comparison_to_csv(const Comparison& comparison) {
     std::string csv;
     std::vector<ComparisonRow> all = comparison.rows;
     std::ranges::copy(comparison.model_error_rows, std::back_inserter(all));
+    std::ranges::copy(comparison.epoch_rows, std::back_inserter(all));
     for (const ResultJson& row : rows_json(all)) {
         const auto add = [&](const auto& text) {
             const char* separator = "";

@@ -218,6 +218,39 @@ private:
     int m_evaluations = 0;  ///< begun
 };
 
+/// What more surveys of the same nets add, as they stand and with turns in between.
+void compare_epochs(Comparison& comparison, const DataSet& data, const std::vector<int>& surveyed,
+                    const Progress& progress) {
+    const ComparisonSettings& settings = comparison.settings;
+    if (settings.epochs < 2) {
+        return;
+    }
+    const CableNet& net = comparison.net;
+    const SurveyKind kind{.noise_std = settings.common_noise()};
+    const Stopwatch identification;
+    const auto add = [&](const Method& method, const std::vector<Trial>& trials, int epochs,
+                         bool is_turned) {
+        comparison.epoch_rows.push_back({.kind = kind,
+                                         .training_samples = {},
+                                         .epochs = epochs,
+                                         .is_turned = is_turned,
+                                         .result = evaluate(net, method, trials, progress).result,
+                                         .best_possible = {}});
+    };
+    const std::vector<Trial> first = simulate_trials(net, data, surveyed, kind, settings.seed);
+    add(method_by_maximum_a_posteriori(net, settings.law), first, 1, false);
+    std::vector<Trial> as_it_stands = first;
+    std::vector<Trial> turned = first;
+    const Method method = method_by_epochs(net, settings.law);
+    for (int epochs = 2; epochs <= settings.epochs; ++epochs) {
+        as_it_stands = surveyed_again(net, std::move(as_it_stands), kind, false, settings.seed);
+        add(method, as_it_stands, epochs, false);
+        turned = surveyed_again(net, std::move(turned), kind, true, settings.seed);
+        add(method, turned, epochs, true);
+    }
+    comparison.seconds.identification += identification.seconds();
+}
+
 int count_with_slack(const DataSet& data, const std::vector<int>& samples) {
     return static_cast<int>(std::ranges::count_if(
         samples, [&data](int sample) { return data.slack_counts[sample] > 0; }));
@@ -279,6 +312,14 @@ void ComparisonSettings::check() const {
                 fmt::format("the hidden part is {}, expected at least 0 and below 1", part));
         }
     }
+    constexpr int most_epochs = 10;
+    if (epochs < 1 || epochs > most_epochs) {
+        throw std::invalid_argument(
+            fmt::format("{} epochs, expected 1 to {}", epochs, most_epochs));
+    }
+    if (epochs > 1 && !(common_noise() > 0.0)) {
+        throw std::invalid_argument("epochs need a noise above 0");
+    }
     constexpr int most_surveys = 100'000;
     if (surveys < 1 || surveys > most_surveys) {
         throw std::invalid_argument(
@@ -311,6 +352,7 @@ Comparison compare_methods(const CableNet& net, const ComparisonSettings& settin
     comparison.surveys_with_slack = count_with_slack(data, surveyed);
 
     Comparing(comparison, data, surveyed, progress).run();
+    compare_epochs(comparison, data, surveyed, progress);
     comparison.seconds.total = total.seconds();
     return comparison;
 }

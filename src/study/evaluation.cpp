@@ -23,11 +23,11 @@ struct Outcome {
     double seconds = 0.0;
 };
 
-Outcome attempt(const Method& method, const Survey& survey) {
+Outcome attempt(const Method& method, const Trial& trial) {
     const Stopwatch stopwatch;
     Outcome outcome;
     try {
-        outcome.identification = method.identify(survey);
+        outcome.identification = method.identify(trial);
         const IdentificationStatus status = outcome.identification->status;
         if (status != IdentificationStatus::converged &&
             status != IdentificationStatus::no_equilibrium) {  // that one has lengths
@@ -52,7 +52,7 @@ std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>&
         if (progress.stopped()) {
             throw Interrupted();
         }
-        outcomes[k] = attempt(method, trials[k].survey);
+        outcomes[k] = attempt(method, trials[k]);
         const std::lock_guard lock(mutex);
         progress("identification", ++done, static_cast<int>(trials.size()));
     };

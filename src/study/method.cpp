@@ -7,6 +7,7 @@
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/processes.hpp"
+#include "taut/identification/epochs.hpp"
 
 namespace taut {
 
@@ -15,8 +16,8 @@ Method method_as_in_paper(const CableNet& net, const LengthModel& model) {
             .training_samples = model.training_count(),
             .needs_all_nodes = true,
             .uses_all_threads = true,
-            .identify = [&net, &model](const Survey& survey) {
-                return identify_as_in_paper(net, model, survey);
+            .identify = [&net, &model](const Trial& trial) {
+                return identify_as_in_paper(net, model, trial.survey);
             }};
 }
 
@@ -25,18 +26,18 @@ Method method_by_processes(const CableNet& net, const LengthModel& model) {
             .training_samples = model.training_count(),
             .uses_all_threads = true,
             .identify = [&net, &model,
-                         before = std::make_shared<FormDistribution>()](const Survey& survey) {
+                         before = std::make_shared<FormDistribution>()](const Trial& trial) {
                 if (before->mean.size() == 0) {
                     *before = form_before_survey(net, model);
                 }
-                return identify_by_processes(net, model, survey, &*before);
+                return identify_by_processes(net, model, trial.survey, &*before);
             }};
 }
 
 Method method_by_force_balance(const CableNet& net, const LengthLaw& law) {
     return {
-        .name = "balance", .needs_all_nodes = true, .identify = [&net, law](const Survey& survey) {
-            return identify_by_force_balance(net, survey, law);
+        .name = "balance", .needs_all_nodes = true, .identify = [&net, law](const Trial& trial) {
+            return identify_by_force_balance(net, trial.survey, law);
         }};
 }
 
@@ -44,8 +45,17 @@ Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law,
                                       const std::vector<Unknown>& unknowns) {
     Told told(law);
     told.unknowns = unknowns;
-    return {.name = "map", .identify = [&net, told](const Survey& survey) {
-                return identify_by_maximum_a_posteriori(net, survey, told);
+    return {.name = "map", .identify = [&net, told](const Trial& trial) {
+                return identify_by_maximum_a_posteriori(net, trial.survey, told);
+            }};
+}
+
+Method method_by_epochs(const CableNet& net, const LengthLaw& law) {
+    IdentifyOptions options;
+    options.law = law;
+    options.draws = 0;
+    return {.name = "map", .identify = [&net, options](const Trial& trial) {
+                return identify_epochs(net, trial.epochs, options);
             }};
 }
 

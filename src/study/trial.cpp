@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <unordered_set>
 
+#include "numerics/random_numbers.hpp"
+#include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/simulation.hpp"
 
@@ -34,6 +36,21 @@ std::vector<bool> slack_interior_edges(const CableNet& net, const Eigen::VectorX
     return result;
 }
 
+Survey survey_of_kind(const CableNet& net, const Points& form, const SurveyKind& kind,
+                      std::uint64_t seed) {
+    const SurveySimulation simulation{
+        .noise_std = kind.noise_std, .dropped_part = kind.hidden_part, .seed = seed};
+    const std::vector<SurveyPoint> points =
+        without_supports(simulate_survey(net, form, simulation), net);
+    try {
+        return match_to_nodes(net, points);
+    } catch (const SurveyError&) {
+        throw std::invalid_argument(fmt::format(
+            "noise of {:.4g} m puts targets further from their nodes than edges are long",
+            kind.noise_std));
+    }
+}
+
 }  // namespace
 
 std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
@@ -46,20 +63,47 @@ std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
                     .form = with_free_coordinates(
                         net, data.nominal_form + data.form_deviations.col(sample))};
         trial.slack = slack_interior_edges(net, trial.deviations, trial.form);
-        const SurveySimulation simulation{
-            .noise_std = kind.noise_std,
-            .dropped_part = kind.hidden_part,
-            .seed = (seed << sample_bits) + static_cast<std::uint64_t>(sample)};
-        const std::vector<SurveyPoint> points =
-            without_supports(simulate_survey(net, trial.form, simulation), net);
-        try {
-            trial.survey = match_to_nodes(net, points);
-        } catch (const SurveyError&) {
-            throw std::invalid_argument(fmt::format(
-                "noise of {:.4g} m puts targets further from their nodes than edges are long",
-                kind.noise_std));
-        }
+        trial.survey = survey_of_kind(net, trial.form, kind,
+                                      (seed << sample_bits) + static_cast<std::uint64_t>(sample));
         trials.push_back(std::move(trial));
+    }
+    return trials;
+}
+
+std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials,
+                                  const SurveyKind& kind, bool is_turned, std::uint64_t seed) {
+    constexpr double longest = 5e-3;  // [m]
+    constexpr double most = 0.05;     // of the edge
+    constexpr int trial_bits = 32;
+    for (size_t k = 0; k < trials.size(); ++k) {
+        Trial& trial = trials[k];
+        if (trial.epochs.empty()) {
+            trial.epochs.push_back({.survey = trial.survey, .turned = {}});
+        }
+        // No survey has noise or strokes in common with another.
+        const std::uint64_t own = ((seed + 1) << trial_bits) * (trial.epochs.size() + 1) + k;
+        RandomNumbers random(own, 0);
+        Epoch epoch;
+        for (const int edge : is_turned ? net.adjustable_edges() : std::vector<int>()) {
+            const double reach = std::min(longest, most * net.unstressed_lengths()(edge));
+            epoch.turned.push_back(
+                {.edge = edge, .stroke = reach * (2.0 * random.uniform() - 1.0), .std = 0.0});
+        }
+        std::vector<std::vector<EdgeTurned>> steps;
+        for (const Epoch& before : trial.epochs) {
+            steps.push_back(before.turned);
+        }
+        steps.push_back(epoch.turned);
+        const CableNet turned = turned_net(net, all_turned(steps));
+        const Equilibrium equilibrium = EquilibriumSolver(turned).solve(
+            with_length_deviations(turned, trial.deviations), trial.form);
+        if (!equilibrium.balanced()) {
+            throw std::invalid_argument("a net as turned finds no equilibrium");
+        }
+        trial.form = equilibrium.form;
+        trial.slack = slack_interior_edges(turned, trial.deviations, trial.form);
+        epoch.survey = trial.survey = survey_of_kind(net, trial.form, kind, own);
+        trial.epochs.push_back(std::move(epoch));
     }
     return trials;
 }

@@ -116,6 +116,30 @@ TEST_F(Compare, TriesNetsThatDifferInMoreThanLengthsToldAndNot) {
     }
 }
 
+TEST_F(Compare, TellsWhatSurveysAddWithAndWithoutTurnsInBetween) {
+    const std::string text =
+        must_run({"compare", "net.json", "-o", "out", "--noise", "0.5mm", "--training", "60",
+                  "--hidden", "0", "--surveys", "12", "--law", "uniform:2mm", "--epochs", "3"});
+    EXPECT_THAT(text, testing::HasSubstr("Over the surveys of each net, all used at once"));
+    const json document = json::parse(read("out/comparison.json"));
+    std::map<std::string, double> mse;
+    for (const json& row : document["epoch_rows"]) {
+        EXPECT_EQ(row["method"].get<std::string>(), "map");
+        EXPECT_EQ(row["failed"], 0);
+        EXPECT_GT(row["coverage"], 0.9);
+        mse[std::to_string(row["epochs"].get<int>()) + (row["turned"].get<bool>() ? "t" : "")] =
+            row["mse"];
+    }
+    EXPECT_EQ(mse.size(), 5U);
+    EXPECT_LT(mse["2"], 0.8 * mse["1"]);
+    EXPECT_LT(mse["2t"], 0.8 * mse["1"]);
+    EXPECT_LT(mse["3"], mse["2"]);
+    EXPECT_LT(mse["3t"], mse["2t"]);
+    EXPECT_EQ(run({"compare", "net.json", "-o", "out", "--epochs", "0"}).exit_code, 2);
+    EXPECT_EQ(run({"compare", "net.json", "-o", "out", "--noise", "0", "--epochs", "2"}).exit_code,
+              2);
+}
+
 TEST_F(Compare, PrintsATableForEachAxis) {
     const std::string text = compare("out");
     for (const std::string words :

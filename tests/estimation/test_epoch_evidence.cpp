@@ -104,26 +104,34 @@ TEST(EpochEvidence, HasARoot) {
 }
 
 /// Where all of x is told, the change of one entry that explains the difference best is that of
-/// least squares, and all together are chi squared.
+/// least squares, and all together are chi squared; what was let go is left out.
 TEST(EpochEvidence, IsTestedAsDifferencesOfLeastSquares) {
     test::Random random(6);
     const Eigen::VectorXd prior = Eigen::VectorXd::Constant(size, 2.0);
     const LengthEvidence others = random_evidence(random, 2);
     const LengthEvidence own = random_evidence(random, size);
-    const EvidenceTest test = test_evidence(prior, others, own);
+    EvidenceTest test(prior, others, own);
     const Eigen::MatrixXd before =
         (prior.cwiseInverse().asDiagonal().toDenseMatrix() + others.information).inverse();
     const Eigen::MatrixXd of_own = own.information.inverse();
     const Eigen::VectorXd difference = of_own * own.pull - before * others.pull;
-    const Eigen::MatrixXd weights = (before + of_own).inverse();
-    EXPECT_EQ(test.rank, size);
-    EXPECT_NEAR(test.squares, difference.dot(weights * difference), 1e-6 * test.squares);
-    for (int i = 0; i < size; ++i) {
-        const Eigen::VectorXd only = Eigen::VectorXd::Unit(size, i);
-        const double information = only.dot(weights * only);
-        EXPECT_NEAR(test.change(i), only.dot(weights * difference) / information, 1e-7);
-        EXPECT_NEAR(test.std(i), 1.0 / std::sqrt(information), 1e-7);
-        EXPECT_NEAR(test.statistic(i), std::abs(test.change(i)) / test.std(i), 1e-6);
+    Eigen::MatrixXd variance = before + of_own;
+    EXPECT_NEAR(test.ratio(), std::sqrt(difference.dot(variance.inverse() * difference) / size),
+                1e-6);
+    for (const bool is_first_let_go : {false, true}) {
+        if (is_first_let_go) {
+            test.let_go(0);
+            variance(0, 0) += 0.1 * 0.1;
+        }
+        const Eigen::MatrixXd weights = variance.inverse();
+        const EvidenceTest::Changes changes = test.changes();
+        for (int i = 0; i < size; ++i) {
+            const Eigen::VectorXd only = Eigen::VectorXd::Unit(size, i);
+            const double information = only.dot(weights * only);
+            EXPECT_NEAR(changes.change(i), only.dot(weights * difference) / information, 1e-7);
+            EXPECT_NEAR(changes.std(i), 1.0 / std::sqrt(information), 1e-7);
+            EXPECT_NEAR(changes.statistic(i), std::abs(changes.change(i)) / changes.std(i), 1e-6);
+        }
     }
 }
 

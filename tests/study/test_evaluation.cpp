@@ -32,21 +32,18 @@ protected:
     }
 
     /// Identifies the truth but for a known error of one edge, and says +- 1 mm.
-    [[nodiscard]] Method planted(const std::vector<Trial>& trials, double error) const {
-        return {.name = "planted", .identify = [this, &trials, error](const Survey& survey) {
-                    const auto found = std::ranges::find_if(trials, [&survey](const Trial& trial) {
-                        return trial.survey.form == survey.form;
-                    });
+    [[nodiscard]] Method planted(double error) const {
+        return {.name = "planted", .identify = [this, error](const Trial& trial) {
                     Identification result{.method = "planted"};
                     for (int i = 0; i < m_net.interior_edge_count(); ++i) {
-                        const double x = found->deviations(i) + (i == 3 ? error : 0.0);
+                        const double x = trial.deviations(i) + (i == 3 ? error : 0.0);
                         result.edges.push_back({.edge = m_net.interior_edges()[i],
                                                 .length_deviation = x,
                                                 .lower = x - 1e-3,
                                                 .upper = x + 1e-3});
                     }
                     result.predicted.status = EquilibriumStatus::converged;
-                    result.predicted.form = found->form;
+                    result.predicted.form = trial.form;
                     result.predicted.form(2, m_net.free_nodes()[0]) += 0.01;
                     return result;
                 }};
@@ -113,7 +110,7 @@ TEST_F(Trials, KnowWhichInteriorEdgesAreSlack) {
 TEST_F(Trials, AreEvaluatedByTheErrorsAndIntervalsOfTheMethod) {
     const auto trials = simulated({});
     const int m = m_net.interior_edge_count();
-    const MethodResult inside = evaluate(m_net, planted(trials, 5e-4), trials).result;
+    const MethodResult inside = evaluate(m_net, planted(5e-4), trials).result;
     EXPECT_EQ(inside.name, "planted");
     EXPECT_EQ(inside.surveys, 4);
     EXPECT_EQ(inside.failed, 0);
@@ -124,7 +121,7 @@ TEST_F(Trials, AreEvaluatedByTheErrorsAndIntervalsOfTheMethod) {
     EXPECT_NEAR(inside.form_error.max, 0.01, 1e-15);
     EXPECT_NEAR(inside.form_error.mean, 0.01 / m_net.free_node_count(), 1e-15);
     EXPECT_GT(inside.seconds, 0.0);
-    const MethodResult outside = evaluate(m_net, planted(trials, 2e-3), trials).result;
+    const MethodResult outside = evaluate(m_net, planted(2e-3), trials).result;
     EXPECT_DOUBLE_EQ(outside.coverage, (m - 1.0) / m);
 }
 
@@ -133,21 +130,21 @@ TEST_F(Trials, LeaveSlackEdgesOutOfTheErrorOfTautOnes) {
     for (Trial& trial : trials) {
         trial.slack[3] = true;
     }
-    const MethodResult result = evaluate(m_net, planted(trials, 5e-4), trials).result;
+    const MethodResult result = evaluate(m_net, planted(5e-4), trials).result;
     EXPECT_EQ(result.mse_of_taut, 0.0);
     EXPECT_GT(result.errors.mse, 0.0);
 }
 
 TEST_F(Trials, CountFailuresAndLeaveThemOutOfAllNumbers) {
     const auto trials = simulated({});
-    const Method good = planted(trials, 5e-4);
+    const Method good = planted(5e-4);
     Method method = good;
-    method.identify = [&](const Survey& survey) -> Identification {
-        if (survey.form == trials[1].survey.form) {
+    method.identify = [&](const Trial& trial) -> Identification {
+        if (trial.survey.form == trials[1].survey.form) {
             throw std::runtime_error("no such luck");
         }
-        Identification result = good.identify(survey);
-        if (survey.form == trials[2].survey.form) {
+        Identification result = good.identify(trial);
+        if (trial.survey.form == trials[2].survey.form) {
             result.status = IdentificationStatus::iteration_limit;
             result.edges[0].length_deviation = 1e3;
         }
@@ -165,7 +162,7 @@ TEST_F(Trials, CountFailuresAndLeaveThemOutOfAllNumbers) {
         EXPECT_FALSE(evaluation.identifications[1].has_value());
         EXPECT_FALSE(evaluation.identifications[2].has_value());
     }
-    method.identify = [](const Survey&) -> Identification { throw std::invalid_argument("never"); };
+    method.identify = [](const Trial&) -> Identification { throw std::invalid_argument("never"); };
     const MethodResult none = evaluate(m_net, method, trials).result;
     EXPECT_EQ(none.failed, 4);
     EXPECT_EQ(none.first_failure, "never");
@@ -173,11 +170,11 @@ TEST_F(Trials, CountFailuresAndLeaveThemOutOfAllNumbers) {
 
 TEST_F(Trials, CountFormsOutOfBalanceAndLeaveThemOutOfTheFormError) {
     const auto trials = simulated({});
-    const Method good = planted(trials, 0.0);
+    const Method good = planted(0.0);
     Method method = good;
-    method.identify = [&](const Survey& survey) {
-        Identification result = good.identify(survey);
-        if (survey.form == trials[0].survey.form) {
+    method.identify = [&](const Trial& trial) {
+        Identification result = good.identify(trial);
+        if (trial.survey.form == trials[0].survey.form) {
             result.predicted.status = EquilibriumStatus::iteration_limit;
             result.predicted.form.setConstant(7.0);
         }
@@ -224,13 +221,13 @@ TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBestPossible) {
 
 TEST_F(Trials, AreStoppedWhereThatIsRequested) {
     const auto trials = simulated({});
-    Method method = planted(trials, 0.0);
+    Method method = planted(0.0);
     method.uses_all_threads = true;
     int tried = 0;
     const auto identify = method.identify;
-    method.identify = [&](const Survey& survey) {
+    method.identify = [&](const Trial& trial) {
         ++tried;
-        return identify(survey);
+        return identify(trial);
     };
     const Progress progress{.stop_requested = [&] { return tried > 0; }};
     EXPECT_THROW((void)evaluate(m_net, method, trials, progress), Interrupted);

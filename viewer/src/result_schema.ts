@@ -714,6 +714,10 @@ export interface Comparison {
    * On nets that differ from the design in these.
    */
   model_error_rows?: ComparisonRow[];
+  /**
+   * By several surveys of each net at once.
+   */
+  epoch_rows?: ComparisonRow[];
 }
 /**
  * One method at one noise, training size and part of hidden nodes. What the method does not have is null.
@@ -725,6 +729,14 @@ export interface ComparisonRow {
    */
   noise: number;
   hidden_fraction?: SizeOrNull;
+  /**
+   * Surveys of each net that are used at once.
+   */
+  epochs?: number;
+  /**
+   * Whether edges were turned between them.
+   */
+  turned?: boolean;
   /**
    * Whether the surveyed nets differ from the design in more than lengths, and whether the method was told in what.
    */

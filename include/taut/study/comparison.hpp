@@ -18,7 +18,8 @@ namespace taut {
 /// axes: noise, at common_training() samples; training samples, without noise (if that is one of
 /// the noises) and at common_noise(); hidden nodes, at both common ones. Only the third hides
 /// nodes. And where more than lengths is unknown, at both common ones: nets that differ in it, with
-/// that told to the methods and not.
+/// that told to the methods and not. And where there are several surveys: one, two, ... of each net
+/// at once, at the common noise.
 struct ComparisonSettings {
     std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
@@ -27,6 +28,7 @@ struct ComparisonSettings {
     LengthLaw law;
     std::uint64_t seed = 1;
     std::vector<Unknown> unknowns;  ///< besides the lengths; empty: no such axis
+    int epochs = 1;                 ///< surveys of one net; 1: no such axis
 
     /// 950, as in the paper, where that is among the training samples; else the most.
     [[nodiscard]] int common_training() const;
@@ -34,8 +36,8 @@ struct ComparisonSettings {
     [[nodiscard]] double common_noise() const;
 
     /// @throws std::invalid_argument for an empty list, noise that is negative or not finite, fewer
-    ///   than two training samples, a hidden part outside [0, 1), and no survey; and as
-    ///   LengthLaw::check()
+    ///   than two training samples, a hidden part outside [0, 1), no survey, fewer than one epoch
+    ///   or more than ten, epochs without noise; and as LengthLaw::check()
     void check() const;
 };
 
@@ -51,6 +53,8 @@ struct ComparisonRow {
     SurveyKind kind;
     ModelErrors model_errors = ModelErrors::none;
     std::optional<int> training_samples;  ///< empty: the method learns from none
+    int epochs = 1;                       ///< surveys of each net that are used at once
+    bool is_turned = false;               ///< whether edges were turned between them
     MethodResult result;
     /// Of these surveys, whatever the method. Empty without noise and hidden nodes, where every
     /// length can be known but that of a slack edge; and where it could not be computed.
@@ -67,6 +71,9 @@ struct Comparison {
     /// Of nets that differ in more than lengths: of each method untold, then of "gp" and "map"
     /// told.
     std::vector<ComparisonRow> model_error_rows;
+    /// Of several surveys: "map" of one, then of two as the net stands and with turns in between,
+    /// and so on.
+    std::vector<ComparisonRow> epoch_rows;
     int samples = 0;             ///< drawn
     int not_converged = 0;       ///< of these, neither trained on nor surveyed
     int surveys = 0;             ///< of each kind

@@ -11,6 +11,7 @@
 #include "taut/identification/result.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/sampling/unknown.hpp"
+#include "taut/study/trial.hpp"
 
 namespace taut {
 
@@ -23,7 +24,7 @@ struct Method {
     bool needs_all_nodes = false;  ///< takes no survey with hidden nodes
     /// Its dense algebra uses all threads, and wants to be called from one at a time.
     bool uses_all_threads = false;
-    std::function<Identification(const Survey&)> identify;
+    std::function<Identification(const Trial&)> identify;
 };
 
 /// "gp_as_in_paper": what identify() does with a model trained as in the paper. The predicted form
@@ -40,5 +41,8 @@ struct Method {
 /// @param unknowns what is told to be unknown besides the lengths
 [[nodiscard]] Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law,
                                                     const std::vector<Unknown>& unknowns = {});
+
+/// "map" of all surveys of a trial at once, identify_epochs().
+[[nodiscard]] Method method_by_epochs(const CableNet& net, const LengthLaw& law);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "taut/identification/epochs.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -25,6 +26,8 @@ struct Trial {
     /// Of the interior edges (m_I): without tension in the true form, which hides their lengths.
     std::vector<bool> slack;
     Survey survey;  ///< noise is stated as it is
+    /// Where there are several surveys: all of them; form, slack and survey are of the last.
+    std::vector<Epoch> epochs;
 };
 
 /// Surveys of samples of a data set. Noise and hidden nodes of a trial follow from the seed and the
@@ -36,5 +39,13 @@ struct Trial {
 [[nodiscard]] std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
                                                  const std::vector<int>& samples,
                                                  const SurveyKind& kind, std::uint64_t seed);
+
+/// The same trials, surveyed once more: as they stand, or after every adjustable edge was turned by
+/// a stroke drawn from [-5 mm, 5 mm], at most a twentieth of its length, which is told.
+/// @throws std::invalid_argument as simulate_trials(), and where a net as turned finds no
+///   equilibrium
+[[nodiscard]] std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials,
+                                                const SurveyKind& kind, bool is_turned,
+                                                std::uint64_t seed);
 
 }  // namespace taut
