@@ -163,6 +163,15 @@ EvidenceTest::Changes EvidenceTest::changes() const {
     return result;
 }
 
+std::pair<double, double> EvidenceTest::change_along(const Eigen::VectorXd& direction) const {
+    const Eigen::VectorXd d = direction.cwiseQuotient(m_stds);
+    const double shown = d.dot(m_information * d);
+    if (!(shown > 0.0)) {
+        return {0.0, std::numeric_limits<double>::infinity()};
+    }
+    return {d.dot(m_gradient) / shown, 1.0 / std::sqrt(shown)};
+}
+
 /// L^-1 P g has independent entries of variance D.
 double EvidenceTest::ratio() const {
     const Eigen::LDLT<Eigen::MatrixXd> factor(m_information);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
@@ -59,6 +60,10 @@ public:
         Eigen::VectorXd statistic;
     };
     [[nodiscard]] Changes changes() const;
+
+    /// If x changed by a multiple of a direction, and nothing else did: that multiple and its
+    /// standard deviation, infinite where the surveys do not show it.
+    [[nodiscard]] std::pair<double, double> change_along(const Eigen::VectorXd& direction) const;
 
     /// How far x differs in all that is shown, root mean square, over what is expected: about 1.
     [[nodiscard]] double ratio() const;

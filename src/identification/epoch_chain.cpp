@@ -97,6 +97,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
         steps.push_back(epoch.turned);
         m_states.push_back({.net = settled_net(net, all_turned(steps)),
                             .survey = &epoch.survey,
+                            .turned = &epoch.turned,
                             .stds = has_adjustable ? stds : Eigen::VectorXd(),
                             .step = {},
                             .earlier = no_evidence(size()),
@@ -241,8 +242,26 @@ void EpochChain::find_changes(const Progress& progress) {
             worst = worst_change(test.changes());
         }
         changes.ratio = test.ratio();
+        tell_stroke_factor(changes, test, *state.turned);
         // What was let go is not told to later surveys.
         state.earlier = carried(sum_of(before.earlier, before.own), before.step);
+    }
+}
+
+/// Whether all strokes are off by one factor, as with a pitch that was told wrong.
+void EpochChain::tell_stroke_factor(Changes& changes, const EvidenceTest& test,
+                                    const std::vector<EdgeTurned>& turned) const {
+    Eigen::VectorXd strokes = Eigen::VectorXd::Zero(size());
+    for (const EdgeTurned& one : turned) {
+        const auto has_changed = std::ranges::find(changes.lengths, one.edge, &LengthChange::edge);
+        if (has_changed == changes.lengths.end()) {
+            strokes(std::ranges::find(m_edges, one.edge) - m_edges.begin()) = one.stroke;
+        }
+    }
+    const auto [more, std] = test.change_along(strokes);
+    if (std::isfinite(std)) {
+        changes.stroke_factor = 1.0 + more;
+        changes.stroke_factor_std = std;
     }
 }
 

@@ -39,6 +39,9 @@ public:
     struct Changes {
         std::vector<LengthChange> lengths;  ///< since the survey before, the worst first
         double ratio = 0.0;                 ///< EpochResult::change_ratio
+        /// EpochResult::stroke_factor
+        double stroke_factor = 1.0;
+        double stroke_factor_std = 0.0;
     };
     /// One a survey; none of the first.
     [[nodiscard]] const std::vector<Changes>& changes() const { return m_changes; }
@@ -60,6 +63,7 @@ private:
     struct State {
         CableNet net;
         const Survey* survey;
+        const std::vector<EdgeTurned>* turned;  ///< since the survey before
         Eigen::VectorXd stds;    ///< of adjustable edges (m); empty where they are known
         EpochStep step;          ///< from here to the next
         LengthEvidence earlier;  ///< of the surveys before
@@ -78,6 +82,8 @@ private:
     [[nodiscard]] Told told_of_form_alone(int k) const;
     [[nodiscard]] bool has_settled() const;
     [[nodiscard]] Eigen::VectorXd last_lengths() const;
+    void tell_stroke_factor(Changes& changes, const EvidenceTest& test,
+                            const std::vector<EdgeTurned>& turned) const;
     [[nodiscard]] std::optional<LengthChange> worst_change(
         const EvidenceTest::Changes& changes) const;
 

@@ -112,20 +112,36 @@ double small_play(const std::vector<Epoch>& epochs) {
     return part_of_noise * noise;
 }
 
+constexpr const char* what_to_check =
+    "Check what is told of the turns (signs, units, which file), and that both surveys are of this "
+    "net";
+
+std::string contradiction_text(size_t before, double ratio) {
+    return fmt::format(
+        "between surveys {} and {} lengths changed {:.2g} times as much as both let "
+        "expect of the same ones",
+        before, before + 1, ratio);
+}
+
 /// Which lengths changed between two surveys.
 void add_changes(Trust& trust, const CableNet& net, const std::vector<EpochResult>& epochs) {
     for (size_t k = 1; k < epochs.size(); ++k) {
         const EpochResult& epoch = epochs[k];
         const std::string between = fmt::format("between surveys {} and {}", k, k + 1);
-        if (are_too_many_changes(net, epoch.changes.size()) || epoch.change_ratio > far_too_much) {
+        if (epoch.change_ratio > far_too_much) {
+            trust.findings.push_back({.verdict = Verdict::failed,
+                                      .reason = contradiction_text(k, epoch.change_ratio),
+                                      .next = what_to_check});
+            continue;
+        }
+        constexpr double beyond_chance = 4.0;
+        if (std::abs(epoch.stroke_factor - 1.0) > beyond_chance * epoch.stroke_factor_std) {
             trust.findings.push_back(
                 {.verdict = Verdict::failed,
-                 .reason = fmt::format("{} lengths changed {:.2g} times as much as both surveys "
-                                       "let expect of the same ones",
-                                       between, epoch.change_ratio),
-                 .next = "Check what is told of the turns (signs, units, which file), and that "
-                         "both surveys are of this net"});
-            continue;
+                 .reason = fmt::format("{} all edges were turned {:.3f} +- {:.3f} times as far as "
+                                       "told",
+                                       between, epoch.stroke_factor, epoch.stroke_factor_std),
+                 .next = "Check the length of a turn and the unit of what was turned"});
         }
         std::vector<std::string> names;
         for (const LengthChange& change : epoch.changes) {
@@ -184,6 +200,17 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     }
     EpochChain each(net, scaled, options, first.law, small_play(scaled));
     each.find_changes(progress);
+    for (int k = 1; k < each.count(); ++k) {
+        if (are_too_many_changes(net, each.changes()[k].lengths.size())) {
+            Identification none = each.found(k);
+            none.status = IdentificationStatus::survey_does_not_fit;
+            none.message =
+                fmt::format("{}, and more than a tenth of all. {}",
+                            contradiction_text(k, each.changes()[k].ratio), what_to_check);
+            none.method = to_string(IdentificationMethod::map);
+            return none;
+        }
+    }
     const std::vector<Epoch> changed = with_changes(net, scaled, each.changes());
     EpochChain chain(net, changed, options, first.law);
     chain.let_go(each.changes());
@@ -211,6 +238,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                                  .noise_scale = noise_scales[k],
                                  .change_ratio = each.changes()[k].ratio,
                                  .changes = each.changes()[k].lengths,
+                                 .stroke_factor = each.changes()[k].stroke_factor,
+                                 .stroke_factor_std = each.changes()[k].stroke_factor_std,
                                  .trust = trust_of(chain.net_at(k), scaled[k].survey, found)});
     }
     for (const Epoch& epoch : epochs) {

@@ -319,6 +319,8 @@ Json epochs_json(const CableNet& net, const std::vector<EpochResult>& epochs) {
                         {"noise_scale", epoch.noise_scale},
                         {"change_ratio", epoch.change_ratio},
                         {"changes", changes},
+                        {"stroke_factor", epoch.stroke_factor},
+                        {"stroke_factor_std", epoch.stroke_factor_std},
                         {"trust", trust_json(epoch.trust)}});
     }
     return list;

@@ -227,10 +227,23 @@ TEST(Epochs, NameACableThatSlipped) {
     }
 }
 
-TEST(Epochs, FailWhereTheTurnsAreOfAnotherDay) {
+TEST(Epochs, AreRefusedWhereTheTurnsAreOfAnotherDay) {
     const Job job = job_of(1, some_turns(1), some_turns(2));
     const Identification result = identify_epochs(net(), job.epochs, with_law());
+    EXPECT_EQ(result.status, IdentificationStatus::survey_does_not_fit);
+    EXPECT_THAT(result.message, HasSubstr("what is told of the turns"));
+}
+
+TEST(Epochs, FailWhereAllTurnsAreALittleOff) {
+    const std::vector<EdgeTurned> told = some_turns(1);
+    std::vector<EdgeTurned> done = told;
+    for (EdgeTurned& one : done) {
+        one.stroke *= 1.15;  // a pitch told wrong
+    }
+    const Job job = job_of(1, told, done);
+    const Identification result = identify_epochs(net(), job.epochs, with_law());
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
+    EXPECT_NEAR(result.epochs[1].stroke_factor, 1.15, 4.0 * result.epochs[1].stroke_factor_std);
 }
 
 TEST(Epochs, TakeThePlayOfTurnbucklesIntoAccount) {

@@ -433,6 +433,11 @@ export interface Epoch {
     std: number;
     statistic: number;
   }[];
+  /**
+   * By which all strokes would have to be multiplied to fit best; 1 where nothing was turned.
+   */
+  stroke_factor?: number;
+  stroke_factor_std?: number;
   trust: Trust1;
 }
 /**

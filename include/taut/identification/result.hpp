@@ -79,7 +79,11 @@ struct EpochResult {
     /// what both let expect: about 1. 0 of the first.
     double change_ratio = 0.0;
     std::vector<LengthChange> changes;  ///< since the survey before; the worst first
-    Trust trust;                        ///< of this survey alone
+    /// By which all strokes would have to be multiplied to fit best, and its standard deviation, 0
+    /// where nothing was turned; far from 1 where a pitch or unit was told wrong.
+    double stroke_factor = 1.0;
+    double stroke_factor_std = 0.0;
+    Trust trust;  ///< of this survey alone
 };
 
 /// The outcome of an identification, by whatever method. Only where the status is `converged` may
