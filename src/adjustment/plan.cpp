@@ -322,6 +322,7 @@ private:
             plan.tension_lower(e) = tension.lower;
             plan.tension_upper(e) = tension.upper;
         }
+        const FormTarget target = m_target->at(plan.form);
         double unknown = 0.0;
         int with_normal = 0;
         const Eigen::VectorXd planned = free_coordinates(net, plan.form);
@@ -331,7 +332,7 @@ private:
             const auto rows = moved.middleRows(Eigen::Index{3} * i, 3);
             plan.form_std.col(node) =
                 (rows.rowwise().squaredNorm() / static_cast<double>(draws())).cwiseSqrt();
-            const Eigen::Vector3d normal = m_target->normals().col(node);
+            const Eigen::Vector3d normal = target.normals().col(node);
             if (!normal.isZero(0.0)) {
                 unknown += (normal.transpose() * rows).squaredNorm() / static_cast<double>(draws());
                 ++with_normal;
