@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "command.hpp"
 #include "net_summary.hpp"
 #include "plan_options.hpp"
+#include "plan_target.hpp"
 #include "progress_line.hpp"
 #include "run_record.hpp"
 #include "survey_input.hpp"
@@ -29,12 +29,10 @@ namespace taut::app {
 namespace {
 
 struct PlanCommand : CommonOptions {
+    TargetOptions target;
     std::string net;
     std::string result;
     std::string output;
-    std::string target;
-    std::string weights;
-    std::string objective = "rms";
     std::string stroke = "15mm";
     std::vector<std::string> tension;
     std::vector<std::string> reaction;
@@ -51,34 +49,6 @@ struct PlanCommand : CommonOptions {
     int crews = 1;
     std::uint64_t seed = 1;
 };
-
-/// "normal:1,tangential:0.1"
-DeviationWeights parse_weights(const std::string& text) {
-    DeviationWeights weights;
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const std::string_view one = rest.substr(0, rest.find(','));
-        rest.remove_prefix(std::min(rest.size(), one.size() + 1));
-        const size_t colon = one.find(':');
-        const std::string_view name = one.substr(0, colon);
-        double value = -1.0;
-        if (colon != std::string_view::npos) {
-            const std::string_view number = one.substr(colon + 1);
-            const auto [end, error] =
-                std::from_chars(number.data(), number.data() + number.size(), value);
-            if (error != std::errc() || end != number.data() + number.size()) {
-                value = -1.0;
-            }
-        }
-        if ((name != "normal" && name != "tangential") || !(value >= 0.0) || std::isinf(value)) {
-            throw std::invalid_argument(fmt::format(
-                "--weights is '{}', expected weights of 0 or more such as normal:1,tangential:0.1",
-                text));
-        }
-        (name == "normal" ? weights.normal : weights.tangential) = value;
-    }
-    return weights;
-}
 
 const std::vector<int>& group_of(const CableNet& net, const std::string& name,
                                  const std::string& option) {
@@ -310,15 +280,12 @@ void run(const PlanCommand& command) {
     const auto threads = command.limit_threads();
     const CableNet net = read_net(command.net).net;
     const IdentifiedNet identified = read_identified_net(net, command.result);
-    const FormTarget target(
-        net, command.target.empty() ? net.nodes() : read_form(net, command.target),
-        parse_weights(command.weights),
-        command.objective == "rms" ? FormObjective::rms : FormObjective::largest);
+    const FormTarget target = command.target.read(net);
     auto [edges, limits] = limits_of(net, identified.built.net, command);
     const PlanOptions options = options_of(command, std::move(edges));
     std::vector<std::string> inputs = command.checks;
     inputs.insert(inputs.end(), {command.net, command.result, draws_path(command.result).string(),
-                                 command.target, command.adjustable, command.stroke});
+                                 command.target.target, command.adjustable, command.stroke});
     check_outputs({command.output, command.csv}, inputs);
     if (identified.trust.verdict() == Trust::Verdict::failed) {
         warn(command.result, {"the identification failed its tests: what is planned on it may do "
@@ -376,16 +343,7 @@ void add_plan(CLI::App& program) {
     command.add_option("NET", options->net, "Net file, as designed")->required();
     command.add_option("RESULT", options->result, "Result of taut identify")->required();
     add_output_option(command, options->output, "Plan to write (JSON)");
-    command.add_option("--target", options->target,
-                       "Form to reach, id,x,y,z (default: the nodes of NET)");
-    command.add_option("--weights", options->weights,
-                       "Of squared deviations along the target's normal and across it (default: "
-                       "normal:1,tangential:0.1)");
-    command
-        .add_option("--objective", options->objective,
-                    "What is made small: the RMS of the deviations, or the largest")
-        ->check(CLI::IsMember({"rms", "largest"}))
-        ->capture_default_str();
+    options->target.add_to(command);
     command
         .add_option("--stroke", options->stroke,
                     "How far a turnbuckle may be turned from where it stands, either way; or a "

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -23,6 +24,72 @@ FormTarget::FormTarget(const CableNet& net, Points places, DeviationWeights weig
     check_weights();
 }
 
+FormTarget::FormTarget(const CableNet& net, std::shared_ptr<const TargetSurface> surface,
+                       DeviationWeights weights, FormObjective objective)
+    : FormTarget(net, net.nodes(), weights, objective) {
+    m_surface = std::move(surface);
+    m_designed = net.nodes();
+    check_nearness(net);
+    *this = at(m_designed);
+}
+
+void FormTarget::check_nearness(const CableNet& net) const {
+    const double size =
+        (m_designed.rowwise().maxCoeff() - m_designed.rowwise().minCoeff()).norm();
+    const double most = std::min(1.0, 0.25 * size);
+    const auto distance_in = [&](int node, double unit) {
+        return unit * m_surface->nearest(m_designed.col(node) / unit).distance;
+    };
+    double mean_edge = 0.0;
+    for (const auto& [s, t] : net.edges()) {
+        mean_edge += (m_designed.col(s) - m_designed.col(t)).norm() / net.edge_count();
+    }
+    for (const int node : m_free_nodes) {
+        const SurfacePoint nearest = m_surface->nearest(m_designed.col(node));
+        const double distance = nearest.distance;
+        if (distance <= most && nearest.beyond_border <= mean_edge) {
+            continue;
+        }
+        if (distance <= most) {
+            throw std::invalid_argument(fmt::format(
+                "node '{}' is {:.3g} m beyond the border of the surface, expected no more than the "
+                "mean length of an edge, {:.3g} m",
+                net.node_id(node), nearest.beyond_border, mean_edge));
+        }
+        std::string hint = "is it in another unit or frame?";
+        constexpr std::array<std::pair<const char*, double>, 4> units{
+            {{"mm", 1e-3}, {"cm", 1e-2}, {"ft", 0.3048}, {"in", 0.0254}}};
+        for (const auto& [name, unit] : units) {
+            if (std::ranges::all_of(m_free_nodes,
+                                    [&](int other) { return distance_in(other, unit) <= most; })) {
+                hint = fmt::format("in {} it would fit", name);
+                break;
+            }
+        }
+        throw std::invalid_argument(
+            fmt::format("node '{}' is {:.3g} m from the surface, expected at most {:.3g} m; {}",
+                        net.node_id(node), distance, most, hint));
+    }
+}
+
+FormTarget FormTarget::at(const Points& form) const {
+    check_form("form", m_places.cols(), form);
+    FormTarget result = *this;
+    if (m_surface == nullptr) {
+        return result;
+    }
+    for (const int node : m_free_nodes) {
+        const SurfacePoint nearest = m_surface->nearest(form.col(node));
+        const auto designed = m_designed.col(node);
+        // On the side that the net's own normal is on, where it has one.
+        const double side = m_normals.col(node).dot(nearest.normal) < 0.0 ? -1.0 : 1.0;
+        const Eigen::Vector3d normal = side * nearest.normal;
+        result.m_normals.col(node) = normal;
+        result.m_places.col(node) = designed + normal.dot(nearest.place - designed) * normal;
+    }
+    return result;
+}
+
 void FormTarget::set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential) {
     if (normal.size() != m_places.cols() || tangential.size() != m_places.cols()) {
         throw std::invalid_argument(fmt::format("{} and {} weights for {} nodes", normal.size(),
@@ -35,6 +102,9 @@ void FormTarget::set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential)
 
 void FormTarget::move_to(Points places) {
     check_form("target", m_places.cols(), places);
+    if (m_surface != nullptr) {
+        throw std::invalid_argument("a target that is a surface cannot be moved to places");
+    }
     m_places = std::move(places);
 }
 
@@ -68,8 +138,8 @@ Eigen::Vector3d FormTarget::weighted(int node, const Eigen::Vector3d& deviation)
     return weight(node) * deviation;
 }
 
-FormDeviation deviation_from(const FormTarget& target, const CableNet& net, const Points& form) {
-    check_form("form", target.places().cols(), form);
+FormDeviation deviation_from(const FormTarget& of, const CableNet& net, const Points& form) {
+    const FormTarget target = of.at(form);
     FormDeviation result;
     int with_normal = 0;
     for (const int node : net.free_nodes()) {

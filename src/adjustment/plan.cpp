@@ -331,6 +331,7 @@ private:
             plan.tension_lower(e) = tension.lower;
             plan.tension_upper(e) = tension.upper;
         }
+        const FormTarget target = m_target->at(plan.form);
         double unknown = 0.0;
         int with_normal = 0;
         const Eigen::VectorXd planned = free_coordinates(net, plan.form);
@@ -340,7 +341,7 @@ private:
             const auto rows = moved.middleRows(Eigen::Index{3} * i, 3);
             plan.form_std.col(node) =
                 (rows.rowwise().squaredNorm() / static_cast<double>(draws())).cwiseSqrt();
-            const Eigen::Vector3d normal = m_target->normals().col(node);
+            const Eigen::Vector3d normal = target.normals().col(node);
             if (!normal.isZero(0.0)) {
                 unknown += (normal.transpose() * rows).squaredNorm() / static_cast<double>(draws());
                 ++with_normal;
@@ -359,9 +360,10 @@ private:
         const CableNet& net = m_built->net;
         const DrawnStrokes as_built =
             draw_strokes(*m_built, m_responses, m_as_built, 0.0, m_options->seed);
+        const FormTarget target = m_target->at(plan.form);
         std::vector<Eigen::RowVectorXd> along;
         for (int i = 0; i < net.free_node_count(); ++i) {
-            const Eigen::Vector3d normal = m_target->normals().col(net.free_nodes()[i]);
+            const Eigen::Vector3d normal = target.normals().col(net.free_nodes()[i]);
             if (!normal.isZero(0.0)) {
                 along.emplace_back(normal.transpose() *
                                    planned.forms.middleRows(Eigen::Index{3} * i, 3));

@@ -88,7 +88,8 @@ Eigen::SparseMatrix<double> upper_triangle(const Eigen::MatrixXd& dense, int siz
 
 }  // namespace
 
-double cost_of(const FormTarget& target, const CableNet& net, const Points& form) {
+double cost_of(const FormTarget& of, const CableNet& net, const Points& form) {
+    const FormTarget target = of.at(form);
     double sum = 0.0;
     double largest = 0.0;
     for (const int node : net.free_nodes()) {
@@ -111,13 +112,13 @@ StrokeProgram::StrokeProgram(std::vector<LimitedResponse>& responses, const Stro
             m_rates = std::move(rates.form);
         }
     }
+    const FormTarget target = task.target->at(state.nets.front().equilibrium.form);
     m_deviation.resize(m_rates.rows());
     for (int i = 0; i < net.free_node_count(); ++i) {
         const int node = net.free_nodes()[i];
-        const Eigen::Matrix3d weight = task.target->weight(node);
+        const Eigen::Matrix3d weight = target.weight(node);
         m_deviation.segment<3>(Eigen::Index{3} * i) =
-            weight *
-            (state.nets.front().equilibrium.form.col(node) - task.target->places().col(node));
+            weight * (state.nets.front().equilibrium.form.col(node) - target.places().col(node));
         m_rates.middleRows(Eigen::Index{3} * i, 3) =
             (weight * m_rates.middleRows(Eigen::Index{3} * i, 3)).eval();
     }

@@ -181,7 +181,8 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"tension", planned_tension_json(record)},
         {"order", turn_order_json(record)},
         {"options",
-         {{"confidence", record.options->confidence},
+         {{"target", record.target->surface() != nullptr ? "surface" : "form"},
+          {"confidence", record.options->confidence},
           {"actuator", record.options->actuator_std},
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
           {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
@@ -198,8 +199,8 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"built_form", points_json(record.built->net.nodes())},
         {"planned_form", points_json(plan.form)},
         {"planned_form_std", points_json(plan.form_std)},
-        {"target_form", points_json(record.target->places())},
-        {"target_normals", points_json(record.target->normals())},
+        {"target_form", points_json(record.target->at(plan.form).places())},
+        {"target_normals", points_json(record.target->at(plan.form).normals())},
         {"cable_net", net_json(net)}};
     add_run(document, run);
     return to_text(document);

@@ -11,6 +11,7 @@
 
 #include <limits>
 
+#include "support/surfaces.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace taut {
@@ -63,6 +64,48 @@ TEST(FormTarget, TellsDeviationsOverTheFreeNodes) {
     EXPECT_NEAR(deviation.normal_mean, 1e-3, 1e-12);
     EXPECT_NEAR(deviation.normal_max, 9e-3, 1e-12);
     EXPECT_NEAR(deviation.normal_rmse, 3e-3, 1e-12);
+}
+
+TEST(FormTarget, OfASurfaceCountsTheDistanceFromItAndTheWayAlongItFromTheDesignedPlace) {
+    const CableNet net = hypar(5, 5);
+    const auto plane = test::plane_at(0.3, net);
+    CableNetData data = net.data();
+    data.nodes.row(2).setConstant(0.32);
+    const CableNet flat(data);  // 20 mm above the plane
+    const FormTarget target(flat, plane, {.normal = 1.0, .tangential = 0.25});
+    Points form = flat.nodes();
+    const int node = flat.free_nodes()[12];
+    form.col(node) += Eigen::Vector3d(4e-3, 0.0, 10e-3);
+    const FormTarget here = target.at(form);
+    EXPECT_NEAR(here.normals()(2, node), 1.0, 1e-12);
+    const Eigen::Vector3d weighted =
+        here.weighted(node, form.col(node) - here.places().col(node));
+    EXPECT_NEAR(weighted.squaredNorm(), 30e-3 * 30e-3 + 0.25 * 4e-3 * 4e-3, 1e-12);
+    const FormDeviation deviation = deviation_from(target, flat, form);
+    EXPECT_NEAR(deviation.normal_max, 30e-3, 1e-12);
+    EXPECT_NEAR(deviation.normal_mean, (24 * 20e-3 + 30e-3) / 25, 1e-12);
+}
+
+TEST(FormTarget, RefusesASurfaceOutOfReachAndSaysInWhichUnitItWouldFit) {
+    const CableNet net = hypar(5, 5);
+    const auto refused = [](const char* text) {
+        return ThrowsMessage<std::invalid_argument>(HasSubstr(text));
+    };
+    EXPECT_THAT([&] { FormTarget(net, test::plane_at(3.0, net)); },
+                refused("m from the surface, expected at most"));
+    EXPECT_THAT([&] { FormTarget(net, test::plane_at(3.0, net)); }, refused("unit or frame"));
+    CableNetData half = net.data();
+    half.nodes.row(0) *= 0.5;
+    half.nodes.row(1) *= 0.5;
+    EXPECT_THAT([&] { FormTarget(net, test::surface_through(net, half.nodes)); },
+                refused("m beyond the border of the surface"));
+    EXPECT_THAT([&] { FormTarget(net, test::surface_through(net, net.nodes(), 1e3)); },
+                refused("in mm it would fit"));
+    EXPECT_THAT(
+        [&] {
+            FormTarget(net, test::surface_through(net, net.nodes())).move_to(net.nodes());
+        },
+        refused("surface cannot be moved"));
 }
 
 TEST(FormTarget, RefusesWhatIsNoTarget) {

@@ -8,12 +8,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "support/random_nets.hpp"
+#include "support/surfaces.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -116,6 +118,99 @@ TEST(Plan, KeepsItsLimitsInExactEquilibrium) {
     EXPECT_GT(after.minCoeff(), 1.5e3 - 0.1);
     EXPECT_LT(after.maxCoeff(), 9.5e3 + 0.1);
     EXPECT_LT((after - plan.tensions).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+/// The quadric nearest to a net, with waves [m], finely cut, over all of it and beyond.
+std::shared_ptr<const TargetSurface> wavy_surface(const CableNet& net, double wave) {
+    constexpr int cells = 80;
+    const Eigen::Vector3d low = net.nodes().rowwise().minCoeff();
+    const Eigen::Vector3d size = net.nodes().rowwise().maxCoeff() - low;
+    // The net's own quadric, a x^2 + b x y + c y^2 + ..., by least squares; then waves on it.
+    const auto terms = [&](double x, double y) {
+        return Eigen::Vector<double, 6>{{1.0, x, y, x * x, x * y, y * y}};
+    };
+    Eigen::MatrixXd rows(net.node_count(), 6);
+    for (int i = 0; i < net.node_count(); ++i) {
+        rows.row(i) = terms(net.nodes()(0, i), net.nodes()(1, i)).transpose();
+    }
+    const Eigen::VectorXd quadric =
+        rows.colPivHouseholderQr().solve(net.nodes().row(2).transpose());
+    Points vertices(3, (cells + 1) * (cells + 1));
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 0; i <= cells; ++i) {
+        for (int j = 0; j <= cells; ++j) {
+            const int at = i * (cells + 1) + j;
+            const double x = low.x() + (1.2 * i / cells - 0.1) * size.x();
+            const double y = low.y() + (1.2 * j / cells - 0.1) * size.y();
+            vertices.col(at) << x, y, quadric.dot(terms(x, y)) + wave * std::sin(3.0 * x);
+            if (i < cells && j < cells) {
+                triangles.push_back({at, at + cells + 1, at + cells + 2});
+                triangles.push_back({at, at + cells + 2, at + 1});
+            }
+        }
+    }
+    return std::make_shared<const TargetSurface>(vertices, triangles);
+}
+
+TEST(Plan, BringsANetToASurfaceAlongWhichItsNodesMaySlide) {
+    const CableNet net = hypar(8, 8);
+    const BuiltNet built = random_built(net, 6, 4e-3);
+    const auto surface = wavy_surface(net, 10e-3);
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 15e-3);
+    const FormTarget target(net, surface, {.normal = 1.0, .tangential = 0.0});
+    const Plan plan = plan_strokes(built, target, limits);
+    EXPECT_TRUE(plan.has_converged);
+    // What is told is the distance of the planned form from the surface.
+    double mean = 0.0;
+    double square = 0.0;
+    for (const int node : net.free_nodes()) {
+        const double distance = surface->nearest(plan.form.col(node)).distance;
+        mean += distance / net.free_node_count();
+        square += distance * distance / net.free_node_count();
+    }
+    EXPECT_NEAR(plan.planned.normal_mean, mean, 1e-9);
+    EXPECT_NEAR(plan.planned.normal_rmse, std::sqrt(square), 1e-9);
+    EXPECT_LT(plan.planned.normal_rmse, 0.8 * plan.as_built.normal_rmse);
+    // Better than the plan that goes for the places where the surface is nearest to the design, and
+    // than those of strokes nearby.
+    const Plan fixed = plan_strokes(
+        built,
+        FormTarget(net, target.at(net.nodes()).places(), {.normal = 1.0, .tangential = 0.0}),
+        limits);
+    const FormDeviation of_fixed = deviation_from(target, net, fixed.form);
+    EXPECT_LT(plan.planned.normal_rmse, 0.99 * of_fixed.normal_rmse);
+    Plan other = plan;
+    for (const double change : {-0.2e-3, 0.2e-3}) {
+        for (size_t k = 0; k < plan.strokes.size(); k += 5) {
+            if (std::abs(plan.strokes[k].stroke) > 14.5e-3) {
+                continue;
+            }
+            other.strokes = plan.strokes;
+            other.strokes[k].stroke += change;
+            const Eigen::VectorXd lengths = lengths_after(built, other);
+            const Points form = EquilibriumSolver(built.net).solve(lengths, plan.form).form;
+            EXPECT_GT(deviation_from(target, net, form).normal_rmse,
+                      (1.0 - 1e-4) * plan.planned.normal_rmse);
+        }
+    }
+}
+
+TEST(Plan, OfASurfaceHoldsNodesAlongItByTheTangentialWeight) {
+    const CableNet net = hypar(6, 6);
+    const BuiltNet built = random_built(net, 8, 4e-3);
+    const auto surface = test::surface_through(net, net.nodes());
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 15e-3);
+    const auto planned = [&](double tangential) {
+        return plan_strokes(
+            built, FormTarget(net, surface, {.normal = 1.0, .tangential = tangential}), limits);
+    };
+    const auto along = [](const Plan& plan) {
+        return std::pow(plan.planned.rmse, 2) - std::pow(plan.planned.normal_rmse, 2);
+    };
+    const Plan loose = planned(0.01);
+    const Plan held = planned(10.0);
+    EXPECT_LT(along(held), along(loose));
+    EXPECT_GT(held.planned.normal_rmse, loose.planned.normal_rmse);
 }
 
 TEST(Plan, MakesTheLargestDeviationSmallWhereThatIsAskedFor) {

@@ -99,6 +99,65 @@ TEST_F(PlanCommand, TellsWhichWayToTurnOnlyWhereTheThreadIsTold) {
     }
 }
 
+/// The roof over all of the net as OBJ, its coordinates in a unit.
+std::string roof_obj(const json& net, double unit, double up) {
+    double low = 1e9;
+    double high = -1e9;
+    for (const json& node : net["nodes"]) {
+        low = std::min(low, std::min(node[0].get<double>(), node[1].get<double>()));
+        high = std::max(high, std::max(node[0].get<double>(), node[1].get<double>()));
+    }
+    const auto height = [&](double x, double y) {
+        // The height of the nearest node.
+        double nearest = 1e9;
+        double z = 0.0;
+        for (const json& node : net["nodes"]) {
+            const double distance =
+                std::hypot(node[0].get<double>() - x, node[1].get<double>() - y);
+            if (distance < nearest) {
+                nearest = distance;
+                z = node[2].get<double>();
+            }
+        }
+        return z + up;
+    };
+    std::ostringstream text;
+    text.precision(17);
+    constexpr int cells = 14;
+    for (int i = 0; i <= cells; ++i) {
+        for (int j = 0; j <= cells; ++j) {
+            const double x = low + (high - low) * i / cells;
+            const double y = low + (high - low) * j / cells;
+            text << "v " << x / unit << ' ' << y / unit << ' ' << height(x, y) / unit << '\n';
+        }
+    }
+    for (int i = 0; i < cells; ++i) {
+        for (int j = 0; j < cells; ++j) {
+            const int at = i * (cells + 1) + j + 1;
+            text << "f " << at << ' ' << at + cells + 1 << ' ' << at + cells + 2 << ' ' << at + 1
+                 << '\n';
+        }
+    }
+    return text.str();
+}
+
+TEST_F(PlanCommand, GoesForASurfaceAndRefusesOneInAnotherUnit) {
+    const json net = json::parse(read("net.json"));
+    write("roof.obj", roof_obj(net, 1e-3, 0.0));
+    expect_refused({"--target", "roof.obj"}, "in mm it would fit");
+    expect_refused({"--target", "built.csv", "--target-unit", "mm"}, "no surface");
+    write("far.obj", roof_obj(net, 1.0, 5.0));
+    expect_refused({"--target", "far.obj"}, "far.obj: node '");
+    write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
+    expect_refused({"--target", "cut.ply"}, "cut.ply:3: ends within the header");
+    const Outcome outcome = plan({"--target", "roof.obj", "--target-unit", "mm"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json document = json::parse(read("plan.json"));
+    EXPECT_EQ(document["options"]["target"].get<std::string>(), "surface");
+    EXPECT_LT(document["form"]["planned"]["normal_rmse"],
+              document["form"]["as_built"]["normal_rmse"]);
+}
+
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {
     must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "0", "-o",
               "bare.json"});

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "taut/adjustment/target_surface.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -23,6 +25,11 @@ struct DeviationWeights {
 
 /// Where a net should stand: a place and a normal for each free node. A node without normal (the
 /// nodes of a single cable, say) has the weight `normal` in all directions.
+///
+/// Of a surface a node may reach any point: its normal is that of the surface at the nearest point
+/// c, and its place is where the line along that normal through its designed place q meets the
+/// tangent plane there, so that it deviates by n . (r - c) along the normal, its distance from the
+/// surface, and by (I - n n') (r - q) across it. Both move with the form: at().
 class FormTarget {
 public:
     /// @param places 3 x n, supports included; these are not moved [m]
@@ -31,15 +38,30 @@ public:
     FormTarget(const CableNet& net, Points places, DeviationWeights weights = {},
                FormObjective objective = FormObjective::rms);
 
+    /// A surface; the nodes of the net tell where along it each node belongs.
+    /// @throws std::invalid_argument for weights as above, and where a free node of the net is
+    ///   further from the surface than 1 m or a quarter of the net's size, whichever is less (the
+    ///   message says which unit of the surface would do, if one would), or further beyond its
+    ///   border than the mean length of an edge
+    FormTarget(const CableNet& net, std::shared_ptr<const TargetSurface> surface,
+               DeviationWeights weights = {}, FormObjective objective = FormObjective::rms);
+
+    /// The target as it is for a form (3 x n) [m]: of a surface the places and normals at the
+    /// points that are nearest to the form, (surface-target); otherwise the same.
+    /// @throws std::invalid_argument for a form of the wrong size, or not finite
+    [[nodiscard]] FormTarget at(const Points& form) const;
+
     /// Weights of single nodes instead (n each); of supports they are not read.
     /// @throws std::invalid_argument as the constructor
     void set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential);
 
     /// Other places, with the normals as they are.
-    /// @throws std::invalid_argument for a wrong size, and places that are not finite
+    /// @throws std::invalid_argument for a wrong size, places that are not finite, and a surface
     void move_to(Points places);
 
     [[nodiscard]] FormObjective objective() const { return m_objective; }
+    /// Null where the target is a form.
+    [[nodiscard]] const TargetSurface* surface() const { return m_surface.get(); }
     [[nodiscard]] const Points& places() const { return m_places; }
     [[nodiscard]] const Points& normals() const { return m_normals; }
 
@@ -52,8 +74,11 @@ public:
 
 private:
     void check_weights() const;
+    void check_nearness(const CableNet& net) const;
 
     std::vector<int> m_free_nodes;
+    std::shared_ptr<const TargetSurface> m_surface;
+    Points m_designed;  ///< of a surface
     Points m_places;
     Points m_normals;
     Eigen::VectorXd m_normal_weight;
@@ -61,7 +86,8 @@ private:
     FormObjective m_objective;
 };
 
-/// How far a form is from a target, over the free nodes [m].
+/// How far a form is from a target, over the free nodes; of a surface from its points that are
+/// nearest to the form [m].
 struct FormDeviation {
     double mean = 0.0;
     double max = 0.0;
