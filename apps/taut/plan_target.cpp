@@ -21,7 +21,7 @@ namespace {
 
 /// [m]
 const std::map<std::string, double> surface_units{
-    {"m", 1.0}, {"mm", 1e-3}, {"cm", 1e-2}, {"ft", 0.3048}, {"us-ft", 1200.0 / 3937.0},
+    {"m", 1.0},    {"mm", 1e-3}, {"cm", 1e-2}, {"ft", 0.3048}, {"us-ft", 1200.0 / 3937.0},
     {"in", 0.0254}};
 
 /// "normal:1,tangential:0.1"
@@ -116,8 +116,7 @@ void TargetOptions::add_to(CLI::App& command) {
 
 FormTarget TargetOptions::read(const CableNet& net) const {
     const DeviationWeights told = parse_weights(weights);
-    const FormObjective sought =
-        objective == "rms" ? FormObjective::rms : FormObjective::largest;
+    const FormObjective sought = objective == "rms" ? FormObjective::rms : FormObjective::largest;
     if (is_surface_mesh_name(target)) {
         return read_surface_target(net, *this, told, sought);
     }

@@ -15,6 +15,10 @@ constexpr int most_searches = 60;
 constexpr double first_radius = 5e-3;     ///< [m]
 constexpr double smallest_radius = 1e-8;  ///< [m]
 constexpr double smallest_gain = 1e-6;    ///< of the merit
+/// From face to face of a mesh the merit has kinks, along which steps are no longer than this [m]
+/// and promise no more than this part of it: what no turnbuckle can be set to.
+constexpr double step_along_kink = 1e-5;
+constexpr double gain_along_kink = 1e-3;
 
 }  // namespace
 
@@ -64,7 +68,9 @@ StrokeSearch search_strokes(std::vector<LimitedResponse>& responses, const Strok
         }
         const double before = merit_of(task, search.found);
         const double promised = before - proposed->merit;
-        if (promised <= smallest_gain * before) {
+        const bool is_at_kink = task.target->surface() != nullptr && radius < step_along_kink &&
+                                promised <= gain_along_kink * before;
+        if (promised <= smallest_gain * before || is_at_kink) {
             search.has_converged = true;
             break;
         }

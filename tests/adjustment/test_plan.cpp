@@ -174,8 +174,7 @@ TEST(Plan, BringsANetToASurfaceAlongWhichItsNodesMaySlide) {
     // Better than the plan that goes for the places where the surface is nearest to the design, and
     // than those of strokes nearby.
     const Plan fixed = plan_strokes(
-        built,
-        FormTarget(net, target.at(net.nodes()).places(), {.normal = 1.0, .tangential = 0.0}),
+        built, FormTarget(net, target.at(net.nodes()).places(), {.normal = 1.0, .tangential = 0.0}),
         limits);
     const FormDeviation of_fixed = deviation_from(target, net, fixed.form);
     EXPECT_LT(plan.planned.normal_rmse, 0.99 * of_fixed.normal_rmse);
