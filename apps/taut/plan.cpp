@@ -247,7 +247,8 @@ void run(const PlanCommand& command) {
     const PlanOptions options = options_of(command, std::move(edges));
     std::vector<std::string> inputs = command.checks;
     inputs.insert(inputs.end(), {command.net, command.result, draws_path(command.result).string(),
-                                 command.target.target, command.adjustable, command.stroke});
+                                 command.target.target, command.target.node_weights,
+                                 command.adjustable, command.stroke});
     check_outputs({command.output, command.csv}, inputs);
     if (identified.trust.verdict() == Trust::Verdict::failed) {
         warn(command.result, {"the identification failed its tests: what is planned on it may do "

@@ -34,8 +34,7 @@ FormTarget::FormTarget(const CableNet& net, std::shared_ptr<const TargetSurface>
 }
 
 void FormTarget::check_nearness(const CableNet& net) const {
-    const double size =
-        (m_designed.rowwise().maxCoeff() - m_designed.rowwise().minCoeff()).norm();
+    const double size = (m_designed.rowwise().maxCoeff() - m_designed.rowwise().minCoeff()).norm();
     const double most = std::min(1.0, 0.25 * size);
     const auto distance_in = [&](int node, double unit) {
         return unit * m_surface->nearest(m_designed.col(node) / unit).distance;

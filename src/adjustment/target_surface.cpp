@@ -145,9 +145,8 @@ private:
         }
         double minimumOnObject(int index) {
             const std::array<int, 3>& corners = of->m_triangles[static_cast<size_t>(index)];
-            const TrianglePoint here =
-                nearest_of_triangle(of->place(corners[0]), of->place(corners[1]),
-                                    of->place(corners[2]), *point);
+            const TrianglePoint here = nearest_of_triangle(
+                of->place(corners[0]), of->place(corners[1]), of->place(corners[2]), *point);
             const double squared = (here.place - *point).squaredNorm();
             if (squared < squared_distance) {
                 squared_distance = squared;
@@ -227,7 +226,8 @@ private:
         }
     }
 
-    [[nodiscard]] const Feature& feature_of(int triangle, const std::array<bool, 3>& between) const {
+    [[nodiscard]] const Feature& feature_of(int triangle,
+                                            const std::array<bool, 3>& between) const {
         const std::array<int, 3>& corners = m_triangles[static_cast<size_t>(triangle)];
         std::array<int, 2> named{-1, -1};
         size_t count = 0;

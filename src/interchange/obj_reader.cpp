@@ -42,8 +42,8 @@ private:
         } else if (statement.keyword == "f") {
             read_path(statement, 3, true);
         } else if (statement.keyword == "g") {
-            m_in_supports = std::ranges::find(statement.arguments, "supports") !=
-                            statement.arguments.end();
+            m_in_supports =
+                std::ranges::find(statement.arguments, "supports") != statement.arguments.end();
         } else {
             read_points(statement);
         }
@@ -56,7 +56,8 @@ private:
     void read_path(const ObjStatement& statement, size_t least, bool is_face) {
         const std::vector<std::string>& arguments = statement.arguments;
         if (arguments.size() < least) {
-            statement.fail(fmt::format("has {} vertices, expected at least {}", arguments.size(), least));
+            statement.fail(
+                fmt::format("has {} vertices, expected at least {}", arguments.size(), least));
         }
         const size_t sides = arguments.size() - (is_face ? 0 : 1);
         for (size_t i = 0; i < sides; ++i) {

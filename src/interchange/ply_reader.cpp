@@ -99,9 +99,10 @@ private:
     [[nodiscard]] PlyType type_of(const std::string& name) const {
         const auto* const found = std::ranges::find(ply_types, name, &PlyTypeName::name);
         if (found == ply_types.end()) {
-            fail(fmt::format("names the type {}, expected char, uchar, short, ushort, int, uint, "
-                             "float or double",
-                             quote(name)));
+            fail(
+                fmt::format("names the type {}, expected char, uchar, short, ushort, int, uint, "
+                            "float or double",
+                            quote(name)));
         }
         return found->type;
     }
@@ -126,13 +127,13 @@ private:
             } else if (words[0] == "property" && words.size() == 3) {
                 add_property({.name = words[2], .type = type_of(words[1]), .count_type = {}});
             } else if (words[0] == "property" && words.size() == 5 && words[1] == "list") {
-                add_property({.name = words[4],
-                              .type = type_of(words[3]),
-                              .count_type = type_of(words[2])});
+                add_property(
+                    {.name = words[4], .type = type_of(words[3]), .count_type = type_of(words[2])});
             } else {
-                fail(fmt::format("starts with {}, expected a line of the header of PLY: format, "
-                                 "element, property, comment or end_header",
-                                 quote(words[0])));
+                fail(
+                    fmt::format("starts with {}, expected a line of the header of PLY: format, "
+                                "element, property, comment or end_header",
+                                quote(words[0])));
             }
         }
         if (!has_format) {
@@ -146,9 +147,10 @@ private:
             name == (std::endian::native == std::endian::little ? "binary_big_endian"
                                                                 : "binary_little_endian");
         if (!m_is_text && name != "binary_big_endian" && name != "binary_little_endian") {
-            fail(fmt::format("the format is {}, expected ascii, binary_little_endian or "
-                             "binary_big_endian",
-                             quote(name)));
+            fail(
+                fmt::format("the format is {}, expected ascii, binary_little_endian or "
+                            "binary_big_endian",
+                            quote(name)));
         }
     }
 
@@ -175,7 +177,8 @@ private:
         const PlyProperty* corners = nullptr;
         for (const PlyProperty& property : element.properties) {
             for (size_t k = 0; k < 3; ++k) {
-                if (is_vertex && !property.count_type && property.name == std::string(1, "xyz"[k])) {
+                if (is_vertex && !property.count_type &&
+                    property.name == std::string(1, "xyz"[k])) {
                     axes[k] = &property;
                 }
             }
@@ -210,8 +213,8 @@ private:
                 for (size_t k = 0; k < 3; ++k) {
                     if (&property == axes[k]) {
                         if (!std::isfinite(value)) {
-                            fail(fmt::format("{} is {}, expected a finite number", "xyz"[k],
-                                             value));
+                            fail(
+                                fmt::format("{} is {}, expected a finite number", "xyz"[k], value));
                         }
                         position(static_cast<Eigen::Index>(k)) = value;
                     }

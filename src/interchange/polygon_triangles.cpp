@@ -40,8 +40,8 @@ private:
 
     /// Twice the area of three corners, seen along the polygon's normal, in its units.
     [[nodiscard]] double area(int a, int b, int c) const {
-        return m_up.dot((m_corners.col(b) - m_corners.col(a))
-                            .cross(m_corners.col(c) - m_corners.col(a)));
+        return m_up.dot(
+            (m_corners.col(b) - m_corners.col(a)).cross(m_corners.col(c) - m_corners.col(a)));
     }
 
     [[nodiscard]] bool is_ear(size_t i) const {
@@ -52,8 +52,8 @@ private:
                });
     }
 
-    /// The ear with the shortest new side; of a polygon without ears, one that crosses itself or has
-    /// no area, any corner will do.
+    /// The ear with the shortest new side; of a polygon without ears, one that crosses itself or
+    /// has no area, any corner will do.
     [[nodiscard]] size_t best_ear() const {
         size_t best = 0;
         double shortest = std::numeric_limits<double>::infinity();

@@ -24,8 +24,8 @@ PlyContent read_obj_faces(std::string_view text, const std::string& file_name) {
         } else if (statement.keyword == "f") {
             const size_t corners = statement.arguments.size();
             if (corners < 3 || corners > most_corners) {
-                statement.fail(fmt::format("a face has {} corners, expected 3 to {}", corners,
-                                           most_corners));
+                statement.fail(
+                    fmt::format("a face has {} corners, expected 3 to {}", corners, most_corners));
             }
             std::vector<int> face;
             for (const std::string& argument : statement.arguments) {
@@ -42,21 +42,19 @@ PlyContent read_obj_faces(std::string_view text, const std::string& file_name) {
 
 bool is_surface_mesh_name(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending == ".obj" || ending == ".ply";
 }
 
 SurfaceMesh parse_surface_mesh(std::string_view content, const std::string& file_name) {
     const bool is_ply = content.starts_with("ply\n") || content.starts_with("ply\r\n");
-    const PlyContent read = is_ply
-                                ? read_ply(content, file_name)
-                                : read_obj_faces(plain_text(content, file_name), file_name);
+    const PlyContent read = is_ply ? read_ply(content, file_name)
+                                   : read_obj_faces(plain_text(content, file_name), file_name);
     if (read.faces.empty()) {
-        throw InputError(file_name, "",
-                         fmt::format("holds {} vertices and no face, expected a surface",
-                                     read.vertices.size()));
+        throw InputError(
+            file_name, "",
+            fmt::format("holds {} vertices and no face, expected a surface", read.vertices.size()));
     }
     SurfaceMesh mesh;
     mesh.faces = static_cast<int>(read.faces.size());

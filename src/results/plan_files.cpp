@@ -106,6 +106,16 @@ Json turn_order_json(const PlanRecord& record) {
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
+/// Of the free nodes.
+Json node_weights_json(const PlanRecord& record) {
+    Json result{{"normal", Json::array()}, {"tangential", Json::array()}};
+    for (const int node : record.net->free_nodes()) {
+        result["normal"].push_back(record.target->normal_weights()(node));
+        result["tangential"].push_back(record.target->tangential_weights()(node));
+    }
+    return result;
+}
+
 Json value_or_null(const auto& value) {
     return value ? Json(*value) : Json();
 }
@@ -164,6 +174,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"order", turn_order_json(record)},
         {"options",
          {{"target", record.target->surface() != nullptr ? "surface" : "form"},
+          {"node_weights", node_weights_json(record)},
           {"confidence", record.options->confidence},
           {"actuator", record.options->actuator_std},
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},

@@ -78,8 +78,7 @@ TEST(FormTarget, OfASurfaceCountsTheDistanceFromItAndTheWayAlongItFromTheDesigne
     form.col(node) += Eigen::Vector3d(4e-3, 0.0, 10e-3);
     const FormTarget here = target.at(form);
     EXPECT_NEAR(here.normals()(2, node), 1.0, 1e-12);
-    const Eigen::Vector3d weighted =
-        here.weighted(node, form.col(node) - here.places().col(node));
+    const Eigen::Vector3d weighted = here.weighted(node, form.col(node) - here.places().col(node));
     EXPECT_NEAR(weighted.squaredNorm(), 30e-3 * 30e-3 + 0.25 * 4e-3 * 4e-3, 1e-12);
     const FormDeviation deviation = deviation_from(target, flat, form);
     EXPECT_NEAR(deviation.normal_max, 30e-3, 1e-12);
@@ -102,9 +101,7 @@ TEST(FormTarget, RefusesASurfaceOutOfReachAndSaysInWhichUnitItWouldFit) {
     EXPECT_THAT([&] { FormTarget(net, test::surface_through(net, net.nodes(), 1e3)); },
                 refused("in mm it would fit"));
     EXPECT_THAT(
-        [&] {
-            FormTarget(net, test::surface_through(net, net.nodes())).move_to(net.nodes());
-        },
+        [&] { FormTarget(net, test::surface_through(net, net.nodes())).move_to(net.nodes()); },
         refused("surface cannot be moved"));
 }
 

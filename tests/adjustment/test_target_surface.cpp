@@ -81,9 +81,8 @@ TEST(TargetSurface, TellsADistanceWhoseGradientIsItsNormal) {
         EXPECT_EQ(here.beyond_border, 0.0);
         for (int k = 0; k < 3; ++k) {
             const Eigen::Vector3d moved = point + step * Eigen::Vector3d::Unit(k);
-            const double rate = (std::pow(surface.nearest(moved).distance, 2) -
-                                 std::pow(here.distance, 2)) /
-                                step;
+            const double rate =
+                (std::pow(surface.nearest(moved).distance, 2) - std::pow(here.distance, 2)) / step;
             EXPECT_NEAR(rate, 2.0 * here.normal.dot(away) * here.normal(k), 1e-6);
         }
     }
@@ -111,8 +110,7 @@ TEST(TargetSurface, JoinsVerticesAtOnePlaceAndLeavesOutWhatHasNoArea) {
     // Two triangles of a square with vertices of their own, and three without area.
     Points vertices(3, 7);
     vertices << 0, 1, 1, 0, 1, 0, 2, 0, 0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0;
-    const TargetSurface square(vertices,
-                               {{0, 1, 2}, {3, 4, 5}, {0, 1, 1}, {0, 3, 1}, {0, 1, 6}});
+    const TargetSurface square(vertices, {{0, 1, 2}, {3, 4, 5}, {0, 1, 1}, {0, 3, 1}, {0, 1, 6}});
     EXPECT_EQ(square.triangle_count(), 2);
     EXPECT_EQ(square.left_out(), 3);
     // The diagonal is no border.

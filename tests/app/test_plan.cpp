@@ -3,6 +3,8 @@
 //
 // Guards the way from a result to a list of turns on the command line: keys that others read, a
 // list that does what the plan says, and one line for each input that cannot be meant.
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -136,6 +138,47 @@ TEST_F(PlanCommand, GoesForASurfaceAndRefusesOneInAnotherUnit) {
     EXPECT_EQ(document["options"]["target"].get<std::string>(), "surface");
     EXPECT_LT(document["form"]["planned"]["normal_rmse"],
               document["form"]["as_built"]["normal_rmse"]);
+}
+
+TEST_F(PlanCommand, WeighsSingleNodesAndRefusesWeightsThatCannotBeMeant) {
+    const json net = json::parse(read("net.json"));
+    std::vector<char> is_support(net["nodes"].size());
+    for (const json& node : net["supports"]) {
+        is_support[node.get<size_t>()] = 1;
+    }
+    const auto free =
+        static_cast<size_t>(std::ranges::find(is_support, char{0}) - is_support.begin());
+    const auto support = net["supports"][0].get<int>();
+    const auto refused = [&](const std::string& line, const char* text) {
+        write("weights.csv", "id,normal,tangential\n" + line + "\n");
+        expect_refused({"--node-weights", "weights.csv"}, text);
+    };
+    const std::string id = std::to_string(free);
+    refused("nowhere,1,1", "weights.csv:2: 'nowhere' is no node");
+    refused(id + ",1,1\n" + id + ",2,1", "weights.csv:3: names node");
+    refused(std::to_string(support) + ",1,1", "is a support");
+    refused(id + ",-1,1", "the weights are -1 and 1");
+    refused(id + ",nan,1", "normal is 'nan'");
+    refused(id + ",1", "has 2 fields");
+    expect_refused({"--node-weights", "no.csv"}, "no.csv: cannot be read");
+
+    const auto deviation = [&](const json& plan) {
+        Eigen::Vector3d planned;
+        Eigen::Vector3d sought;
+        for (int k = 0; k < 3; ++k) {
+            planned(k) = plan["planned_form"][free][k].get<double>();
+            sought(k) = plan["target_form"][free][k].get<double>();
+        }
+        return (planned - sought).norm();
+    };
+    ASSERT_EQ(plan({}).exit_code, 0);
+    const double before = deviation(json::parse(read("plan.json")));
+    write("weights.csv", id + ",1000,1000\n");
+    ASSERT_EQ(plan({"--node-weights", "weights.csv"}).exit_code, 0);
+    const json weighed = json::parse(read("plan.json"));
+    EXPECT_LT(deviation(weighed), 0.5 * before);
+    EXPECT_EQ(weighed["options"]["node_weights"]["normal"][0], 1000.0);
+    EXPECT_EQ(weighed["options"]["node_weights"]["tangential"][1], 0.1);
 }
 
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {

@@ -53,8 +53,8 @@ std::string binary_ply(bool big) {
                         "property list uchar int vertex_indices\nelement edge 1\n"
                         "property list ushort short nothing\nend_header\n";
     const double far = 500000.0001;
-    for (const auto& [x, y] : {std::pair{far, 0.0}, {far + 1, 0.0}, {far + 1, 1.0}, {far, 1.0},
-                               {far + 2, 0.5}}) {
+    for (const auto& [x, y] :
+         {std::pair{far, 0.0}, {far + 1, 0.0}, {far + 1, 1.0}, {far, 1.0}, {far + 2, 0.5}}) {
         append(bytes, x, big);
         append(bytes, y, big);
         append(bytes, std::uint8_t{200}, big);

@@ -29,8 +29,7 @@ inline std::shared_ptr<const TargetSurface> plane_at(double height, const CableN
 
 /// The least surface of the net's own triangles through a form: each free node with each pair of
 /// its neighbours that follow each other round it, seen from above.
-inline std::shared_ptr<const TargetSurface> surface_through(const CableNet& net,
-                                                            const Points& form,
+inline std::shared_ptr<const TargetSurface> surface_through(const CableNet& net, const Points& form,
                                                             double scale = 1.0) {
     std::vector<std::vector<int>> neighbours(net.node_count());
     for (const auto& [s, t] : net.edges()) {
