@@ -11,10 +11,6 @@
 
 namespace taut {
 
-/// Thread of a turnbuckle. With a right-hand thread, turning it clockwise, seen from the support
-/// along the cable, shortens the cable.
-enum class Thread { right, left };
-
 /// All that a saved plan tells of.
 struct PlanRecord {
     const CableNet* net = nullptr;  ///< as designed
