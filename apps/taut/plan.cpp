@@ -59,17 +59,26 @@ const std::vector<int>& group_of(const CableNet& net, const std::string& name,
     return found->second;
 }
 
-/// "1.5kN..10kN[@GROUP]", either end may be left out.
+/// "1.5kN..10kN[@GROUP]", "20%..60%[@GROUP]", either end may be left out.
 void take_tension(const CableNet& net, const std::string& text, TensionLimits& limits) {
     const size_t at = text.find('@');
-    const std::pair<double, double> range = parse_tension_range(text.substr(0, at));
+    const TensionRange range = parse_tension_range(text.substr(0, at));
+    const Eigen::VectorXd& breaking_load = net.data().breaking_load;
+    if (range.has_part() && breaking_load.size() == 0) {
+        throw std::invalid_argument(fmt::format(
+            "--tension is '{}', a part of the breaking load, which the net does not tell: "
+            "breaking_load in N is missing",
+            text));
+    }
     const auto set = [&](int edge) {
-        limits.lower(edge) = range.first;
-        limits.upper(edge) = range.second;
+        const double strength = range.has_part() ? breaking_load(edge) : 0.0;
+        limits.lower(edge) = range.least.at(strength);
+        limits.upper(edge) = range.most.at(strength);
     };
     if (at == std::string::npos) {
-        limits.lower.setConstant(range.first);
-        limits.upper.setConstant(range.second);
+        for (int edge = 0; edge < net.edge_count(); ++edge) {
+            set(edge);
+        }
     } else {
         std::ranges::for_each(group_of(net, text.substr(at + 1), "--tension"), set);
     }
@@ -312,8 +321,8 @@ void add_plan(CLI::App& program) {
                     "file edge,shortest,longest in m")
         ->capture_default_str();
     command.add_option("--tension", options->tension,
-                       "Limits of tension, 1.5kN..10kN[@GROUP]; may be given again (default: no "
-                       "edge slack)");
+                       "Limits of tension, 1.5kN..10kN[@GROUP], or parts of the breaking load that "
+                       "NET tells, 20%..60%; may be given again (default: no edge slack)");
     command.add_option("--reaction", options->reaction,
                        "Largest force at a support, 20kN[@GROUP of edges]; may be given again");
     command.add_option("--check", options->checks,

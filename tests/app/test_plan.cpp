@@ -181,6 +181,39 @@ TEST_F(PlanCommand, WeighsSingleNodesAndRefusesWeightsThatCannotBeMeant) {
     EXPECT_EQ(weighed["options"]["node_weights"]["tangential"][1], 0.1);
 }
 
+TEST_F(PlanCommand, TakesLimitsAsPartsOfBreakingLoads) {
+    expect_refused({"--tension", "20%..60%"}, "breaking_load in N is missing");
+    json net = json::parse(read("net.json"));
+    ASSERT_EQ(plan({}).exit_code, 0);
+    const json free = json::parse(read("plan.json"));
+    const double most = free["tension"]["most"].get<double>();
+    std::filesystem::remove(folder() / "plan.json");
+    // An edge that carries the most may break at ten times that, others at a hundred times.
+    net["breaking_load"] = json::array();
+    size_t heaviest = 0;
+    for (const json& edge : free["tension"]["edges"]) {
+        if (edge["planned"] == most) {
+            heaviest = edge["edge"].get<size_t>();
+        }
+        net["breaking_load"].push_back((edge["planned"] == most ? 10.0 : 100.0) * most);
+    }
+    write("net.json", net.dump());
+    expect_refused({"--tension", "60%..20%"}, "an upper one above it");
+    expect_refused({"--tension", "..120%"}, "no more than 100 %");
+    expect_refused({"--tension", "20%"}, "expected a range");
+    expect_refused({"--tension", "..-5%"}, "an upper one above it");
+    const Outcome outcome = plan({"--tension", "..9.5%", "--confidence", "50%"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json document = json::parse(read("plan.json"));
+    const json& edges = document["tension"]["edges"];
+    EXPECT_NEAR(edges[heaviest]["limit_upper"].get<double>(), 0.95 * most, 1e-6);
+    EXPECT_LT(edges[heaviest]["planned"].get<double>(), 0.95 * most);
+    const size_t other = heaviest == 0 ? 1 : 0;
+    EXPECT_NEAR(edges[other]["limit_upper"].get<double>(), 9.5 * most, 1e-6);
+    expect_error(run({"control", "net.json", "-o", "jobs", "--tension", "1%..5%"}), 2,
+                 "expected forces");
+}
+
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {
     must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "0", "-o",
               "bare.json"});
