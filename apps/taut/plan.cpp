@@ -43,7 +43,7 @@ struct PlanCommand : CommonOptions {
     std::string adjustable;
     std::string confidence = "95%";
     std::string actuator = "0mm";
-    std::string thread = "right";
+    std::string thread;
     std::string csv;
     int crews = 1;
     std::uint64_t seed = 1;
@@ -168,6 +168,13 @@ PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
     return options;
 }
 
+std::optional<Thread> thread_of(const std::string& text) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    return text == "right" ? Thread::right : Thread::left;
+}
+
 void print_deviation(const char* what, const FormDeviation& d) {
     fmt::print("{:<24}{:>9.2f}{:>9.2f}{:>15.2f}{:>9.2f}{:>9.2f}\n", what, 1e3 * d.mean, 1e3 * d.max,
                1e3 * d.normal_mean, 1e3 * d.normal_max, 1e3 * d.normal_rmse);
@@ -278,7 +285,7 @@ void run(const PlanCommand& command) {
                             .plan = &plan,
                             .order = &order,
                             .crews = command.crews,
-                            .thread = command.thread == "right" ? Thread::right : Thread::left};
+                            .thread = thread_of(command.thread)};
     const std::string document = plan_to_json(record, run_record());
     std::vector<std::pair<std::filesystem::path, std::string>> files{{command.output, document}};
     if (!command.csv.empty()) {
@@ -347,9 +354,11 @@ void add_plan(CLI::App& program) {
                     "Standard deviation of what is turned from what was told")
         ->capture_default_str();
     command.add_option("--crews", options->crews, "That turn at once")->capture_default_str();
-    command.add_option("--thread", options->thread, "Of the turnbuckles")
-        ->check(CLI::IsMember({"right", "left"}))
-        ->capture_default_str();
+    command
+        .add_option("--thread", options->thread,
+                    "Of all turnbuckles, in place of what NET tells of each; where neither does, no "
+                    "sense of rotation is told")
+        ->check(CLI::IsMember({"right", "left"}));
     command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
     add_seed_option(command, options->seed);
     command.callback([options] { run(*options); });

@@ -54,6 +54,16 @@ std::optional<double> count_of_turns(const PlanRecord& record, double stroke) {
                                 : std::nullopt;
 }
 
+std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
+    const std::vector<int>& adjustable = record.net->adjustable_edges();
+    const std::vector<Thread>& threads = record.net->data().thread;
+    const auto found = std::ranges::find(adjustable, edge);
+    if (record.thread || threads.empty() || found == adjustable.end()) {
+        return record.thread;
+    }
+    return threads[static_cast<size_t>(found - adjustable.begin())];
+}
+
 Json breach_json(const CableNet& net, const LimitBreach& breach) {
     const bool is_edge = breach.kind == LimitBreach::Kind::tension;
     return {{"kind", is_edge ? "tension" : "reaction"},
@@ -126,8 +136,11 @@ std::string_view sense_of(double stroke) {
     return stroke < 0.0 ? "shorten" : "lengthen";
 }
 
-std::string_view rotation_of(double stroke, Thread thread) {
-    return (stroke < 0.0) == (thread == Thread::right) ? "clockwise" : "counterclockwise";
+std::optional<std::string_view> rotation_of(double stroke, std::optional<Thread> thread) {
+    if (!thread) {
+        return std::nullopt;
+    }
+    return (stroke < 0.0) == (*thread == Thread::right) ? "clockwise" : "counterclockwise";
 }
 
 std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
@@ -141,7 +154,8 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
                          {"stroke", turning.stroke},
                          {"turns", value_or_null(count_of_turns(record, turning.stroke))},
                          {"sense", sense_of(turning.stroke)},
-                         {"rotation", rotation_of(turning.stroke, record.thread)},
+                         {"rotation",
+                          value_or_null(rotation_of(turning.stroke, thread_of(record, turning.edge)))},
                          {"pass", turning.pass},
                          {"crew", turning.crew},
                          {"moment", turning.moment},
@@ -180,7 +194,8 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
           {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
           {"tolerance", value_or_null(record.options->tolerance)},
-          {"thread", record.thread == Thread::right ? "right" : "left"}}},
+          {"thread", !record.thread ? Json()
+                                    : Json(*record.thread == Thread::right ? "right" : "left")}}},
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
          {{"reached", value_or_null(plan.is_within_tolerance)},
@@ -205,7 +220,8 @@ std::string plan_to_csv(const PlanRecord& record) {
         text +=
             fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew, turning.pass,
                         turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
-                        sense_of(turning.stroke), rotation_of(turning.stroke, record.thread),
+                        sense_of(turning.stroke),
+                        rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
                         1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
                         1e3 * listed.reading_after, 1e-3 * listed.tension_after);
     }

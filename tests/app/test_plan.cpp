@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <sstream>
 
 #include "app/program.hpp"
@@ -212,6 +214,43 @@ TEST_F(PlanCommand, TakesLimitsAsPartsOfBreakingLoads) {
     EXPECT_NEAR(edges[other]["limit_upper"].get<double>(), 9.5 * most, 1e-6);
     expect_error(run({"control", "net.json", "-o", "jobs", "--tension", "1%..5%"}), 2,
                  "expected forces");
+}
+
+TEST_F(PlanCommand, TellsARotationOnlyWhereTheThreadIsTold) {
+    const auto rotations_are = [&](const std::function<json(const json&)>& expected) {
+        const json document = json::parse(read("plan.json"));
+        EXPECT_FALSE(document["turns"].empty());
+        std::istringstream list(read("turns.csv"));
+        std::string line;
+        std::getline(list, line);
+        for (const json& turn : document["turns"]) {
+            const json rotation = expected(turn);
+            EXPECT_EQ(turn["rotation"], rotation);
+            std::getline(list, line);
+            EXPECT_THAT(line, HasSubstr("," + turn["sense"].get<std::string>() + "," +
+                                        (rotation.is_null() ? "" : rotation.get<std::string>()) +
+                                        ","));
+        }
+    };
+    const auto by = [](const json& turn, bool is_right) {
+        return (turn["stroke"].get<double>() < 0.0) == is_right ? "clockwise" : "counterclockwise";
+    };
+    ASSERT_EQ(plan({"--csv", "turns.csv"}).exit_code, 0);
+    rotations_are([](const json&) { return json(); });
+    EXPECT_TRUE(json::parse(read("plan.json"))["options"]["thread"].is_null());
+    json net = json::parse(read("net.json"));
+    std::map<int, bool> is_right;
+    for (const json& edge : net["adjustable"]) {
+        is_right[edge.get<int>()] = is_right.size() % 3 == 0;
+        net["thread"].push_back(is_right[edge.get<int>()] ? "right" : "left");
+    }
+    write("net.json", net.dump());
+    ASSERT_EQ(plan({"--csv", "turns.csv"}).exit_code, 0);
+    rotations_are([&](const json& turn) { return by(turn, is_right[turn["edge"].get<int>()]); });
+    ASSERT_EQ(plan({"--csv", "turns.csv", "--thread", "left"}).exit_code, 0);
+    rotations_are([&](const json& turn) { return by(turn, false); });
+    EXPECT_EQ(json::parse(read("plan.json"))["options"]["thread"], "left");
+    EXPECT_EQ(plan({"--thread", "up"}).exit_code, 2);
 }
 
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {

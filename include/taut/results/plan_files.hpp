@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
@@ -22,7 +24,7 @@ struct PlanRecord {
     const Plan* plan = nullptr;
     const TurnOrder* order = nullptr;
     int crews = 1;
-    Thread thread = Thread::right;
+    std::optional<Thread> thread;  ///< of all, in place of what the net tells of each
 };
 
 /// plan.json: format "taut-plan", version 1; all numbers in SI units.
@@ -35,7 +37,9 @@ struct PlanRecord {
 /// "shorten" or "lengthen".
 [[nodiscard]] std::string_view sense_of(double stroke);
 
-/// "clockwise" or "counterclockwise", seen from the support along the cable.
-[[nodiscard]] std::string_view rotation_of(double stroke, Thread thread);
+/// "clockwise" or "counterclockwise", seen from the support along the cable; nothing where the
+/// thread is not told.
+[[nodiscard]] std::optional<std::string_view> rotation_of(double stroke,
+                                                          std::optional<Thread> thread);
 
 }  // namespace taut
