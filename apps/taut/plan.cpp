@@ -34,6 +34,7 @@ struct PlanCommand : CommonOptions {
     std::string result;
     std::string output;
     std::string stroke = "15mm";
+    std::string total_stroke;
     std::vector<std::string> tension;
     std::vector<std::string> reaction;
     std::vector<std::string> checks;
@@ -109,6 +110,31 @@ ReactionLimit reaction_limit(const CableNet& net, const std::string& text) {
     return limit;
 }
 
+/// Narrows strokes so that no turnbuckle stands further than a total from its designed length.
+void hold_total_stroke(const CableNet& net, const CableNet& built, const std::string& text,
+                       const std::vector<int>& edges, Limits& limits) {
+    const double total = parse_length(text);
+    if (!(total > 0.0) || std::isinf(total)) {
+        throw std::invalid_argument(
+            fmt::format("--total-stroke is '{}', expected more than 0", text));
+    }
+    for (size_t k = 0; k < edges.size(); ++k) {
+        const int edge = edges[k];
+        const double reading = built.unstressed_lengths()(edge) - net.unstressed_lengths()(edge);
+        if (std::abs(reading) > total * (1.0 + 1e-9)) {
+            throw std::invalid_argument(fmt::format(
+                "--total-stroke is '{}', but the turnbuckle of edge '{}' stands {:.2f} mm from its "
+                "designed length already",
+                text, net.edge_id(edge), 1e3 * reading));
+        }
+        const auto at = static_cast<Eigen::Index>(k);
+        limits.shortest_stroke(at) =
+            std::max(limits.shortest_stroke(at), std::min(0.0, -total - reading));
+        limits.longest_stroke(at) =
+            std::min(limits.longest_stroke(at), std::max(0.0, total - reading));
+    }
+}
+
 /// The edges that may be turned, and how far.
 std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNet& built,
                                               const PlanCommand& command) {
@@ -139,6 +165,9 @@ std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNe
                 fmt::format("--stroke is '{}', expected more than 0", command.stroke));
         }
         limits = limits_of_stroke(net, edges.size(), stroke);
+    }
+    if (!command.total_stroke.empty()) {
+        hold_total_stroke(net, built, command.total_stroke, edges, limits);
     }
     for (const std::string& text : command.tension) {
         take_tension(net, text, limits.tension);
@@ -327,6 +356,9 @@ void add_plan(CLI::App& program) {
                     "How far a turnbuckle may be turned from where it stands, either way; or a "
                     "file edge,shortest,longest in m")
         ->capture_default_str();
+    command.add_option("--total-stroke", options->total_stroke,
+                       "How far a turnbuckle may then stand from its designed length in NET, either "
+                       "way (default: any)");
     command.add_option("--tension", options->tension,
                        "Limits of tension, 1.5kN..10kN[@GROUP], or parts of the breaking load that "
                        "NET tells, 20%..60%; may be given again (default: no edge slack)");

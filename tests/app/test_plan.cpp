@@ -253,6 +253,45 @@ TEST_F(PlanCommand, TellsARotationOnlyWhereTheThreadIsTold) {
     EXPECT_EQ(plan({"--thread", "up"}).exit_code, 2);
 }
 
+TEST_F(PlanCommand, HoldsTheTotalStrokeSinceInstallation) {
+    // The net is told as designed with one turnbuckle 4 mm longer than it is built.
+    ASSERT_EQ(plan({}).exit_code, 0);
+    const json free = json::parse(read("plan.json"));
+    double most = 0.0;
+    for (const json& turn : free["turns"]) {
+        most = std::max(most, std::abs(turn["reading_after"].get<double>()));
+    }
+    ASSERT_GT(most, 1e-3);
+    ASSERT_EQ(plan({"--total-stroke", "1mm", "--turn", "4mm", "--step", "1/16"}).exit_code, 0);
+    for (const json& turn : json::parse(read("plan.json"))["turns"]) {
+        EXPECT_LT(std::abs(turn["reading_after"].get<double>()), 1e-3 + 1e-9);
+    }
+    std::filesystem::remove(folder() / "plan.json");
+    expect_refused({"--total-stroke", "0mm"}, "--total-stroke is '0mm', expected more than 0");
+    expect_refused({"--total-stroke=-3mm"}, "expected more than 0");
+    expect_refused({"--total-stroke", "lots"}, "lots");
+    // Where an interior cable may be recut, its deviation counts as its reading.
+    const json result = json::parse(read("result.json"));
+    double deviation = 0.0;
+    int edge = 0;
+    for (const json& one : result["edges"]) {
+        if (std::abs(one["length_deviation"].get<double>()) > std::abs(deviation)) {
+            deviation = one["length_deviation"].get<double>();
+            edge = one["edge"].get<int>();
+        }
+    }
+    ASSERT_GT(std::abs(deviation), 1e-3);
+    write("edges.csv", std::to_string(edge) + "\n");
+    expect_refused({"--adjustable", "edges.csv", "--total-stroke", "1mm"},
+                   "from its designed length already");
+    EXPECT_EQ(plan({"--adjustable", "edges.csv", "--total-stroke", "4mm"}).exit_code, 0);
+    for (const json& turn : json::parse(read("plan.json"))["turns"]) {
+        EXPECT_LT(std::abs(turn["reading_after"].get<double>()), 4e-3 + 1e-9);
+        EXPECT_NEAR(turn["reading_after"].get<double>(), deviation + turn["stroke"].get<double>(),
+                    1e-9);
+    }
+}
+
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {
     must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "0", "-o",
               "bare.json"});
