@@ -13,6 +13,7 @@
 #include "progress_line.hpp"
 #include "run_record.hpp"
 #include "survey_input.hpp"
+#include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
 #include "taut/files/file.hpp"
@@ -47,6 +48,7 @@ struct PlanCommand : CommonOptions {
     std::string thread;
     std::string csv;
     int crews = 1;
+    int further = 0;
     std::uint64_t seed = 1;
 };
 
@@ -277,6 +279,16 @@ void print(const PlanCommand& command, const PlanRecord& record) {
         order.is_safe ? "at no moment is a limit broken that was kept before"
                       : fmt::format("no safe order was found: at moment {} {}",
                                     order.worst.moment + 1, where_text(net, order.worst.breach)));
+    if (record.further) {
+        fmt::print("{}\n", record.further->empty()
+                               ? "no further edge would help"
+                               : "further edges that would help most, each with those before it:");
+        for (const FurtherEdge& further : *record.further) {
+            fmt::print("  edge {}: by {:.2f} mm, normal RMS {:.3f} mm then\n",
+                       net.edge_id(further.edge), 1e3 * further.stroke,
+                       1e3 * further.normal_rmse_after);
+        }
+    }
     fmt::print("written to {}\n", command.output);
     if (!command.csv.empty()) {
         fmt::print("written to {}: the list for the crews\n", command.csv);
@@ -305,6 +317,11 @@ void run(const PlanCommand& command) {
         order_turns(identified.built, limits, plan,
                     {.crews = command.crews, .step = options.turn ? options.turn->step() : 0.0},
                     line.progress());
+    std::optional<std::vector<FurtherEdge>> further;
+    if (command.further > 0) {
+        further = further_edges(identified.built, target, limits, options, plan, command.further,
+                                line.progress());
+    }
     const PlanRecord record{.net = &net,
                             .built = &identified.built,
                             .trust = &identified.trust,
@@ -313,6 +330,7 @@ void run(const PlanCommand& command) {
                             .options = &options,
                             .plan = &plan,
                             .order = &order,
+                            .further = std::move(further),
                             .crews = command.crews,
                             .thread = thread_of(command.thread)};
     const std::string document = plan_to_json(record, run_record());
@@ -391,6 +409,11 @@ void add_plan(CLI::App& program) {
                     "Of all turnbuckles, in place of what NET tells of each; where neither does, no "
                     "sense of rotation is told")
         ->check(CLI::IsMember({"right", "left"}));
+    command
+        .add_option("--further", options->further,
+                    "Tell so many further edges that would help most if they were made adjustable "
+                    "or cut to another length")
+        ->check(CLI::Range(1, 1000));
     command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
     add_seed_option(command, options->seed);
     command.callback([options] { run(*options); });

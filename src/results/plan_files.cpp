@@ -116,6 +116,20 @@ Json turn_order_json(const PlanRecord& record) {
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
+Json further_json(const PlanRecord& record) {
+    if (!record.further) {
+        return {};
+    }
+    Json result = Json::array();
+    for (const FurtherEdge& further : *record.further) {
+        result.push_back({{"edge", further.edge},
+                          {"edge_id", record.net->edge_id(further.edge)},
+                          {"stroke", further.stroke},
+                          {"normal_rmse_after", further.normal_rmse_after}});
+    }
+    return result;
+}
+
 /// Of the free nodes.
 Json node_weights_json(const PlanRecord& record) {
     Json result{{"normal", Json::array()}, {"tangential", Json::array()}};
@@ -186,6 +200,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"normal_unknown", plan.normal_unknown}}},
         {"tension", planned_tension_json(record)},
         {"order", turn_order_json(record)},
+        {"further", further_json(record)},
         {"options",
          {{"target", record.target->surface() != nullptr ? "surface" : "form"},
           {"node_weights", node_weights_json(record)},

@@ -292,6 +292,25 @@ TEST_F(PlanCommand, HoldsTheTotalStrokeSinceInstallation) {
     }
 }
 
+TEST_F(PlanCommand, TellsFurtherEdgesThatWouldHelp) {
+    ASSERT_EQ(plan({}).exit_code, 0);
+    EXPECT_TRUE(json::parse(read("plan.json"))["further"].is_null());
+    const Outcome outcome = plan({"--further", "2"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("further edges that would help most"));
+    const json document = json::parse(read("plan.json"));
+    double before = document["form"]["planned"]["normal_rmse"].get<double>();
+    ASSERT_EQ(document["further"].size(), 2U);
+    for (const json& further : document["further"]) {
+        EXPECT_EQ(further["edge_id"], std::to_string(further["edge"].get<int>()));
+        EXPECT_LT(std::abs(further["stroke"].get<double>()), 15e-3 + 1e-9);
+        EXPECT_LT(further["normal_rmse_after"].get<double>(), before);
+        before = further["normal_rmse_after"].get<double>();
+    }
+    EXPECT_EQ(plan({"--further", "0"}).exit_code, 2);
+    EXPECT_EQ(plan({"--further", "many"}).exit_code, 2);
+}
+
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {
     must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "0", "-o",
               "bare.json"});

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
 #include "taut/identification/trust.hpp"
@@ -23,6 +24,7 @@ struct PlanRecord {
     const PlanOptions* options = nullptr;
     const Plan* plan = nullptr;
     const TurnOrder* order = nullptr;
+    std::optional<std::vector<FurtherEdge>> further;  ///< where they were asked for
     int crews = 1;
     std::optional<Thread> thread;  ///< of all, in place of what the net tells of each
 };
