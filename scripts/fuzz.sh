@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 
 seconds=${1:?seconds per reader}
 readers=("${@:2}")
-((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey foreign_survey obj model)
+((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey foreign_survey obj surface_mesh model)
 
 # The build that runs the tests under the sanitizers: nothing is compiled for the fuzzers alone.
 build=build/asan
@@ -45,6 +45,8 @@ make_seeds() {
     copy net $work/net.json
     copy compas $work/graph.json
     copy obj $work/net.obj
+    printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >$work/roof.ply
+    copy surface_mesh $work/roof.ply
     copy csv_survey $work/form.csv
     copy model $work/model.h5
     local survey

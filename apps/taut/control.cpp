@@ -50,9 +50,14 @@ ControlSettings settings_of(const ControlCommand& command) {
                              .trials = command.trials,
                              .seed = command.seed};
     if (!command.tension.empty()) {
-        const auto [least, most] = parse_tension_range(command.tension);
-        settings.least_tension = least;
-        settings.most_tension = std::isinf(most) ? 0.0 : most;
+        const TensionRange range = parse_tension_range(command.tension);
+        if (range.has_part()) {
+            throw std::invalid_argument(fmt::format(
+                "--tension is '{}', expected forces: parts of breaking loads are for taut plan",
+                command.tension));
+        }
+        settings.least_tension = range.least.value;
+        settings.most_tension = std::isinf(range.most.value) ? 0.0 : range.most.value;
     }
     return settings;
 }

@@ -13,6 +13,7 @@
 #include "progress_line.hpp"
 #include "run_record.hpp"
 #include "survey_input.hpp"
+#include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
 #include "taut/files/file.hpp"
@@ -34,6 +35,7 @@ struct PlanCommand : CommonOptions {
     std::string result;
     std::string output;
     std::string stroke = "15mm";
+    std::string total_stroke;
     std::vector<std::string> tension;
     std::vector<std::string> reaction;
     std::vector<std::string> checks;
@@ -47,6 +49,7 @@ struct PlanCommand : CommonOptions {
     std::string thread;
     std::string csv;
     int crews = 1;
+    int further = 0;
     std::uint64_t seed = 1;
 };
 
@@ -60,17 +63,26 @@ const std::vector<int>& group_of(const CableNet& net, const std::string& name,
     return found->second;
 }
 
-/// "1.5kN..10kN[@GROUP]", either end may be left out.
+/// "1.5kN..10kN[@GROUP]", "20%..60%[@GROUP]", either end may be left out.
 void take_tension(const CableNet& net, const std::string& text, TensionLimits& limits) {
     const size_t at = text.find('@');
-    const std::pair<double, double> range = parse_tension_range(text.substr(0, at));
+    const TensionRange range = parse_tension_range(text.substr(0, at));
+    const Eigen::VectorXd& breaking_load = net.data().breaking_load;
+    if (range.has_part() && breaking_load.size() == 0) {
+        throw std::invalid_argument(fmt::format(
+            "--tension is '{}', a part of the breaking load, which the net does not tell: "
+            "breaking_load in N is missing",
+            text));
+    }
     const auto set = [&](int edge) {
-        limits.lower(edge) = range.first;
-        limits.upper(edge) = range.second;
+        const double strength = range.has_part() ? breaking_load(edge) : 0.0;
+        limits.lower(edge) = range.least.at(strength);
+        limits.upper(edge) = range.most.at(strength);
     };
     if (at == std::string::npos) {
-        limits.lower.setConstant(range.first);
-        limits.upper.setConstant(range.second);
+        for (int edge = 0; edge < net.edge_count(); ++edge) {
+            set(edge);
+        }
     } else {
         std::ranges::for_each(group_of(net, text.substr(at + 1), "--tension"), set);
     }
@@ -99,6 +111,31 @@ ReactionLimit reaction_limit(const CableNet& net, const std::string& text) {
             fmt::format("--reaction is '{}', but no edge of that group is at a support", text));
     }
     return limit;
+}
+
+/// Narrows strokes so that no turnbuckle stands further than a total from its designed length.
+void hold_total_stroke(const CableNet& net, const CableNet& built, const std::string& text,
+                       const std::vector<int>& edges, Limits& limits) {
+    const double total = parse_length(text);
+    if (!(total > 0.0) || std::isinf(total)) {
+        throw std::invalid_argument(
+            fmt::format("--total-stroke is '{}', expected more than 0", text));
+    }
+    for (size_t k = 0; k < edges.size(); ++k) {
+        const int edge = edges[k];
+        const double reading = built.unstressed_lengths()(edge) - net.unstressed_lengths()(edge);
+        if (std::abs(reading) > total * (1.0 + 1e-9)) {
+            throw std::invalid_argument(fmt::format(
+                "--total-stroke is '{}', but the turnbuckle of edge '{}' stands {:.2f} mm from its "
+                "designed length already",
+                text, net.edge_id(edge), 1e3 * reading));
+        }
+        const auto at = static_cast<Eigen::Index>(k);
+        limits.shortest_stroke(at) =
+            std::max(limits.shortest_stroke(at), std::min(0.0, -total - reading));
+        limits.longest_stroke(at) =
+            std::min(limits.longest_stroke(at), std::max(0.0, total - reading));
+    }
 }
 
 /// The edges that may be turned, and how far.
@@ -131,6 +168,9 @@ std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNe
                 fmt::format("--stroke is '{}', expected more than 0", command.stroke));
         }
         limits = limits_of_stroke(net, edges.size(), stroke);
+    }
+    if (!command.total_stroke.empty()) {
+        hold_total_stroke(net, built, command.total_stroke, edges, limits);
     }
     for (const std::string& text : command.tension) {
         take_tension(net, text, limits.tension);
@@ -186,7 +226,7 @@ void print_survey_first(const CableNet& net, const Plan& plan, double noise) {
 }
 
 /// Empty where none is told: a wrong one would have crews turn the wrong way.
-std::optional<Thread> parse_thread(const std::string& text) {
+std::optional<Thread> thread_of(const std::string& text) {
     if (text.empty()) {
         return std::nullopt;
     }
@@ -270,6 +310,16 @@ void print(const PlanCommand& command, const PlanRecord& record) {
                       : fmt::format("no safe order was found: at moment {} {}{}",
                                     order.worst.moment + 1, where_text(net, order.worst.breach),
                                     plan.draws > 0 ? " with its margin" : ""));
+    if (record.further) {
+        fmt::print("{}\n", record.further->empty()
+                               ? "no further edge would help"
+                               : "further edges that would help most, each with those before it:");
+        for (const FurtherEdge& further : *record.further) {
+            fmt::print("  edge {}: by {:.2f} mm, normal RMS {:.3f} mm then\n",
+                       net.edge_id(further.edge), 1e3 * further.stroke,
+                       1e3 * further.normal_rmse_after);
+        }
+    }
     fmt::print("written to {}\n", command.output);
     if (!command.csv.empty()) {
         fmt::print("written to {}: the list for the crews\n", command.csv);
@@ -285,7 +335,8 @@ void run(const PlanCommand& command) {
     const PlanOptions options = options_of(command, std::move(edges));
     std::vector<std::string> inputs = command.checks;
     inputs.insert(inputs.end(), {command.net, command.result, draws_path(command.result).string(),
-                                 command.target.target, command.adjustable, command.stroke});
+                                 command.target.target, command.target.node_weights,
+                                 command.adjustable, command.stroke});
     check_outputs({command.output, command.csv}, inputs);
     if (identified.trust.verdict() == Trust::Verdict::failed) {
         warn(command.result, {"the identification failed its tests: what is planned on it may do "
@@ -297,6 +348,11 @@ void run(const PlanCommand& command) {
         order_turns(identified.built, limits, plan,
                     {.crews = command.crews, .step = options.turn ? options.turn->step() : 0.0},
                     line.progress());
+    std::optional<std::vector<FurtherEdge>> further;
+    if (command.further > 0) {
+        further = further_edges(identified.built, target, limits, options, plan, command.further,
+                                line.progress());
+    }
     const PlanRecord record{.net = &net,
                             .built = &identified.built,
                             .trust = &identified.trust,
@@ -305,8 +361,9 @@ void run(const PlanCommand& command) {
                             .options = &options,
                             .plan = &plan,
                             .order = &order,
+                            .further = std::move(further),
                             .crews = command.crews,
-                            .thread = parse_thread(command.thread)};
+                            .thread = thread_of(command.thread)};
     const std::string document = plan_to_json(record, run_record());
     std::vector<std::pair<std::filesystem::path, std::string>> files{{command.output, document}};
     if (!command.csv.empty()) {
@@ -349,9 +406,12 @@ void add_plan(CLI::App& program) {
                     "How far a turnbuckle may be turned from where it stands, either way; or a "
                     "file edge,shortest,longest in m")
         ->capture_default_str();
+    command.add_option("--total-stroke", options->total_stroke,
+                       "How far a turnbuckle may then stand from its designed length in NET, either "
+                       "way (default: any)");
     command.add_option("--tension", options->tension,
-                       "Limits of tension, 1.5kN..10kN[@GROUP]; may be given again (default: no "
-                       "edge slack)");
+                       "Limits of tension, 1.5kN..10kN[@GROUP], or parts of the breaking load that "
+                       "NET tells, 20%..60%; may be given again (default: no edge slack)");
     command.add_option("--reaction", options->reaction,
                        "Largest force at a support, 20kN[@GROUP of edges]; may be given again");
     command.add_option("--check", options->checks,
@@ -381,8 +441,14 @@ void add_plan(CLI::App& program) {
     command.add_option("--crews", options->crews, "That turn at once")->capture_default_str();
     command
         .add_option("--thread", options->thread,
-                    "Of the turnbuckles, right or left: with it the lists tell which way to turn")
+                    "Of all turnbuckles, in place of what NET tells of each; where neither does, no "
+                    "sense of rotation is told")
         ->check(CLI::IsMember({"right", "left"}));
+    command
+        .add_option("--further", options->further,
+                    "Tell so many further edges that would help most if they were made adjustable "
+                    "or cut to another length")
+        ->check(CLI::Range(1, 1000));
     command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
     add_seed_option(command, options->seed);
     command.callback([options] { run(*options); });

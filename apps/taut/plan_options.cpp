@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -47,23 +48,38 @@ std::optional<TurnSize> parse_turn(const std::string& turn, const std::string& s
                     .smallest = step.empty() ? 0.0 : parse_part_of_turn(step)};
 }
 
-std::pair<double, double> parse_tension_range(const std::string& text) {
+TensionRange parse_tension_range(const std::string& text) {
     const size_t dots = text.find("..");
     if (dots == std::string::npos) {
-        throw std::invalid_argument(fmt::format(
-            "--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..10kN", text));
+        throw std::invalid_argument(
+            fmt::format("--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..60%",
+                        text));
     }
-    const std::string lower = text.substr(0, dots);
-    const std::string upper = text.substr(dots + 2);
-    const double least = lower.empty() ? 0.0 : parse_force(lower);
-    const double most =
-        upper.empty() ? std::numeric_limits<double>::infinity() : parse_force(upper);
-    if (!(least >= 0.0) || !(most > least)) {
+    const auto end_of = [](const std::string& end, double none) -> TensionRange::End {
+        if (end.empty()) {
+            return {.value = none};
+        }
+        const bool is_part = end.find('%') != std::string::npos;
+        return {.value = is_part ? parse_part(end) : parse_force(end), .is_part = is_part};
+    };
+    const TensionRange range{
+        .least = end_of(text.substr(0, dots), 0.0),
+        .most = end_of(text.substr(dots + 2), std::numeric_limits<double>::infinity())};
+    const bool is_comparable =
+        range.least.is_part == range.most.is_part || std::isinf(range.most.value);
+    if (!(range.least.value >= 0.0) || !(range.most.value > 0.0) ||
+        (is_comparable && !(range.most.value > range.least.value))) {
         throw std::invalid_argument(fmt::format(
             "--tension is '{}', expected a lower limit of 0 or more and an upper one above it",
             text));
     }
-    return {least, most};
+    for (const TensionRange::End& end : {range.least, range.most}) {
+        if (end.is_part && end.value > 1.0) {
+            throw std::invalid_argument(fmt::format(
+                "--tension is '{}', expected no more than 100 % of the breaking load", text));
+        }
+    }
+    return range;
 }
 
 }  // namespace taut::app

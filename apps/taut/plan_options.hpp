@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "taut/adjustment/plan.hpp"
 
@@ -14,9 +13,25 @@ namespace taut::app {
 /// @throws std::invalid_argument
 std::optional<TurnSize> parse_turn(const std::string& turn, const std::string& step);
 
-/// "1.5kN..10kN", of which either end may be left out: least and most, infinite where there is none
-/// [N].
-/// @throws std::invalid_argument for anything else, a least below 0 or not below the most
-std::pair<double, double> parse_tension_range(const std::string& text);
+/// Limits of tension as they were told.
+struct TensionRange {
+    /// A force [N], or a part of the breaking load.
+    struct End {
+        double value = 0.0;
+        bool is_part = false;
+        /// @param breaking_load of the edge; read of a part only [N]
+        [[nodiscard]] double at(double breaking_load) const {
+            return is_part ? value * breaking_load : value;
+        }
+    };
+    End least;
+    End most;  ///< infinite where there is none
+    [[nodiscard]] bool has_part() const { return least.is_part || most.is_part; }
+};
+
+/// "1.5kN..10kN", "20%..60%", "1kN..60%", of which either end may be left out.
+/// @throws std::invalid_argument for anything else, a least below 0 or not below the most, and
+///   parts above 100 %
+TensionRange parse_tension_range(const std::string& text);
 
 }  // namespace taut::app

@@ -13,6 +13,7 @@
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/interchange/surface_mesh.hpp"
+#include "taut/io/adjustment_csv.hpp"
 #include "taut/io/read_survey.hpp"
 #include "taut/net/units.hpp"
 
@@ -107,6 +108,8 @@ void TargetOptions::add_to(CLI::App& command) {
     command.add_option("--weights", weights,
                        "Of squared deviations along the target's normal and across it (default: "
                        "normal:1,tangential:0.1)");
+    command.add_option("--node-weights", node_weights,
+                       "The same of single nodes in their place, a file id,normal,tangential");
     command
         .add_option("--objective", objective,
                     "What is made small: the RMS of the deviations, or the largest")
@@ -114,7 +117,7 @@ void TargetOptions::add_to(CLI::App& command) {
         ->capture_default_str();
 }
 
-FormTarget TargetOptions::read(const CableNet& net) const {
+FormTarget TargetOptions::read_places(const CableNet& net) const {
     const DeviationWeights told = parse_weights(weights);
     const FormObjective sought = objective == "rms" ? FormObjective::rms : FormObjective::largest;
     if (is_surface_mesh_name(target)) {
@@ -125,6 +128,21 @@ FormTarget TargetOptions::read(const CableNet& net) const {
             "--target-unit is told, but --target is no surface, .obj or .ply");
     }
     return {net, target.empty() ? net.nodes() : read_form(net, target), told, sought};
+}
+
+FormTarget TargetOptions::read(const CableNet& net) const {
+    FormTarget result = read_places(net);
+    if (!node_weights.empty()) {
+        Eigen::VectorXd normal = result.normal_weights();
+        Eigen::VectorXd tangential = result.tangential_weights();
+        for (const NodeWeights& of :
+             parse_node_weights(net, read_file(node_weights), node_weights)) {
+            normal(of.node) = of.normal;
+            tangential(of.node) = of.tangential;
+        }
+        result.set_weights(std::move(normal), std::move(tangential));
+    }
+    return result;
 }
 
 }  // namespace taut::app

@@ -14,6 +14,7 @@ struct TargetOptions {
     std::string target;  ///< a form or a surface; empty: the nodes of the net
     std::string unit = "m";
     std::string weights;
+    std::string node_weights;  ///< file
     std::string objective = "rms";
 
     void add_to(CLI::App& command);
@@ -21,6 +22,9 @@ struct TargetOptions {
     /// Says on standard error what of a surface is left out, and which nodes are beyond its border.
     /// @throws InputError, std::invalid_argument
     [[nodiscard]] FormTarget read(const CableNet& net) const;
+
+private:
+    [[nodiscard]] FormTarget read_places(const CableNet& net) const;
 };
 
 }  // namespace taut::app

@@ -236,6 +236,7 @@ CableNet net_to_fit(const CableNet& net, const std::vector<Unknown>& unknowns) {
     }
     CableNetData data = net.data();
     data.adjustable.clear();
+    data.thread.clear();
     return CableNet(std::move(data));
 }
 

@@ -58,6 +58,41 @@ std::vector<CsvRecord> records_of(std::string_view text, const std::string& file
     return records;
 }
 
+/// Nodes by the names in the first field, each once.
+class NodeColumn {
+public:
+    NodeColumn(const CableNet& net, const std::string& file_name)
+        : m_net(&net), m_file_name(file_name) {
+        for (int node = 0; node < net.node_count(); ++node) {
+            m_node_of.emplace(net.node_id(node), node);
+        }
+    }
+
+    [[noreturn]] void fail(const CsvRecord& record, const std::string& what) const {
+        throw InputError(m_file_name, std::to_string(record.line), what);
+    }
+
+    int node(const CsvRecord& record) {
+        const auto found = m_node_of.find(record.fields[0]);
+        if (found == m_node_of.end()) {
+            fail(record, fmt::format("{} is no node of the net '{}'", quote(record.fields[0]),
+                                     m_net->name()));
+        }
+        const auto [first, is_new] = m_line_of.try_emplace(found->second, record.line);
+        if (!is_new) {
+            fail(record, fmt::format("names node {} a second time, first in line {}",
+                                     quote(record.fields[0]), first->second));
+        }
+        return found->second;
+    }
+
+private:
+    const CableNet* m_net;
+    std::string m_file_name;
+    std::map<std::string, int> m_node_of;
+    std::map<int, int> m_line_of;
+};
+
 }  // namespace
 
 std::vector<StrokeRange> parse_stroke_ranges(const CableNet& net, std::string_view text,
@@ -80,29 +115,37 @@ std::vector<StrokeRange> parse_stroke_ranges(const CableNet& net, std::string_vi
 }
 
 Points parse_loads(const CableNet& net, std::string_view text, const std::string& file_name) {
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    NodeColumn nodes(net, file_name);
     Points loads = Points::Zero(3, net.node_count());
-    std::map<int, int> line_of;
     for (const CsvRecord& record : records_of(text, file_name, {"id", "x", "y", "z"})) {
-        const auto fail = [&](const std::string& what) {
-            throw InputError(file_name, std::to_string(record.line), what);
-        };
-        const auto found = node_of.find(record.fields[0]);
-        if (found == node_of.end()) {
-            fail(fmt::format("{} is no node of the net '{}'", quote(record.fields[0]), net.name()));
-        }
-        const auto [first, is_new] = line_of.try_emplace(found->second, record.line);
-        if (!is_new) {
-            fail(fmt::format("names node {} a second time, first in line {}",
-                             quote(record.fields[0]), first->second));
-        }
+        const int node = nodes.node(record);
         const auto [x, y, z] = numbers_in<3>(record, file_name, {"x", "y", "z"}, largest_load);
-        loads.col(found->second) << x, y, z;
+        loads.col(node) << x, y, z;
     }
     return loads;
+}
+
+std::vector<NodeWeights> parse_node_weights(const CableNet& net, std::string_view text,
+                                            const std::string& file_name) {
+    NodeColumn nodes(net, file_name);
+    std::vector<NodeWeights> result;
+    for (const CsvRecord& record : records_of(text, file_name, {"id", "normal", "tangential"})) {
+        const int node = nodes.node(record);
+        if (net.free_index(node) < 0) {
+            nodes.fail(record, fmt::format("node {} is a support, which does not move; expected a "
+                                           "free node",
+                                           quote(record.fields[0])));
+        }
+        constexpr double largest_weight = 1e12;
+        const auto [normal, tangential] =
+            numbers_in<2>(record, file_name, {"normal", "tangential"}, largest_weight);
+        if (normal < 0.0 || tangential < 0.0) {
+            nodes.fail(record, fmt::format("the weights are {:g} and {:g}, expected 0 or more",
+                                           normal, tangential));
+        }
+        result.push_back({.node = node, .normal = normal, .tangential = tangential});
+    }
+    return result;
 }
 
 }  // namespace taut

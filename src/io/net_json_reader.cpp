@@ -111,6 +111,19 @@ std::vector<int> read_law_indices(const std::optional<JsonValue>& list) {
     return indices;
 }
 
+std::vector<Thread> read_threads(const std::optional<JsonValue>& list) {
+    std::vector<Thread> threads(list ? list->array_size("an array of right and left") : 0);
+    for (size_t k = 0; k < threads.size(); ++k) {
+        const JsonValue value = list->at(k);
+        const std::string text = value.text();
+        if (text != "right" && text != "left") {
+            value.fail(fmt::format(R"(is {}, expected "right" or "left")", quote(text)));
+        }
+        threads[k] = text == "right" ? Thread::right : Thread::left;
+    }
+    return threads;
+}
+
 std::map<std::string, std::vector<int>> read_groups(const std::optional<JsonValue>& object) {
     std::map<std::string, std::vector<int>> groups;
     if (object) {
@@ -158,6 +171,8 @@ CableNetData read_data(const JsonValue& root) {
     data.groups = read_groups(root.find("groups"));
     data.mass = read_rates(root.find("mass"), data.edges.size());
     data.expansion = read_rates(root.find("expansion"), data.edges.size());
+    data.breaking_load = read_rates(root.find("breaking_load"), data.edges.size());
+    data.thread = read_threads(root.find("thread"));
     return data;
 }
 
@@ -166,12 +181,14 @@ CableNetData read_data(const JsonValue& root) {
 CableNet read_net_value(const JsonValue& root) {
     check_format(root);
     CableNetData data = read_data(root);
-    const bool one_stiffness = root.json().at("axial_stiffness").is_number();
+    const auto is_one_for_all = [&root](const std::string& field) {
+        return root.json().contains(field) && root.json().at(field).is_number();
+    };
     try {
         return CableNet(std::move(data));
     } catch (const NetError& error) {
         std::string pointer = "/" + error.field();
-        if (!(one_stiffness && error.field() == "axial_stiffness")) {
+        if (!is_one_for_all(error.field())) {
             for (const int index : error.index()) {
                 pointer += "/" + std::to_string(index);
             }

@@ -175,10 +175,16 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
         add("groups", groups_text(data.groups));
     }
     for (const auto& [key, rates] :
-         {std::pair{"mass", &data.mass}, std::pair{"expansion", &data.expansion}}) {
+         {std::pair{"mass", &data.mass}, std::pair{"expansion", &data.expansion},
+          std::pair{"breaking_load", &data.breaking_load}}) {
         if (rates->size() > 0) {
             add(key, one_or_all(*rates));
         }
+    }
+    if (!data.thread.empty()) {
+        add("thread", wrapped(data.thread, [](Thread thread) {
+                return std::string(thread == Thread::right ? R"("right")" : R"("left")");
+            }));
     }
     for (const auto& [key, value] : unknown.items()) {
         add(key, value.dump());

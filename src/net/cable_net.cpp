@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "net/fingerprint.hpp"
@@ -39,6 +40,21 @@ void take_stiffness_of_laws(CableNetData& data) {
             data.axial_stiffness(static_cast<Eigen::Index>(e)) = data.tension_laws[law].steepest();
         }
     }
+}
+
+/// Ascending, each with its thread.
+void sort_adjustable(CableNetData& data) {
+    if (!data.thread.empty()) {
+        std::map<int, Thread> thread_of;
+        for (size_t k = 0; k < data.thread.size(); ++k) {
+            thread_of.emplace(data.adjustable[k], data.thread[k]);
+        }
+        data.thread.clear();
+        for (const auto& [edge, thread] : thread_of) {
+            data.thread.push_back(thread);
+        }
+    }
+    std::ranges::sort(data.adjustable);
 }
 
 Points with_self_weight(const CableNetData& data) {
@@ -79,7 +95,7 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
     }
     take_stiffness_of_laws(m_data);
     validate(m_data);
-    std::ranges::sort(m_data.adjustable);
+    sort_adjustable(m_data);
     m_loads = with_self_weight(m_data);
 
     m_free_index.assign(node_count(), 0);

@@ -261,6 +261,15 @@ void validate(const CableNetData& data) {
     check_rates("mass", data.mass, data.edges.size(), 0.0);
     check_rates("expansion", data.expansion, data.edges.size(),
                 std::numeric_limits<double>::lowest());
+    if (data.breaking_load.size() > 0) {
+        check_entry_count("breaking_load", data.breaking_load.size(),
+                          static_cast<Eigen::Index>(data.edges.size()), "edge");
+        check_positive("breaking_load", data.breaking_load);
+    }
+    if (!data.thread.empty()) {
+        check_entry_count("thread", static_cast<Eigen::Index>(data.thread.size()),
+                          static_cast<Eigen::Index>(data.adjustable.size()), "adjustable edge");
+    }
 }
 
 }  // namespace taut

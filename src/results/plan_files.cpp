@@ -54,12 +54,14 @@ std::optional<double> count_of_turns(const PlanRecord& record, double stroke) {
                                 : std::nullopt;
 }
 
-std::optional<std::string_view> told_rotation(const PlanRecord& record, double stroke) {
-    return record.thread ? std::optional(rotation_of(stroke, *record.thread)) : std::nullopt;
-}
-
-Json value_or_null(const auto& value) {
-    return value ? Json(*value) : Json();
+std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
+    const std::vector<int>& adjustable = record.net->adjustable_edges();
+    const std::vector<Thread>& threads = record.net->data().thread;
+    const auto found = std::ranges::find(adjustable, edge);
+    if (record.thread || threads.empty() || found == adjustable.end()) {
+        return record.thread;
+    }
+    return threads[static_cast<size_t>(found - adjustable.begin())];
 }
 
 Json breach_json(const CableNet& net, const LimitBreach& breach) {
@@ -128,14 +130,45 @@ Json survey_first_json(const PlanRecord& record) {
     return {{"noise", *record.options->survey_noise}, {"targets", targets}};
 }
 
+Json further_json(const PlanRecord& record) {
+    if (!record.further) {
+        return {};
+    }
+    Json result = Json::array();
+    for (const FurtherEdge& further : *record.further) {
+        result.push_back({{"edge", further.edge},
+                          {"edge_id", record.net->edge_id(further.edge)},
+                          {"stroke", further.stroke},
+                          {"normal_rmse_after", further.normal_rmse_after}});
+    }
+    return result;
+}
+
+/// Of the free nodes.
+Json node_weights_json(const PlanRecord& record) {
+    Json result{{"normal", Json::array()}, {"tangential", Json::array()}};
+    for (const int node : record.net->free_nodes()) {
+        result["normal"].push_back(record.target->normal_weights()(node));
+        result["tangential"].push_back(record.target->tangential_weights()(node));
+    }
+    return result;
+}
+
+Json value_or_null(const auto& value) {
+    return value ? Json(*value) : Json();
+}
+
 }  // namespace
 
 std::string_view sense_of(double stroke) {
     return stroke < 0.0 ? "shorten" : "lengthen";
 }
 
-std::string_view rotation_of(double stroke, Thread thread) {
-    return (stroke < 0.0) == (thread == Thread::right) ? "clockwise" : "counterclockwise";
+std::optional<std::string_view> rotation_of(double stroke, std::optional<Thread> thread) {
+    if (!thread) {
+        return std::nullopt;
+    }
+    return (stroke < 0.0) == (*thread == Thread::right) ? "clockwise" : "counterclockwise";
 }
 
 std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
@@ -149,7 +182,8 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
                          {"stroke", turning.stroke},
                          {"turns", value_or_null(count_of_turns(record, turning.stroke))},
                          {"sense", sense_of(turning.stroke)},
-                         {"rotation", value_or_null(told_rotation(record, turning.stroke))},
+                         {"rotation",
+                          value_or_null(rotation_of(turning.stroke, thread_of(record, turning.edge)))},
                          {"pass", turning.pass},
                          {"crew", turning.crew},
                          {"moment", turning.moment},
@@ -180,15 +214,17 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"normal_unknown", plan.normal_unknown}}},
         {"tension", planned_tension_json(record)},
         {"order", turn_order_json(record)},
+        {"further", further_json(record)},
         {"options",
          {{"target", record.target->surface() != nullptr ? "surface" : "form"},
+          {"node_weights", node_weights_json(record)},
           {"confidence", record.options->confidence},
           {"actuator", record.options->actuator_std},
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
           {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
           {"tolerance", value_or_null(record.options->tolerance)},
-          {"thread",
-           record.thread ? Json(*record.thread == Thread::right ? "right" : "left") : Json()}}},
+          {"thread", !record.thread ? Json()
+                                    : Json(*record.thread == Thread::right ? "right" : "left")}}},
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
          {{"reached", value_or_null(plan.is_within_tolerance)},
@@ -212,12 +248,13 @@ std::string plan_to_csv(const PlanRecord& record) {
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
         const auto turns = count_of_turns(record, turning.stroke);
-        text += fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew,
-                            turning.pass, turning.moment + 1,
-                            csv_field(record.net->edge_id(turning.edge)), sense_of(turning.stroke),
-                            told_rotation(record, turning.stroke).value_or(""),
-                            1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
-                            1e3 * listed.reading_after, 1e-3 * listed.tension_after);
+        text +=
+            fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew, turning.pass,
+                        turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
+                        sense_of(turning.stroke),
+                        rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
+                        1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
+                        1e3 * listed.reading_after, 1e-3 * listed.tension_after);
     }
     return text;
 }

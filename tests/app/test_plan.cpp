@@ -3,7 +3,11 @@
 //
 // Guards the way from a result to a list of turns on the command line: keys that others read, a
 // list that does what the plan says, and one line for each input that cannot be meant.
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <sstream>
 
 #include "app/program.hpp"
@@ -156,6 +160,175 @@ TEST_F(PlanCommand, GoesForASurfaceAndRefusesOneInAnotherUnit) {
     EXPECT_EQ(document["options"]["target"].get<std::string>(), "surface");
     EXPECT_LT(document["form"]["planned"]["normal_rmse"],
               document["form"]["as_built"]["normal_rmse"]);
+}
+
+TEST_F(PlanCommand, WeighsSingleNodesAndRefusesWeightsThatCannotBeMeant) {
+    const json net = json::parse(read("net.json"));
+    std::vector<char> is_support(net["nodes"].size());
+    for (const json& node : net["supports"]) {
+        is_support[node.get<size_t>()] = 1;
+    }
+    const auto free =
+        static_cast<size_t>(std::ranges::find(is_support, char{0}) - is_support.begin());
+    const auto support = net["supports"][0].get<int>();
+    const auto refused = [&](const std::string& line, const char* text) {
+        write("weights.csv", "id,normal,tangential\n" + line + "\n");
+        expect_refused({"--node-weights", "weights.csv"}, text);
+    };
+    const std::string id = std::to_string(free);
+    refused("nowhere,1,1", "weights.csv:2: 'nowhere' is no node");
+    refused(id + ",1,1\n" + id + ",2,1", "weights.csv:3: names node");
+    refused(std::to_string(support) + ",1,1", "is a support");
+    refused(id + ",-1,1", "the weights are -1 and 1");
+    refused(id + ",nan,1", "normal is 'nan'");
+    refused(id + ",1", "has 2 fields");
+    expect_refused({"--node-weights", "no.csv"}, "no.csv: cannot be read");
+
+    const auto deviation = [&](const json& plan) {
+        Eigen::Vector3d planned;
+        Eigen::Vector3d sought;
+        for (int k = 0; k < 3; ++k) {
+            planned(k) = plan["planned_form"][free][k].get<double>();
+            sought(k) = plan["target_form"][free][k].get<double>();
+        }
+        return (planned - sought).norm();
+    };
+    ASSERT_EQ(plan({}).exit_code, 0);
+    const double before = deviation(json::parse(read("plan.json")));
+    write("weights.csv", id + ",1000,1000\n");
+    ASSERT_EQ(plan({"--node-weights", "weights.csv"}).exit_code, 0);
+    const json weighed = json::parse(read("plan.json"));
+    EXPECT_LT(deviation(weighed), 0.5 * before);
+    EXPECT_EQ(weighed["options"]["node_weights"]["normal"][0], 1000.0);
+    EXPECT_EQ(weighed["options"]["node_weights"]["tangential"][1], 0.1);
+}
+
+TEST_F(PlanCommand, TakesLimitsAsPartsOfBreakingLoads) {
+    expect_refused({"--tension", "20%..60%"}, "breaking_load in N is missing");
+    json net = json::parse(read("net.json"));
+    ASSERT_EQ(plan({}).exit_code, 0);
+    const json free = json::parse(read("plan.json"));
+    const double most = free["tension"]["most"].get<double>();
+    std::filesystem::remove(folder() / "plan.json");
+    // An edge that carries the most may break at ten times that, others at a hundred times.
+    net["breaking_load"] = json::array();
+    size_t heaviest = 0;
+    for (const json& edge : free["tension"]["edges"]) {
+        if (edge["planned"] == most) {
+            heaviest = edge["edge"].get<size_t>();
+        }
+        net["breaking_load"].push_back((edge["planned"] == most ? 10.0 : 100.0) * most);
+    }
+    write("net.json", net.dump());
+    expect_refused({"--tension", "60%..20%"}, "an upper one above it");
+    expect_refused({"--tension", "..120%"}, "no more than 100 %");
+    expect_refused({"--tension", "20%"}, "expected a range");
+    expect_refused({"--tension", "..-5%"}, "an upper one above it");
+    const Outcome outcome = plan({"--tension", "..9.5%", "--confidence", "50%"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json document = json::parse(read("plan.json"));
+    const json& edges = document["tension"]["edges"];
+    EXPECT_NEAR(edges[heaviest]["limit_upper"].get<double>(), 0.95 * most, 1e-6);
+    EXPECT_LT(edges[heaviest]["planned"].get<double>(), 0.95 * most);
+    const size_t other = heaviest == 0 ? 1 : 0;
+    EXPECT_NEAR(edges[other]["limit_upper"].get<double>(), 9.5 * most, 1e-6);
+    expect_error(run({"control", "net.json", "-o", "jobs", "--tension", "1%..5%"}), 2,
+                 "expected forces");
+}
+
+TEST_F(PlanCommand, TellsARotationOnlyWhereTheThreadIsTold) {
+    const auto rotations_are = [&](const std::function<json(const json&)>& expected) {
+        const json document = json::parse(read("plan.json"));
+        EXPECT_FALSE(document["turns"].empty());
+        std::istringstream list(read("turns.csv"));
+        std::string line;
+        std::getline(list, line);
+        for (const json& turn : document["turns"]) {
+            const json rotation = expected(turn);
+            EXPECT_EQ(turn["rotation"], rotation);
+            std::getline(list, line);
+            EXPECT_THAT(line, HasSubstr("," + turn["sense"].get<std::string>() + "," +
+                                        (rotation.is_null() ? "" : rotation.get<std::string>()) +
+                                        ","));
+        }
+    };
+    const auto by = [](const json& turn, bool is_right) {
+        return (turn["stroke"].get<double>() < 0.0) == is_right ? "clockwise" : "counterclockwise";
+    };
+    ASSERT_EQ(plan({"--csv", "turns.csv"}).exit_code, 0);
+    rotations_are([](const json&) { return json(); });
+    EXPECT_TRUE(json::parse(read("plan.json"))["options"]["thread"].is_null());
+    json net = json::parse(read("net.json"));
+    std::map<int, bool> is_right;
+    for (const json& edge : net["adjustable"]) {
+        is_right[edge.get<int>()] = is_right.size() % 3 == 0;
+        net["thread"].push_back(is_right[edge.get<int>()] ? "right" : "left");
+    }
+    write("net.json", net.dump());
+    ASSERT_EQ(plan({"--csv", "turns.csv"}).exit_code, 0);
+    rotations_are([&](const json& turn) { return by(turn, is_right[turn["edge"].get<int>()]); });
+    ASSERT_EQ(plan({"--csv", "turns.csv", "--thread", "left"}).exit_code, 0);
+    rotations_are([&](const json& turn) { return by(turn, false); });
+    EXPECT_EQ(json::parse(read("plan.json"))["options"]["thread"], "left");
+    EXPECT_EQ(plan({"--thread", "up"}).exit_code, 2);
+}
+
+TEST_F(PlanCommand, HoldsTheTotalStrokeSinceInstallation) {
+    // The net is told as designed with one turnbuckle 4 mm longer than it is built.
+    ASSERT_EQ(plan({}).exit_code, 0);
+    const json free = json::parse(read("plan.json"));
+    double most = 0.0;
+    for (const json& turn : free["turns"]) {
+        most = std::max(most, std::abs(turn["reading_after"].get<double>()));
+    }
+    ASSERT_GT(most, 1e-3);
+    ASSERT_EQ(plan({"--total-stroke", "1mm", "--turn", "4mm", "--step", "1/16"}).exit_code, 0);
+    for (const json& turn : json::parse(read("plan.json"))["turns"]) {
+        EXPECT_LT(std::abs(turn["reading_after"].get<double>()), 1e-3 + 1e-9);
+    }
+    std::filesystem::remove(folder() / "plan.json");
+    expect_refused({"--total-stroke", "0mm"}, "--total-stroke is '0mm', expected more than 0");
+    expect_refused({"--total-stroke=-3mm"}, "expected more than 0");
+    expect_refused({"--total-stroke", "lots"}, "lots");
+    // Where an interior cable may be recut, its deviation counts as its reading.
+    const json result = json::parse(read("result.json"));
+    double deviation = 0.0;
+    int edge = 0;
+    for (const json& one : result["edges"]) {
+        if (std::abs(one["length_deviation"].get<double>()) > std::abs(deviation)) {
+            deviation = one["length_deviation"].get<double>();
+            edge = one["edge"].get<int>();
+        }
+    }
+    ASSERT_GT(std::abs(deviation), 1e-3);
+    write("edges.csv", std::to_string(edge) + "\n");
+    expect_refused({"--adjustable", "edges.csv", "--total-stroke", "1mm"},
+                   "from its designed length already");
+    EXPECT_EQ(plan({"--adjustable", "edges.csv", "--total-stroke", "4mm"}).exit_code, 0);
+    for (const json& turn : json::parse(read("plan.json"))["turns"]) {
+        EXPECT_LT(std::abs(turn["reading_after"].get<double>()), 4e-3 + 1e-9);
+        EXPECT_NEAR(turn["reading_after"].get<double>(), deviation + turn["stroke"].get<double>(),
+                    1e-9);
+    }
+}
+
+TEST_F(PlanCommand, TellsFurtherEdgesThatWouldHelp) {
+    ASSERT_EQ(plan({}).exit_code, 0);
+    EXPECT_TRUE(json::parse(read("plan.json"))["further"].is_null());
+    const Outcome outcome = plan({"--further", "2"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("further edges that would help most"));
+    const json document = json::parse(read("plan.json"));
+    double before = document["form"]["planned"]["normal_rmse"].get<double>();
+    ASSERT_EQ(document["further"].size(), 2U);
+    for (const json& further : document["further"]) {
+        EXPECT_EQ(further["edge_id"], std::to_string(further["edge"].get<int>()));
+        EXPECT_LT(std::abs(further["stroke"].get<double>()), 15e-3 + 1e-9);
+        EXPECT_LT(further["normal_rmse_after"].get<double>(), before);
+        before = further["normal_rmse_after"].get<double>();
+    }
+    EXPECT_EQ(plan({"--further", "0"}).exit_code, 2);
+    EXPECT_EQ(plan({"--further", "many"}).exit_code, 2);
 }
 
 TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {

@@ -49,6 +49,8 @@ void expect_same(const CableNetData& a, const CableNetData& b) {
     EXPECT_EQ(a.groups, b.groups);
     EXPECT_TRUE(same_bits(a.mass, b.mass));
     EXPECT_TRUE(same_bits(a.expansion, b.expansion));
+    EXPECT_TRUE(same_bits(a.breaking_load, b.breaking_load));
+    EXPECT_EQ(a.thread, b.thread);
 }
 
 TEST(NetJson, ReadsBackEverythingOfANetToTheLastBit) {
@@ -75,6 +77,24 @@ TEST(NetJson, ReadsBackTensionLawsGroupsMassesAndExpansionToTheLastBit) {
     data.tension_laws[1].name.clear();
     const CableNet mixed(data);
     expect_same(parse_net(net_to_json(mixed), "net.json").net.data(), mixed.data());
+}
+
+TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
+    CableNetData data = hypar(2, 2).data();
+    const auto edges = static_cast<Eigen::Index>(data.edges.size());
+    data.breaking_load = Eigen::VectorXd::LinSpaced(edges, 1e4, 1e5 / 3.0);
+    data.adjustable = {5, 0, 3};
+    data.thread = {Thread::left, Thread::right, Thread::right};
+    const CableNet net(data);
+    // Sorted with their edges.
+    EXPECT_EQ(net.adjustable_edges(), (std::vector<int>{0, 3, 5}));
+    EXPECT_EQ(net.data().thread, (std::vector{Thread::right, Thread::right, Thread::left}));
+    expect_same(parse_net(net_to_json(net), "net.json").net.data(), net.data());
+    // They change nothing of how the net behaves.
+    CableNetData bare = data;
+    bare.breaking_load.resize(0);
+    bare.thread.clear();
+    EXPECT_EQ(net.fingerprint(), CableNet(bare).fingerprint());
 }
 
 TEST(NetJson, KeepsSupportsAndAdjustableEdgesThatAreNotTheDefault) {

@@ -59,6 +59,10 @@ public:
     /// @throws std::invalid_argument for a wrong size, places that are not finite, and a surface
     void move_to(Points places);
 
+    /// Of the square of each node's deviation along the normal, and across it (n each).
+    [[nodiscard]] const Eigen::VectorXd& normal_weights() const { return m_normal_weight; }
+    [[nodiscard]] const Eigen::VectorXd& tangential_weights() const { return m_tangential_weight; }
+
     [[nodiscard]] FormObjective objective() const { return m_objective; }
     /// Null where the target is a form.
     [[nodiscard]] const TargetSurface* surface() const { return m_surface.get(); }

@@ -29,4 +29,16 @@ struct StrokeRange {
 [[nodiscard]] Points parse_loads(const CableNet& net, std::string_view text,
                                  const std::string& file_name);
 
+/// Weights of the squares of a node's deviations.
+struct NodeWeights {
+    int node = 0;
+    double normal = 0.0;
+    double tangential = 0.0;
+};
+
+/// id,normal,tangential: free nodes, weights of 0 or more.
+[[nodiscard]] std::vector<NodeWeights> parse_node_weights(const CableNet& net,
+                                                          std::string_view text,
+                                                          const std::string& file_name);
+
 }  // namespace taut

@@ -24,7 +24,9 @@ struct NetFile {
 ///    "node_ids": [text...], "edge_ids": [text...],
 ///    "tension_laws": [{"name": text, "strain": [0, ...], "tension": [0, ...] [N]}...],
 ///    "tension_law": [index or null, one an edge], "groups": {name: [edge...]},
-///    "mass": [kg/m...] or one number, "expansion": [1/K...] or one number}
+///    "mass": [kg/m...] or one number, "expansion": [1/K...] or one number,
+///    "breaking_load": [N...] or one number, "thread": ["right" or "left", one an entry of
+///    "adjustable"]}
 /// Optional are name (default: the file's, without its ending), adjustable (default: the edges at a
 /// support), loads, node_ids, edge_ids and all behind them. An edge with a tension law
 /// makes no use of its axial_stiffness. Other keys are kept. An index is written without fraction

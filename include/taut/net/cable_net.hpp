@@ -41,6 +41,10 @@ private:
     std::string m_problem;
 };
 
+/// Thread of a turnbuckle. With a right-hand thread, turning it clockwise, seen from the support
+/// along the cable, shortens the cable.
+enum class Thread { right, left };
+
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
 struct CableNetData {
     std::string name;
@@ -58,6 +62,8 @@ struct CableNetData {
     std::map<std::string, std::vector<int>> groups;  ///< named lists of edges
     Eigen::VectorXd mass;                            ///< m, of a metre of edge; or none [kg/m]
     Eigen::VectorXd expansion;  ///< m, thermal strain by temperature; or none [1/K]
+    Eigen::VectorXd breaking_load;  ///< m, > 0; or none [N]
+    std::vector<Thread> thread;     ///< one an entry of `adjustable`; or none
 };
 
 /// The edges with at least one support as an end: the default of CableNetData::adjustable.
@@ -76,7 +82,8 @@ public:
     ///   length that is not positive and finite, an edge of zero length, a coordinate or load that
     ///   is not finite, no free node, names that are empty or doubled; a tension law that does not
     ///   start at (0, 0), falls, is flat at its start or end, or whose strains do not ascend; a
-    ///   group without name or edges; a mass that is negative, an expansion that is not finite.
+    ///   group without name or edges; a mass that is negative, an expansion that is not finite, a
+    ///   breaking load that is not positive and finite, other than one thread an adjustable edge.
     explicit CableNet(CableNetData data);
 
     [[nodiscard]] const std::string& name() const { return m_data.name; }

@@ -6,16 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/results/results_json.hpp"
 
 namespace taut {
-
-/// Thread of a turnbuckle. With a right-hand thread, turning it clockwise, seen from the support
-/// along the cable, shortens the cable.
-enum class Thread { right, left };
 
 /// All that a saved plan tells of.
 struct PlanRecord {
@@ -27,8 +24,9 @@ struct PlanRecord {
     const PlanOptions* options = nullptr;
     const Plan* plan = nullptr;
     const TurnOrder* order = nullptr;
+    std::optional<std::vector<FurtherEdge>> further;  ///< where they were asked for
     int crews = 1;
-    std::optional<Thread> thread;  ///< empty: not told
+    std::optional<Thread> thread;  ///< of all, in place of what the net tells of each
 };
 
 /// plan.json: format "taut-plan", version 1; all numbers in SI units.
@@ -42,7 +40,9 @@ struct PlanRecord {
 /// "shorten" or "lengthen".
 [[nodiscard]] std::string_view sense_of(double stroke);
 
-/// "clockwise" or "counterclockwise", seen from the support along the cable.
-[[nodiscard]] std::string_view rotation_of(double stroke, Thread thread);
+/// "clockwise" or "counterclockwise", seen from the support along the cable; nothing where the
+/// thread is not told.
+[[nodiscard]] std::optional<std::string_view> rotation_of(double stroke,
+                                                          std::optional<Thread> thread);
 
 }  // namespace taut

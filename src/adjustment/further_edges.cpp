@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/adjustment/further_edges.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+#include "adjustment/force_ranges.hpp"
+#include "adjustment/stroke_search.hpp"
+#include "taut/statics/form_sensitivity.hpp"
+
+namespace taut {
+namespace {
+
+constexpr size_t exact_tries = 5;
+constexpr double smallest_further_gain = 1e-3;  ///< of the cost
+constexpr Eigen::Index columns_at_once = 256;
+
+/// Edges that may be turned, those that were added last, with the best strokes found for them.
+struct TurnedSet {
+    std::vector<int> edges;
+    Eigen::VectorXd shortest;
+    Eigen::VectorXd longest;
+    StrokedState state;
+};
+
+class FurtherSearch {
+public:
+    FurtherSearch(const BuiltNet& built, const FormTarget& target, const Limits& limits,
+                  const Plan& plan)
+        : m_net(&built.net), m_target(&target), m_limits(&limits), m_plan(&plan) {
+        for (const LoadCase& load_case : limits.load_cases) {
+            m_case_nets.push_back(with_loads(built.net, load_case.loads));
+        }
+    }
+
+    /// The plan's edges, its strokes freed from whole steps.
+    [[nodiscard]] TurnedSet planned(const std::vector<int>& edges) {
+        TurnedSet set{.edges = edges,
+                      .shortest = m_limits->shortest_stroke,
+                      .longest = m_limits->longest_stroke};
+        Eigen::VectorXd strokes = Eigen::VectorXd::Zero(std::ssize(edges));
+        for (const PlannedStroke& stroke : m_plan->strokes) {
+            strokes(std::ranges::find(edges, stroke.edge) - edges.begin()) = stroke.stroke;
+        }
+        improve(set, strokes);
+        m_longest = std::max(set.longest.maxCoeff(), -set.shortest.minCoeff());
+        return set;
+    }
+
+    /// The same with another edge.
+    [[nodiscard]] TurnedSet with(const TurnedSet& set, int edge) {
+        const Eigen::Index k = std::ssize(set.edges);
+        TurnedSet wider{.edges = set.edges, .shortest = set.shortest, .longest = set.longest};
+        wider.edges.push_back(edge);
+        wider.shortest.conservativeResize(k + 1);
+        wider.longest.conservativeResize(k + 1);
+        wider.shortest(k) = -reach_of(edge);
+        wider.longest(k) = reach_of(edge);
+        Eigen::VectorXd strokes = Eigen::VectorXd::Zero(k + 1);
+        strokes.head(k) = set.state.strokes;
+        improve(wider, strokes);
+        return wider;
+    }
+
+    /// Edges that are not in the set, those first that lower the cost most to first order
+    /// (further-edges): with the residual z of the others' strokes, and their columns taken out of
+    /// the edge's own a, by (a . z)^2 / |a|^2 as far as its stroke goes.
+    [[nodiscard]] std::vector<int> ranked(const TurnedSet& set) const {
+        const StrokedNet& stroked = set.state.nets.front();
+        const FormTarget target = m_target->at(stroked.equilibrium.form);
+        const FormSensitivity rates(*m_net, stroked.unstressed_lengths, stroked.equilibrium.form);
+        Eigen::VectorXd residual(Eigen::Index{3} * m_net->free_node_count());
+        for (int i = 0; i < m_net->free_node_count(); ++i) {
+            const int node = m_net->free_nodes()[i];
+            residual.segment<3>(Eigen::Index{3} * i) = target.weighted(
+                node, stroked.equilibrium.form.col(node) - target.places().col(node));
+        }
+        const auto weighted_columns = [&](std::span<const int> edges) {
+            Eigen::MatrixXd columns = rates.columns(edges);
+            for (int i = 0; i < m_net->free_node_count(); ++i) {
+                auto rows = columns.middleRows(Eigen::Index{3} * i, 3);
+                rows = (target.weight(m_net->free_nodes()[i]) * rows).eval();
+            }
+            return columns;
+        };
+        // Only strokes that are not at their end give way to the new one.
+        std::vector<int> giving_way;
+        for (Eigen::Index k = 0; k < std::ssize(set.edges); ++k) {
+            constexpr double at_its_end = 1e-6;  // [m]
+            const double stroke = set.state.strokes(k);
+            if (stroke > set.shortest(k) + at_its_end && stroke < set.longest(k) - at_its_end) {
+                giving_way.push_back(set.edges[static_cast<size_t>(k)]);
+            }
+        }
+        const Eigen::MatrixXd theirs = weighted_columns(giving_way);
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(theirs);
+        const auto without_theirs = [&](const auto& columns) -> Eigen::MatrixXd {
+            if (giving_way.empty()) {
+                return columns;
+            }
+            return columns - theirs * factor.solve(columns);
+        };
+        std::vector<int> others;
+        for (int edge = 0; edge < m_net->edge_count(); ++edge) {
+            if (std::ranges::find(set.edges, edge) == set.edges.end()) {
+                others.push_back(edge);
+            }
+        }
+        std::vector<std::pair<double, int>> gains;
+        for (size_t first = 0; first < others.size(); first += columns_at_once) {
+            const std::span<const int> some(
+                others.begin() + static_cast<std::ptrdiff_t>(first),
+                std::min(others.size() - first, static_cast<size_t>(columns_at_once)));
+            const Eigen::MatrixXd columns = without_theirs(weighted_columns(some));
+            for (size_t i = 0; i < some.size(); ++i) {
+                const auto column = columns.col(static_cast<Eigen::Index>(i));
+                const double square = column.squaredNorm();
+                const double slope = column.dot(residual);
+                const double reach = reach_of(some[i]);
+                const double stroke =
+                    square > 0.0 ? std::clamp(-slope / square, -reach, reach) : 0.0;
+                gains.emplace_back(-stroke * (2.0 * slope + stroke * square), some[i]);
+            }
+        }
+        std::ranges::sort(gains, std::ranges::greater());
+        std::vector<int> result;
+        for (const auto& [gain, edge] : gains) {
+            if (gain > 0.0) {
+                result.push_back(edge);
+            }
+        }
+        return result;
+    }
+
+    [[nodiscard]] double merit(const TurnedSet& set) const {
+        return merit_of(task_of(set), set.state);
+    }
+
+private:
+    [[nodiscard]] double reach_of(int edge) const {
+        return std::min(m_longest, 0.5 * m_net->unstressed_lengths()(edge));
+    }
+
+    [[nodiscard]] StrokeTask task_of(const TurnedSet& set) const {
+        return {.target = m_target,
+                .shortest = set.shortest,
+                .longest = set.longest,
+                .violation_weight = m_violation_weight};
+    }
+
+    /// The best strokes of a set, beginning at some.
+    void improve(TurnedSet& set, const Eigen::VectorXd& strokes) {
+        std::vector<LimitedResponse> responses;
+        for (size_t i = 0; i <= m_case_nets.size(); ++i) {
+            responses.push_back(
+                {.response = StrokeResponse(i == 0 ? *m_net : m_case_nets[i - 1], set.edges,
+                                            i == 0 ? supports_of(m_limits->reactions)
+                                                   : std::vector<int>{}),
+                 .range = m_plan->held[i],
+                 .start = m_plan->form});
+        }
+        StrokeTask task = task_of(set);
+        const StrokedState start = state_at(responses, task, strokes, nullptr);
+        if (m_violation_weight == 0.0) {
+            // As plan_strokes(): limits come first.
+            const StrokedState as_built =
+                state_at(responses, task, Eigen::VectorXd::Zero(strokes.size()), nullptr);
+            m_violation_weight =
+                1e3 * std::max(as_built.cost, 1e-12) /
+                std::max(as_built.nets.front().equilibrium.mean_tension, 1e-9);
+            task.violation_weight = m_violation_weight;
+        }
+        set.state = search_strokes(responses, task, start).found;
+    }
+
+    const CableNet* m_net;
+    const FormTarget* m_target;
+    const Limits* m_limits;
+    const Plan* m_plan;
+    std::vector<CableNet> m_case_nets;
+    double m_longest = 0.0;
+    double m_violation_weight = 0.0;
+};
+
+}  // namespace
+
+std::vector<FurtherEdge> further_edges(const BuiltNet& built, const FormTarget& target,
+                                       const Limits& limits, const PlanOptions& options,
+                                       const Plan& plan, int count, const Progress& progress) {
+    if (count < 1) {
+        throw std::invalid_argument(
+            fmt::format("{} further edges are asked for, expected at least 1", count));
+    }
+    const std::vector<int>& edges =
+        options.edges.empty() ? built.net.adjustable_edges() : options.edges;
+    check_limits(built.net, edges, limits);
+    FurtherSearch search(built, target, limits, plan);
+    TurnedSet set = search.planned(edges);
+    std::vector<FurtherEdge> result;
+    for (int i = 0; i < count; ++i) {
+        progress("further edges", i, count);
+        std::optional<TurnedSet> best;
+        const std::vector<int> ranked = search.ranked(set);
+        for (size_t k = 0; k < std::min(exact_tries, ranked.size()); ++k) {
+            TurnedSet wider = search.with(set, ranked[k]);
+            if (!best || search.merit(wider) < search.merit(*best)) {
+                best = std::move(wider);
+            }
+        }
+        if (!best ||
+            search.merit(*best) > (1.0 - smallest_further_gain) * search.merit(set)) {
+            break;
+        }
+        set = std::move(*best);
+        result.push_back(
+            {.edge = set.edges.back(),
+             .stroke = set.state.strokes(set.state.strokes.size() - 1),
+             .normal_rmse_after =
+                 deviation_from(target, built.net, set.state.nets.front().equilibrium.form)
+                     .normal_rmse});
+    }
+    progress("further edges", count, count);
+    return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against money spent on an edge that helps little beside another.
+#include "taut/adjustment/further_edges.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "support/random_nets.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/statics/equilibrium.hpp"
+
+namespace taut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+BuiltNet built_of(const CableNet& net, const Eigen::VectorXd& deviations) {
+    CableNetData data = net.data();
+    data.unstressed_lengths = with_length_deviations(net, deviations);
+    data.nodes = EquilibriumSolver(net).solve(data.unstressed_lengths, net.nodes()).form;
+    return {.net = CableNet(std::move(data)), .length_draws = {}, .no_draws_since = "of a test"};
+}
+
+TEST(FurtherEdges, BeginWithTheOneEdgeThatIsWrong) {
+    const CableNet net = hypar(6, 6);
+    Eigen::VectorXd deviations = Eigen::VectorXd::Zero(net.interior_edge_count());
+    const int at = net.interior_edge_count() / 2;
+    deviations(at) = 4e-3;
+    const BuiltNet built = built_of(net, deviations);
+    const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    const Plan plan = plan_strokes(built, target, limits);
+    const std::vector<FurtherEdge> further =
+        further_edges(built, target, limits, {}, plan, 1);
+    ASSERT_EQ(further.size(), 1U);
+    EXPECT_EQ(further[0].edge, net.interior_edges()[at]);
+    EXPECT_NEAR(further[0].stroke, -4e-3, 0.2e-3);
+    EXPECT_LT(further[0].normal_rmse_after, 0.05 * plan.planned.normal_rmse);
+}
+
+TEST(FurtherEdges, AreTheBestOfAllTriedOneByOne) {
+    const CableNet net = hypar(4, 4);
+    test::Random random(12);
+    const BuiltNet built = built_of(
+        net, test::uniform_vector(random, net.interior_edge_count(), 4e-3));
+    const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
+    constexpr double stroke = 6e-3;
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), stroke);
+    const Plan plan = plan_strokes(built, target, limits);
+    const std::vector<FurtherEdge> further =
+        further_edges(built, target, limits, {}, plan, 2);
+    ASSERT_EQ(further.size(), 2U);
+    PlanOptions options{.edges = net.adjustable_edges()};
+    for (const FurtherEdge& one : further) {
+        EXPECT_LE(std::abs(one.stroke), stroke + 1e-9);
+        double least = std::numeric_limits<double>::infinity();
+        double with_it = 0.0;
+        double normal_with_it = 0.0;
+        const std::vector<int> before = options.edges;
+        for (const int edge : net.interior_edges()) {
+            if (std::ranges::find(before, edge) != before.end()) {
+                continue;
+            }
+            options.edges = before;
+            options.edges.push_back(edge);
+            std::ranges::sort(options.edges);
+            const Plan tried = plan_strokes(
+                built, target, limits_of_stroke(built.net, options.edges.size(), stroke), options);
+            least = std::min(least, tried.planned.rmse);
+            if (edge == one.edge) {
+                with_it = tried.planned.rmse;
+                normal_with_it = tried.planned.normal_rmse;
+            }
+        }
+        EXPECT_LT(with_it, 1.001 * least);
+        EXPECT_NEAR(one.normal_rmse_after, normal_with_it, 0.01 * normal_with_it);
+        options.edges = before;
+        options.edges.push_back(one.edge);
+        std::ranges::sort(options.edges);
+    }
+}
+
+TEST(FurtherEdges, AreNoneWhereNothingIsWrong) {
+    const CableNet net = hypar(4, 4);
+    const BuiltNet built = built_of(net, Eigen::VectorXd::Zero(net.interior_edge_count()));
+    const FormTarget target(net, built.net.nodes());
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 5e-3);
+    const Plan plan = plan_strokes(built, target, limits);
+    EXPECT_THAT([&] { static_cast<void>(further_edges(built, target, limits, {}, plan, 0)); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("0 further edges")));
+    for (const FurtherEdge& further : further_edges(built, target, limits, {}, plan, 1)) {
+        EXPECT_LT(std::abs(further.stroke), 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace taut
