@@ -13,7 +13,9 @@
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/units.hpp"
+#include "taut/report/report_html.hpp"
 #include "taut/results/control_files.hpp"
+#include "taut/results/result_file.hpp"
 #include "taut/study/control.hpp"
 
 namespace taut::app {
@@ -83,11 +85,17 @@ void run(const ControlCommand& command) {
     const CableNet net = read_net(command.net).net;
     const ControlSettings settings = settings_of(command);
     const std::filesystem::path directory(command.directory);
-    check_output_directory(directory, {"control.json", "control.csv"}, {command.net});
+    check_output_directory(directory, {"control.json", "control.csv", "report.html"},
+                           {command.net});
     ProgressLine line(command.quiet);
     const std::vector<ControlRecord> records = simulate_control(net, settings, line.progress());
     const std::string json = control_to_json(records, net, settings, run_record());
-    write_files(directory, {{"control.json", json}, {"control.csv", control_to_csv(records)}});
+    std::vector<std::pair<std::string, std::string>> files{
+        {"control.json", json}, {"control.csv", control_to_csv(records)}};
+    if (has_report_viewer()) {
+        files.emplace_back("report.html", report_html(parse_result(json, "control.json")));
+    }
+    write_files(directory, files);
     if (command.json) {
         fmt::print("{}", json);
         return;
@@ -100,7 +108,9 @@ void run(const ControlCommand& command) {
     for (const ControlRecord& record : records) {
         print_record(record, settings);
     }
-    fmt::print("written to {}: control.json, control.csv\n", command.directory);
+    fmt::print("written to {}: control.json, control.csv\nreport: {}\n", command.directory,
+               has_report_viewer() ? (directory / "report.html").string()
+                                   : "left out, this taut was built without Node.js");
 }
 
 }  // namespace

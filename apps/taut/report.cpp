@@ -69,7 +69,9 @@ void add_report(CLI::App& program) {
         "  taut report study/results.json -o report.html\n"
         "  taut report result.json --svg figures",
         *options);
-    command.add_option("RESULT", options->result, "Result of reproduce, identify, compare or plan")
+    command
+        .add_option("RESULT", options->result,
+                    "Result of reproduce, identify, compare, plan or control")
         ->required();
     command.add_option("-o,--output", options->output, "HTML file to write");
     command.add_option("--svg", options->svg_directory, "Directory to write the figures into");

@@ -53,6 +53,13 @@ struct Figure {
 /// Tensions as built and as planned, with their intervals and limits, over all edges.
 [[nodiscard]] Figure plan_tension_figure(const PlanResult& plan);
 
+/// Distance from the target along its normal over the rounds of simulated jobs, with its spread
+/// over the trials.
+[[nodiscard]] Figure control_form_figure(const ControlResult& control);
+
+/// Share of jobs in which a limit is broken, and the strokes turned, over the rounds.
+[[nodiscard]] Figure control_work_figure(const ControlResult& control);
+
 /// All that a result has, in this order.
 [[nodiscard]] std::vector<Figure> result_figures(const ResultFile& result);
 

@@ -26,6 +26,10 @@ std::vector<Figure> figures(const PlanResult& plan) {
     return {plan_deviation_figure(plan), plan_tension_figure(plan)};
 }
 
+std::vector<Figure> figures(const ControlResult& control) {
+    return {control_form_figure(control), control_work_figure(control)};
+}
+
 }  // namespace
 
 std::vector<Figure> result_figures(const ResultFile& result) {

@@ -51,25 +51,6 @@ private:
     double m_high = 0.0;
 };
 
-/// Marks at powers of ten and, where there are few of them, at twice and five times these.
-Ticks decade_ticks(double low, double high) {
-    Ticks ticks;
-    const int first = static_cast<int>(std::floor(low));
-    const int last = static_cast<int>(std::ceil(high));
-    const std::vector<double> mantissas =
-        last - first <= 3 ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
-    for (int power = first; power <= last; ++power) {
-        for (const double mantissa : mantissas) {
-            const double value = std::log10(mantissa) + power;
-            if (value >= low && value <= high) {
-                ticks.values.push_back(value);
-                ticks.labels.push_back(short_number(mantissa * std::pow(10.0, power)));
-            }
-        }
-    }
-    return ticks;
-}
-
 /// Below this a point is told in words.
 double lowest_drawn(const std::vector<LogSeries>& series, const ChartPlaces& places) {
     double lowest = std::numeric_limits<double>::infinity();

@@ -42,6 +42,8 @@ std::string title(const ResultFile& result) {
         [](const auto& content) -> std::string {
             if constexpr (requires { content.net; }) {
                 return content.net.name().empty() ? "A net" : content.net.name();
+            } else if constexpr (requires { content.strategies; }) {
+                return "Simulated jobs";
             } else {
                 return "Comparison of methods";
             }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "report/number_text.hpp"
 
@@ -65,6 +66,26 @@ Ticks nice_ticks(double low, double high, int intervals, double smallest_step) {
         const double value = step.times(first + i) + 0.0;  // + 0 turns -0 into 0
         ticks.values.push_back(value);
         ticks.labels.push_back(label(value, step, with_power));
+    }
+    return ticks;
+}
+
+Ticks decade_ticks(double low, double high) {
+    Ticks ticks;
+    const int first = static_cast<int>(std::floor(low));
+    const int last = static_cast<int>(std::ceil(high));
+    const std::vector<double> mantissas = high - low <= 1.0
+                                              ? std::vector{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}
+                                          : last - first <= 3 ? std::vector{1.0, 2.0, 5.0}
+                                                              : std::vector{1.0};
+    for (int power = first; power <= last; ++power) {
+        for (const double mantissa : mantissas) {
+            const double value = std::log10(mantissa) + power;
+            if (value >= low && value <= high) {
+                ticks.values.push_back(value);
+                ticks.labels.push_back(short_number(mantissa * std::pow(10.0, power)));
+            }
+        }
     }
     return ticks;
 }

@@ -18,4 +18,8 @@ struct Ticks {
 /// @param smallest_step no step below it: 1 for an axis that counts; 0 for none
 [[nodiscard]] Ticks nice_ticks(double low, double high, int intervals, double smallest_step = 0.0);
 
+/// Of a logarithmic axis over [10^low, 10^high]: marks at powers of ten and, the fewer of them
+/// there are, at multiples of these. The values are logarithms.
+[[nodiscard]] Ticks decade_ticks(double low, double high);
+
 }  // namespace taut::report

@@ -62,7 +62,8 @@ NetOrResult parse_net_or_result(std::string_view text, const std::string& file_n
     const JsonValue root(json, file_name);
     const auto format = json.is_object() ? root.find("format") : std::nullopt;
     const std::string name = format && format->json().is_string() ? format->text() : "";
-    if (name == "taut-study" || name == "taut-comparison" || name == "taut-plan") {
+    if (name == "taut-study" || name == "taut-comparison" || name == "taut-plan" ||
+        name == "taut-control") {
         format->fail(fmt::format(
             R"(is {}, expected "taut-net", or "taut-identification": that alone is of one built net)",
             quote(name)));

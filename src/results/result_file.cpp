@@ -11,6 +11,7 @@
 
 #include "files/json_parse.hpp"
 #include "files/message.hpp"
+#include "results/control_reader.hpp"
 #include "results/plan_reader.hpp"
 #include "results/result_values.hpp"
 #include "results/schema_check.hpp"
@@ -293,12 +294,12 @@ ResultFile parse_result(std::string_view text, const std::string& file_name) {
     const nlohmann::json json = parse_json(text, file_name);
     const JsonValue root(json, file_name);
     constexpr const char* formats =
-        R"("taut-study", "taut-identification", "taut-comparison" or "taut-plan")";
+        R"("taut-study", "taut-identification", "taut-comparison", "taut-plan" or "taut-control")";
     root.require_object(fmt::format(R"(an object with "format": {})", formats));
     const JsonValue format = root.require("format", formats);
     const std::string& name = format.text();
     if (name != "taut-study" && name != "taut-identification" && name != "taut-comparison" &&
-        name != "taut-plan") {
+        name != "taut-plan" && name != "taut-control") {
         format.fail(fmt::format("is {}, expected {}", quote(name), formats));
     }
     const JsonValue version = root.require("version", std::to_string(known_version));
@@ -318,6 +319,10 @@ ResultFile parse_result(std::string_view text, const std::string& file_name) {
         if (name == "taut-plan") {
             check_against_schema(root, "plan");
             return read_plan(root);
+        }
+        if (name == "taut-control") {
+            check_against_schema(root, "control");
+            return read_control(root);
         }
         check_against_schema(root, "comparison");
         return read_comparison(root);

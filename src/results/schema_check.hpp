@@ -13,7 +13,7 @@ namespace taut {
 [[nodiscard]] std::string_view result_schema();
 
 /// Checks a value against a definition of the schema, with the keywords that the schema uses.
-/// @param definition "study", "identification", "comparison" or "plan"
+/// @param definition "study", "identification", "comparison", "plan" or "control"
 /// @throws InputError at the first value that the schema refuses
 void check_against_schema(const JsonValue& value, const std::string& definition);
 

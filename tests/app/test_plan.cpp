@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "app/program.hpp"
+#include "taut/report/report_html.hpp"
 
 namespace {
 
@@ -381,6 +382,12 @@ TEST_F(PlanCommand, IsTriedOverWholeJobsByControl) {
     EXPECT_EQ(document["strategies"].size(), 4U);
     EXPECT_EQ(document["strategies"][1]["states"].size(), 4U);
     EXPECT_THAT(read("jobs/control.csv"), testing::StartsWith("strategy,trial,round,mean"));
+    if (taut::has_report_viewer()) {
+        const std::string page = read("jobs/report.html");
+        must_run({"report", "jobs/control.json", "-o", "again.html", "--svg", "svg"});
+        EXPECT_EQ(read("again.html"), page);
+        EXPECT_THAT(read("svg/control_form.svg"), HasSubstr("<svg"));
+    }
     expect_error(run({"control", "net.json", "-o", "jobs", "--trials", "0"}), 2, "trials");
     expect_error(run({"control", "net.json", "-o", "jobs", "--tension", "9kN..1kN"}), 2,
                  "an upper one above it");

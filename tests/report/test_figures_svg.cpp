@@ -369,5 +369,75 @@ TEST(PlanFigures, WithoutDrawsShowNoIntervals) {
     EXPECT_THAT(figures.at("plan_tensions.svg"), Not(HasSubstr("95 % interval")));
 }
 
+/// Numbers of dots and of lines that begin anew, of the longest path of a style.
+std::pair<long, long> longest_path(const std::string& svg, const std::string& style) {
+    std::pair<long, long> most;
+    for (const test::Tree& element : test::elements(test::parse_xml(svg), "path")) {
+        if (element.get<std::string>("<xmlattr>.class") == style) {
+            const auto data = element.get<std::string>("<xmlattr>.d");
+            most.first = std::max<long>(most.first, std::ranges::count(data, 'h'));
+            most.second = std::max<long>(most.second, std::ranges::count_if(data, [](char c) {
+                                             return c == 'm' || c == 'M';
+                                         }));
+        }
+    }
+    return most;
+}
+
+TEST(ControlFigures, DrawEveryStrategyAfterEveryRound) {
+    const ResultFile control = test::made_up_control(hypar(3, 4));
+    EXPECT_THAT(names_of(control), ::testing::ElementsAre("control_form.svg", "control_limits.svg",
+                                                          "control_strokes.svg"));
+    const auto figures = figures_of(control);
+    for (const std::string style : {"best", "series0", "series1", "series5"}) {
+        EXPECT_EQ(longest_path(figures.at("control_form.svg"), style).first, 3) << style;
+        EXPECT_EQ(longest_path(figures.at("control_limits.svg"), style).first, 3) << style;
+        EXPECT_EQ(longest_path(figures.at("control_strokes.svg"), style).first, 2) << style;
+    }
+    EXPECT_THAT(figures.at("control_form.svg"), HasSubstr(">along the normal, RMS [mm]<"));
+    EXPECT_THAT(figures.at("control_form.svg"), HasSubstr(">as built<"));
+    EXPECT_THAT(figures.at("control_limits.svg"), HasSubstr(">jobs with a broken limit [%]<"));
+    EXPECT_THAT(figures.at("control_limits.svg"), HasSubstr(">100<")) << "of those on the design";
+    EXPECT_THAT(figures.at("control_strokes.svg"), HasSubstr(">strokes of a round, in all [mm]<"));
+    EXPECT_THAT(figures.at("control_strokes.svg"), Not(HasSubstr(">as built<")));
+}
+
+TEST(ControlFigures, TellTheSpreadOfJobsAndThePlansThatFailed) {
+    const auto captions = [](int trials) {
+        const ResultFile result = test::made_up_control(hypar(3, 4), 2, trials);
+        return report::control_form_figure(std::get<ControlResult>(result.content)).caption;
+    };
+    EXPECT_THAT(captions(5), HasSubstr("the middle half of the jobs. Where nothing could be"));
+    EXPECT_THAT(captions(5), HasSubstr("1 time over all jobs"));
+    EXPECT_THAT(captions(3), HasSubstr("from the least to the most of a job."));
+    EXPECT_THAT(captions(1), HasSubstr("nothing is told of how much jobs differ"));
+}
+
+TEST(ControlFigures, OfOneRoundOrWithoutAnyDistanceAreDrawnStill) {
+    ResultFile result = test::made_up_control(hypar(3, 4), 1, 1);
+    for (auto& strategy : std::get<ControlResult>(result.content).strategies) {
+        for (auto& round : strategy.rounds) {
+            round = {.normal_rmse_of_trials = {0.0}};
+        }
+    }
+    for (const auto& [name, svg] : figures_of(result)) {
+        EXPECT_NO_THROW(static_cast<void>(test::parse_xml(svg)));
+        EXPECT_THAT(svg, Not(HasSubstr("nan"))) << name;
+        EXPECT_THAT(svg, Not(HasSubstr("inf"))) << name;
+        EXPECT_THAT(svg, HasSubstr(">1<")) << name;
+    }
+}
+
+TEST(ControlFigures, StandADistanceOfNoneAtTheLowerEdge) {
+    ResultFile result = test::made_up_control(hypar(3, 4));
+    auto& rounds = std::get<ControlResult>(result.content).strategies.front().rounds;
+    rounds.back().normal_rmse = 0.0;
+    rounds.back().normal_rmse_of_trials.assign(5, 0.0);
+    const std::string svg = figures_of(result).at("control_form.svg");
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(svg, Not(HasSubstr("inf")));
+    EXPECT_THAT(svg, HasSubstr(">0.1<")) << "on the axis";
+}
+
 }  // namespace
 }  // namespace taut

@@ -51,7 +51,8 @@ CableNet net_named(const std::string& name) {
 TEST_F(ReportHtml, HoldsTheWholeResult) {
     const ResultFile results[] = {test::saved(test::made_up_study(hypar(3, 4))),
                                   test::made_up_identification(hypar(3, 4)),
-                                  test::made_up_comparison(), test::made_up_plan(hypar(3, 4))};
+                                  test::made_up_comparison(), test::made_up_plan(hypar(3, 4)),
+                                  test::made_up_control(hypar(3, 4))};
     for (const ResultFile& result : results) {
         EXPECT_EQ(result_in(report_html(result)), json::parse(result.json));
     }

@@ -100,6 +100,7 @@ TEST(NetOrResult, RefusesWhatNeitherReaderTakes) {
     EXPECT_THAT(error("[]"), HasSubstr("x.json: is"));
     EXPECT_THAT(error(R"({"format": 3})"), HasSubstr("x.json:/format"));
     EXPECT_THAT(error(R"({"format": "taut-plan"})"), HasSubstr("expected \"taut-net\""));
+    EXPECT_THAT(error(R"({"format": "taut-control"})"), HasSubstr("expected \"taut-net\""));
     EXPECT_THAT(error(R"({"format": "taut-identification"})"), HasSubstr("/version: is missing"));
     json document = identification();
     for (const char* key : {"length_deviation", "lower", "upper"}) {

@@ -26,7 +26,8 @@ json good(const std::string& kind) {
         {"study", test::saved(test::made_up_study(hypar(2, 3))).json},
         {"identification", test::made_up_identification(hypar(2, 3)).json},
         {"comparison", test::made_up_comparison().json},
-        {"plan", test::made_up_plan(hypar(2, 3)).json}};
+        {"plan", test::made_up_plan(hypar(2, 3)).json},
+        {"control", test::made_up_control(hypar(2, 3)).json}};
     return json::parse(texts.at(kind));
 }
 
@@ -80,6 +81,28 @@ TEST(ResultFile, OfAPlanWithoutDrawsHasNoIntervals) {
     for (const auto& tension : std::get<PlanResult>(file.content).tensions) {
         EXPECT_FALSE(tension.lower || tension.upper);
     }
+}
+
+TEST(ResultFile, OfSimulatedJobsGivesItsNumbersBack) {
+    const ResultFile file = test::made_up_control(hypar(2, 3));
+    const auto& read = std::get<ControlResult>(file.content);
+    EXPECT_EQ(read.trials, 5);
+    ASSERT_EQ(read.strategies.size(), 4U);
+    const ControlResult::Strategy& identified = read.strategies[1];
+    EXPECT_EQ(identified.name, "identified");
+    ASSERT_EQ(identified.rounds.size(), 3U);
+    EXPECT_EQ(identified.rounds[0].failed, 0);
+    EXPECT_EQ(identified.rounds[2].failed, 1);
+    EXPECT_NEAR(identified.rounds[1].turned, 0.25, 1e-12);
+    ASSERT_EQ(identified.rounds[1].normal_rmse_of_trials.size(), 5U);
+    EXPECT_NEAR(identified.rounds[1].normal_rmse_of_trials[4], 0.0014, 1e-12);
+    double sum = 0.0;
+    for (const double distance : identified.rounds[1].normal_rmse_of_trials) {
+        sum += distance * distance;
+    }
+    EXPECT_NEAR(identified.rounds[1].normal_rmse, std::sqrt(sum / 5.0), 1e-12);
+    EXPECT_EQ(identified.rounds[2].broken_trials, 0);
+    EXPECT_EQ(read.strategies[2].rounds[2].broken_trials, 5);
 }
 
 TEST(ResultFile, OfAnIdentificationMayLackWhatOnlySomeMethodsTell) {
@@ -141,7 +164,7 @@ void for_each_object(const json& value, const json& rule_or_reference,
 TEST(ResultFile, LacksNoKeyThatTheSchemaRequiresAndMayLackAllOthers) {
     int required = 0;
     int optional = 0;
-    for (const std::string kind : {"study", "identification", "comparison", "plan"}) {
+    for (const std::string kind : {"study", "identification", "comparison", "plan", "control"}) {
         const json whole = good(kind);
         for_each_object(
             whole, {{"$ref", "#/definitions/" + kind}}, json::json_pointer(),
@@ -338,6 +361,33 @@ INSTANTIATE_TEST_SUITE_P(
                "/violations/0/edge: is 999"},
         Damage{"WithAWorstMomentOfNoEdge", "plan", "/order/worst/breach/edge", 999,
                "/order/worst/breach/edge: is 999"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Control, DamagedResult,
+    ::testing::Values(
+        Damage{"WithoutStrategies", "control", "/strategies", json::array(),
+               "/strategies: is empty"},
+        Damage{"OfAnUnknownStrategy", "control", "/strategies/0/strategy", "hope",
+               "/strategies/0/strategy: is"},
+        Damage{"OfAStrategyTwice", "control", "/strategies/1/strategy", "true lengths",
+               "/strategies/1/strategy: is 'true lengths' again"},
+        Damage{"WithoutTrials", "control", "/settings/trials", 0,
+               "/settings: has 2 rounds and 0 trials"},
+        Damage{"OfMoreRoundsThanTold", "control", "/settings/rounds", 1,
+               "/strategies/0/rounds: has 3 entries, expected one for each round from 0 to 1"},
+        Damage{"OfFarTooManyTrials", "control", "/settings/trials", 2147483647,
+               "/strategies/0/states: has 15 entries"},
+        Damage{"WithRoundsOutOfOrder", "control", "/strategies/0/rounds/1/round", 2,
+               "/strategies/0/rounds/1/round: is 2, expected 1"},
+        Damage{"WithTrialsOutOfOrder", "control", "/strategies/0/states/3/trial", 2,
+               "/strategies/0/states/3/trial: is 2, expected 1: by trial, then round"},
+        Damage{"WithMoreBrokenThanTrials", "control", "/strategies/0/rounds/1/broken_trials", 6,
+               "/strategies/0/rounds/1/broken_trials: is 6, expected at most the 5 trials"},
+        Damage{"WithMoreFailedThanTrials", "control", "/strategies/0/rounds/1/failed", 6,
+               "/strategies/0/rounds/1/failed: is 6"},
+        Damage{"WithANegativeDistance", "control", "/strategies/0/states/0/normal_rmse", -1.0,
+               "/strategies/0/states/0/normal_rmse: is -1"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "taut/results/control_files.hpp"
 #include "taut/results/plan_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/results/results_json.hpp"
@@ -104,6 +105,43 @@ inline ResultFile made_up_comparison() {
         {"method": "balance", "noise": 0.0, "training_samples": null, "mse": 1e-24, "best_possible_mse": 1e-10},
         {"method": "balance", "noise": 0.0001, "mse": null, "best_possible_mse": 2e-8}]})",
         "compare.json");
+}
+
+/// Simulated jobs, made up: as built 3 mm from the target along its normal in the first trial and
+/// 0.3 mm more in each later one, a third of that after each round; in the last round of the last
+/// trial no identified lengths could be planned on. Planned on the design, every trial breaks a
+/// limit by 5 %.
+inline ResultFile made_up_control(const CableNet& net, int rounds = 2, int trials = 5) {
+    std::vector<ControlRecord> records;
+    for (const ControlStrategy strategy : {ControlStrategy::truth, ControlStrategy::identified,
+                                           ControlStrategy::nominal, ControlStrategy::once}) {
+        ControlRecord record{.strategy = strategy, .states = {}};
+        const bool is_broken = strategy == ControlStrategy::nominal;
+        for (int trial = 0; trial < trials; ++trial) {
+            for (int round = 0; round <= rounds; ++round) {
+                const double distance = (0.003 + 0.0003 * trial) / std::pow(3.0, round);
+                const bool has_failed = strategy == ControlStrategy::identified &&
+                                        trial == trials - 1 && round == rounds;
+                record.states.push_back({.trial = trial,
+                                         .round = round,
+                                         .deviation = {.mean = 2.0 * distance,
+                                                       .max = 4.0 * distance,
+                                                       .normal_mean = 0.8 * distance,
+                                                       .normal_max = 3.0 * distance,
+                                                       .normal_rmse = distance},
+                                         .least_tension = 1400.0 + 10.0 * round,
+                                         .most_tension = 9000.0,
+                                         .broken = is_broken ? 3 : 0,
+                                         .worst_excess = is_broken ? 0.05 : 0.0,
+                                         .turned = round == 0 || has_failed ? 0.0 : 0.25 / round,
+                                         .has_failed = has_failed});
+            }
+        }
+        records.push_back(record);
+    }
+    const ControlSettings settings{
+        .law = LengthLaw{}, .least_tension = 1500.0, .rounds = rounds, .trials = trials};
+    return parse_result(control_to_json(records, net, settings), "control.json");
 }
 
 /// A plan of two crews that turn the first two adjustable edges, one shorter and one longer, made

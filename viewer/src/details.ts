@@ -160,7 +160,7 @@ export function settingsSection(result: Result): HTMLElement {
   add("command", result.command);
   add("net", result.net.name);
   add("net fingerprint", result.net.fingerprint);
-  if (result.format !== "taut-plan") add("law of the length deviations", result.law);
+  if (result.format !== "taut-plan" && result.format !== "taut-control") add("law of the length deviations", result.law);
   if (result.format === "taut-study" || result.format === "taut-comparison") add("seed", result.seed);
   if (result.format === "taut-study") {
     const { samples, seconds } = result;
@@ -215,6 +215,23 @@ export function settingsSection(result: Result): HTMLElement {
     add("thread", options.thread === null ? "not told" : `${options.thread}-hand`);
     add("draws of the identification", result.draws);
     add("no draws, since", result.no_draws_since);
+  }
+  if (result.format === "taut-control") {
+    const { settings } = result;
+    const kN = (newton: number): string => `${short(newton / 1e3)} kN`;
+    add("law of the length deviations", settings.law);
+    add("noise of a coordinate", `${short(1e3 * settings.noise)} mm`);
+    add("free nodes that a survey misses", `${short(100 * settings.hidden)} %`);
+    add("play of what is turned, standard deviation", `${short(1e3 * settings.actuator)} mm`);
+    add("stroke of a turnbuckle since installation", `±${short(1e3 * settings.stroke)} mm`);
+    add("smallest step", settings.step === null ? "any" : `${short(1e3 * settings.step)} mm`);
+    const most = settings.most_tension === null ? "" : `, at most ${kN(settings.most_tension)}`;
+    add("limits of tension", (settings.least_tension > 0 ? `at least ${kN(settings.least_tension)}` : "no cable slack") + most);
+    add("confidence of the limits, on identified lengths", `${short(100 * settings.confidence)} %`);
+    add("draws of each identification", settings.draws);
+    add("rounds", settings.rounds);
+    add("jobs", settings.trials);
+    add("seed", settings.seed);
   }
   return section("settings", "Settings", plainTable("Settings", ["what", "value"], rows, ["", "text"]));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 import { linkCharts } from "./charts";
+import { roundsSection } from "./control_sections";
 import { comparisonSection, frameSection, listsSection, paperSection, settingsSection } from "./details";
 import { byId, h } from "./dom";
 import { type Model, modelOfIdentification, modelOfStudy } from "./model";
@@ -55,6 +56,8 @@ async function show(result: Result): Promise<void> {
     main.append(tablesSection(model, selection, first));
   } else if (result.format === "taut-comparison") {
     main.append(comparisonSection(result));
+  } else if (result.format === "taut-control") {
+    main.append(roundsSection(result));
   }
   main.append(settingsSection(result));
   await drawn();

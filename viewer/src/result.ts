@@ -6,7 +6,7 @@ import type { ControlResidual, Identification, IdentifiedEdge, Method, Result, S
 // The results as taut writes them (docs/files.md), in SI units. taut has checked them before it
 // made the page.
 export type {
-  Comparison, ComparisonRow, ControlResidual, Counts, EdgeStatus, FormErrorSummary, Identification, IdentifiedEdge, Method,
+  Comparison, ComparisonRow, Control, ControlResidual, ControlRound, ControlStrategy, Counts, EdgeStatus, FormErrorSummary, Identification, IdentifiedEdge, Method,
   FormDeviation, LimitBreach, NetFile, Outlier, Plan, PlannedTension, Result, Study, Turn,
 } from "./result_schema";
 
@@ -28,7 +28,7 @@ export const lengthOf = ({ dx, dy, dz }: { dx: number; dy: number; dz: number })
 /** The result inside the page. Throws with words for the reader where it is not one. */
 export function readResult(text: string): Result {
   const result = JSON.parse(text) as Result;
-  const known = ["taut-study", "taut-identification", "taut-comparison", "taut-plan"];
+  const known = ["taut-study", "taut-identification", "taut-comparison", "taut-plan", "taut-control"];
   if (!known.includes(result?.format)) throw new Error(`its format is not one of ${known.join(", ")}`);
   if (result.version !== 1) throw new Error(`its version is ${String((result as Result).version)}, this page knows version 1`);
   return result;

@@ -6,7 +6,7 @@
 /**
  * A saved result of taut, version 1. All numbers are in SI units. Keys that are not named here may stand beside those that are.
  */
-export type Result = Study | Identification | Comparison | Plan;
+export type Result = Study | Identification | Comparison | Plan | Control;
 export type Count = number;
 export type SizeOrNull = number | null;
 export type Size = number;
@@ -1043,4 +1043,144 @@ export interface NetFile1 {
   loads?: Points;
   node_ids?: Texts;
   edge_ids?: Texts;
+}
+/**
+ * Of taut control: simulated jobs of surveys and turns, by what the turns are planned on.
+ */
+export interface Control {
+  format: "taut-control";
+  version: 1;
+  program?: string;
+  date?: string;
+  command?: string;
+  net_fingerprint?: string;
+  net: Counts;
+  settings: {
+    /**
+     * Of the length deviations that are built.
+     */
+    law: string;
+    /**
+     * Standard deviation of a surveyed coordinate [m].
+     */
+    noise: number;
+    /**
+     * Part of the free nodes that each survey misses.
+     */
+    hidden: number;
+    /**
+     * Standard deviation of what is turned from what was told [m].
+     */
+    actuator: number;
+    /**
+     * Of a turnbuckle since installation, either way [m].
+     */
+    stroke: number;
+    /**
+     * [N].
+     */
+    least_tension: number;
+    /**
+     * Null: no limit [N].
+     */
+    most_tension: number | null;
+    /**
+     * With which limits are to hold, of plans on identified lengths.
+     */
+    confidence: number;
+    /**
+     * By the smallest part of a turn; null: any [m].
+     */
+    step: number | null;
+    /**
+     * Of each identification.
+     */
+    draws: number;
+    rounds: Count;
+    /**
+     * Nets that are built.
+     */
+    trials: number;
+    seed: number;
+  };
+  /**
+   * @minItems 1
+   */
+  strategies: [ControlStrategy, ...ControlStrategy[]];
+}
+export interface ControlStrategy {
+  /**
+   * What turns are planned on.
+   */
+  strategy: "true lengths" | "identified" | "design" | "design, once";
+  /**
+   * Over the trials, from round 0.
+   */
+  rounds: ControlRound[];
+  /**
+   * By trial, then round.
+   */
+  states: ControlState[];
+}
+/**
+ * The true nets after a round; round 0 is as built. Distances are from the target over the free nodes, and along its normal [m].
+ */
+export interface ControlRound {
+  round: Count;
+  mean: Size;
+  /**
+   * The most in any trial.
+   */
+  max: number;
+  normal_mean: Size;
+  normal_max: Size;
+  /**
+   * Over nodes and trials.
+   */
+  normal_rmse: number;
+  /**
+   * In any trial [N].
+   */
+  least_tension: number;
+  /**
+   * In any trial [N].
+   */
+  most_tension: number;
+  /**
+   * With an edge beyond its limits.
+   */
+  broken_trials: number;
+  /**
+   * By how much a limit is broken at most, as a part of it.
+   */
+  worst_excess: number;
+  /**
+   * Sum of the sizes of the strokes of this round, mean over the trials [m].
+   */
+  turned: number;
+  /**
+   * Trials in which no identification or plan came about: nothing was turned.
+   */
+  failed: number;
+}
+/**
+ * The true net of a trial after a round.
+ */
+export interface ControlState {
+  trial: Index;
+  round: Count;
+  mean: Size;
+  max: Size;
+  normal_mean: Size;
+  normal_max: Size;
+  normal_rmse: Size;
+  least_tension: number;
+  most_tension: number;
+  /**
+   * Edges beyond their limits.
+   */
+  broken: number;
+  worst_excess: Size;
+  turned: Size;
+  failed: boolean;
 }

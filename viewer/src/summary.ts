@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
+import { ofControl } from "./control_summary";
 import { h } from "./dom";
 import { counted, millimetres, number, percent, rootMeanSquare, short } from "./format";
 import { ofPlan, planLines } from "./plan_summary";
@@ -26,7 +27,7 @@ export function netWords(net: Counts): string {
     .map(([count, noun]) => counted(count as number, noun as string)).join(", ");
 }
 
-function lawWords(law = ""): string {
+export function lawWords(law = ""): string {
   const [kind, size = ""] = law.split(":");
   const scale = size.replace(/([\d.])([a-z])/, "$1 $2");
   if (kind === "uniform") return `anywhere within ±${scale}`;
@@ -234,6 +235,7 @@ function ofComparison(comparison: Comparison): Summary {
 function summaryOf(result: Result): Summary {
   if (result.format === "taut-study") return ofStudy(result);
   if (result.format === "taut-plan") return ofPlan(result);
+  if (result.format === "taut-control") return ofControl(result);
   return result.format === "taut-identification" ? ofIdentification(result) : ofComparison(result);
 }
 

@@ -399,6 +399,52 @@ test("a comparison shows each method and the best possible", async () => {
   await close(page);
 });
 
+test("simulated jobs are told in words, curves and all rounds", async () => {
+  const { page: path, result } = reports.jobs;
+  const page = await open(path);
+  const of = (name) => result.strategies.find((s) => s.strategy === name).rounds;
+  const mm = (metres) => `${(1e3 * metres).toPrecision(3)} mm`;
+  const sentences = await page.textContent(".sentences");
+  assert.ok(sentences.includes(`2 rounds of turns planned on identified lengths bring the nets from ${mm(of("identified")[0].normal_rmse)} to ${mm(of("identified")[2].normal_rmse)}`), sentences);
+  for (const [name, on] of [["true lengths", "planned with the true lengths known"], ["design", "on the design"], ["design, once", "on the design in the first round alone"]]) {
+    assert.ok(sentences.includes(`${mm(of(name)[2].normal_rmse)} ${on}`), name);
+  }
+  assert.match(sentences, /Of 4 jobs, limits are broken in (none|\d) as built; after 2 rounds in (none|\d) planned on identified lengths/);
+  assert.match(sentences, /No identification or plan failed/);
+  const figures = await page.locator("#figures [data-figure]").evaluateAll((all) => all.map((f) => f.dataset.figure));
+  assert.deepEqual(figures, ["control_form", "control_limits", "control_strokes"]);
+  const rows = await page.$$eval("#rounds tbody tr", (all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+  assert.deepEqual(rows.map(([name, round]) => `${name} ${round}`), ["as built 0", "true lengths 1", "true lengths 2", "identified 1", "identified 2", "design 1", "design 2", "design, once 1"]);
+  assert.equal(rows[4][6], (1e3 * of("identified")[2].normal_rmse).toFixed(2));
+  assert.equal(rows[4][9], `${of("identified")[2].broken_trials}/4`);
+  const settings = await page.textContent("#settings");
+  for (const text of ["uniform:2mm", "0.2 mm", "at least 0.05 kN, at most 20 kN", "±15 mm"]) assert.ok(settings.includes(text), text);
+  await close(page);
+});
+
+test("jobs in which nothing could be planned say so", async () => {
+  const one = await open(reports.job.page);
+  assert.match(await one.textContent(".sentences"), /1 round of turns planned on identified lengths brings the nets/);
+  assert.doesNotMatch(await one.textContent(".sentences"), /first round alone|in the last/);
+  assert.match(await one.textContent("#figures"), /1 job, so that nothing is told of how much jobs differ/);
+  await close(one);
+  const page = await open(reports.failed.page);
+  const sentences = await page.textContent(".sentences");
+  assert.match(sentences, /Nothing could be planned on identified lengths: the nets stay .* as built/);
+  assert.match(sentences, /failed 1 of 1 time with the true lengths known, 1 of 1 time on identified lengths/);
+  assert.match(await page.textContent("#figures"), /Where nothing could be planned, 4 times over all jobs/);
+  await close(page);
+});
+
+test("the table of rounds fits on paper", async () => {
+  // A4 without its margins.
+  const page = await open(reports.jobs.page, { viewport: { width: 688, height: 1000 } });
+  await page.emulateMedia({ media: "print" });
+  const [table, paper] = await page.$eval("#rounds table", (table) => [table.getBoundingClientRect().right, document.documentElement.clientWidth]);
+  assert.ok(table <= paper, `${table} of ${paper}`);
+  await close(page);
+});
+
 /** Cells of a crew's list: ["", step, cable, do, turn, turns, mm, reading, tension]. */
 const crewRows = (page, crew) => page.$$eval(`[data-crew="${crew}"] tbody tr:not(.pass)`, (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
 
@@ -556,7 +602,7 @@ test("a page whose result is damaged says so", async () => {
 
 test("tablets and phones see all of the page without scrolling sideways", async () => {
   for (const [width, height] of [[1180, 820], [820, 1180], [390, 844]]) {
-    for (const { page: path } of [reports.study, reports.troubled, reports.comparison, reports.plan]) {
+    for (const { page: path } of [reports.study, reports.troubled, reports.comparison, reports.plan, reports.jobs]) {
       const page = await open(path, { viewport: { width, height }, hasTouch: true, isMobile: true });
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${path} at ${width}`);
       await close(page);
@@ -601,7 +647,7 @@ test("light and dark differ, in page and view", async () => {
 });
 
 test("every control and drawing has a name for a screen reader", async () => {
-  for (const { page: path } of [reports.study, reports.troubled, reports.comparison, reports.plan]) {
+  for (const { page: path } of [reports.study, reports.troubled, reports.comparison, reports.plan, reports.jobs]) {
     const page = await open(path);
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll("button, select, input, svg, canvas, section, [role=region]")]

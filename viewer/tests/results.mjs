@@ -51,6 +51,21 @@ function makePlans() {
   return ["plan", "infeasible", "unsure", "idle"];
 }
 
+/** Simulated jobs of two rounds; one job of one round; and the same where nothing could be planned. */
+function makeJobs() {
+  const control = ["control", "net.json", "--law", "uniform:2mm", "--noise", "0.2mm", "--tension", "0.05kN..20kN", "--draws", "50", "--quiet"];
+  taut(...control, "--rounds", "2", "--trials", "4", "-o", "jobs");
+  taut(...control, "--rounds", "1", "--trials", "1", "-o", "job");
+  const failed = JSON.parse(readFileSync(join(folder, "job/control.json"), "utf8"));
+  for (const { rounds, states } of failed.strategies) {
+    const { normal_rmse } = states[0];
+    Object.assign(states[1], { normal_rmse, turned: 0, failed: true });
+    Object.assign(rounds[1], { normal_rmse, turned: 0, failed: 1 });
+  }
+  write("failed", failed);
+  return ["jobs/control", "job/control", "failed"];
+}
+
 /** What a survey with troubles gives: gross errors, hidden nodes, slack edges, targets of no node. */
 function troubled(identification) {
   const result = structuredClone(identification);
@@ -94,5 +109,5 @@ export function makeReports() {
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
   taut("compare", "net.json", "-o", "comparison", "--law", "uniform:2mm", "--noise", "0,0.1mm,0.5mm", "--training", "30,60", "--surveys", "4", "--quiet");
-  return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison", ...makePlans()].map((name) => [name.split("/")[0], report(name)]));
+  return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison", ...makePlans(), ...makeJobs()].map((name) => [name.split("/")[0], report(name)]));
 }

@@ -14,7 +14,7 @@ import { folder, makeReports, refusalOf, write } from "./results.mjs";
 
 const schema = JSON.parse(readFileSync(new URL("../../src/results/result.schema.json", import.meta.url), "utf8"));
 const ajv = new Ajv({ allErrors: true, allowUnionTypes: true });
-const validators = Object.fromEntries(["study", "identification", "comparison", "plan"].map((name) =>
+const validators = Object.fromEntries(["study", "identification", "comparison", "plan", "control"].map((name) =>
   [`taut-${name}`, ajv.compile({ ...schema, oneOf: undefined, $ref: `#/definitions/${name}` })]));
 
 let reports;
@@ -65,7 +65,7 @@ test("what taut writes keeps to the schema", () => {
 test("reader and schema refuse the same changes of a result, at the same places", () => {
   let tried = 0;
   const everything = { ...reports.troubled.result, frame: reports.moved.result.frame };
-  for (const [name, result] of Object.entries({ study: reports.study.result, identification: everything, comparison: reports.comparison.result, plan: reports.infeasible.result })) {
+  for (const [name, result] of Object.entries({ study: reports.study.result, identification: everything, comparison: reports.comparison.result, plan: reports.infeasible.result, control: reports.jobs.result })) {
     for (const path of members(result)) {
       // The format chooses the schema; the version and the net have words of their own.
       if (path[0] === "format" || path[0] === "version" || (path[0] === "cable_net" && path.length > 1)) continue;

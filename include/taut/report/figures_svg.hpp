@@ -26,6 +26,16 @@ namespace taut {
 /// Of a comparison
 ///   error_over_noise.svg,             root of the mean squared error of each method, and the best
 ///   error_over_training.svg           possible [mm]
+/// Of a plan
+///   plan_normal_built.svg,            distance from the target along its normal, and in all
+///   plan_normal_planned.svg,          directions, over the net in plan, on one colour scale [mm]
+///   plan_distance_built.svg,
+///   plan_distance_planned.svg
+///   plan_tensions.svg                 tensions with their intervals and limits [kN]
+/// Of simulated jobs, over the rounds and by what was planned on
+///   control_form.svg                  distance from the target along its normal [mm]
+///   control_limits.svg                share of jobs with a broken limit [%]
+///   control_strokes.svg               strokes turned [mm]
 /// Of large nets only some edges and nodes are drawn, evenly spread.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> figures_svg(
     const ResultFile& result);

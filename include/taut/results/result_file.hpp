@@ -83,16 +83,34 @@ struct PlanResult {
     std::vector<Tension> tensions;  ///< of each edge [N]
 };
 
-/// A saved result of `taut reproduce`, `identify`, `compare` or `plan`.
+/// What saved simulated jobs tell, as far as their figures need it.
+struct ControlResult {
+    struct Round {
+        double normal_rmse = 0.0;  ///< along the target's normal, over nodes and trials [m]
+        std::vector<double> normal_rmse_of_trials;  ///< [m]
+        int broken_trials = 0;                      ///< with an edge beyond its limits
+        double turned = 0.0;  ///< sum of the sizes of the strokes, mean over the trials [m]
+        int failed = 0;       ///< trials in which nothing could be planned
+    };
+    struct Strategy {
+        std::string name;
+        std::vector<Round> rounds;  ///< from round 0, as built
+    };
+    int trials = 0;
+    std::vector<Strategy> strategies;
+};
+
+/// A saved result of `taut reproduce`, `identify`, `compare`, `plan` or `control`.
 struct ResultFile {
-    std::variant<StudyResult, IdentificationResult, ComparisonResult, PlanResult> content;
+    std::variant<StudyResult, IdentificationResult, ComparisonResult, PlanResult, ControlResult>
+        content;
     std::string json;  ///< the whole document, without white space
 };
 
-/// Reads a result in one of the formats "taut-study", "taut-identification", "taut-comparison" and
-/// "taut-plan", version 1. It must keep to their schema (result.schema.json, installed beside the
-/// library), and to what a schema cannot tell: sizes and indices those of the net, one edge for
-/// each interior one.
+/// Reads a result in one of the formats "taut-study", "taut-identification", "taut-comparison",
+/// "taut-plan" and "taut-control", version 1. It must keep to their schema (result.schema.json,
+/// installed beside the library), and to what a schema cannot tell: sizes and indices those of the
+/// net, one edge for each interior one, one state for each trial and round.
 /// @param file_name for messages
 /// @throws InputError at a line and column for what is no JSON, and at a JSON pointer for what is
 ///   missing, of another type or size, or breaks a rule
