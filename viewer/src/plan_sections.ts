@@ -45,15 +45,24 @@ export function turnsText(turns: number, { pitch, step }: Plan["options"]): stri
 
 const signed = (value: number, decimals: number): string => (value > 0 ? "+" : "") + fixed(value, decimals);
 
+/** Whether the thread of any turnbuckle is known, and so which way it is to be turned. */
+const tellsRotation = (plan: Plan): boolean => plan.turns.some((turn) => turn.rotation !== null);
+
+function rotationText(turn: Turn): string {
+  if (turn.rotation === null) return "–";
+  return turn.rotation === "clockwise" ? "↻ clockwise" : "↺ counterclockwise";
+}
+
 /** What one crew does in one pass. */
 function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
-  const { pitch, thread } = plan.options;
+  const { pitch } = plan.options;
+  const withRotation = tellsRotation(plan);
   return turns.map((turn) => h("tr", {},
     h("td", {}, h("span", { class: "tick", role: "img", "aria-label": "to tick" })),
     h("td", {}, turn.moment + 1),
     h("th", { scope: "row", class: "text" }, turn.edge_id),
     h("td", { class: `text ${turn.sense}` }, turn.sense === "shorten" ? "→← shorten" : "←→ lengthen"),
-    thread === null ? null : h("td", { class: "text" }, turn.rotation === "clockwise" ? "↻ clockwise" : "↺ counterclockwise"),
+    withRotation ? h("td", { class: "text" }, rotationText(turn)) : null,
     pitch === null ? null : h("td", { class: "turns" }, turn.turns === null ? "–" : turnsText(turn.turns, plan.options)),
     h("td", {}, fixed(Math.abs(1e3 * turn.stroke), 2)),
     h("td", {}, signed(1e3 * turn.reading_after, 2)),
@@ -72,7 +81,7 @@ function warningsOf(plan: Plan): string[] {
 function crewList(plan: Plan, crew: number, how: string): HTMLElement {
   const own = plan.turns.filter((t) => t.crew === crew);
   const passes = [...new Set(own.map((t) => t.pass))];
-  const head = ["", "step", "cable", "do", ...(plan.options.thread === null ? [] : ["turn"]), ...(plan.options.pitch === null ? [] : ["turns"]), "by [mm]", "reading afterwards [mm]", "tension at the end [kN]"];
+  const head = ["", "step", "cable", "do", ...(tellsRotation(plan) ? ["turn"] : []), ...(plan.options.pitch === null ? [] : ["turns"]), "by [mm]", "reading afterwards [mm]", "tension at the end [kN]"];
   const bodies = passes.map((pass) => h("tbody", {},
     h("tr", { class: "pass" }, h("th", { colspan: head.length, scope: "rowgroup" }, `Pass ${pass} of ${plan.order.passes}`)),
     ...rowsOf(plan, own.filter((t) => t.pass === pass))));
@@ -104,7 +113,8 @@ export function crewsSection(plan: Plan): HTMLElement {
   const { crews, passes } = plan.order;
   const together = crews > 1 ? " What has the same step is turned at once; nobody begins a step before all crews have ended the one before." : " Keep to the order: it was checked step by step.";
   const again = passes > 1 ? ` A cable may come again in a later pass: its reading is that after the pass, its tension that after all.` : "";
-  const turning = thread === null ? "Which way to turn is not told, as the thread is not known." : `The turnbuckles have a ${thread}-hand thread; clockwise is as seen from the support along the cable.`;
+  const threads = thread === null ? "Right-hand and left-hand threads are as the net tells." : `The turnbuckles have a ${thread}-hand thread.`;
+  const turning = tellsRotation(plan) ? `${threads} Clockwise is as seen from the support along the cable.` : "Which way to turn is not told, as the thread is not known.";
   const how = `${turning} The reading is how far the turnbuckle then stands from its designed length, + for longer; the tension is the cable's when all is done.${together}${again}`;
   const present = [...new Set(plan.turns.map((t) => t.crew))].sort((a, b) => a - b);
   const idle = crews - present.length;

@@ -894,6 +894,17 @@ export interface Plan {
     fewest_bound: number | null;
   };
   /**
+   * Edges that would help most if they could be turned, too, each with those before it; null where it was not asked.
+   */
+  further?:
+    | {
+        edge: Index;
+        edge_id: string;
+        stroke: number;
+        normal_rmse_after: number;
+      }[]
+    | null;
+  /**
    * Targets that would tell of the planned form what is not known yet; null where it was not asked.
    */
   survey_first?: {
