@@ -406,9 +406,10 @@ void add_plan(CLI::App& program) {
                     "How far a turnbuckle may be turned from where it stands, either way; or a "
                     "file edge,shortest,longest in m")
         ->capture_default_str();
-    command.add_option("--total-stroke", options->total_stroke,
-                       "How far a turnbuckle may then stand from its designed length in NET, either "
-                       "way (default: any)");
+    command.add_option(
+        "--total-stroke", options->total_stroke,
+        "How far a turnbuckle may then stand from its designed length in NET, either "
+        "way (default: any)");
     command.add_option("--tension", options->tension,
                        "Limits of tension, 1.5kN..10kN[@GROUP], or parts of the breaking load that "
                        "NET tells, 20%..60%; may be given again (default: no edge slack)");
@@ -440,9 +441,10 @@ void add_plan(CLI::App& program) {
         ->capture_default_str();
     command.add_option("--crews", options->crews, "That turn at once")->capture_default_str();
     command
-        .add_option("--thread", options->thread,
-                    "Of all turnbuckles, in place of what NET tells of each; where neither does, no "
-                    "sense of rotation is told")
+        .add_option(
+            "--thread", options->thread,
+            "Of all turnbuckles, in place of what NET tells of each; where neither does, no "
+            "sense of rotation is told")
         ->check(CLI::IsMember({"right", "left"}));
     command
         .add_option("--further", options->further,

@@ -51,9 +51,8 @@ std::optional<TurnSize> parse_turn(const std::string& turn, const std::string& s
 TensionRange parse_tension_range(const std::string& text) {
     const size_t dots = text.find("..");
     if (dots == std::string::npos) {
-        throw std::invalid_argument(
-            fmt::format("--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..60%",
-                        text));
+        throw std::invalid_argument(fmt::format(
+            "--tension is '{}', expected a range such as 1.5kN..10kN, 1kN.. or ..60%", text));
     }
     const auto end_of = [](const std::string& end, double none) -> TensionRange::End {
         if (end.empty()) {

@@ -160,9 +160,9 @@ private:
         std::vector<LimitedResponse> responses;
         for (size_t i = 0; i <= m_case_nets.size(); ++i) {
             responses.push_back(
-                {.response = StrokeResponse(i == 0 ? *m_net : m_case_nets[i - 1], set.edges,
-                                            i == 0 ? supports_of(m_limits->reactions)
-                                                   : std::vector<int>{}),
+                {.response =
+                     StrokeResponse(i == 0 ? *m_net : m_case_nets[i - 1], set.edges,
+                                    i == 0 ? supports_of(m_limits->reactions) : std::vector<int>{}),
                  .range = m_plan->held[i],
                  .start = m_plan->form});
         }
@@ -172,9 +172,8 @@ private:
             // As plan_strokes(): limits come first.
             const StrokedState as_built =
                 state_at(responses, task, Eigen::VectorXd::Zero(strokes.size()), nullptr);
-            m_violation_weight =
-                1e3 * std::max(as_built.cost, 1e-12) /
-                std::max(as_built.nets.front().equilibrium.mean_tension, 1e-9);
+            m_violation_weight = 1e3 * std::max(as_built.cost, 1e-12) /
+                                 std::max(as_built.nets.front().equilibrium.mean_tension, 1e-9);
             task.violation_weight = m_violation_weight;
         }
         set.state = search_strokes(responses, task, start).found;
@@ -214,8 +213,7 @@ std::vector<FurtherEdge> further_edges(const BuiltNet& built, const FormTarget& 
                 best = std::move(wider);
             }
         }
-        if (!best ||
-            search.merit(*best) > (1.0 - smallest_further_gain) * search.merit(set)) {
+        if (!best || search.merit(*best) > (1.0 - smallest_further_gain) * search.merit(set)) {
             break;
         }
         set = std::move(*best);

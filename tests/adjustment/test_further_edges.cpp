@@ -36,8 +36,7 @@ TEST(FurtherEdges, BeginWithTheOneEdgeThatIsWrong) {
     const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
     const Plan plan = plan_strokes(built, target, limits);
-    const std::vector<FurtherEdge> further =
-        further_edges(built, target, limits, {}, plan, 1);
+    const std::vector<FurtherEdge> further = further_edges(built, target, limits, {}, plan, 1);
     ASSERT_EQ(further.size(), 1U);
     EXPECT_EQ(further[0].edge, net.interior_edges()[at]);
     EXPECT_NEAR(further[0].stroke, -4e-3, 0.2e-3);
@@ -47,14 +46,13 @@ TEST(FurtherEdges, BeginWithTheOneEdgeThatIsWrong) {
 TEST(FurtherEdges, AreTheBestOfAllTriedOneByOne) {
     const CableNet net = hypar(4, 4);
     test::Random random(12);
-    const BuiltNet built = built_of(
-        net, test::uniform_vector(random, net.interior_edge_count(), 4e-3));
+    const BuiltNet built =
+        built_of(net, test::uniform_vector(random, net.interior_edge_count(), 4e-3));
     const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
     constexpr double stroke = 6e-3;
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), stroke);
     const Plan plan = plan_strokes(built, target, limits);
-    const std::vector<FurtherEdge> further =
-        further_edges(built, target, limits, {}, plan, 2);
+    const std::vector<FurtherEdge> further = further_edges(built, target, limits, {}, plan, 2);
     ASSERT_EQ(further.size(), 2U);
     PlanOptions options{.edges = net.adjustable_edges()};
     for (const FurtherEdge& one : further) {

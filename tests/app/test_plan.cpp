@@ -248,9 +248,9 @@ TEST_F(PlanCommand, TellsARotationOnlyWhereTheThreadIsTold) {
             const json rotation = expected(turn);
             EXPECT_EQ(turn["rotation"], rotation);
             std::getline(list, line);
-            EXPECT_THAT(line, HasSubstr("," + turn["sense"].get<std::string>() + "," +
-                                        (rotation.is_null() ? "" : rotation.get<std::string>()) +
-                                        ","));
+            EXPECT_THAT(line,
+                        HasSubstr("," + turn["sense"].get<std::string>() + "," +
+                                  (rotation.is_null() ? "" : rotation.get<std::string>()) + ","));
         }
     };
     const auto by = [](const json& turn, bool is_right) {

@@ -25,8 +25,7 @@ struct FurtherEdge {
 /// @throws std::invalid_argument for a count below 1, and what plan_strokes() refuses
 /// @throws Interrupted
 [[nodiscard]] std::vector<FurtherEdge> further_edges(const BuiltNet& built,
-                                                     const FormTarget& target,
-                                                     const Limits& limits,
+                                                     const FormTarget& target, const Limits& limits,
                                                      const PlanOptions& options, const Plan& plan,
                                                      int count, const Progress& progress = {});
 

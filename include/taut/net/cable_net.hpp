@@ -61,7 +61,7 @@ struct CableNetData {
     std::vector<int> tension_law;  ///< m indices of tension_laws, -1: linear by EA; or none
     std::map<std::string, std::vector<int>> groups;  ///< named lists of edges
     Eigen::VectorXd mass;                            ///< m, of a metre of edge; or none [kg/m]
-    Eigen::VectorXd expansion;  ///< m, thermal strain by temperature; or none [1/K]
+    Eigen::VectorXd expansion;      ///< m, thermal strain by temperature; or none [1/K]
     Eigen::VectorXd breaking_load;  ///< m, > 0; or none [N]
     std::vector<Thread> thread;     ///< one an entry of `adjustable`; or none
 };
