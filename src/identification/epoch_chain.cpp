@@ -19,7 +19,7 @@ namespace {
 /// Of a length that changed in between, by anything [m].
 constexpr double std_of_change = 0.1;
 
-bool is_common(const Unknown& unknown) {
+bool is_common_number(const Unknown& unknown) {
     return unknown.kind == Unknown::Kind::stiffness || unknown.kind == Unknown::Kind::temperature ||
            unknown.kind == Unknown::Kind::loads;
 }
@@ -76,7 +76,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
       m_law(law),
       m_widest_turn(widest_turn(net)),
       m_unknowns(options.unknowns),
-      m_common(static_cast<int>(std::ranges::count_if(options.unknowns, is_common))),
+      m_common(static_cast<int>(std::ranges::count_if(options.unknowns, is_common_number))),
       m_changes(epochs.size()) {
     const double play = std::max(least_play, largest_play(epochs));
     const bool is_told = std_of(m_unknowns, Unknown::Kind::adjustable) > 0.0;
@@ -141,7 +141,7 @@ EpochStep EpochChain::step_to(size_t k, const std::vector<EdgeTurned>& turned,
             step.factor(place) = 0.0;
             step.added(place) = 1.0;
         }
-        place += is_common(unknown) ? 1 : 0;
+        place += is_common_number(unknown) ? 1 : 0;
     }
     return step;
 }

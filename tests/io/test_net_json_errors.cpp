@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"ThreadNeitherRightNorLeft", "/thread", R"(["up"])",
                  R"(:/thread/0: is 'up', expected "right" or "left")"},
         BadValue{"ThreadText", "/thread", R"("right")",
-                 ":/thread: is text, expected an array of right and left"},
+                 ":/thread: is the text 'right', expected an array of right and left"},
         BadValue{"TopLevelArray", "", "[]",
                  ": is an array, expected an object with \"format\": \"taut-net\""},
         BadValue{"NoFormat", "/format", "", ":/format: is missing, expected \"taut-net\""},
