@@ -140,9 +140,11 @@ private:
         double squared_distance = std::numeric_limits<double>::infinity();
         TrianglePoint found{};
 
+        // NOLINTNEXTLINE(readability-identifier-naming)
         [[nodiscard]] double minimumOnVolume(const Eigen::AlignedBox3d& box) const {
             return box.squaredExteriorDistance(*point);
         }
+        // NOLINTNEXTLINE(readability-identifier-naming)
         double minimumOnObject(int index) {
             const std::array<int, 3>& corners = of->m_triangles[static_cast<size_t>(index)];
             const TrianglePoint here = nearest_of_triangle(

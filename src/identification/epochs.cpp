@@ -144,6 +144,7 @@ void add_changes(Trust& trust, const CableNet& net, const std::vector<EpochResul
                  .next = "Check the length of a turn and the unit of what was turned"});
         }
         std::vector<std::string> names;
+        names.reserve(epoch.changes.size());
         for (const LengthChange& change : epoch.changes) {
             names.push_back(fmt::format("{} by {:+.2f} +- {:.2f} mm", net.edge_id(change.edge),
                                         1e3 * change.change, 1e3 * change.std));

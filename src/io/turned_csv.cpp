@@ -82,6 +82,7 @@ public:
                 "turned leave it out");
         }
         std::vector<EdgeTurned> result;
+        result.reserve(m_turned.size());
         for (const auto& [edge, turned] : m_turned) {
             result.push_back(turned);
         }

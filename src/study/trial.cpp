@@ -90,6 +90,7 @@ std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials
                 {.edge = edge, .stroke = reach * (2.0 * random.uniform() - 1.0), .std = 0.0});
         }
         std::vector<std::vector<EdgeTurned>> steps;
+        steps.reserve(trial.epochs.size() + 1);
         for (const Epoch& before : trial.epochs) {
             steps.push_back(before.turned);
         }

@@ -54,6 +54,7 @@ std::vector<EdgeTurned> all_turned(std::span<const std::vector<EdgeTurned>> step
         }
     }
     std::vector<EdgeTurned> result;
+    result.reserve(sum.size());
     for (const auto& [edge, all] : sum) {
         result.push_back(all);
     }
