@@ -28,6 +28,7 @@ PlyContent read_obj_faces(std::string_view text, const std::string& file_name) {
                     fmt::format("a face has {} corners, expected 3 to {}", corners, most_corners));
             }
             std::vector<int> face;
+            face.reserve(corners);
             for (const std::string& argument : statement.arguments) {
                 face.push_back(
                     statement.vertex(argument, static_cast<int>(content.vertices.size())));

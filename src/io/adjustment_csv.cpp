@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"
@@ -61,8 +62,8 @@ std::vector<CsvRecord> records_of(std::string_view text, const std::string& file
 /// Nodes by the names in the first field, each once.
 class NodeColumn {
 public:
-    NodeColumn(const CableNet& net, const std::string& file_name)
-        : m_net(&net), m_file_name(file_name) {
+    NodeColumn(const CableNet& net, std::string file_name)
+        : m_net(&net), m_file_name(std::move(file_name)) {
         for (int node = 0; node < net.node_count(); ++node) {
             m_node_of.emplace(net.node_id(node), node);
         }

@@ -115,7 +115,7 @@ std::vector<Thread> read_threads(const std::optional<JsonValue>& list) {
     std::vector<Thread> threads(list ? list->array_size("an array of right and left") : 0);
     for (size_t k = 0; k < threads.size(); ++k) {
         const JsonValue value = list->at(k);
-        const std::string text = value.text();
+        const std::string& text = value.text();
         if (text != "right" && text != "left") {
             value.fail(fmt::format(R"(is {}, expected "right" or "left")", quote(text)));
         }

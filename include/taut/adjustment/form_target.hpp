@@ -103,7 +103,7 @@ struct FormDeviation {
 
 /// @param form 3 x n [m]
 /// @throws std::invalid_argument for a form of the wrong size
-[[nodiscard]] FormDeviation deviation_from(const FormTarget& target, const CableNet& net,
+[[nodiscard]] FormDeviation deviation_from(const FormTarget& of, const CableNet& net,
                                            const Points& form);
 
 }  // namespace taut
