@@ -38,7 +38,8 @@ double largest_play(std::span<const Epoch> epochs) {
 
 bool are_too_many_changes(const CableNet& net, size_t changes) {
     constexpr double most = 0.1;  // of all edges
-    return static_cast<double>(changes) > most * net.edge_count();
+    constexpr double a_few = 3.0;
+    return static_cast<double>(changes) > std::max(a_few, most * net.edge_count());
 }
 
 double widest_turn(const CableNet& net) {

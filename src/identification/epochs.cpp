@@ -199,7 +199,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         }
         scaled[k].survey = with_noise_times(std::move(scaled[k].survey), noise_scales[k]);
     }
-    EpochChain each(net, scaled, options, first.law, small_play(scaled));
+    EpochChain each(net, scaled, options, first.law,
+                    net.adjustable_edges().empty() ? 0.0 : small_play(scaled));
     each.find_changes(progress);
     for (int k = 1; k < each.count(); ++k) {
         if (are_too_many_changes(net, each.changes()[k].lengths.size())) {
@@ -228,6 +229,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
             result.message = fmt::format("survey {}: {}", k + 1, chain.found(k).message);
         }
     }
+    result.contradicted_law = first.contradicted_law;
+    result.law_was_told = options.law.has_value();
     for (int k = 0; k <= last; ++k) {
         const Identification& found = k < last ? chain.found(k) : result;
         result.epochs.push_back({.surveyed = static_cast<int>(scaled[k].survey.surveyed.size()),
@@ -248,8 +251,6 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     }
     result.turned = all_turned(all_steps);
     result.noise_scale = noise_scales.back();
-    result.contradicted_law = first.contradicted_law;
-    result.law_was_told = options.law.has_value();
     result.method = to_string(IdentificationMethod::map);
     result.method_reason = fmt::format("{} surveys are told", epochs.size());
     result.how = fmt::format("maximum a posteriori under the statics, by {} surveys, lengths {}",
