@@ -88,13 +88,13 @@ Eigen::SparseMatrix<double> upper_triangle(const Eigen::MatrixXd& dense, int siz
 
 }  // namespace
 
-double cost_of(const FormTarget& of, const CableNet& net, const Points& form) {
-    const FormTarget target = of.at(form);
+double cost_of(const FormTarget& target, const CableNet& net, const Points& form) {
+    const FormTarget near_form = target.at(form);
     double sum = 0.0;
     double largest = 0.0;
     for (const int node : net.free_nodes()) {
         const double square =
-            target.weighted(node, form.col(node) - target.places().col(node)).squaredNorm();
+            near_form.weighted(node, form.col(node) - near_form.places().col(node)).squaredNorm();
         sum += square;
         largest = std::max(largest, square);
     }
