@@ -25,6 +25,7 @@ class Job:
 
     def __init__(self, net, noise, hidden, folder, seed):
         self.net, self.noise, self.hidden, self.folder = net, noise, hidden, folder
+        self.options, self.moved, self.is_copied = [], {}, False
         self.random = np.random.default_rng(seed)
         self.deviations = np.zeros(len(net.edges))
         self.deviations[net.interior] = drawn(LAW, len(net.interior), self.random)
@@ -45,6 +46,7 @@ class Job:
         for edge, stroke in {**turned, **(slipped or {})}.items():
             lengths[edge] += stroke
         data["unstressed_lengths"] = lengths.tolist()
+        data["nodes"] = [[x, y, z + self.moved.get(n, 0.0)] for n, (x, y, z) in enumerate(data["nodes"])]
         (self.folder / "built.json").write_text(json.dumps(data))
         taut("form", self.folder / "built.json", "-o", self.folder / "built.csv", "--quiet")
         form = [row for row in csv.reader((self.folder / "built.csv").open()) if row[0] != "id"]
@@ -66,7 +68,7 @@ class Job:
         result = self.folder / "result.json"
         result.unlink(missing_ok=True)
         ended = taut("identify", self.folder / "net.json", self.folder / survey, "--noise", self.noise, "--frame", "net",
-                     "--quiet", "-o", result, *options)
+                     "--quiet", "-o", result, *self.options, *options)
         if not result.exists():
             return None, None, {"trust": {"verdict": "refused", "reasons": [ended.stderr.strip()]}}
         data = json.loads(result.read_text())
@@ -144,6 +146,46 @@ def two_slipped(job):
     return job.told, {edge: -5e-3 for edge in edges}, set(edges)
 
 
+def wrong_pitch(job):
+    return {e: 1.2 * s for e, s in job.told.items()}, {}, set()
+
+
+def wrong_signs(job):
+    return {e: -s for e, s in job.told.items()}, {}, set()
+
+
+def none_turned(_):
+    return {}, {}, set()
+
+
+def untold_play(job):
+    return {e: s + 0.7e-3 * job.random.normal() for e, s in job.told.items()}, {}, set()
+
+
+def off_from_the_start(job):
+    start = {job.net.data["adjustable"][11]: 6e-3}
+    job.survey("first.csv", start)
+    return {e: job.told.get(e, 0.0) + start.get(e, 0.0) for e in {**job.told, **start}}, {}, set(start)
+
+
+def support_moved(job):
+    node = job.net.data["supports"][7]
+    job.moved = {node: 8e-3}
+    at_it = {e for e, ends in enumerate(job.net.edges) if node in ends}
+    return job.told, {}, at_it
+
+
+def law_told_narrow(job):
+    job.options = ["--law", "uniform:2mm"]
+    return job.told, {}, set()
+
+
+def one_survey_twice(job):
+    job.is_copied = True
+    job.told = {}
+    return {}, {}, set()
+
+
 FALSE = [
     ("nothing", lambda job: (job.told, {}, set())),
     ("one turned the wrong way", turned_the_wrong_way),
@@ -151,6 +193,14 @@ FALSE = [
     ("three turned 4 mm too far", three_off),
     ("a cable slipped by 5 mm", slipped),
     ("two cables 5 mm shorter than before", two_slipped),
+    ("a turnbuckle 6 mm off from the start", off_from_the_start),
+    ("a support 8 mm higher than before", support_moved),
+    ("all turned 20 % too far", wrong_pitch),
+    ("all turned the wrong way", wrong_signs),
+    ("none turned", none_turned),
+    ("0.7 mm of play, not told", untold_play),
+    ("law told as uniform:2mm", law_told_narrow),
+    ("one survey told twice, rounded to 0.1 mm", one_survey_twice),
 ]
 
 
@@ -159,12 +209,17 @@ def false_premise(name, alter, net, folder, jobs):
     for seed in range(jobs):
         job = Job(net, "0.5mm", "10%", folder, 100 + seed)
         done, slip, culprits = alter(job)
-        job.survey("second.csv", done, slip)
+        if job.is_copied:
+            rows = [row.split(",") for row in (folder / "first.csv").read_text().split()]
+            (folder / "second.csv").write_text(
+                "".join(f"{node},{float(x):.4f},{float(y):.4f},{float(z):.4f}\n" for node, x, y, z in rows))
+        else:
+            job.survey("second.csv", done, slip)
         job.tell(job.told)
         # What the last survey saw.
         for edge, change in slip.items():
             job.deviations[edge] += change
-        _, share, result = job.again()
+        _, share, result = job.again(turned="turned.csv" if job.told else None)
         said[result["trust"]["verdict"]] += 1
         if share is None:
             continue

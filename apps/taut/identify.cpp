@@ -218,8 +218,8 @@ void print_epochs(const CableNet& net, const Identification& result) {
         if (k > 0) {
             fmt::print(
                 "; {} edges turned before it; lengths differ from those before by {:.2f} "
-                "times what is expected",
-                epoch.turned.size(), epoch.change_ratio);
+                "times what is expected (chance: up to {:.2f})",
+                epoch.turned.size(), epoch.change_ratio, epoch.change_limit);
         }
         fmt::print("\n");
         for (const LengthChange& change : epoch.changes) {
@@ -342,22 +342,6 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     }
 }
 
-/// What did not converge: bad input where the survey is not what it was taken for.
-void refuse_unless_converged(const Options& options, const Identification& result) {
-    switch (result.status) {
-        case IdentificationStatus::converged:
-            return;
-        case IdentificationStatus::survey_not_exact:
-            throw InputError(options.survey, "",
-                             result.message + ": --noise tells it, or sx, sy, sz in the file");
-        case IdentificationStatus::iteration_limit:
-        case IdentificationStatus::survey_does_not_fit:
-        case IdentificationStatus::no_equilibrium:
-            throw NumericalFailure(
-                fmt::format("{}: method {}: {}", options.survey, result.method, result.message));
-    }
-}
-
 /// --epoch, as it was told.
 struct EpochFiles {
     std::string survey;
@@ -382,6 +366,27 @@ EpochFiles epoch_files(const std::string& text) {
     return files;
 }
 
+/// What did not converge: bad input where the survey is not what it was taken for.
+void refuse_unless_converged(const Options& options, const Identification& result) {
+    switch (result.status) {
+        case IdentificationStatus::converged:
+            return;
+        case IdentificationStatus::survey_not_exact:
+            throw InputError(options.survey, "",
+                             result.message + ": --noise tells it, or sx, sy, sz in the file");
+        case IdentificationStatus::iteration_limit:
+        case IdentificationStatus::survey_does_not_fit:
+        case IdentificationStatus::no_equilibrium:
+            break;
+    }
+    std::vector<std::string> surveys{options.survey};
+    for (const std::string& text : options.epochs) {
+        surveys.push_back(epoch_files(text).survey);
+    }
+    throw NumericalFailure(
+        fmt::format("{}: method {}: {}", fmt::join(surveys, ", "), result.method, result.message));
+}
+
 /// The first survey and those of --epoch.
 std::vector<Epoch> read_epochs(const CableNet& net, const Survey& first, const Options& options) {
     std::vector<Epoch> epochs{{.survey = first, .turned = {}}};
@@ -402,6 +407,18 @@ std::vector<Epoch> read_epochs(const CableNet& net, const Survey& first, const O
         epochs.push_back(std::move(epoch));
     }
     return epochs;
+}
+
+Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& epochs,
+                                 const IdentifyOptions& settings, const Options& options,
+                                 const Progress& progress) {
+    try {
+        return identify_epochs(net, epochs, settings, progress);
+    } catch (const EpochError& error) {
+        const size_t k = error.epoch();
+        throw InputError(k == 0 ? options.survey : epoch_files(options.epochs[k - 1]).survey, "",
+                         error.what());
+    }
 }
 
 void run(const Options& options) {
@@ -435,10 +452,11 @@ void run(const Options& options) {
         settings.method = parse_identification_method(options.method);
     }
     ProgressLine line(options.quiet);
-    const Identification result = with_survey_of(options.survey, [&] {
-        return epochs.size() > 1 ? identify_epochs(net, epochs, settings, line.progress())
-                                 : identify(net, survey, settings, line.progress());
-    });
+    const Identification result =
+        epochs.size() > 1 ? identified_epochs(net, epochs, settings, options, line.progress())
+                          : with_survey_of(options.survey, [&] {
+                                return identify(net, survey, settings, line.progress());
+                            });
     survey = with_noise_times(std::move(epochs.back().survey), result.noise_scale);
     refuse_unless_converged(options, result);
     const std::string document = identification_to_json(net, survey, result, run_record());

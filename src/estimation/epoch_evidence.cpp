@@ -4,12 +4,17 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 namespace taut {
 namespace {
+
+/// A change whose standard deviation is above so many times that of x before any survey is not
+/// shown: what is told of it comes from rounding errors and terms of second order.
+constexpr double least_shown = 1.0 / 30.0;
 
 Eigen::MatrixXd symmetric(const Eigen::MatrixXd& matrix) {
     return 0.5 * (matrix + matrix.transpose());
@@ -58,6 +63,21 @@ LengthEvidence with_root(const Eigen::MatrixXd& information, const Eigen::Vector
     return result;
 }
 
+/// L^-1 P g has independent entries of variance D, where L D L' = P W P'.
+Agreement agreement_of(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient) {
+    const Eigen::LDLT<Eigen::MatrixXd> factor(information);
+    Eigen::VectorXd independent = factor.transpositionsP() * gradient;
+    factor.matrixL().solveInPlace(independent);
+    Agreement result;
+    for (Eigen::Index i = 0; i < independent.size(); ++i) {
+        if (const double variance = factor.vectorD()(i); variance > least_shown * least_shown) {
+            result.squares += independent(i) * independent(i) / variance;
+            ++result.rank;
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 EpochStep EpochStep::reversed() const {
@@ -101,6 +121,21 @@ LengthEvidence no_evidence(Eigen::Index size) {
 
 LengthEvidence sum_of(const LengthEvidence& a, const LengthEvidence& b) {
     return {.information = a.information + b.information, .root = {}, .pull = a.pull + b.pull};
+}
+
+LengthEvidence forgotten(LengthEvidence evidence, std::span<const Eigen::Index> entries) {
+    for (const Eigen::Index i : entries) {
+        const double own = evidence.information(i, i);
+        if (own > 0.0) {
+            const Eigen::VectorXd column = evidence.information.col(i);
+            evidence.pull -= column * (evidence.pull(i) / own);
+            evidence.information -= column * (column / own).transpose();
+        }
+        evidence.information.col(i).setZero();
+        evidence.information.row(i).setZero();
+        evidence.pull(i) = 0.0;
+    }
+    return evidence;
 }
 
 LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step) {
@@ -147,7 +182,6 @@ void EvidenceTest::update() {
 }
 
 EvidenceTest::Changes EvidenceTest::changes() const {
-    constexpr double least_shown = 1e-3;  // in standard deviations before any survey
     const Eigen::Index size = m_stds.size();
     Changes result{.change = Eigen::VectorXd::Zero(size),
                    .std = Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity()),
@@ -172,22 +206,36 @@ std::pair<double, double> EvidenceTest::change_along(const Eigen::VectorXd& dire
     return {d.dot(m_gradient) / shown, 1.0 / std::sqrt(shown)};
 }
 
-/// L^-1 P g has independent entries of variance D.
-double EvidenceTest::ratio() const {
-    const Eigen::LDLT<Eigen::MatrixXd> factor(m_information);
-    Eigen::VectorXd independent = factor.transpositionsP() * m_gradient;
-    factor.matrixL().solveInPlace(independent);
-    constexpr double rounding = 1e-9;
-    const double least = rounding * factor.vectorD().maxCoeff();
-    double squares = 0.0;
-    int rank = 0;
-    for (Eigen::Index i = 0; i < independent.size(); ++i) {
-        if (const double variance = factor.vectorD()(i); variance > least) {
-            squares += independent(i) * independent(i) / variance;
-            ++rank;
-        }
-    }
+double Agreement::ratio() const {
     return rank > 0 ? std::sqrt(squares / rank) : 0.0;
+}
+
+double Agreement::limit() const {
+    constexpr double false_alarm_rate = 1e-3;
+    if (rank == 0) {
+        return 0.0;
+    }
+    const boost::math::chi_squared_distribution<> by_chance(rank);
+    return std::sqrt(boost::math::quantile(boost::math::complement(by_chance, false_alarm_rate)) /
+                     rank);
+}
+
+Agreement EvidenceTest::agreement() const {
+    return agreement_of(m_information, m_gradient);
+}
+
+Agreement EvidenceTest::agreement(std::span<const Eigen::Index> entries) const {
+    return agreement_of(m_information(entries, entries), m_gradient(entries));
+}
+
+/// Changes e of variances s^2 / std^2 add W E W to the covariance W of g.
+double EvidenceTest::spread(std::span<const Eigen::Index> entries) const {
+    const Eigen::MatrixXd information = m_information(entries, entries);
+    const Eigen::VectorXd gradient = m_gradient(entries);
+    const Eigen::VectorXd by_variance = m_stds(entries).cwiseAbs2().cwiseInverse();
+    const double more = gradient.squaredNorm() - information.trace();
+    const double by_one = (information.cwiseAbs2() * by_variance).sum();
+    return more > 0.0 && by_one > 0.0 ? std::sqrt(more / by_one) : 0.0;
 }
 
 }  // namespace taut

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
@@ -42,6 +44,22 @@ struct EpochStep {
 /// What evidence of x_from tells of x_to, (epoch-step); with its root.
 [[nodiscard]] LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step);
 
+/// What the rest of x is told where nothing is known of these entries but what else tells of them,
+/// which may be anything: the evidence with them integrated out, (forgotten).
+[[nodiscard]] LengthEvidence forgotten(LengthEvidence evidence,
+                                       std::span<const Eigen::Index> entries);
+
+/// How far x differs from what others let expect, as far as both show it.
+struct Agreement {
+    double squares = 0.0;  ///< chi-squared of `rank` degrees of freedom where nothing changed
+    int rank = 0;
+
+    /// Root mean square, about 1; 0 where nothing is shown.
+    [[nodiscard]] double ratio() const;
+    /// The ratio that chance exceeds once in a thousand times.
+    [[nodiscard]] double limit() const;
+};
+
 /// A survey held against others: whether x is the same in all, docs/theory.md (epoch-change).
 class EvidenceTest {
 public:
@@ -65,8 +83,12 @@ public:
     /// standard deviation, infinite where the surveys do not show it.
     [[nodiscard]] std::pair<double, double> change_along(const Eigen::VectorXd& direction) const;
 
-    /// How far x differs in all that is shown, root mean square, over what is expected: about 1.
-    [[nodiscard]] double ratio() const;
+    [[nodiscard]] Agreement agreement() const;
+    [[nodiscard]] Agreement agreement(std::span<const Eigen::Index> entries) const;
+
+    /// Standard deviation of one more change of each of these entries by itself, which explains how
+    /// far they differ; 0 where they differ no further than is expected.
+    [[nodiscard]] double spread(std::span<const Eigen::Index> entries) const;
 
 private:
     void update();

@@ -92,9 +92,9 @@ public:
 private:
     /// To a hundredth of a millimetre, where that is little of it: nobody reads more.
     static double rounded(double scale) {
-        constexpr double steps_a_metre = 1e5;
-        const double steps = std::round(scale * steps_a_metre);
-        return steps > 10.0 ? steps / steps_a_metre : scale;
+        constexpr double steps_a_millimetre = 100.0;
+        const double steps = std::round(1e3 * scale * steps_a_millimetre);
+        return steps > 10.0 ? steps / steps_a_millimetre / 1e3 : scale;  // as "4.89mm" is read
     }
 
     double m_outlier_std;

@@ -18,6 +18,8 @@ constexpr int a_few = 3;
 
 /// Of a released edge's law, in standard deviations of its own.
 constexpr double released_width = 20.0;
+/// No cut is further off.
+constexpr double widest_part_of_length = 0.25;
 
 /// An edge that may be slack as well as taut is not tested: its length is known by a bound alone.
 constexpr double tested_extension = 4.0;  // standard deviations
@@ -163,7 +165,9 @@ std::vector<LengthLaw> LengthSnooping::laws() const {
     std::vector<LengthLaw> result = m_laws;
     for (size_t i = 0; i < m_laws.size(); ++i) {
         if (m_released[i]) {
-            result[i] = {LengthLaw::Kind::normal, m_released_std};
+            const double length = m_net.unstressed_lengths()(m_net.interior_edges()[i]);
+            result[i] = {LengthLaw::Kind::normal,
+                         std::min(m_released_std, widest_part_of_length * length)};
         }
     }
     return result;

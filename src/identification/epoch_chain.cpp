@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -16,8 +17,11 @@
 namespace taut {
 namespace {
 
-/// Of a length that changed in between, by anything [m].
-constexpr double std_of_change = 0.1;
+/// Of a length that is known to have changed: so wide that it tells nothing of by how much [m].
+double width_of(const LengthChange& change) {
+    constexpr double wide = 4.0;
+    return wide * std::max(std::abs(change.change), change.std);
+}
 
 bool is_common_number(const Unknown& unknown) {
     return unknown.kind == Unknown::Kind::stiffness || unknown.kind == Unknown::Kind::temperature ||
@@ -71,7 +75,8 @@ CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
 }
 
 EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
-                       const IdentifyOptions& options, const LengthLaw& law, double least_play)
+                       const IdentifyOptions& options, const LengthLaw& law, double least_play,
+                       const std::vector<Changes>& changes)
     : m_net(net),
       m_options(options),
       m_law(law),
@@ -79,63 +84,76 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
       m_unknowns(options.unknowns),
       m_common(static_cast<int>(std::ranges::count_if(options.unknowns, is_common_number))),
       m_changes(epochs.size()) {
-    const double play = std::max(least_play, largest_play(epochs));
     const bool is_told = std_of(m_unknowns, Unknown::Kind::adjustable) > 0.0;
+    double play = std::max(least_play, largest_play(epochs));
+    for (const Changes& of_survey : changes) {
+        play = std::max(play, of_survey.play);
+        for (const LengthChange& change : of_survey.lengths) {
+            play = std::max(play, is_adjustable(change.edge) ? width_of(change) : 0.0);
+        }
+    }
+    play = std::min(play, m_widest_turn);
     if (play > 0.0 && !is_told) {
         m_unknowns.push_back({.kind = Unknown::Kind::adjustable, .std = play, .group = {}});
     }
+    m_has_play = is_told || play > 0.0;
     m_edges = net_to_fit(net, m_unknowns).interior_edges();
-    const bool has_adjustable = is_told || play > 0.0;
     Eigen::VectorXd stds = adjustable_stds(net, options.unknowns);
     std::vector<std::vector<EdgeTurned>> steps;
     for (const Epoch& epoch : epochs) {
-        for (const int edge : net.adjustable_edges()) {
-            stds(edge) = std::hypot(stds(edge), least_play);
-        }
-        for (const EdgeTurned& one : epoch.turned) {
-            stds(one.edge) = std::hypot(stds(one.edge), one.std);
-        }
         steps.push_back(epoch.turned);
         m_states.push_back({.net = settled_net(net, all_turned(steps)),
                             .survey = &epoch.survey,
                             .turned = &epoch.turned,
-                            .stds = has_adjustable ? stds : Eigen::VectorXd(),
-                            .step = {},
+                            .prior = first_prior(stds),
+                            .added = Eigen::VectorXd::Zero(size()),
                             .earlier = no_evidence(size()),
                             .later = no_evidence(size()),
                             .own = no_evidence(size()),
                             .found = {}});
     }
-    for (size_t k = 0; k + 1 < m_states.size(); ++k) {
-        m_states[k].step = step_to(k + 1, epochs[k + 1].turned, least_play);
+    for (size_t k = 0; k < m_states.size() && m_has_play; ++k) {
+        for (const int edge : net.adjustable_edges()) {
+            add_variance(k, edge, least_play);
+        }
+        for (const EdgeTurned& one : epochs[k].turned) {
+            add_variance(k, one.edge, one.std);
+        }
     }
+    let_go(changes);
 }
 
-/// Of x at an epoch before any survey.
-Eigen::VectorXd EpochChain::prior_of(const State& state) const {
+bool EpochChain::is_adjustable(int edge) const {
+    return std::ranges::binary_search(m_net.adjustable_edges(), edge);
+}
+
+Eigen::Index EpochChain::place_of(int edge) const {
+    return std::ranges::lower_bound(m_edges, edge) - m_edges.begin();
+}
+
+Eigen::VectorXd EpochChain::first_prior(const Eigen::VectorXd& stds) const {
     Eigen::VectorXd variances = Eigen::VectorXd::Ones(size());
     for (size_t i = 0; i < m_edges.size(); ++i) {
-        const bool is_adjustable = std::ranges::binary_search(m_net.adjustable_edges(), m_edges[i]);
-        const double std = is_adjustable ? state.stds(m_edges[i]) : m_law.std();
+        const double std = is_adjustable(m_edges[i]) ? stds(m_edges[i]) : m_law.std();
         variances(static_cast<Eigen::Index>(i)) = std * std;
     }
     return variances;
 }
 
-EpochStep EpochChain::step_to(size_t k, const std::vector<EdgeTurned>& turned,
-                              double least_play) const {
-    EpochStep step{.factor = Eigen::VectorXd::Ones(size()),
-                   .added = Eigen::VectorXd::Zero(size()),
-                   .prior_from = prior_of(m_states[k - 1]),
-                   .prior_to = prior_of(m_states[k])};
-    for (size_t i = 0; i < m_edges.size(); ++i) {
-        const int edge = m_edges[i];
-        if (std::ranges::binary_search(m_net.adjustable_edges(), edge)) {
-            const auto one = std::ranges::find(turned, edge, &EdgeTurned::edge);
-            const double play = one != turned.end() ? one->std : 0.0;
-            step.added(static_cast<Eigen::Index>(i)) = play * play + least_play * least_play;
-        }
+/// From a survey on: the length differs by so much more from what is told.
+void EpochChain::add_variance(size_t k, int edge, double std) {
+    const Eigen::Index place = place_of(edge);
+    m_states[k].added(place) += std * std;
+    for (size_t j = k; j < m_states.size(); ++j) {
+        m_states[j].prior(place) += std * std;
     }
+}
+
+EpochStep EpochChain::step_from(size_t k) const {
+    EpochStep step{.factor = Eigen::VectorXd::Ones(size()),
+                   .added = m_states[k + 1].added,
+                   .prior_from = m_states[k].prior,
+                   .prior_to = m_states[k + 1].prior};
     auto place = static_cast<Eigen::Index>(m_edges.size());
     for (const Unknown& unknown : m_unknowns) {
         if (unknown.kind == Unknown::Kind::temperature) {  // another day
@@ -147,19 +165,13 @@ EpochStep EpochChain::step_to(size_t k, const std::vector<EdgeTurned>& turned,
     return step;
 }
 
-void EpochChain::let_go(size_t k, int edge) {
-    const auto place = std::ranges::find(m_edges, edge) - m_edges.begin();
-    EpochStep& step = m_states[k - 1].step;
-    step.added(place) += std_of_change * std_of_change;
-    step.prior_to(place) += std_of_change * std_of_change;
-}
-
 void EpochChain::let_go(const std::vector<Changes>& changes) {
-    for (size_t k = 1; k < m_states.size(); ++k) {
+    for (size_t k = 0; k < changes.size(); ++k) {
         for (const LengthChange& change : changes[k].lengths) {
-            if (std::ranges::binary_search(m_net.interior_edges(), change.edge)) {
-                let_go(k, change.edge);
-            }
+            add_variance(k, change.edge, width_of(change));
+        }
+        for (const int edge : changes[k].play > 0.0 ? turned_edges(k) : std::vector<int>()) {
+            add_variance(k, edge, changes[k].play);
         }
     }
 }
@@ -171,7 +183,14 @@ Told EpochChain::told(int k) const {
     if (k + 1 == count()) {
         result.forces = m_options.forces;
     }
-    result.adjustable_stds = state.stds;
+    constexpr double a_little_more = 1.0 + 1e-6;
+    result.own_stds = Eigen::VectorXd::Zero(m_net.edge_count());
+    for (size_t i = 0; i < m_edges.size(); ++i) {
+        const double std = std::sqrt(state.prior(static_cast<Eigen::Index>(i)));
+        if (is_adjustable(m_edges[i]) || std > a_little_more * m_law.std()) {
+            result.own_stds(m_edges[i]) = std;
+        }
+    }
     if (state.earlier.root.cols() + state.later.root.cols() > 0) {
         LengthEvidence others = sum_of(state.earlier, state.later);
         others.root.resize(size(), state.earlier.root.cols() + state.later.root.cols());
@@ -198,54 +217,87 @@ bool EpochChain::has_settled() const {
 }
 
 /// (epoch-change)
-std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest::Changes& changes) const {
-    Eigen::Index worst = 0;
-    const Eigen::VectorXd lengths = changes.statistic.head(std::ssize(m_edges));
-    const double statistic = lengths.maxCoeff(&worst);
-    if (statistic * statistic <= snooping_threshold(default_false_alarm_rate, m_edges.size(), 1)) {
+std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest::Changes& changes,
+                                                     const std::vector<int>& edges) const {
+    const auto worst = std::ranges::max_element(
+        edges, {}, [&](int edge) { return changes.statistic(place_of(edge)); });
+    if (worst == edges.end()) {
         return std::nullopt;
     }
-    return LengthChange{.edge = m_edges[static_cast<size_t>(worst)],
-                        .change = changes.change(worst),
-                        .std = changes.std(worst),
+    const Eigen::Index place = place_of(*worst);
+    const double statistic = changes.statistic(place);
+    if (statistic * statistic <= snooping_threshold(default_false_alarm_rate, edges.size(), 1)) {
+        return std::nullopt;
+    }
+    return LengthChange{.edge = *worst,
+                        .change = changes.change(place),
+                        .std = changes.std(place),
                         .statistic = statistic};
 }
 
 /// So that no target is blamed for a turn that was told wrong.
 Told EpochChain::told_of_form_alone(int k) const {
     Told result = told(k);
-    result.adjustable_stds.setZero();
     for (const int edge : m_net.adjustable_edges()) {
-        result.adjustable_stds(edge) = std::max(m_states[k].stds(edge), m_widest_turn);
+        result.own_stds(edge) = std::max(result.own_stds(edge), m_widest_turn);
     }
     return result;
 }
 
-void EpochChain::find_changes(const Progress& progress) {
+std::vector<int> EpochChain::turned_edges(size_t k) const {
+    std::vector<int> edges;
+    edges.reserve(m_states[k].turned->size());
+    for (const EdgeTurned& one : *m_states[k].turned) {
+        edges.push_back(one.edge);
+    }
+    return edges.empty() ? m_net.adjustable_edges() : edges;
+}
+
+bool EpochChain::find_changes(const Progress& progress) {
     for (int k = 0; k < count(); ++k) {
         fit(k, told_of_form_alone(k), progress);
     }
     if (!has_settled()) {
-        return;
+        return false;
     }
+    find_changes_at(0, EvidenceTest(m_states[0].prior, no_evidence(size()), m_states[0].own),
+                    m_has_play ? m_net.adjustable_edges() : std::vector<int>());
     for (size_t k = 1; k < m_states.size(); ++k) {
-        Changes& changes = m_changes[k];
         State& before = m_states[k - 1];
         State& state = m_states[k];
         progress("comparing surveys", static_cast<int>(k), count());
-        state.earlier = carried(sum_of(before.earlier, before.own), before.step);
-        EvidenceTest test(before.step.prior_to, state.earlier, state.own);
-        std::optional<LengthChange> worst = worst_change(test.changes());
-        while (worst && !are_too_many_changes(m_net, changes.lengths.size())) {
-            changes.lengths.push_back(*worst);
-            let_go(k, worst->edge);
-            test.let_go(std::ranges::find(m_edges, worst->edge) - m_edges.begin());
-            worst = worst_change(test.changes());
-        }
-        changes.ratio = test.ratio();
-        tell_stroke_factor(changes, test, *state.turned);
+        state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
+        find_changes_at(k, EvidenceTest(state.prior, state.earlier, state.own), m_edges);
         // What was let go is not told to later surveys.
-        state.earlier = carried(sum_of(before.earlier, before.own), before.step);
+        state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
+    }
+    return true;
+}
+
+void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<int>& edges) {
+    Changes& changes = m_changes[k];
+    std::optional<LengthChange> worst = worst_change(test.changes(), edges);
+    while (worst && !are_too_many_changes(m_net, changes.lengths.size())) {
+        changes.lengths.push_back(*worst);
+        add_variance(k, worst->edge, width_of(*worst));
+        test.let_go(place_of(worst->edge));
+        worst = worst_change(test.changes(), edges);
+    }
+    if (k == 0) {
+        return;
+    }
+    changes.agreement = test.agreement();
+    tell_stroke_factor(changes, test, *m_states[k].turned);
+    std::vector<Eigen::Index> places;
+    for (const int edge : m_has_play ? turned_edges(k) : std::vector<int>()) {
+        if (std::ranges::find(changes.lengths, edge, &LengthChange::edge) ==
+            changes.lengths.end()) {
+            places.push_back(place_of(edge));
+        }
+    }
+    const Agreement of_turns = test.agreement(places);
+    if (of_turns.ratio() > of_turns.limit()) {
+        changes.play = test.spread(places);
     }
 }
 
@@ -256,7 +308,7 @@ void EpochChain::tell_stroke_factor(Changes& changes, const EvidenceTest& test,
     for (const EdgeTurned& one : turned) {
         const auto has_changed = std::ranges::find(changes.lengths, one.edge, &LengthChange::edge);
         if (has_changed == changes.lengths.end()) {
-            strokes(std::ranges::find(m_edges, one.edge) - m_edges.begin()) = one.stroke;
+            strokes(place_of(one.edge)) = one.stroke;
         }
     }
     const auto [more, std] = test.change_along(strokes);
@@ -275,9 +327,19 @@ Eigen::VectorXd EpochChain::last_lengths() const {
     return result;
 }
 
-bool EpochChain::settle(const Progress& progress) {
-    constexpr int most_sweeps = 4;
-    constexpr double still = 0.1;  // of the standard deviation, root mean square
+double EpochChain::movement_since(const Eigen::VectorXd& before) const {
+    const Eigen::VectorXd moved = last_lengths() - before;
+    double squares = 0.0;
+    for (Eigen::Index i = 0; i < moved.size(); ++i) {
+        const double std = m_states.back().found.edges[static_cast<size_t>(i)].std;
+        squares += std::pow(moved(i) / std, 2);
+    }
+    return moved.size() > 0 ? std::sqrt(squares / static_cast<double>(moved.size())) : 0.0;
+}
+
+std::optional<double> EpochChain::settle(const Progress& progress) {
+    constexpr int most_sweeps = 6;
+    double movement = 0.0;
     Eigen::VectorXd before;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         progress("identification", sweep, most_sweeps);
@@ -285,32 +347,60 @@ bool EpochChain::settle(const Progress& progress) {
             fit(k, told(static_cast<int>(k)), progress);
             const State& state = m_states[k];
             if (state.found.status != IdentificationStatus::converged) {
-                return false;
+                return std::nullopt;
             }
             if (k + 1 < m_states.size()) {
-                m_states[k + 1].earlier = carried(sum_of(state.earlier, state.own), state.step);
+                m_states[k + 1].earlier = carried(sum_of(state.earlier, state.own), step_from(k));
             }
         }
-        const Eigen::VectorXd now = last_lengths();
         if (before.size() > 0) {
-            double squares = 0.0;
-            for (Eigen::Index i = 0; i < now.size(); ++i) {
-                const double std = m_states.back().found.edges[static_cast<size_t>(i)].std;
-                squares += std::pow((now(i) - before(i)) / std, 2);
-            }
-            if (squares < still * still * static_cast<double>(now.size())) {
+            movement = movement_since(before);
+            if (movement < still) {
                 break;
             }
         }
-        before = now;
+        before = last_lengths();
         for (size_t k = m_states.size(); k-- > 1;) {
             const State& state = m_states[k];
-            State& earlier = m_states[k - 1];
-            earlier.later = carried(sum_of(state.own, state.later), earlier.step.reversed());
+            m_states[k - 1].later =
+                carried(sum_of(state.own, state.later), step_from(k - 1).reversed());
         }
     }
     progress("identification", most_sweeps, most_sweeps);
-    return true;
+    return movement;
+}
+
+/// (epoch-repeat)
+double EpochChain::difference_ratio(size_t a, size_t b) const {
+    constexpr int few = 8;
+    const auto errors_of = [&](size_t k, int node) -> Eigen::Vector3d {
+        return m_states[k].survey->form.col(node) - m_states[k].found.predicted.form.col(node);
+    };
+    const auto is_in_use = [&](size_t k, int node) {
+        return std::ranges::find(m_states[k].found.outliers, node, &Outlier::node) ==
+               m_states[k].found.outliers.end();
+    };
+    std::vector<int> both;
+    std::ranges::set_intersection(m_states[a].survey->surveyed, m_states[b].survey->surveyed,
+                                  std::back_inserter(both));
+    std::erase_if(both, [&](int node) { return !is_in_use(a, node) || !is_in_use(b, node); });
+    if (std::ssize(both) < few) {
+        return 0.0;
+    }
+    double squares = 0.0;
+    int count = 0;
+    for (const int node : both) {
+        const Eigen::Array3d variances = m_states[a].survey->noise_std.col(node).array().square() +
+                                         m_states[b].survey->noise_std.col(node).array().square();
+        const Eigen::Array3d difference = errors_of(a, node) - errors_of(b, node);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (variances(axis) > 0.0) {
+                squares += difference(axis) * difference(axis) / variances(axis);
+                ++count;
+            }
+        }
+    }
+    return count > 0 ? std::sqrt(squares / count) : 0.0;
 }
 
 }  // namespace taut

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -64,41 +66,38 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
     if (!epochs.front().turned.empty()) {
         throw std::invalid_argument("nothing can be turned before the first survey");
     }
+    std::vector<std::vector<EdgeTurned>> steps;
     for (size_t k = 0; k < epochs.size(); ++k) {
         check_turned(net, epochs[k].turned);
+        steps.push_back(epochs[k].turned);
+        try {
+            check_turned(net, all_turned(steps));
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument(fmt::format("until survey {} {}", k + 1, error.what()));
+        }
         if (!epochs[k].survey.is_noisy()) {
-            throw SurveyError(0,
-                              "is taken for exact, and --epoch needs its noise (--noise, or sx, "
-                              "sy, sz in the file)");
+            throw EpochError(k,
+                             "is taken for exact, and --epoch needs its noise (--noise, or sx, "
+                             "sy, sz in the file)");
         }
         for (size_t j = 0; j < k; ++j) {
             if (is_repeated(epochs[j].survey, epochs[k].survey)) {
-                throw SurveyError(0,
-                                  fmt::format("repeats survey {} as survey {} to the last digit: "
-                                              "what was seen once would be counted twice",
-                                              j + 1, k + 1));
+                throw EpochError(k, fmt::format("repeats survey {} as survey {} to the last digit: "
+                                                "what was seen once would be counted twice",
+                                                j + 1, k + 1));
             }
         }
     }
 }
 
-/// The surveys with lengths found to have changed: of adjustable edges as play of the turnbuckle.
-std::vector<Epoch> with_changes(const CableNet& net, std::vector<Epoch> epochs,
-                                const std::vector<EpochChain::Changes>& changes) {
-    for (size_t k = 1; k < epochs.size(); ++k) {
-        for (const LengthChange& change : changes[k].lengths) {
-            if (!std::ranges::binary_search(net.adjustable_edges(), change.edge)) {
-                continue;
-            }
-            std::vector<EdgeTurned>& turned = epochs[k].turned;
-            auto one = std::ranges::find(turned, change.edge, &EdgeTurned::edge);
-            if (one == turned.end()) {
-                one = turned.insert(one, {.edge = change.edge, .stroke = 0.0, .std = 0.0});
-            }
-            one->std = std::hypot(one->std, widest_turn(net));
-        }
+/// Of a survey that cannot be taken, which of them it is.
+template <class Action>
+auto with_epoch(size_t k, const Action& action) {
+    try {
+        return action();
+    } catch (const SurveyError& error) {
+        throw EpochError(k, error.what());
     }
-    return epochs;
 }
 
 /// Far below what a survey shows.
@@ -123,41 +122,98 @@ std::string contradiction_text(size_t before, double ratio) {
         before, before + 1, ratio);
 }
 
-/// Which lengths changed between two surveys.
-void add_changes(Trust& trust, const CableNet& net, const std::vector<EpochResult>& epochs) {
-    for (size_t k = 1; k < epochs.size(); ++k) {
-        const EpochResult& epoch = epochs[k];
-        const std::string between = fmt::format("between surveys {} and {}", k, k + 1);
-        if (epoch.change_ratio > far_too_much) {
-            trust.findings.push_back({.verdict = Verdict::failed,
-                                      .reason = contradiction_text(k, epoch.change_ratio),
-                                      .next = what_to_check});
-            continue;
-        }
-        constexpr double beyond_chance = 4.0;
-        if (std::abs(epoch.stroke_factor - 1.0) > beyond_chance * epoch.stroke_factor_std) {
-            trust.findings.push_back(
-                {.verdict = Verdict::failed,
-                 .reason = fmt::format("{} all edges were turned {:.3f} +- {:.3f} times as far as "
-                                       "told",
-                                       between, epoch.stroke_factor, epoch.stroke_factor_std),
-                 .next = "Check the length of a turn and the unit of what was turned"});
-        }
-        std::vector<std::string> names;
-        names.reserve(epoch.changes.size());
-        for (const LengthChange& change : epoch.changes) {
-            names.push_back(fmt::format("{} by {:+.2f} +- {:.2f} mm", net.edge_id(change.edge),
-                                        1e3 * change.change, 1e3 * change.std));
-        }
-        if (!names.empty()) {
-            trust.findings.push_back(
-                {.verdict = Verdict::doubtful,
-                 .reason =
-                     fmt::format("{} length{} changed {}: {}", names.size(),
-                                 names.size() == 1 ? "" : "s", between, fmt::join(names, ", ")),
-                 .next = "If these were turned, tell it among the turns; else look whether they "
-                         "slipped, or a support at them moved. Each survey was given a length of "
-                         "its own for them"});
+std::string changes_text(const CableNet& net, const std::vector<LengthChange>& changes) {
+    std::vector<std::string> names;
+    names.reserve(changes.size());
+    for (const LengthChange& change : changes) {
+        names.push_back(fmt::format("{} by {:+.2f} +- {:.2f} mm", net.edge_id(change.edge),
+                                    1e3 * change.change, 1e3 * change.std));
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Of the first survey: adjustable edges that are not as long as the net tells.
+void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
+    if (!first.changes.empty()) {
+        trust.findings.push_back(
+            {.verdict = Verdict::doubtful,
+             .reason =
+                 fmt::format("at the first survey {} adjustable edge{} not as long as the net "
+                             "tells: {}",
+                             first.changes.size(), first.changes.size() == 1 ? " is" : "s are",
+                             changes_text(net, first.changes)),
+             .next =
+                 "Read the turnbuckles there. All surveys were given the length that they show"});
+    }
+}
+
+/// How lengths changed before a survey, beside what was told.
+void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, size_t k) {
+    const std::string between = fmt::format("between surveys {} and {}", k, k + 1);
+    const bool is_beyond_chance = epoch.change_ratio > epoch.change_limit;
+    if (is_beyond_chance && epoch.change_ratio > far_too_much) {
+        trust.findings.push_back({.verdict = Verdict::failed,
+                                  .reason = contradiction_text(k, epoch.change_ratio),
+                                  .next = what_to_check});
+        return;
+    }
+    constexpr double beyond_chance = 4.0;
+    if (std::abs(epoch.stroke_factor - 1.0) > beyond_chance * epoch.stroke_factor_std) {
+        trust.findings.push_back(
+            {.verdict = Verdict::failed,
+             .reason = fmt::format("{} all edges were turned {:.3f} +- {:.3f} times as far as "
+                                   "told",
+                                   between, epoch.stroke_factor, epoch.stroke_factor_std),
+             .next = "Check the sign and unit of what was turned, and the length of a turn"});
+    }
+    if (!epoch.changes.empty()) {
+        trust.findings.push_back(
+            {.verdict = Verdict::doubtful,
+             .reason = fmt::format("{} length{} changed {}: {}", epoch.changes.size(),
+                                   epoch.changes.size() == 1 ? "" : "s", between,
+                                   changes_text(net, epoch.changes)),
+             .next = "If these were turned, tell it among the turns; else look whether they "
+                     "slipped, were slack at one survey, or a support at them moved. Each survey "
+                     "was given a length of "
+                     "its own for them"});
+    }
+    if (epoch.untold_play > 0.0) {
+        trust.findings.push_back(
+            {.verdict = Verdict::doubtful,
+             .reason = fmt::format("{} turns differ from what is told by {:.2f} mm, root mean "
+                                   "square, more than is told",
+                                   between, 1e3 * epoch.untold_play),
+             .next = "Tell it as play of the turnbuckles, std in the table of what was turned. It "
+                     "was taken into account"});
+    } else if (is_beyond_chance) {
+        trust.findings.push_back({.verdict = Verdict::doubtful,
+                                  .reason = contradiction_text(k, epoch.change_ratio),
+                                  .next = what_to_check});
+    }
+}
+
+/// What was seen once must not count twice.
+void add_repeats(Trust& trust, const EpochChain& chain) {
+    constexpr double too_close = 0.7;
+    const auto ratio_of = [&](int k) {
+        const double ratio = chain.found(k).noise_ratio;
+        return ratio > 0.0 ? ratio : 1.0;
+    };
+    for (int b = 1; b < chain.count(); ++b) {
+        for (int a = 0; a < b; ++a) {
+            const double difference = chain.difference_ratio(a, b);
+            if (difference > 0.0 &&
+                difference < too_close * std::hypot(ratio_of(a), ratio_of(b)) / std::sqrt(2.0)) {
+                trust.findings.push_back(
+                    {.verdict = Verdict::doubtful,
+                     .reason =
+                         fmt::format("surveys {} and {} have the same errors: what lengths do "
+                                     "not explain differs by {:.2g} times what their noise "
+                                     "lets expect",
+                                     a + 1, b + 1, difference),
+                     .next = "Check that they are two surveys. If so, errors of the targets "
+                             "themselves are in both, and the second tells less than is reckoned"});
+            }
         }
     }
 }
@@ -170,9 +226,71 @@ Trust trust_of_epochs(const CableNet& net, const std::vector<EpochResult>& epoch
             trust.findings.back().reason = fmt::format("survey {}: {}", k + 1, finding.reason);
         }
     }
-    add_changes(trust, net, epochs);
-    std::ranges::stable_sort(trust.findings, std::greater{}, &Trust::Finding::verdict);
+    add_start(trust, net, epochs.front());
+    for (size_t k = 1; k < epochs.size(); ++k) {
+        add_changes(trust, net, epochs[k], k);
+    }
     return trust;
+}
+
+/// The surveys with their noise, where it is to be found from them, of turns unknown.
+/// @param scales by which it was multiplied
+std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> epochs,
+                                    const IdentifyOptions& alone, std::vector<double>& scales,
+                                    const Progress& progress) {
+    IdentifyOptions of_form = alone;
+    if (std_of(alone.unknowns, Unknown::Kind::adjustable) == 0.0 &&
+        !net.adjustable_edges().empty()) {
+        of_form.unknowns.push_back(
+            {.kind = Unknown::Kind::adjustable, .std = widest_turn(net), .group = {}});
+    }
+    std::vector<Epoch> result(epochs.begin(), epochs.end());
+    std::vector<std::vector<EdgeTurned>> steps;
+    for (size_t k = 0; k < epochs.size(); ++k) {
+        steps.push_back(epochs[k].turned);
+        if (k > 0) {
+            scales[k] = with_epoch(k, [&] {
+                return identify(settled_net(net, all_turned(steps)), epochs[k].survey, of_form,
+                                progress)
+                    .noise_scale;
+            });
+        }
+        result[k].survey = with_noise_times(std::move(result[k].survey), scales[k]);
+    }
+    return result;
+}
+
+/// One a survey, of what was found and compared.
+/// @param first the first survey by itself, which tells of the law
+std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identification& first,
+                                       const std::vector<EpochChain::Changes>& changes,
+                                       const std::vector<Epoch>& epochs,
+                                       const std::vector<double>& noise_scales) {
+    std::vector<EpochResult> results;
+    for (int k = 0; k < chain.count(); ++k) {
+        Identification found = chain.found(k);
+        if (k == 0) {
+            found.contradicted_law = first.contradicted_law;
+            found.law_was_told = first.law_was_told;
+        }
+        const Survey& survey = epochs[static_cast<size_t>(k)].survey;
+        const EpochChain::Changes& changed = changes[static_cast<size_t>(k)];
+        results.push_back({.surveyed = static_cast<int>(survey.surveyed.size()),
+                           .turned = epochs[static_cast<size_t>(k)].turned,
+                           .outliers = found.outliers,
+                           .boundary_outliers = found.boundary_outliers,
+                           .frame_offset = found.frame_offset,
+                           .noise_ratio = found.noise_ratio,
+                           .noise_scale = noise_scales[static_cast<size_t>(k)],
+                           .change_ratio = changed.agreement.ratio(),
+                           .change_limit = changed.agreement.limit(),
+                           .changes = changed.lengths,
+                           .untold_play = changed.play,
+                           .stroke_factor = changed.stroke_factor,
+                           .stroke_factor_std = changed.stroke_factor_std,
+                           .trust = trust_of(chain.net_at(k), survey, found)});
+    }
+    return results;
 }
 
 }  // namespace
@@ -185,80 +303,84 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     alone.draws = 0;
     alone.forces = {};
     // The law, where none is told, and the noise, where it is not known.
-    const Identification first = identify(net, epochs.front().survey, alone, progress);
-    std::vector<Epoch> scaled(epochs.begin(), epochs.end());
+    const Identification first =
+        with_epoch(0, [&] { return identify(net, epochs.front().survey, alone, progress); });
     std::vector<double> noise_scales(epochs.size(), first.noise_scale);
-    std::vector<std::vector<EdgeTurned>> steps;
-    std::vector<std::vector<EdgeTurned>> all_steps;
-    for (size_t k = 0; options.estimate_noise && k < epochs.size(); ++k) {
-        steps.push_back(epochs[k].turned);
-        if (k > 0) {
-            noise_scales[k] =
-                identify(settled_net(net, all_turned(steps)), epochs[k].survey, alone, progress)
-                    .noise_scale;
-        }
-        scaled[k].survey = with_noise_times(std::move(scaled[k].survey), noise_scales[k]);
-    }
+    const std::vector<Epoch> scaled =
+        options.estimate_noise ? with_noise_found(net, epochs, alone, noise_scales, progress)
+                               : std::vector<Epoch>(epochs.begin(), epochs.end());
     EpochChain each(net, scaled, options, first.law,
                     net.adjustable_edges().empty() ? 0.0 : small_play(scaled));
-    each.find_changes(progress);
-    for (int k = 1; k < each.count(); ++k) {
-        if (are_too_many_changes(net, each.changes()[k].lengths.size())) {
-            Identification none = each.found(k);
-            none.status = IdentificationStatus::survey_does_not_fit;
-            none.message =
+    const bool is_compared = each.find_changes(progress);
+    const int last = each.count() - 1;
+    Identification result;
+    for (int k = 1; k <= last && result.status == IdentificationStatus::converged; ++k) {
+        const EpochChain::Changes& changes = each.changes()[k];
+        if (are_too_many_changes(net, changes.lengths.size())) {
+            result = each.found(last);
+            result.status = IdentificationStatus::survey_does_not_fit;
+            result.message =
                 fmt::format("{}, and more than a tenth of all. {}",
-                            contradiction_text(k, each.changes()[k].ratio), what_to_check);
-            none.method = to_string(IdentificationMethod::map);
-            return none;
+                            contradiction_text(k, changes.agreement.ratio()), what_to_check);
         }
     }
-    const std::vector<Epoch> changed = with_changes(net, scaled, each.changes());
-    EpochChain chain(net, changed, options, first.law);
-    chain.let_go(each.changes());
-    const int last = chain.count() - 1;
-    const bool has_settled = chain.settle(progress);
-    Identification result = has_settled
-                                ? identify_by_maximum_a_posteriori(
-                                      chain.net_at(last), changed.back().survey, chain.told(last),
-                                      {}, {.count = options.draws, .seed = options.seed}, progress)
-                                : chain.found(last);
-    for (int k = 0; !has_settled && k <= last; ++k) {
-        if (chain.found(k).status != IdentificationStatus::converged) {
-            result.status = chain.found(k).status;
-            result.message = fmt::format("survey {}: {}", k + 1, chain.found(k).message);
+    Trust together;
+    if (result.status == IdentificationStatus::converged) {
+        EpochChain chain(net, scaled, options, first.law, 0.0, each.changes());
+        const std::optional<double> movement = chain.settle(progress);
+        if (movement) {
+            result = identify_by_maximum_a_posteriori(
+                chain.net_at(last), scaled.back().survey, chain.told(last), {},
+                {.count = options.draws, .seed = options.seed}, progress);
+            add_repeats(together, chain);
+        } else {
+            result = chain.found(last);
         }
+        for (int k = 0; !movement && k <= last; ++k) {
+            if (chain.found(k).status != IdentificationStatus::converged) {
+                result.status = chain.found(k).status;
+                result.message = fmt::format("survey {}: {}", k + 1, chain.found(k).message);
+            }
+        }
+        if (movement.value_or(0.0) > EpochChain::still) {
+            together.findings.push_back(
+                {.verdict = Verdict::doubtful,
+                 .reason = fmt::format("what the surveys tell together still moved by {:.2g} "
+                                       "standard deviations",
+                                       *movement),
+                 .next = "Identify from the last survey alone, and compare"});
+        }
+        result.epochs = epoch_results(chain, first, each.changes(), scaled, noise_scales);
+        result.epochs.back().trust = trust_of(chain.net_at(last), scaled.back().survey, result);
+    } else {
+        result.epochs = epoch_results(each, first, each.changes(), scaled, noise_scales);
+    }
+    if (!is_compared) {
+        together.findings.push_back(
+            {.verdict = Verdict::doubtful,
+             .reason = "whether lengths changed between the surveys was not tested: not every "
+                       "survey settled with its adjustable lengths unknown",
+             .next = "Look at each survey by itself"});
+    }
+    std::vector<std::vector<EdgeTurned>> steps;
+    for (const Epoch& epoch : epochs) {
+        steps.push_back(epoch.turned);
     }
     result.contradicted_law = first.contradicted_law;
     result.law_was_told = options.law.has_value();
-    for (int k = 0; k <= last; ++k) {
-        const Identification& found = k < last ? chain.found(k) : result;
-        result.epochs.push_back({.surveyed = static_cast<int>(scaled[k].survey.surveyed.size()),
-                                 .turned = epochs[k].turned,
-                                 .outliers = found.outliers,
-                                 .boundary_outliers = found.boundary_outliers,
-                                 .frame_offset = found.frame_offset,
-                                 .noise_ratio = found.noise_ratio,
-                                 .noise_scale = noise_scales[k],
-                                 .change_ratio = each.changes()[k].ratio,
-                                 .changes = each.changes()[k].lengths,
-                                 .stroke_factor = each.changes()[k].stroke_factor,
-                                 .stroke_factor_std = each.changes()[k].stroke_factor_std,
-                                 .trust = trust_of(chain.net_at(k), scaled[k].survey, found)});
-    }
-    for (const Epoch& epoch : epochs) {
-        all_steps.push_back(epoch.turned);
-    }
-    result.turned = all_turned(all_steps);
+    result.turned = all_turned(steps);
     result.noise_scale = noise_scales.back();
     result.method = to_string(IdentificationMethod::map);
     result.method_reason = fmt::format("{} surveys are told", epochs.size());
-    result.how = fmt::format("maximum a posteriori under the statics, by {} surveys, lengths {}",
-                             epochs.size(), first.law.to_string());
+    result.how = fmt::format("maximum a posteriori under the statics, by {} surveys, lengths {}{}",
+                             epochs.size(), first.law.to_string(),
+                             first.contradicted_law ? ", a law that the first survey shows" : "");
     if (!options.unknowns.empty()) {
         result.how += ", unknown besides: " + to_string(options.unknowns);
     }
     result.trust = trust_of_epochs(net, result.epochs);
+    std::ranges::move(together.findings, std::back_inserter(result.trust.findings));
+    std::ranges::stable_sort(result.trust.findings, std::greater{}, &Trust::Finding::verdict);
     return result;
 }
 

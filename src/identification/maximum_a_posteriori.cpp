@@ -133,19 +133,16 @@ void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observat
 }
 
 /// (components), (law-check). The fit stands as it was afterwards.
-Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& law, SurveyFit& fit,
-               Iterate fitted) {
+Doubt doubt_of(const CableNet& fit_net, const LengthLaw& law, SurveyFit& fit, Iterate fitted) {
     Doubt doubt;
     const Iterate at = fitted;
     const Observations told = fit.observations();
     Observations scaled = told;
     doubt.frame = check_frame(fit_net, fit.statics(), at, told, fit.snooping().residual_scale());
     std::vector<bool> left_out = fit.length_snooping().released();
-    const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
-        left_out[i] = left_out[i] || fit.statics().slack()[edge] ||
-                      (has_all_lengths && std::ranges::binary_search(net.adjustable_edges(), edge));
+        left_out[i] = left_out[i] || fit.statics().slack()[edge] || fit.knowledge().laws[i] != law;
     }
     doubt.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
     doubt.law = check_law_by_lengths(
@@ -156,6 +153,26 @@ Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& la
         fit.statics().invert();
     }
     return doubt;
+}
+
+/// Of the net to fit the edges, by their number among the interior ones, of which a form tells no
+/// more than a bound, or may not: what is told of their length is not normal. An adjustable edge
+/// only where it is slack: its turns tell more of it than a form that is fitted without them.
+std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet& fit_net,
+                                            const LinearisedStatics& statics,
+                                            const Iterate& fitted) {
+    const Eigen::VectorXd tensions = statics.tensions(fitted);
+    const Eigen::VectorXd variances = statics.tension_variances();
+    std::vector<Eigen::Index> result;
+    for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
+        const int edge = fit_net.interior_edges()[i];
+        const bool is_close = tensions(edge) < std::sqrt(std::max(0.0, variances(edge)));
+        if (statics.slack()[edge] ||
+            (is_close && !std::ranges::binary_search(net.adjustable_edges(), edge))) {
+            result.push_back(i);
+        }
+    }
+    return result;
 }
 
 /// @param own what the survey tells by itself, with its number of common unknowns; null: not wanted
@@ -172,10 +189,9 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
         return result;
     }
     const CableNet fit_net = net_to_fit(net, told.unknowns);
-    PriorKnowledge all =
-        knowledge_of(net, fit_net, told.law, told.unknowns, told.forces,
-                     told.adjustable_stds.size() > 0 ? told.adjustable_stds
-                                                     : adjustable_stds(net, told.unknowns));
+    PriorKnowledge all = knowledge_of(
+        fit_net, told.law, told.unknowns, told.forces,
+        told.own_stds.size() > 0 ? told.own_stds : adjustable_stds(net, told.unknowns));
     all.evidence = told.evidence;
     all.frame_is_unknown = survey.frame_is_unknown;
     PriorKnowledge unseen = all;
@@ -195,12 +211,14 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
     const Doubt doubt =
-        fitted.converged ? doubt_of(net, fit_net, told.law, fit, fitted.iterate) : Doubt();
+        fitted.converged ? doubt_of(fit_net, told.law, fit, fitted.iterate) : Doubt();
     if (own != nullptr) {
         const Eigen::Index size = fit_net.interior_edge_count() + common_count;
-        *own = fitted.converged
-                   ? own_evidence(fit.statics(), observations, fitted.iterate, common_count)
-                   : no_evidence(size);
+        *own =
+            fitted.converged
+                ? forgotten(own_evidence(fit.statics(), observations, fitted.iterate, common_count),
+                            edges_maybe_slack(net, fit_net, fit.statics(), fitted.iterate))
+                : no_evidence(size);
     }
     if (fitted.converged) {
         Propagated settled = propagate_law(fit_net, knowledge, fit.statics(), observations,

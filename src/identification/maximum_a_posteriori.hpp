@@ -22,8 +22,9 @@ struct Told {
     LengthLaw law;  ///< of the length deviations
     std::vector<Unknown> unknowns;
     Forces forces;
-    /// Of adjustable edges' lengths, where these are unknown (m); empty: as the unknowns tell [m].
-    Eigen::VectorXd adjustable_stds;
+    /// Of edges (m) whose lengths follow a normal law of their own: adjustable ones, where these
+    /// are unknown, and others where it is not 0; empty: adjustable ones as the unknowns tell [m].
+    Eigen::VectorXd own_stds;
     /// Of other surveys of the same net to fit; null: there is none.
     std::shared_ptr<const LengthEvidence> evidence;
 

@@ -46,7 +46,7 @@ public:
         : m_net(net),
           m_fit_net(net_to_fit(net, unknowns)),
           m_knowledge(
-              knowledge_of(net, m_fit_net, law, unknowns, forces, adjustable_stds(net, unknowns))),
+              knowledge_of(m_fit_net, law, unknowns, forces, adjustable_stds(net, unknowns))),
           m_statics(m_fit_net, unknowns) {
         std::vector<bool> slack(net.edge_count(), false);
         for (const int edge : slack_edges(net, net.unstressed_lengths(), form)) {

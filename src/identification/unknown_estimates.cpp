@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include "identification/unknown_estimates.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "taut/estimation/edge_status.hpp"
@@ -105,13 +107,19 @@ private:
         }
     }
 
+    /// By the width that each is told with: most are told as well, some were set free.
     void add_adjustable(const Unknown& unknown) {
-        for (const int edge : m_net.adjustable_edges()) {
-            if (m_knowledge.laws[edge].std() < 1e-3 * unknown.std) {
-                continue;  // as good as known: not turned since it was
-            }
+        std::vector<int> edges;
+        std::ranges::copy_if(m_net.adjustable_edges(), std::back_inserter(edges), [&](int edge) {
+            // Else as good as known: not turned since it was.
+            return m_knowledge.laws[edge].std() >= 1e-3 * unknown.std;
+        });
+        std::ranges::stable_sort(edges, {}, [&](int edge) { return m_knowledge.laws[edge].std(); });
+        for (const int edge : edges) {
             const Share length = share(edge, m_sites.variance(edge));
-            m_result.push_back({.unknown = unknown,
+            Unknown told = unknown;
+            told.std = m_knowledge.laws[edge].std();
+            m_result.push_back({.unknown = told,
                                 .edge = edge,
                                 .mean = m_sites.mean(edge) + length.mean,
                                 .std = std::sqrt(std::max(0.0, length.variance))});
@@ -250,15 +258,15 @@ Eigen::VectorXd adjustable_stds(const CableNet& net, const std::vector<Unknown>&
     return result;
 }
 
-PriorKnowledge knowledge_of(const CableNet& net, const CableNet& fit_net, const LengthLaw& law,
+PriorKnowledge knowledge_of(const CableNet& fit_net, const LengthLaw& law,
                             const std::vector<Unknown>& unknowns, const Forces& forces,
                             const Eigen::VectorXd& stds) {
     PriorKnowledge knowledge(fit_net, law);
     knowledge.unknowns = unknowns;
     knowledge.forces = forces;
-    if (fit_net.interior_edge_count() > net.interior_edge_count()) {
-        for (const int edge : net.adjustable_edges()) {
-            knowledge.laws[edge] = {LengthLaw::Kind::normal, stds(edge)};
+    for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
+        if (const double std = stds(fit_net.interior_edges()[i]); std > 0.0) {
+            knowledge.laws[i] = {LengthLaw::Kind::normal, std};
         }
     }
     return knowledge;

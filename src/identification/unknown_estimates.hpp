@@ -20,11 +20,11 @@ namespace taut {
 [[nodiscard]] Eigen::VectorXd adjustable_stds(const CableNet& net,
                                               const std::vector<Unknown>& unknowns);
 
-/// Everything that is told besides net and survey, of the net to fit: adjustable edges follow a
-/// normal law of their own there.
-/// @param stds of adjustable edges' lengths (m), used where the net to fit has them unknown [m]
-[[nodiscard]] PriorKnowledge knowledge_of(const CableNet& net, const CableNet& fit_net,
-                                          const LengthLaw& law,
+/// Everything that is told besides net and survey, of the net to fit.
+/// @param stds of edges (m) whose lengths follow a normal law of their own, where the net to fit
+/// has
+///   them unknown; 0: they follow the law [m]
+[[nodiscard]] PriorKnowledge knowledge_of(const CableNet& fit_net, const LengthLaw& law,
                                           const std::vector<Unknown>& unknowns,
                                           const Forces& forces, const Eigen::VectorXd& stds);
 

@@ -318,6 +318,8 @@ Json epochs_json(const CableNet& net, const std::vector<EpochResult>& epochs) {
                         {"noise_ratio", epoch.noise_ratio},
                         {"noise_scale", epoch.noise_scale},
                         {"change_ratio", epoch.change_ratio},
+                        {"change_limit", epoch.change_limit},
+                        {"untold_play", epoch.untold_play},
                         {"changes", changes},
                         {"stroke_factor", epoch.stroke_factor},
                         {"stroke_factor_std", epoch.stroke_factor_std},

@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
+#include <random>
+#include <vector>
 
 #include "support/random_nets.hpp"
 
@@ -103,6 +106,59 @@ TEST(EpochEvidence, HasARoot) {
               true);
 }
 
+/// Evidence without entries is that of x where their prior is so wide that it tells nothing.
+TEST(EpochEvidence, IsForgottenAsByAWidePrior) {
+    test::Random random(8);
+    const LengthEvidence evidence = random_evidence(random, 5);
+    const std::vector<Eigen::Index> entries{1, 3};
+    const LengthEvidence rest = forgotten(evidence, entries);
+    EXPECT_EQ(rest.information.col(1).norm() + rest.information.row(3).norm(), 0.0);
+    EXPECT_EQ(rest.pull(1), 0.0);
+    Eigen::VectorXd precision = Eigen::VectorXd::Ones(size);
+    precision(entries).setConstant(1e-9);
+    const auto posterior = [&](const LengthEvidence& of) -> Eigen::MatrixXd {
+        return (precision.asDiagonal().toDenseMatrix() + of.information).inverse();
+    };
+    const std::vector<Eigen::Index> others{0, 2, 4, 5};
+    EXPECT_LT((posterior(evidence) - posterior(rest))(others, others).norm(), 1e-7);
+    EXPECT_LT((posterior(evidence) * evidence.pull - posterior(rest) * rest.pull)(others).norm(),
+              1e-6);
+}
+
+/// Over many pairs of surveys of the same x: as often beyond the limit as it says, and a change of
+/// each entry by itself is found as wide as it is.
+TEST(EpochEvidence, ComesToItsLimitByChanceAlone) {
+    test::Random random(7);
+    std::normal_distribution<double> normal;
+    const auto normal_vector = [&](Eigen::Index count) {
+        return Eigen::VectorXd::NullaryExpr(count, [&] { return normal(random); }).eval();
+    };
+    constexpr int trials = 4000;
+    constexpr double change = 1.5;
+    int beyond = 0;
+    double mean_square = 0.0;
+    double squares = 0.0;
+    const std::vector<Eigen::Index> entries{0, 1, 2, 3, 4, 5};
+    const Eigen::VectorXd prior = Eigen::VectorXd::Constant(size, 4.0);
+    for (int trial = 0; trial < trials; ++trial) {
+        const Eigen::VectorXd x = 2.0 * normal_vector(size);
+        const auto survey_of = [&](const Eigen::VectorXd& seen) {
+            LengthEvidence survey = random_evidence(random, size);
+            survey.pull = survey.root * (survey.root.transpose() * seen + normal_vector(size));
+            return survey;
+        };
+        const LengthEvidence first = survey_of(x);
+        const Agreement same = EvidenceTest(prior, first, survey_of(x)).agreement();
+        beyond += same.ratio() > same.limit() ? 1 : 0;
+        mean_square += same.squares / same.rank / trials;
+        const EvidenceTest moved(prior, first, survey_of(x + change * normal_vector(size)));
+        squares += std::pow(moved.spread(entries), 2) / trials;
+    }
+    EXPECT_NEAR(mean_square, 1.0, 0.05);
+    EXPECT_NEAR(beyond, 1e-3 * trials, 8);
+    EXPECT_NEAR(std::sqrt(squares), change, 0.4);
+}
+
 /// Where all of x is told, the change of one entry that explains the difference best is that of
 /// least squares, and all together are chi squared; what was let go is left out.
 TEST(EpochEvidence, IsTestedAsDifferencesOfLeastSquares) {
@@ -116,8 +172,18 @@ TEST(EpochEvidence, IsTestedAsDifferencesOfLeastSquares) {
     const Eigen::MatrixXd of_own = own.information.inverse();
     const Eigen::VectorXd difference = of_own * own.pull - before * others.pull;
     Eigen::MatrixXd variance = before + of_own;
-    EXPECT_NEAR(test.ratio(), std::sqrt(difference.dot(variance.inverse() * difference) / size),
-                1e-6);
+    const Agreement all = test.agreement();
+    EXPECT_EQ(all.rank, size);
+    EXPECT_NEAR(all.squares, difference.dot(variance.inverse() * difference), 1e-6 * all.squares);
+    // Of some entries, where the others may be anything else.
+    const std::vector<Eigen::Index> some{1, 4};
+    const Eigen::MatrixXd of_all = variance.inverse();
+    const Eigen::VectorXd gradient = (of_all * difference)(some);
+    const Agreement part = test.agreement(some);
+    EXPECT_EQ(part.rank, 2);
+    EXPECT_NEAR(part.squares,
+                gradient.dot(Eigen::MatrixXd(of_all(some, some)).inverse() * gradient),
+                1e-6 * part.squares);
     for (const bool is_first_let_go : {false, true}) {
         if (is_first_let_go) {
             test.let_go(0);

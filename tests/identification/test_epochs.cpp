@@ -12,6 +12,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -268,6 +269,150 @@ TEST(Epochs, TakeThePlayOfTurnbucklesIntoAccount) {
     EXPECT_GT(sum.inside, 0.92);
 }
 
+/// Play that nobody told is found from all turns together where none of them stands out.
+TEST(Epochs, SayThatTurnsHadPlay) {
+    constexpr double play = 0.8e-3;
+    Score sum;
+    constexpr int jobs = 4;
+    for (std::uint64_t seed = 1; seed <= jobs; ++seed) {
+        const std::vector<EdgeTurned> told = some_turns(seed);
+        std::vector<EdgeTurned> done = told;
+        std::mt19937_64 random(seed + 60);
+        std::normal_distribution<double> normal(0.0, play);
+        for (EdgeTurned& one : done) {
+            one.stroke += normal(random);
+        }
+        const Job job = job_of(seed, told, done);
+        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed) << seed;
+        EXPECT_GT(result.epochs[1].untold_play + (result.epochs[1].changes.empty() ? 0.0 : play),
+                  0.5 * play);
+        EXPECT_LT(result.epochs[1].untold_play, 2.0 * play);
+        sum.inside += score(result, job.deviations).inside / jobs;
+    }
+    EXPECT_GT(sum.inside, 0.92);
+}
+
+TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
+    const std::vector<int>& adjustable = net().adjustable_edges();
+    const std::vector<EdgeTurned> off{{.edge = adjustable[3], .stroke = 6e-3},
+                                      {.edge = adjustable[28], .stroke = -6e-3}};
+    const CableNet built = turned_net(net(), off);
+    const test::SimulatedSurvey first = test::simulate(built, law, noise, 5);
+    std::mt19937_64 random(99);
+    std::normal_distribution<double> normal(0.0, noise);
+    std::vector<Epoch> epochs(2);
+    for (Epoch& epoch : epochs) {
+        epoch.survey = first.survey;
+        epoch.survey.form =
+            first.truth.form.unaryExpr([&](double place) { return place + normal(random); });
+    }
+    const Identification result = identify_epochs(net(), epochs, with_law());
+    std::vector<int> named;
+    for (const LengthChange& change : result.epochs[0].changes) {
+        named.push_back(change.edge);
+        EXPECT_NEAR(std::abs(change.change), 6e-3, 5.0 * change.std);
+    }
+    EXPECT_THAT(named, ::testing::UnorderedElementsAre(off[0].edge, off[1].edge));
+    EXPECT_TRUE(result.epochs[1].changes.empty());
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
+    EXPECT_THAT(result.trust.findings[0].reason, HasSubstr("at the first survey"));
+    EXPECT_GT(score(result, first.deviations).inside, 0.9);
+}
+
+/// The same survey in other digits, and in another frame: its errors are in both.
+TEST(Epochs, SayThatOneSurveyWasToldTwice) {
+    const std::vector<EdgeTurned> turned = some_turns(4);
+    Job job = job_of(4, turned, turned);
+    EXPECT_EQ(identify_epochs(net(), job.epochs, with_law()).trust.verdict(),
+              Trust::Verdict::passed);
+    job.epochs[1].turned.clear();
+    job.epochs[1].survey.form = job.epochs[0].survey.form.unaryExpr(
+        [](double place) { return 1e-4 * std::round(1e4 * place); });
+    EXPECT_THAT(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().reason,
+                HasSubstr("have the same errors"));
+    job.epochs[1].survey.form.colwise() += Eigen::Vector3d(1e-3, -2e-3, 3e-3);
+    for (Epoch& epoch : job.epochs) {
+        epoch.survey.frame_is_unknown = true;
+    }
+    EXPECT_THAT(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().reason,
+                HasSubstr("have the same errors"));
+}
+
+TEST(Epochs, SayThatTheLawIsAnother) {
+    const std::vector<EdgeTurned> turned = some_turns(2);
+    const Job job = job_of(2, turned, turned);
+    IdentifyOptions options = with_law();
+    options.law = LengthLaw{LengthLaw::Kind::uniform, 1e-3};
+    const Identification result = identify_epochs(net(), job.epochs, options);
+    EXPECT_TRUE(result.contradicted_law);
+    EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
+    EXPECT_THAT(result.trust.findings[0].reason, HasSubstr("survey 1: the law told"));
+    EXPECT_THAT(result.how, HasSubstr("that the first survey shows"));
+    EXPECT_GT(score(result, job.deviations).inside, 0.9);
+}
+
+/// A cable that is slack at one survey has no length there but a bound, which must not be held
+/// against the survey that shows it.
+TEST(Epochs, TakeCablesThatWereSlackAtOneSurvey) {
+    int slack = 0;
+    int known = 0;
+    for (std::uint64_t seed = 1; slack < 6; ++seed) {
+        std::vector<EdgeTurned> tightened;
+        std::vector<EdgeTurned> let_out;
+        for (const int edge : net().adjustable_edges()) {
+            tightened.push_back({.edge = edge, .stroke = -6e-3});
+            let_out.push_back({.edge = edge, .stroke = 2e-3});
+        }
+        const CableNet loose = turned_net(net(), let_out);
+        const test::SimulatedSurvey first = test::simulate(loose, law, noise, seed);
+        if (first.truth.slack_edges.empty()) {
+            continue;
+        }
+        test::SimulatedSurvey second =
+            test::simulate(turned_net(loose, tightened), law, noise, seed);
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> normal(0.0, noise);
+        second.survey.form =
+            second.truth.form.unaryExpr([&](double place) { return place + normal(random); });
+        const Identification result =
+            identify_epochs(loose,
+                            std::vector<Epoch>{{.survey = first.survey, .turned = {}},
+                                               {.survey = second.survey, .turned = tightened}},
+                            with_law());
+        ASSERT_EQ(result.status, IdentificationStatus::converged) << seed;
+        for (size_t i = 0; i < result.edges.size(); ++i) {
+            const IdentifiedEdge& edge = result.edges[i];
+            if (std::ranges::find(first.truth.slack_edges, edge.edge) !=
+                first.truth.slack_edges.end()) {
+                const double truth = first.deviations(static_cast<Eigen::Index>(i));
+                ++slack;
+                known += edge.lower <= truth && truth <= edge.upper ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GE(known, slack - 1);
+}
+
+TEST(Epochs, NeedNoAdjustableEdges) {
+    CableNetData data = net().data();
+    data.adjustable.clear();
+    data.thread.clear();
+    const CableNet fixed{data};
+    const test::SimulatedSurvey first = test::simulate(fixed, law, noise, 1);
+    std::mt19937_64 random(9);
+    std::normal_distribution<double> normal(0.0, noise);
+    Epoch second{.survey = first.survey, .turned = {}};
+    second.survey.form =
+        first.truth.form.unaryExpr([&](double place) { return place + normal(random); });
+    const std::vector<Epoch> epochs{{.survey = first.survey, .turned = {}}, second};
+    const Identification result = identify_epochs(fixed, epochs, with_law());
+    EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed);
+    EXPECT_GT(score(result, first.deviations).inside, 0.9);
+    const Identification alone = identify(fixed, first.survey, with_law());
+    EXPECT_LT(score(result, first.deviations).rmse, score(alone, first.deviations).rmse);
+}
+
 TEST(Epochs, DrawAsWidelyAsTheyTell) {
     const std::vector<EdgeTurned> turned = some_turns(2);
     const Job job = job_of(2, turned, turned);
@@ -322,7 +467,12 @@ TEST(Epochs, RefuseWhatTheyCannotTell) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("does not go with --epoch")));
     std::vector<Epoch> exact = job.epochs;
     exact[1].survey.noise_std.setZero();
-    EXPECT_THAT(refused(exact, with_law()), ThrowsMessage<SurveyError>(HasSubstr("noise")));
+    EXPECT_THAT(refused(exact, with_law()), ThrowsMessage<EpochError>(HasSubstr("noise")));
+    try {
+        static_cast<void>(identify_epochs(net(), exact, with_law()));
+    } catch (const EpochError& error) {
+        EXPECT_EQ(error.epoch(), 1U);
+    }
     std::vector<Epoch> wrong = job.epochs;
     wrong[1].survey = wrong[0].survey;
     EXPECT_THAT(refused(wrong, with_law()), ThrowsMessage<SurveyError>(HasSubstr("counted twice")));
@@ -338,6 +488,13 @@ TEST(Epochs, RefuseWhatTheyCannotTell) {
     wrong[1].turned[0].stroke = 1.0;
     EXPECT_THAT(refused(wrong, with_law()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("a quarter of its length")));
+    // Each less than that, and together more.
+    wrong = job.epochs;
+    wrong[1].turned = {
+        {.edge = turned[0].edge, .stroke = 0.2 * net().unstressed_lengths()(turned[0].edge)}};
+    wrong.push_back(wrong[1]);
+    EXPECT_THAT(refused(wrong, with_law()),
+                ThrowsMessage<std::invalid_argument>(HasSubstr("until survey 3")));
 }
 
 }  // namespace

@@ -424,7 +424,15 @@ export interface Epoch {
    */
   change_ratio: number;
   /**
-   * Lengths that changed since the survey before, but for what was turned; the worst first.
+   * Of change_ratio: chance exceeds it once in a thousand times.
+   */
+  change_limit?: number;
+  /**
+   * How far turns differ from what is told, beyond the play that is told of them; 0: no further [m].
+   */
+  untold_play?: number;
+  /**
+   * Lengths that changed since the survey before, but for what was turned; of the first survey: adjustable ones from what the net tells; the worst first.
    */
   changes: {
     edge: Index;

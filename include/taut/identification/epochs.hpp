@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "taut/identification/identify.hpp"
@@ -16,13 +18,24 @@ struct Epoch {
     std::vector<EdgeTurned> turned;  ///< since the survey before; of the first: none
 };
 
+/// A rule of surveys that one among several breaks.
+class EpochError : public SurveyError {
+public:
+    EpochError(size_t epoch, const std::string& what) : SurveyError(0, what), m_epoch(epoch) {}
+    [[nodiscard]] size_t epoch() const { return m_epoch; }  ///< from 0
+
+private:
+    size_t m_epoch;
+};
+
 /// More interior edges are refused: what surveys tell together is a full matrix of all lengths.
 inline constexpr int most_edges_of_epochs = 3000;
 
 /// Identifies lengths from all surveys at once: those of interior edges are the same in all, those
 /// of adjustable ones were changed by what was turned, with its play; frame, noise and temperature
 /// are each survey's own. By maximum a posteriori; each survey is fitted with what the others tell
-/// of the lengths, until they agree. Lengths that changed in between are found and set free.
+/// of the lengths, until they agree. Lengths that changed in between are found and set free, and so
+/// are adjustable ones that were not as told from the beginning.
 /// docs/theory.md, "Epochs".
 ///
 /// @param net as designed, before anything was turned
@@ -32,7 +45,7 @@ inline constexpr int most_edges_of_epochs = 3000;
 /// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
 ///   than most_edges_of_epochs, unknowns that all surveys would share one by one (supports,
 ///   stiffness-each, loads in newtons), and a method that is not map
-/// @throws SurveyError as identify(); for an exact survey
+/// @throws EpochError where identify() throws SurveyError; for an exact survey, and one told twice
 [[nodiscard]] Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
                                              const IdentifyOptions& options = {},
                                              const Progress& progress = {});

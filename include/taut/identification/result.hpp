@@ -78,7 +78,13 @@ struct EpochResult {
     /// How far the survey moves lengths from where earlier ones have them, root mean square, over
     /// what both let expect: about 1. 0 of the first.
     double change_ratio = 0.0;
-    std::vector<LengthChange> changes;  ///< since the survey before; the worst first
+    double change_limit = 0.0;  ///< that chance exceeds once in a thousand times
+    /// Since the survey before; of the first survey: of adjustable edges from what the net tells.
+    /// The worst first.
+    std::vector<LengthChange> changes;
+    /// How far turns differ from what is told, beyond the play that is told of them, where single
+    /// ones do not stand out; 0: no further [m].
+    double untold_play = 0.0;
     /// By which all strokes would have to be multiplied to fit best, and its standard deviation, 0
     /// where nothing was turned; far from 1 where a pitch or unit was told wrong.
     double stroke_factor = 1.0;
