@@ -151,6 +151,14 @@ std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNe
         std::vector<StrokeRange> ranges =
             parse_stroke_ranges(net, read_file(command.stroke), command.stroke);
         std::ranges::sort(ranges, {}, &StrokeRange::edge);
+        for (const StrokeRange& range : ranges) {
+            if (!std::ranges::binary_search(edges, range.edge) &&
+                !std::ranges::binary_search(net.adjustable_edges(), range.edge)) {
+                throw InputError(command.stroke, "",
+                                 fmt::format("names edge '{}', which is not adjustable",
+                                             net.edge_id(range.edge)));
+            }
+        }
         std::erase_if(ranges, [&](const StrokeRange& range) {
             return !std::ranges::binary_search(edges, range.edge);
         });
@@ -295,8 +303,9 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     fmt::print("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
                1e-3 * plan.tensions.maxCoeff());
     if (plan.draws > 0) {
-        fmt::print("all limits are kept with {:.1f} % ({} draws), wanted {:.0f} %\n",
-                   100.0 * plan.limit_probability, plan.draws, 100.0 * record.options->confidence);
+        fmt::print("all limits are kept in {:.0f} of {} draws, {:.1f} %, wanted {:g} %\n",
+                   plan.limit_probability * plan.draws, plan.draws, 100.0 * plan.limit_probability,
+                   100.0 * record.options->confidence);
     } else {
         fmt::print("limits are {} by the estimate; how surely is not known, since {}\n",
                    plan.is_feasible ? "kept" : "broken", plan.no_draws_since);

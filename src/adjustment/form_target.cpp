@@ -27,6 +27,9 @@ FormTarget::FormTarget(const CableNet& net, Points places, DeviationWeights weig
 FormTarget::FormTarget(const CableNet& net, std::shared_ptr<const TargetSurface> surface,
                        DeviationWeights weights, FormObjective objective)
     : FormTarget(net, net.nodes(), weights, objective) {
+    if (!surface) {
+        throw std::invalid_argument("the target surface is null");
+    }
     m_surface = std::move(surface);
     m_designed = net.nodes();
     check_nearness(net);

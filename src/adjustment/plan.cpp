@@ -17,6 +17,7 @@
 #include "adjustment/survey_gain.hpp"
 #include "adjustment/whole_steps.hpp"
 #include "taut/identification/posterior_draws.hpp"
+#include "taut/survey/turned_net.hpp"
 
 namespace taut {
 namespace {
@@ -25,6 +26,11 @@ constexpr double negligible_stroke = 1e-6;     ///< [m]
 constexpr double negligible_violation = 1e-5;  ///< of the mean tension
 /// Breaking limits by the mean tension costs so many times the deviations as built.
 constexpr double violation_cost = 1e3;
+
+/// Of the thread of a turnbuckle or jack; beyond it the unit is another [m].
+constexpr double finest_pitch = 1e-5;
+constexpr double coarsest_pitch = 0.2;
+constexpr double rounding = 1e-9;
 
 void check_options(const BuiltNet& built, const PlanOptions& options,
                    const std::vector<int>& edges) {
@@ -44,9 +50,19 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
         throw std::invalid_argument(fmt::format(
             "the confidence is {:g}, expected more than 0 and less than 1", options.confidence));
     }
-    if (!(options.actuator_std >= 0.0) || std::isinf(options.actuator_std)) {
-        throw std::invalid_argument(fmt::format(
-            "the play of what is turned is {:g} m, expected at least 0", options.actuator_std));
+    const auto draws = static_cast<double>(built.length_draws.cols());
+    if (draws > 0.0 && draws * (1.0 - options.confidence) < 1.0 - rounding) {
+        throw std::invalid_argument(
+            fmt::format("the confidence is {:g}, and {} draws tell no more than {:.4g}: identify "
+                        "with more draws, or ask for less",
+                        options.confidence, draws, 1.0 - 1.0 / draws));
+    }
+    const double most_play = most_turned_part * net.unstressed_lengths()(edges).minCoeff();
+    if (!(options.actuator_std >= 0.0 && options.actuator_std <= most_play)) {
+        throw std::invalid_argument(
+            fmt::format("the play of what is turned is {:g} m, expected 0 to {:.3g} m, a quarter "
+                        "of the shortest edge to turn",
+                        options.actuator_std, most_play));
     }
     if (options.tolerance && !(*options.tolerance > 0.0 && std::isfinite(*options.tolerance))) {
         throw std::invalid_argument(
@@ -59,9 +75,10 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
                         *options.survey_noise));
     }
     if (options.turn) {
-        if (!(options.turn->pitch > 0.0) || std::isinf(options.turn->pitch)) {
-            throw std::invalid_argument(
-                fmt::format("a turn is {:g} m, expected more than 0", options.turn->pitch));
+        if (!(options.turn->pitch >= finest_pitch && options.turn->pitch <= coarsest_pitch)) {
+            throw std::invalid_argument(fmt::format("a turn is {:g} m, expected {:g} to {:g} m",
+                                                    options.turn->pitch, finest_pitch,
+                                                    coarsest_pitch));
         }
         if (!(options.turn->smallest >= 0.0 && options.turn->smallest <= 1.0)) {
             throw std::invalid_argument(

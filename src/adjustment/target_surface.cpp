@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <unsupported/Eigen/BVH>
@@ -150,7 +152,7 @@ private:
             const TrianglePoint here = nearest_of_triangle(
                 of->place(corners[0]), of->place(corners[1]), of->place(corners[2]), *point);
             const double squared = (here.place - *point).squaredNorm();
-            if (squared < squared_distance) {
+            if (squared < squared_distance || triangle < 0) {
                 squared_distance = squared;
                 triangle = index;
                 found = here;

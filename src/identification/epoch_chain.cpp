@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "identification/epoch_chain.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -65,7 +67,8 @@ CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
     const CableNet changed = turned_net(net, turned);
     const Equilibrium equilibrium = solve_equilibrium(changed);
     if (!equilibrium.balanced()) {
-        throw std::invalid_argument("the net as turned finds no equilibrium");
+        throw std::runtime_error(fmt::format(
+            "the net, as it was turned at {} edges, finds no equilibrium", turned.size()));
     }
     CableNetData data = changed.data();
     data.nodes = equilibrium.form;

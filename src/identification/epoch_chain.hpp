@@ -15,7 +15,7 @@
 namespace taut {
 
 /// The net with what was turned, its nodes where it then stands: a fit begins there.
-/// @throws std::invalid_argument where it finds no equilibrium
+/// @throws std::runtime_error where it finds no equilibrium
 [[nodiscard]] CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned);
 
 /// More lengths than this, and it is not they who changed.

@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "taut/io/turned_csv.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"

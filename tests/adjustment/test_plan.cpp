@@ -376,11 +376,13 @@ TEST(Plan, RefusesOptionsThatCannotBeMeant) {
     expect_refused({.edges = {2, 2}}, "at most once");
     expect_refused({.confidence = 1.0}, "confidence is 1");
     expect_refused({.actuator_std = -1.0}, "play");
+    expect_refused({.actuator_std = 1.0}, "a quarter of the shortest edge");
+    expect_refused({.turn = TurnSize{.pitch = 5.0, .smallest = 0.25}}, "a turn is 5 m");
     expect_refused({.turn = TurnSize{.pitch = 0.0, .smallest = 0.25}}, "a turn is 0");
     expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = 2.0}}, "smallest part");
     expect_refused({.tolerance = 0.0}, "tolerance is 0");
     BuiltNet with_draws = built;
-    with_draws.length_draws = Eigen::MatrixXd::Ones(2, 5);
+    with_draws.length_draws = Eigen::MatrixXd::Ones(2, 50);
     EXPECT_THAT(
         [&] {
             static_cast<void>(
@@ -388,6 +390,14 @@ TEST(Plan, RefusesOptionsThatCannotBeMeant) {
                              limits_of_stroke(net, net.adjustable_edges().size(), 5e-3)));
         },
         ThrowsMessage<std::invalid_argument>(HasSubstr("one an interior edge")));
+    with_draws.length_draws = Eigen::MatrixXd::Ones(net.interior_edge_count(), 50);
+    EXPECT_THAT(
+        [&] {
+            static_cast<void>(plan_strokes(
+                with_draws, FormTarget(net, net.nodes()),
+                limits_of_stroke(net, net.adjustable_edges().size(), 5e-3), {.confidence = 0.99}));
+        },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("50 draws tell no more than 0.98")));
 }
 
 }  // namespace

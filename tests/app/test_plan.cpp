@@ -48,7 +48,7 @@ TEST_F(PlanCommand, WritesTheKeysAndTheListThatOthersRead) {
     const Outcome outcome =
         plan({"--csv", "turns.csv", "--turn", "4mm", "--step", "1/4", "--crews", "2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("all limits are kept with"));
+    EXPECT_THAT(outcome.out, HasSubstr("all limits are kept in"));
     const json document = json::parse(read("plan.json"));
     EXPECT_EQ(document["format"].get<std::string>(), "taut-plan");
     EXPECT_EQ(document["version"], 1);
@@ -368,6 +368,10 @@ TEST_F(PlanCommand, RefusesWhatCannotBeMeant) {
     expect_refused({"--adjustable", "edges.csv"}, "a second time");
     write("strokes.csv", "edge,shortest,longest\n0,0.001,0.002\n");
     expect_refused({"--stroke", "strokes.csv"}, "strokes.csv:2");
+    const json interior = json::parse(read("result.json"))["edges"][0]["id"];
+    write("strokes.csv",
+          "edge,shortest,longest\n" + interior.get<std::string>() + ",-0.001,0.002\n");
+    expect_refused({"--stroke", "strokes.csv"}, "which is not adjustable");
     write("wet.csv", "id,x,y,z\nnowhere,0,0,-1\n");
     expect_refused({"--check", "wet.csv"}, "wet.csv:2");
 }

@@ -45,6 +45,7 @@ inline constexpr int most_edges_of_epochs = 3000;
 /// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
 ///   than most_edges_of_epochs, unknowns that all surveys would share one by one (supports,
 ///   stiffness-each, loads in newtons), and a method that is not map
+/// @throws std::runtime_error where the net as turned finds no equilibrium
 /// @throws EpochError where identify() throws SurveyError; for an exact survey, and one told twice
 [[nodiscard]] Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
                                              const IdentifyOptions& options = {},
