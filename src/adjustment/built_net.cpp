@@ -39,27 +39,39 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
     return CableNet(std::move(data));
 }
 
-void add_draws(BuiltNet& built, const CableNet& net, const PosteriorDraws& draws,
-               bool only_lengths) {
-    if (!only_lengths) {
+void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
+               std::span<const UnknownEstimate> unknowns) {
+    const bool has_all_lengths = draws.adjustable_deviations.cols() == draws.count();
+    if (!unknowns.empty() && !has_all_lengths) {
         built.no_draws_since =
             "the draws of an identification hold lengths alone, and more than lengths was unknown";
     } else if (!draws.doubt.empty()) {
         built.no_draws_since = fmt::format("the draws are in doubt: {}", draws.doubt);
     } else {
-        const Eigen::VectorXd nominal = net.unstressed_lengths()(net.interior_edges());
-        built.length_draws = draws.length_deviations.colwise() + nominal;
+        const auto draw_deviations = [&](const std::vector<int>& edges,
+                                         const Eigen::MatrixXd& deviations) {
+            built.length_draws(edges, Eigen::all) =
+                deviations.colwise() + turned.unstressed_lengths()(edges);
+        };
+        built.length_draws = built.net.unstressed_lengths().replicate(1, draws.count());
+        draw_deviations(turned.interior_edges(), draws.length_deviations);
+        if (!unknowns.empty()) {
+            draw_deviations(turned.adjustable_edges(), draws.adjustable_deviations);
+        }
+        if (draws.count() > 0 && !(built.length_draws.minCoeff() > 0.0)) {
+            throw std::invalid_argument("draws leave an edge no length");
+        }
     }
 }
 
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {
-    BuiltNet built{
-        .net = net_as_identified(turned_net(net, identification.turned), identification.edges,
-                                 identification.unknowns, identification.boundary_outliers),
-        .length_draws = {},
-        .no_draws_since = "none were made"};
+    const CableNet turned = turned_net(net, identification.turned);
+    BuiltNet built{.net = net_as_identified(turned, identification.edges, identification.unknowns,
+                                            identification.boundary_outliers),
+                   .length_draws = {},
+                   .no_draws_since = "none were made"};
     if (identification.draws) {
-        add_draws(built, net, *identification.draws, identification.unknowns.empty());
+        add_draws(built, turned, *identification.draws, identification.unknowns);
     }
     return built;
 }

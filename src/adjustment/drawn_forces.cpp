@@ -37,8 +37,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
         return copies;
     });
     tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
-        Eigen::VectorXd lengths = built.net.unstressed_lengths();
-        lengths(built.net.interior_edges()) = built.length_draws.col(d);
+        const Eigen::VectorXd lengths = built.length_draws.col(d);
         Eigen::VectorXd strokes = state.strokes;
         RandomNumbers random(seed, static_cast<std::uint32_t>(d));
         for (double& stroke : strokes) {

@@ -87,11 +87,10 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
         }
     }
     if (built.length_draws.cols() > 0 &&
-        (built.length_draws.rows() != net.interior_edge_count() ||
-         !built.length_draws.allFinite() || !(built.length_draws.minCoeff() > 0.0))) {
+        (built.length_draws.rows() != net.edge_count() || !built.length_draws.allFinite() ||
+         !(built.length_draws.minCoeff() > 0.0))) {
         throw std::invalid_argument(fmt::format(
-            "draws of {} lengths that are all positive are needed, one an interior edge",
-            net.interior_edge_count()));
+            "draws of {} lengths that are all positive are needed, one an edge", net.edge_count()));
     }
 }
 

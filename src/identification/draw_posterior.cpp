@@ -88,6 +88,13 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
         reasons);
 }
 
+/// Whether the lengths of adjustable edges are all that is unknown besides.
+bool holds_adjustable_lengths(const std::vector<UnknownEstimate>& unknowns) {
+    return std::ranges::all_of(unknowns, [](const UnknownEstimate& one) {
+        return one.unknown.kind == Unknown::Kind::adjustable;
+    });
+}
+
 /// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges
 /// of the slack set are slack: no length of the law makes them taut.
 void tell_open_edges(Identification& result, const std::vector<LengthLaw>& laws,
@@ -138,12 +145,16 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
                                                 settings.count, settings.seed, progress);
     PosteriorDraws draws{
         .length_deviations = {},
+        .adjustable_deviations = {},
         .forms = {},
         .tensions = {},
         .seed = settings.seed,
         .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
         .doubt = {}};
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
+    if (has_all_lengths && holds_adjustable_lengths(result.unknowns)) {
+        draws.adjustable_deviations = drawn.deviations(net.adjustable_edges(), Eigen::all);
+    }
     draws.length_deviations =
         has_all_lengths ? Eigen::MatrixXd(drawn.deviations(net.interior_edges(), Eigen::all))
                         : std::move(drawn.deviations);

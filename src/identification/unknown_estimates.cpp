@@ -31,6 +31,17 @@ double told_or(double variance, double before) {
     return variance > 0.0 ? std::sqrt(variance) : before;
 }
 
+/// Of an adjustable edge: as the unknown was told, or where it is set free to two digits, so that
+/// those told alike stand together.
+double width_to_tell(double std, double told) {
+    constexpr double alike = 1e-3;
+    if (std::abs(std - told) < alike * told) {
+        return told;
+    }
+    const double digit = std::pow(10.0, std::floor(std::log10(std)) - 1.0);
+    return digit * std::round(std / digit);
+}
+
 class Estimates {
 public:
     Estimates(const CableNet& net, const PriorKnowledge& knowledge,
@@ -118,7 +129,7 @@ private:
         for (const int edge : edges) {
             const Share length = share(edge, m_sites.variance(edge));
             Unknown told = unknown;
-            told.std = m_knowledge.laws[edge].std();
+            told.std = width_to_tell(m_knowledge.laws[edge].std(), unknown.std);
             m_result.push_back({.unknown = told,
                                 .edge = edge,
                                 .mean = m_sites.mean(edge) + length.mean,

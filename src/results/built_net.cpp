@@ -22,15 +22,16 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
                                      result->net.fingerprint(), net.fingerprint()));
     }
     try {
+        const CableNet turned = turned_net(net, result->turned);
         IdentifiedNet identified{
-            .built = {.net = net_as_identified(turned_net(net, result->turned), result->edges,
-                                               result->unknowns, result->boundary_outliers),
+            .built = {.net = net_as_identified(turned, result->edges, result->unknowns,
+                                               result->boundary_outliers),
                       .length_draws = {},
                       .no_draws_since = {}},
             .trust = result->trust};
         if (const std::filesystem::path draws = draws_path(result_path);
             std::filesystem::exists(draws)) {
-            add_draws(identified.built, net, read_draws(net, draws), result->unknowns.empty());
+            add_draws(identified.built, turned, read_draws(net, draws), result->unknowns);
         } else {
             identified.built.no_draws_since =
                 fmt::format("there is no file {} beside the result", draws.string());

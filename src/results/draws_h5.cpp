@@ -28,6 +28,11 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     writer.integers("edge", net.interior_edges());
     writer.integers("node", net.free_nodes());
     writer.matrix("length_deviation", draws.length_deviations, "m");
+    if (draws.adjustable_deviations.cols() > 0) {
+        writer.attribute("adjustable", "unknown");
+        writer.integers("adjustable_edge", net.adjustable_edges());
+        writer.matrix("adjustable_deviation", draws.adjustable_deviations, "m");
+    }
     writer.matrix("form", draws.forms, "m");
     writer.matrix("tension", draws.tensions, "N");
     return writer.finish();
@@ -57,6 +62,11 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
     const Eigen::VectorXd nominal = net.unstressed_lengths()(net.interior_edges());
     if (count > 0 && !((draws.length_deviations.colwise() + nominal).minCoeff() > 0.0)) {
         reader.fail("length_deviation", "leaves an edge no length");
+    }
+    if (reader.has_attribute("adjustable")) {
+        draws.adjustable_deviations =
+            reader.matrix("adjustable_deviation",
+                          static_cast<Eigen::Index>(net.adjustable_edges().size()), count);
     }
     draws.forms = reader.matrix("form", Eigen::Index{3} * net.free_node_count(), count);
     draws.tensions = reader.matrix("tension", net.edge_count(), count);

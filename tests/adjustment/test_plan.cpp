@@ -301,9 +301,9 @@ TEST(Plan, HoldsItsLimitsInOtherDrawsThanItsOwn) {
             built.net.unstressed_lengths()(net.interior_edges()) +
             Eigen::VectorXd::NullaryExpr(net.interior_edge_count(), [&] { return error(random); }));
     };
-    built.length_draws.resize(net.interior_edge_count(), 200);
+    built.length_draws = built.net.unstressed_lengths().replicate(1, 200);
     for (auto column : built.length_draws.colwise()) {
-        column = draw();
+        column(net.interior_edges()) = draw();
     }
     const Limits limits = limits_between(built.net, 15e-3, 2.5e3, 9e3);
     const Plan plan = plan_strokes(built, FormTarget(net, net.nodes()), limits);
@@ -322,7 +322,7 @@ TEST(Plan, HoldsItsLimitsInOtherDrawsThanItsOwn) {
     EXPECT_GE(kept, 0.9 * jobs);  // 95 % wanted; 186 to 194 are two deviations
     // The same without regard for the draws breaks limits in most of them.
     BuiltNet sure = built;
-    sure.length_draws.resize(net.interior_edge_count(), 0);
+    sure.length_draws.resize(net.edge_count(), 0);
     const Plan careless = plan_strokes(sure, FormTarget(net, net.nodes()), limits);
     EXPECT_GT(plan.tensions.minCoeff(), careless.tensions.minCoeff());
 }
@@ -389,8 +389,8 @@ TEST(Plan, RefusesOptionsThatCannotBeMeant) {
                 plan_strokes(with_draws, FormTarget(net, net.nodes()),
                              limits_of_stroke(net, net.adjustable_edges().size(), 5e-3)));
         },
-        ThrowsMessage<std::invalid_argument>(HasSubstr("one an interior edge")));
-    with_draws.length_draws = Eigen::MatrixXd::Ones(net.interior_edge_count(), 50);
+        ThrowsMessage<std::invalid_argument>(HasSubstr("one an edge")));
+    with_draws.length_draws = Eigen::MatrixXd::Ones(net.edge_count(), 50);
     EXPECT_THAT(
         [&] {
             static_cast<void>(plan_strokes(

@@ -349,6 +349,20 @@ TEST_F(PlanCommand, EndsWithOneWhereLimitsCannotBeKeptAndNamesThem) {
     EXPECT_FALSE(json::parse(read("plan.json"))["violations"].empty());
 }
 
+TEST_F(PlanCommand, HoldsLimitsOverDrawsOfAdjustableLengthsToo) {
+    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "50",
+              "--unknown", "adjustable:0.5mm", "-o", "result.json"});
+    const Outcome outcome = plan({});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("of 50 draws"));
+    // Of anything else they hold nothing.
+    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "50",
+              "--unknown", "adjustable:0.5mm", "--unknown", "stiffness:5%", "-o", "result.json"});
+    const Outcome without = plan({});
+    ASSERT_EQ(without.exit_code, 0) << without.err;
+    EXPECT_THAT(without.out, HasSubstr("more than lengths was unknown"));
+}
+
 TEST_F(PlanCommand, RefusesWhatCannotBeMeant) {
     expect_refused({"--tension", "3kN..1kN"}, "an upper one above it");
     expect_refused({"--tension", "5kN"}, "expected a range");

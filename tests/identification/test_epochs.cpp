@@ -15,6 +15,7 @@
 #include <random>
 
 #include "identification/simulated_survey.hpp"
+#include "taut/adjustment/built_net.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace taut {
@@ -429,6 +430,34 @@ TEST(Epochs, DrawAsWidelyAsTheyTell) {
         ratio += std / result.edges[i].std / static_cast<double>(result.edges.size());
     }
     EXPECT_NEAR(ratio, 1.0, 0.1);
+}
+
+/// A plan holds its limits over these: those of turns with play are among them, as wide as told.
+TEST(Epochs, DrawWhatTurnsWithPlayAre) {
+    const std::vector<EdgeTurned> turned = some_turns(6, 0.5e-3);
+    const Job job = job_of(6, turned, turned);
+    IdentifyOptions options = with_law();
+    options.draws = 200;
+    const Identification result = identify_epochs(net(), job.epochs, options);
+    ASSERT_TRUE(result.draws);
+    const Eigen::MatrixXd& drawn = result.draws->adjustable_deviations;
+    ASSERT_EQ(drawn.rows(), std::ssize(net().adjustable_edges()));
+    ASSERT_EQ(drawn.cols(), result.draws->count());
+    ASSERT_EQ(result.unknowns.size(), turned.size());
+    double ratio = 0.0;
+    for (const UnknownEstimate& one : result.unknowns) {
+        const auto row = std::ranges::find(net().adjustable_edges(), one.edge) -
+                         net().adjustable_edges().begin();
+        const Eigen::VectorXd of_edge = drawn.row(row);
+        const double std = std::sqrt((of_edge.array() - of_edge.mean()).square().mean());
+        EXPECT_NEAR(of_edge.mean(), one.mean, 0.5 * one.std);
+        ratio += std / one.std / static_cast<double>(result.unknowns.size());
+    }
+    EXPECT_NEAR(ratio, 1.0, 0.1);
+    const BuiltNet built = built_net_of(net(), result);
+    EXPECT_EQ(built.length_draws.cols(), result.draws->count());
+    const Eigen::VectorXd mean = built.length_draws.rowwise().mean();
+    EXPECT_LT((mean - built.net.unstressed_lengths()).cwiseAbs().maxCoeff(), 1e-3);
 }
 
 TEST(Epochs, MaySeeOtherTargetsInOtherFrames) {

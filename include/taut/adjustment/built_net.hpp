@@ -14,8 +14,8 @@ namespace taut {
 /// A net as it stands, and how well that is known: where turning begins.
 struct BuiltNet {
     CableNet net;  ///< with the lengths as identified or set; its nodes are the form that follows
-    /// Draws of the unstressed lengths of the interior edges, one a column (m_I x draws) [m]; none:
-    /// limits are held for the estimate alone.
+    /// Draws of the unstressed lengths of all edges, one a column (m x draws) [m]; none: limits are
+    /// held for the estimate alone.
     Eigen::MatrixXd length_draws;
     std::string no_draws_since;  ///< why there are none, in words
 };
@@ -33,7 +33,10 @@ struct BuiltNet {
 [[nodiscard]] BuiltNet built_net_of(const CableNet& net, const Identification& identification);
 
 /// Puts the draws of an identification with the net, or why they are of no use.
-void add_draws(BuiltNet& built, const CableNet& net, const PosteriorDraws& draws,
-               bool only_lengths);
+/// @param turned the net with what was turned, as told
+/// @param unknowns besides lengths of interior edges
+/// @throws std::invalid_argument where draws leave an edge no length
+void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
+               std::span<const UnknownEstimate> unknowns);
 
 }  // namespace taut

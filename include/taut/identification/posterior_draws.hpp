@@ -13,8 +13,11 @@ namespace taut {
 /// exact equilibrium.
 struct PosteriorDraws {
     Eigen::MatrixXd length_deviations;  ///< m_I x draws, of the interior edges [m]
-    Eigen::MatrixXd forms;              ///< 3 n_I x draws, free coordinates [m]
-    Eigen::MatrixXd tensions;           ///< m x draws, of all edges [N]
+    /// m_A x draws, of the adjustable edges where their lengths, and nothing else, were unknown
+    /// besides; 0 x 0: they are as told [m].
+    Eigen::MatrixXd adjustable_deviations;
+    Eigen::MatrixXd forms;     ///< 3 n_I x draws, free coordinates [m]
+    Eigen::MatrixXd tensions;  ///< m x draws, of all edges [N]
     std::uint64_t seed = 1;
     std::string how;    ///< they were made, in words
     std::string doubt;  ///< why they are not to be relied on; empty: they are
