@@ -284,7 +284,8 @@ TEST_F(PlanCommand, HoldsTheTotalStrokeSinceInstallation) {
     }
     ASSERT_GT(most, 1e-3);
     ASSERT_EQ(plan({"--total-stroke", "1mm", "--turn", "4mm", "--step", "1/16"}).exit_code, 0);
-    for (const json& turn : json::parse(read("plan.json"))["turns"]) {
+    const json document = json::parse(read("plan.json"));
+    for (const json& turn : document["turns"]) {
         EXPECT_LT(std::abs(turn["reading_after"].get<double>()), 1e-3 + 1e-9);
     }
     std::filesystem::remove(folder() / "plan.json");
@@ -306,7 +307,8 @@ TEST_F(PlanCommand, HoldsTheTotalStrokeSinceInstallation) {
     expect_refused({"--adjustable", "edges.csv", "--total-stroke", "1mm"},
                    "from its designed length already");
     EXPECT_EQ(plan({"--adjustable", "edges.csv", "--total-stroke", "4mm"}).exit_code, 0);
-    for (const json& turn : json::parse(read("plan.json"))["turns"]) {
+    const json limited = json::parse(read("plan.json"));
+    for (const json& turn : limited["turns"]) {
         EXPECT_LT(std::abs(turn["reading_after"].get<double>()), 4e-3 + 1e-9);
         EXPECT_NEAR(turn["reading_after"].get<double>(), deviation + turn["stroke"].get<double>(),
                     1e-9);
