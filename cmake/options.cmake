@@ -19,6 +19,7 @@ if(TAUT_NODE AND TAUT_NPM)
     endif()
 endif()
 
+option(TAUT_INSTALL "Install the library, and the program where it is built" ${PROJECT_IS_TOP_LEVEL})
 option(TAUT_BUILD_APP "Build the command line program" ${PROJECT_IS_TOP_LEVEL})
 option(TAUT_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(TAUT_TESTS_BY_PROGRAM "Give ctest the tests of a room as one test: with the sanitizers most of the time goes into starting processes" OFF)

@@ -14,4 +14,12 @@ TEST(Version, IsThreeNumbersWithDots) {
     EXPECT_THAT(std::string{taut::version()}, testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
 }
 
+TEST(Version, IsThatOfTheHeaders) {
+    EXPECT_EQ(taut::version(), std::to_string(TAUT_VERSION_MAJOR) + "." +
+                                   std::to_string(TAUT_VERSION_MINOR) + "." +
+                                   std::to_string(TAUT_VERSION_PATCH));
+    EXPECT_EQ(TAUT_VERSION_NUMBER,
+              10000 * TAUT_VERSION_MAJOR + 100 * TAUT_VERSION_MINOR + TAUT_VERSION_PATCH);
+}
+
 }  // namespace

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// Thrown where a stop was requested before the work was done.

@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// While it lives, taut uses at most so many threads: of oneTBB and of the BLAS.

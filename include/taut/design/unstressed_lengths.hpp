@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// l_0 = l / (1 + T/EA): the lengths to which edges are cut so that they carry the tensions T when

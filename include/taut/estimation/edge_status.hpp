@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// What a survey tells of one edge.

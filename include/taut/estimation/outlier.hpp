@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// A target that contradicts all others: rejected by data snooping (docs/theory.md, (snooping)).

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// A file that cannot be written. The message is one line that names it.

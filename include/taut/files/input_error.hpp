@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// A file that cannot be read as what it should be. The message is one line, "<file>: <what>" or

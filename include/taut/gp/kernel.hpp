@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "taut/abi.hpp"
+
 /// Gaussian process regression of many outputs over the same inputs. Inputs are columns: n training
 /// inputs of dimension d are a d x n matrix; the m outputs at them are an n x m matrix.
 namespace taut::gp {

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "taut/abi.hpp"
+
 namespace taut::gp {
 
 /// The eigendecomposition R = Q diag(d) Q' of the correlation matrix of the training inputs. All

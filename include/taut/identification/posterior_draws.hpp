@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// Draws of the posterior, one a column: lengths with the form and the tensions that follow in

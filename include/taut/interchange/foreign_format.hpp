@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// Formats of nets that other programs write.

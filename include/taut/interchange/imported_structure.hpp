@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// A node as another program's file gives it.

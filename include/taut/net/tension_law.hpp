@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// The tension of an edge over its strain l/l_0 - 1: straight between points, the first of which is

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// A length written with its unit, "5mm", "0.5 mm", "1.2 cm", "0.005 m", or as a bare number of

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// The probability law of the length deviations, independent and the same for every interior edge,

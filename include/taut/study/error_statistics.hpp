@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// Statistics of the errors e_i(k) = true - estimated length deviation (eq. ei) of m_I interior

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// How often edges are slack for which a probability of it was told: the numbers of a reliability

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// Noise of a measured place: its covariance is s_i s_k rho_ik.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "taut/abi.hpp"
+
 namespace taut {
 
 /// A rotation and a translation, x -> R (x - from) + to. Kept with two centres, so that coordinates
