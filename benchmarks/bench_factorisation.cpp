@@ -11,7 +11,7 @@
 #include <Eigen/SparseLU>
 #include <stdexcept>
 
-#include "numerics/dense.hpp"
+#include "numerics/serial_blas.hpp"
 #include "numerics/supernodal_factor.hpp"
 #include "saddle_point_problem.hpp"
 #include "statics/net_state.hpp"
@@ -83,7 +83,6 @@ void stiffness_taut(benchmark::State& state) {
 
 /// By the other factor, in blocks of 3 x 3: what one factor for both would take.
 void stiffness_supernodal(benchmark::State& state) {
-    const ThreadLimit one_thread(1);
     const StiffnessProblem problem(net_of(state));
     const StiffnessMatrix& matrix = problem.stiffness.matrix;
     std::vector<std::vector<int>> later(matrix.node_count());  // edges as blocks below the diagonal
@@ -131,7 +130,6 @@ void stiffness_eigen_ldlt(benchmark::State& state) {
 // The factor of the saddle-point matrix, and one solution.
 
 void saddle_point_taut(benchmark::State& state) {
-    const ThreadLimit one_thread(1);
     SaddlePointProblem problem(net_of(state));
     const Eigen::VectorXd b = right_side(problem.lower);
     const auto parts = problem.by_parts(b);
@@ -177,7 +175,6 @@ void saddle_point_eigen_lu(benchmark::State& state) {
 // extensions as well).
 
 void covariance_taut(benchmark::State& state) {
-    const ThreadLimit one_thread(1);
     SaddlePointProblem problem(net_of(state));
     require(problem.factor.factorize());
     for (auto _ : state) {
@@ -187,7 +184,6 @@ void covariance_taut(benchmark::State& state) {
 
 #ifdef TAUT_HAS_MUMPS
 void saddle_point_mumps(benchmark::State& state) {
-    const SerialBlas serial;
     const SaddlePointProblem problem(net_of(state));
     Mumps factor(problem.lower);
     const Eigen::VectorXd b = right_side(problem.lower);
@@ -200,7 +196,6 @@ void saddle_point_mumps(benchmark::State& state) {
 }
 
 void covariance_mumps(benchmark::State& state) {
-    const SerialBlas serial;
     SaddlePointProblem problem(net_of(state));
     const SaddlePointLayout& layout = problem.layout;
     std::vector<std::vector<int>> rows(problem.lower.rows());
@@ -244,6 +239,13 @@ void covariance_mumps(benchmark::State& state) {
 }
 #endif
 
+/// As its peers, which know no threads.
+template <void (*run)(benchmark::State&)>
+void on_one_thread(benchmark::State& state) {
+    const SerialBlas serial;
+    with_threads(1, [&] { run(state); });
+}
+
 void small_and_large(benchmark::internal::Benchmark* run) {
     run->Arg(0)->Arg(30)->Arg(100)->Unit(benchmark::kMillisecond);
 }
@@ -252,13 +254,15 @@ void with_the_largest(benchmark::internal::Benchmark* run) {
     run->Arg(300);
 }
 BENCHMARK(stiffness_taut)->Apply(with_the_largest);
-BENCHMARK(stiffness_supernodal)->Apply(with_the_largest);
+BENCHMARK(on_one_thread<stiffness_supernodal>)
+    ->Name("stiffness_supernodal")
+    ->Apply(with_the_largest);
 BENCHMARK(stiffness_eigen_ldlt)->Apply(with_the_largest);
-BENCHMARK(saddle_point_taut)->Apply(small_and_large);
+BENCHMARK(on_one_thread<saddle_point_taut>)->Name("saddle_point_taut")->Apply(small_and_large);
 BENCHMARK(saddle_point_eigen_ldlt)->Apply(small_and_large);
 BENCHMARK(saddle_point_eigen_lu)->Apply(small_and_large);
-BENCHMARK(saddle_point_mumps)->Apply(small_and_large);
-BENCHMARK(covariance_taut)->Apply(small_and_large);
-BENCHMARK(covariance_mumps)->Apply(small_and_large);
+BENCHMARK(on_one_thread<saddle_point_mumps>)->Name("saddle_point_mumps")->Apply(small_and_large);
+BENCHMARK(on_one_thread<covariance_taut>)->Name("covariance_taut")->Apply(small_and_large);
+BENCHMARK(on_one_thread<covariance_mumps>)->Name("covariance_mumps")->Apply(small_and_large);
 
 }  // namespace

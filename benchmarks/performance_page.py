@@ -38,7 +38,7 @@ def main():
         return json.loads((folder / name).read_text())
 
     rows = {}
-    for name in ("statics", "learning", "identification", "factorisation", "adjustment"):
+    for name in ("statics", "learning", "identification", "factorisation", "adjustment", "threads"):
         rows |= medians(folder / f"{name}.json")
     study = load("reproduce.json")
     whole = load("reproduce_process.json")
@@ -109,6 +109,22 @@ def main():
             if f"{work}_{peer}/0" in rows
         )
 
+    def thread_rows():
+        works = {
+            "equilibria": "equilibrium, +-5 mm, from the nominal form",
+            "map": "maximum a posteriori, 0.5 mm",
+            "processes": "processes trained on 200 samples, 0.5 mm",
+        }
+
+        def rate(work, threads):
+            return rows[f"{work}/real_time/threads:{threads}"][1]["items_per_second"]
+
+        return "".join(
+            f"| {title} | {rate(work, 1):.3g} /s | {rate(work, 2):.3g} /s | "
+            f"{rate(work, 2) / rate(work, 1):.2f} |\n"
+            for work, title in works.items()
+        )
+
     def report_rows():
         nets = ("built-in net, `reproduce`", "`hypar:300x300`, `identify`")
         return "".join(
@@ -176,6 +192,14 @@ The same plan by SciPy {plan_peer['scipy']}'s SLSQP with exact derivatives (`ben
 net: {plan_peer['seconds']:.2f} s to a normal RMS of {1e3 * plan_peer['normal_rmse']:.3f} mm; `taut plan`, from file to file and with the order, {plan_process['seconds']:.2f} s to
 {1e3 * planned['form']['planned']['normal_rmse']:.3f} mm: {plan_peer['seconds'] / plan_process['seconds']:.1f} times as fast.
 
+## Threads of one's own
+
+Each calls taut for itself, on one thread a call (`with_threads(1, ...)`), on the built-in net. Calls a second of two such
+threads over those of one:
+
+| work | one thread | two threads | ratio |
+|---|---|---|---|
+{thread_rows()}
 ## Factorisations, one core
 
 `bench_factorisation`, the symbolic work done before. In brackets: times the time of taut.

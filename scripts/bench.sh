@@ -28,6 +28,9 @@ build/release/benchmarks/bench_identification --benchmark_filter='^(balance|map)
 build/release/benchmarks/bench_adjustment --benchmark_repetitions=3 \
     --benchmark_out="$out/adjustment.json" --benchmark_out_format=json
 
+build/release/benchmarks/bench_threads --benchmark_repetitions=3 \
+    --benchmark_out="$out/threads.json" --benchmark_out_format=json
+
 # One plan with SciPy, from the same identified net.
 build/taut example hilo-quarter -o "$out/net.json" > /dev/null
 build/taut form "$out/net.json" --law uniform:5mm --seed 1 -o "$out/site.csv" > /dev/null

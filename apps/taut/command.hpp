@@ -25,16 +25,24 @@ struct CommonOptions {
     int threads = 0;  ///< 0: all
     bool quiet = false;
     bool json = false;
-
-    /// Keeps to the number of threads asked for while it lives.
-    [[nodiscard]] std::unique_ptr<ThreadLimit> limit_threads() const {
-        return threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr;
-    }
 };
 
 /// Adds a subcommand with the common options and a worked example under its help.
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description,
                       const std::string& example, CommonOptions& options);
+
+/// What the command does with its options, on the number of threads that they ask for.
+template <class Options>
+void set_action(CLI::App& command, const std::shared_ptr<Options>& options,
+                void (*run)(const Options&)) {
+    command.callback([options, run] {
+        if (options->threads > 0) {
+            with_threads(options->threads, [&] { run(*options); });
+        } else {
+            run(*options);
+        }
+    });
+}
 
 /// -o, --output of a command that always writes a file.
 void add_output_option(CLI::App& command, std::string& output, const std::string& description);

@@ -97,8 +97,8 @@ void parse(CompareOptions& options) {
     comparison.check();
 }
 
-void run(CompareOptions options) {
-    const auto threads = options.limit_threads();
+void run(const CompareOptions& given) {
+    CompareOptions options = given;
     parse(options);
     const CableNet net = read_net(options.net).net;
     options.comparison.unknowns = unknowns_of(net, options.unknowns, options.net);
@@ -169,7 +169,7 @@ void add_compare(CLI::App& program) {
                     "turnbuckle turned by up to 5 mm in between")
         ->capture_default_str();
     add_seed_option(command, options->comparison.seed);
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -81,7 +81,6 @@ void print_record(const ControlRecord& record, const ControlSettings& settings) 
 }
 
 void run(const ControlCommand& command) {
-    const auto threads = command.limit_threads();
     const CableNet net = read_net(command.net).net;
     const ControlSettings settings = settings_of(command);
     const std::filesystem::path directory(command.directory);
@@ -150,7 +149,7 @@ void add_control(CLI::App& program) {
         ->capture_default_str();
     command.add_option("--trials", options->trials, "Nets that are built")->capture_default_str();
     add_seed_option(command, options->seed);
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -17,7 +17,6 @@ struct ExampleOptions : CommonOptions {
 };
 
 void run(const ExampleOptions& options) {
-    const auto threads = options.limit_threads();
     const CableNet net = builtin_net(options.name);
     check_outputs({options.output}, {});
     write_file(options.output, net_to_json(net));
@@ -43,7 +42,7 @@ void add_example(CLI::App& program) {
             "300)")
         ->required();
     add_output_option(command, options->output, "Net file to write");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -179,7 +179,6 @@ void print(const Exported& it, const std::vector<std::string>& files) {
 }
 
 void run(const ExportOptions& options) {
-    const auto threads = options.limit_threads();
     const Exported exported = gather(options);
     const std::vector<std::string> files = output_files(options);
     check_outputs(files, {options.net, options.form, options.lengths});
@@ -217,7 +216,7 @@ void add_export(CLI::App& program) {
         ->required()
         ->check(CLI::IsMember({"net", "compas", "obj", "csv", "vtk"}));
     add_output_option(command, options->output, "File to write");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

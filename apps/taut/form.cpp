@@ -140,7 +140,6 @@ nlohmann::ordered_json to_json(const FormOptions& options, const CableNet& net, 
 }
 
 void run(const FormOptions& options) {
-    const auto threads = options.limit_threads();
     const CableNet designed = read_net(options.net).net;
     const CableNet nominal = as_turned(options, designed);
     const CableNet net = net_of(options, nominal);
@@ -203,7 +202,7 @@ void add_form(CLI::App& program) {
                        "What was turned since the net was as designed: edge,stroke in m, or the "
                        "list of taut plan --csv. With the same --law and --seed it is the same "
                        "built net, as turned");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

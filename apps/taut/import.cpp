@@ -208,7 +208,7 @@ void add_import(CLI::App& program) {
                     "file: the file's loads; balance: those that hold the given form; none")
         ->check(CLI::IsMember({"balance", "file", "none"}))
         ->capture_default_str();
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -233,7 +233,6 @@ void print(const CableNet& net, const Inspection& it) {
 }
 
 void run(const InspectOptions& options) {
-    const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
     const LengthLaw law = parse_length_law(options.law);
     const Inspection inspection = inspect(net);
@@ -291,7 +290,7 @@ void add_inspect(CLI::App& program) {
         option->needs(survey);
     }
     add_unknown_option(command, options->unknowns)->needs(survey);
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -20,7 +20,6 @@ struct ReportOptions : CommonOptions {
 };
 
 void run(const ReportOptions& options) {
-    const auto threads = options.limit_threads();
     if (options.output.empty() && options.svg_directory.empty()) {
         throw std::invalid_argument("nothing to write: expected -o FILE or --svg DIR, or both");
     }
@@ -75,7 +74,7 @@ void add_report(CLI::App& program) {
         ->required();
     command.add_option("-o,--output", options->output, "HTML file to write");
     command.add_option("--svg", options->svg_directory, "Directory to write the figures into");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -55,8 +55,8 @@ void check_directory(const ReproduceOptions& options) {
     }
 }
 
-void run(ReproduceOptions options) {
-    const auto threads = options.limit_threads();
+void run(const ReproduceOptions& given) {
+    ReproduceOptions options = given;
     options.study.law = parse_length_law(options.law);
     options.study.check();
     const NetFile file = net_of(options);
@@ -110,7 +110,7 @@ void add_reproduce(CLI::App& program) {
         ->capture_default_str();
     add_seed_option(command, options->study.seed);
     command.add_flag("--keep", options->keep, "Write the data set and the model too");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -9,7 +9,6 @@
 
 #include "command.hpp"
 #include "force_input.hpp"
-#include "interruption.hpp"
 #include "net_summary.hpp"
 #include "progress_line.hpp"
 #include "taut/files/file.hpp"
@@ -18,6 +17,7 @@
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/plausibility.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -135,7 +135,6 @@ void tell(const SampleOptions& options, const CableNet& net, const DataSet& data
 }
 
 void run(const SampleOptions& options) {
-    const auto threads = options.limit_threads();
     const NetFile net = read_net(options.net);
     const Sampler sampler(net.net, parse_length_law(options.law), options.seed,
                           unknowns_of(net.net, options.unknowns, options.net));
@@ -183,7 +182,7 @@ void add_sample(CLI::App& program) {
     add_seed_option(command, options->seed);
     add_output_option(command, options->output, "Data set to write (HDF5)");
     command.add_flag("--resume", options->resume, "Go on with an earlier data set");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -108,8 +108,8 @@ double parse_part(const std::string& text) {
     return percent / 100.0;
 }
 
-void run(SurveySimulationOptions options) {
-    const auto threads = options.limit_threads();
+void run(const SurveySimulationOptions& given) {
+    SurveySimulationOptions options = given;
     SurveySimulation& simulation = options.simulation;
     simulation.noise_std = parse_noise(options.noise);
     if (!options.offset.empty()) {
@@ -209,7 +209,7 @@ void add_survey(CLI::App& program) {
         ->needs(station);
     add_seed_option(command, options->simulation.seed);
     add_output_option(command, options->output, "Survey to write (CSV)");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

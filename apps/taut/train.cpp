@@ -84,7 +84,6 @@ void print_scales(const LengthModel& model) {
 }
 
 void run(const TrainOptions& options) {
-    const auto threads = options.limit_threads();
     const StoredDataSet stored = read_data_set(options.data);
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
     if (samples.size() < 2) {
@@ -166,7 +165,7 @@ void add_train(CLI::App& program) {
                     "direction, or for each node")
         ->check(CLI::IsMember(names(all_metrics)))
         ->excludes(paper);
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

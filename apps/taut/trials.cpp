@@ -103,7 +103,6 @@ std::string failures(const std::vector<SettlingRecord>& records) {
 }
 
 void run(const TrialsOptions& options) {
-    const auto threads = options.limit_threads();
     options.settings.check();
     const std::vector<CableNet> nets = nets_of(options);
     const std::filesystem::path directory(options.directory);
@@ -151,7 +150,7 @@ void add_trials(CLI::App& program) {
     command.add_option("--first", options->settings.first, "Number of the first survey")
         ->capture_default_str();
     add_seed_option(command, options->settings.seed);
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -2,36 +2,69 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/dense.hpp"
 
-#include <cblas.h>
 #include <fmt/core.h>
-#include <lapacke.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <mutex>
 #include <stdexcept>
+
+#include "numerics/blas.hpp"
+#include "numerics/serial_blas.hpp"
 
 namespace taut {
 namespace {
 
-Eigen::MatrixXd multiply(CBLAS_TRANSPOSE transpose, const Eigen::MatrixXd& a,
-                         const Eigen::MatrixXd& b) {
-    const Eigen::Index rows = transpose == CblasTrans ? a.cols() : a.rows();
-    const Eigen::Index inner = transpose == CblasTrans ? a.rows() : a.cols();
-    Eigen::MatrixXd c(rows, b.cols());
-    if (c.size() == 0 || inner == 0) {
-        return c.setZero();
-    }
-    cblas_dgemm(CblasColMajor, transpose, CblasNoTrans, static_cast<int>(rows),
-                static_cast<int>(b.cols()), static_cast<int>(inner), 1.0, a.data(),
-                static_cast<int>(a.rows()), b.data(), static_cast<int>(b.rows()), 0.0, c.data(),
-                static_cast<int>(rows));
-    return c;
+constexpr char transposed = 'T';
+constexpr char as_it_is = 'N';
+constexpr char lower = 'L';
+constexpr char left = 'L';
+constexpr char not_unit = 'N';
+
+using Part = Eigen::Ref<const Eigen::MatrixXd>;
+
+int size_of(Eigen::Index index) {
+    return static_cast<int>(index);
 }
 
-/// How many SerialBlas live, and the threads of BLAS before the first of them.
-std::mutex serial_mutex;
-int serial_count = 0;
-int threads_before = 1;
+/// c = beta c + alpha op(a) op(b), by BLAS
+void multiply(double alpha, char transpose_a, const Part& a, char transpose_b, const Part& b,
+              double beta, Eigen::Ref<Eigen::MatrixXd> c) {
+    const int rows = size_of(c.rows());
+    const int columns = size_of(c.cols());
+    const int inner = size_of(transpose_a == transposed ? a.rows() : a.cols());
+    const int lda = size_of(std::max<Eigen::Index>(1, a.outerStride()));
+    const int ldb = size_of(std::max<Eigen::Index>(1, b.outerStride()));
+    const int ldc = size_of(std::max<Eigen::Index>(1, c.outerStride()));
+    dgemm_(&transpose_a, &transpose_b, &rows, &columns, &inner, &alpha, a.data(), &lda, b.data(),
+           &ldb, &beta, c.data(), &ldc, 1, 1);
+}
+
+/// Columns that one task takes of a product or a solution: the same for any number of threads.
+constexpr Eigen::Index columns_of_a_task = 64;
+
+/// Calls work(first column, number of columns) for all of so many columns, in parallel, with a
+/// serial BLAS.
+template <class Work>
+void for_columns(Eigen::Index columns, const Work& work) {
+    const SerialBlas serial;
+    const Eigen::Index tasks = (columns + columns_of_a_task - 1) / columns_of_a_task;
+    tbb::parallel_for(Eigen::Index{0}, tasks, [&](Eigen::Index task) {
+        const Eigen::Index first = task * columns_of_a_task;
+        work(first, std::min(columns_of_a_task, columns - first));
+    });
+}
+
+Eigen::MatrixXd multiply(char transpose_a, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    Eigen::MatrixXd c(transpose_a == transposed ? a.cols() : a.rows(), b.cols());
+    if (c.size() == 0 || b.rows() == 0) {
+        return c.setZero();
+    }
+    for_columns(c.cols(), [&](Eigen::Index first, Eigen::Index count) {
+        multiply(1.0, transpose_a, a, as_it_is, b.middleCols(first, count), 0.0,
+                 c.middleCols(first, count));
+    });
+    return c;
+}
 
 /// Fewer multiplications than these are faster without a call to BLAS.
 constexpr double small_product = 16384.0;
@@ -41,47 +74,21 @@ bool is_small(Eigen::Index rows, Eigen::Index columns, Eigen::Index inner) {
            small_product;
 }
 
-using Part = Eigen::Ref<const Eigen::MatrixXd>;
-
-void add(Eigen::Ref<Eigen::MatrixXd>& c, double factor, CBLAS_TRANSPOSE transpose_a, const Part& a,
-         CBLAS_TRANSPOSE transpose_b, const Part& b) {
-    const Eigen::Index inner = transpose_a == CblasTrans ? a.rows() : a.cols();
-    cblas_dgemm(CblasColMajor, transpose_a, transpose_b, static_cast<int>(c.rows()),
-                static_cast<int>(c.cols()), static_cast<int>(inner), factor, a.data(),
-                static_cast<int>(a.outerStride()), b.data(), static_cast<int>(b.outerStride()), 1.0,
-                c.data(), static_cast<int>(c.outerStride()));
-}
-
 }  // namespace
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    return multiply(CblasNoTrans, a, b);
+    return multiply(as_it_is, a, b);
 }
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    return multiply(CblasTrans, a, b);
-}
-
-SerialBlas::SerialBlas() {
-    const std::scoped_lock lock(serial_mutex);
-    if (serial_count++ == 0) {
-        threads_before = openblas_get_num_threads();
-        openblas_set_num_threads(1);
-    }
-}
-
-SerialBlas::~SerialBlas() {
-    const std::scoped_lock lock(serial_mutex);
-    if (--serial_count == 0) {
-        openblas_set_num_threads(threads_before);
-    }
+    return multiply(transposed, a, b);
 }
 
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const Part& a, const Part& b) {
     if (is_small(c.rows(), c.cols(), a.cols())) {
         c.noalias() += factor * a * b;
     } else {
-        add(c, factor, CblasNoTrans, a, CblasNoTrans, b);
+        multiply(factor, as_it_is, a, as_it_is, b, 1.0, c);
     }
 }
 
@@ -90,7 +97,7 @@ void add_product_transposed(Eigen::Ref<Eigen::MatrixXd> c, double factor, const 
     if (is_small(c.rows(), c.cols(), a.cols())) {
         c.noalias() += factor * a * b.transpose();
     } else {
-        add(c, factor, CblasNoTrans, a, CblasTrans, b);
+        multiply(factor, as_it_is, a, transposed, b, 1.0, c);
     }
 }
 
@@ -99,25 +106,32 @@ void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const 
     if (is_small(c.rows(), c.cols(), a.rows())) {
         c.noalias() += factor * a.transpose() * b;
     } else {
-        add(c, factor, CblasTrans, a, CblasNoTrans, b);
+        multiply(factor, transposed, a, as_it_is, b, 1.0, c);
     }
 }
 
-Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower, const Eigen::MatrixXd& b) {
+Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& triangle, const Eigen::MatrixXd& b) {
     // x'Ax = 2 x'Lx - sum_i A_ii x_i^2 with the lower triangle L: half the work of A b.
     Eigen::MatrixXd product = b;
-    if (product.size() > 0) {
-        cblas_dtrmm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit,
-                    static_cast<int>(b.rows()), static_cast<int>(b.cols()), 2.0, lower.data(),
-                    static_cast<int>(lower.rows()), product.data(), static_cast<int>(b.rows()));
+    const int n = size_of(b.rows());
+    if (n > 0) {
+        for_columns(b.cols(), [&](Eigen::Index first, Eigen::Index count) {
+            const int columns = size_of(count);
+            constexpr double two = 2.0;
+            dtrmm_(&left, &lower, &as_it_is, &not_unit, &n, &columns, &two, triangle.data(), &n,
+                   product.col(first).data(), &n, 1, 1, 1, 1);
+        });
     }
-    product.noalias() -= lower.diagonal().asDiagonal() * b;
+    product.noalias() -= triangle.diagonal().asDiagonal() * b;
     return product.cwiseProduct(b).colwise().sum().transpose();
 }
 
 Cholesky::Cholesky(Eigen::MatrixXd matrix) : m_L(std::move(matrix)) {
-    const auto n = static_cast<lapack_int>(m_L.rows());
-    const lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', n, m_L.data(), std::max(1, n));
+    const int n = size_of(m_L.rows());
+    const int lda = std::max(1, n);
+    int info = 0;
+    const SerialBlas serial;
+    dpotrf_(&lower, &n, m_L.data(), &lda, &info, 1);
     if (info != 0) {
         throw std::runtime_error(
             fmt::format("the matrix is not positive definite (dpotrf: {})", info));
@@ -125,34 +139,60 @@ Cholesky::Cholesky(Eigen::MatrixXd matrix) : m_L(std::move(matrix)) {
 }
 
 Eigen::MatrixXd Cholesky::solve(Eigen::MatrixXd b) const {
-    const auto n = static_cast<lapack_int>(m_L.rows());
-    LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', n, static_cast<lapack_int>(b.cols()), m_L.data(),
-                   std::max(1, n), b.data(), std::max(1, n));
+    const int n = size_of(m_L.rows());
+    const int lda = std::max(1, n);
+    for_columns(b.cols(), [&](Eigen::Index first, Eigen::Index count) {
+        const int columns = size_of(count);
+        int info = 0;
+        dpotrs_(&lower, &n, &columns, m_L.data(), &lda, b.col(first).data(), &lda, &info, 1);
+    });
     return b;
 }
 
 Eigen::MatrixXd Cholesky::solve_lower(Eigen::MatrixXd b) const {
-    const auto n = static_cast<int>(m_L.rows());
-    if (b.size() > 0) {
-        cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n,
-                    static_cast<int>(b.cols()), 1.0, m_L.data(), n, b.data(), n);
-    }
+    const int n = size_of(m_L.rows());
+    const int lda = std::max(1, n);
+    for_columns(b.cols(), [&](Eigen::Index first, Eigen::Index count) {
+        const int columns = size_of(count);
+        constexpr double one = 1.0;
+        dtrsm_(&left, &lower, &as_it_is, &not_unit, &n, &columns, &one, m_L.data(), &lda,
+               b.col(first).data(), &lda, 1, 1, 1, 1);
+    });
     return b;
 }
 
 Eigen::MatrixXd Cholesky::inverse_lower() const {
     Eigen::MatrixXd inverse = m_L;
-    const auto n = static_cast<lapack_int>(m_L.rows());
-    LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, inverse.data(), std::max(1, n));
+    const int n = size_of(m_L.rows());
+    const int lda = std::max(1, n);
+    int info = 0;
+    const SerialBlas serial;
+    dpotri_(&lower, &n, inverse.data(), &lda, &info, 1);
     return inverse;
 }
 
 SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix) {
     SymmetricEigen result;
-    const auto n = static_cast<lapack_int>(matrix.rows());
+    const int n = size_of(matrix.rows());
+    if (!matrix.allFinite()) {
+        throw std::runtime_error("eigendecomposition of a matrix that is not finite");
+    }
     result.values.resize(n);
-    const lapack_int info =
-        LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', n, matrix.data(), n, result.values.data());
+    const int lda = std::max(1, n);
+    int info = 0;
+    double work_size = 0.0;
+    int integer_work_size = 0;
+    constexpr int ask = -1;
+    const SerialBlas serial;
+    dsyevd_("V", &lower, &n, matrix.data(), &lda, result.values.data(), &work_size, &ask,
+            &integer_work_size, &ask, &info, 1, 1);
+    // Some versions tell a size that was rounded on its way through a double.
+    const int size = size_of(static_cast<Eigen::Index>(work_size) + 1);
+    Eigen::VectorXd work(size);
+    Eigen::VectorXi integer_work(std::max(1, integer_work_size));
+    const int integer_size = size_of(integer_work.size());
+    dsyevd_("V", &lower, &n, matrix.data(), &lda, result.values.data(), work.data(), &size,
+            integer_work.data(), &integer_size, &info, 1, 1);
     if (info != 0) {
         throw std::runtime_error(fmt::format("eigendecomposition failed (dsyevd: {})", info));
     }

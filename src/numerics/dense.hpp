@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 
-/// The few dense operations that are worth the library of the machine: BLAS and LAPACK.
+/// The few dense operations that are worth the library of the machine: BLAS and LAPACK. All but
+/// add_product and its kin are parallel by oneTBB over columns, where these are many, each task
+/// with a serial BLAS: their results do not depend on the number of threads.
 namespace taut {
 
 /// a * b
@@ -14,17 +16,7 @@ namespace taut {
 [[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
                                                  const Eigen::MatrixXd& b);
 
-/// Keeps BLAS to the calling threads while it lives: for parallel loops that call it, and for
-/// results that are the same for any number of threads.
-class SerialBlas {
-public:
-    SerialBlas();
-    ~SerialBlas();
-    SerialBlas(const SerialBlas&) = delete;
-    SerialBlas& operator=(const SerialBlas&) = delete;
-};
-
-/// c += factor * a * b
+/// c += factor * a * b, as the two below on the calling thread: within a SerialBlas.
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
                  const Eigen::Ref<const Eigen::MatrixXd>& a,
                  const Eigen::Ref<const Eigen::MatrixXd>& b);
@@ -40,7 +32,7 @@ void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
                             const Eigen::Ref<const Eigen::MatrixXd>& b);
 
 /// x' A x of every column x of b (n x k), for a symmetric A (n x n). Reads the lower triangle of A.
-[[nodiscard]] Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& lower,
+[[nodiscard]] Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& triangle,
                                               const Eigen::MatrixXd& b);
 
 /// The factor L of a symmetric, positive definite matrix L L'.

@@ -12,6 +12,7 @@
 
 #include "numerics/dense.hpp"
 #include "numerics/parts.hpp"
+#include "numerics/serial_blas.hpp"
 
 namespace taut {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "numerics/dense.hpp"
 #include "numerics/parts.hpp"
+#include "numerics/serial_blas.hpp"
 #include "numerics/supernodal_factor.hpp"
 
 namespace taut {

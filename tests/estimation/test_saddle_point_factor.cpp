@@ -200,9 +200,10 @@ TEST_F(OnAHyparOfManyBranches, TheResultsAreTheSameForAnyNumberOfThreads) {
         .lengths = Eigen::VectorXd::Random(m_net.edge_count()),
         .multipliers = Eigen::Matrix3Xd::Random(3, n)};
     const auto found = [&](int threads) {
-        const ThreadLimit limit(threads);
-        EXPECT_TRUE(m_factor.factorize());
-        return std::pair(m_factor.solve(right_side), m_factor.covariance());
+        return with_threads(threads, [&] {
+            EXPECT_TRUE(m_factor.factorize());
+            return std::pair(m_factor.solve(right_side), m_factor.covariance());
+        });
     };
     const auto [solution, covariance] = found(1);
     for (const int threads : {2, 4}) {

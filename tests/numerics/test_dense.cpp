@@ -4,6 +4,7 @@
 // Guards against a wrong leading dimension, transposition or triangle in the calls of BLAS and
 // LAPACK, which shows only for matrices that are not square or not of one size.
 #include "numerics/dense.hpp"
+#include "numerics/serial_blas.hpp"
 
 #include <cblas.h>
 #include <gtest/gtest.h>

@@ -196,9 +196,10 @@ TEST_F(OnBranches, AnotherMatrixOfTheSamePatternTakesThePlaceOfTheFirst) {
 TEST_F(OnBranches, SolutionsAreTheSameForAnyNumberOfThreads) {
     const Eigen::VectorXd b = test::uniform_vector(m_random, m_matrix.dense.rows(), 1.0);
     const auto found = [&](int threads) {
-        const ThreadLimit limit(threads);
-        EXPECT_TRUE(m_matrix.factorize(m_factor));
-        return m_factor.solve(b);
+        return with_threads(threads, [&] {
+            EXPECT_TRUE(m_matrix.factorize(m_factor));
+            return m_factor.solve(b);
+        });
     };
     const Eigen::VectorXd expected = found(1);
     EXPECT_EQ(found(2), expected);

@@ -162,8 +162,8 @@ TEST(Sampler, TellsWhichSamplesAreMechanisms) {
 TEST(Sampler, GivesTheSameBitsOnOneThreadAndOnTwo) {
     const CableNet net = hypar(4, 5);
     const auto draw_on = [&net](int threads) {
-        const ThreadLimit limit(threads);
-        return draw(net, 60, {LengthLaw::Kind::uniform, 0.01});
+        return with_threads(threads,
+                            [&] { return draw(net, 60, {LengthLaw::Kind::uniform, 0.01}); });
     };
     expect_same(draw_on(1), draw_on(2));
 }
