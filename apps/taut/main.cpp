@@ -10,12 +10,12 @@
 #include <string>
 
 #include "command.hpp"
-#include "interruption.hpp"
 #include "run_record.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/progress.hpp"
 #include "taut/version.hpp"
+#include "terminal.hpp"
 
 namespace {
 

@@ -3,15 +3,14 @@
 #include "progress_line.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <cstdio>
 
-#include "interruption.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 
-ProgressLine::ProgressLine(bool quiet) : m_active(!quiet && isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool quiet) : m_active(!quiet && is_watched()) {}
 
 ProgressLine::~ProgressLine() {
     if (m_shown) {

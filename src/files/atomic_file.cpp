@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <atomic>
-#include <cerrno>
 #include <system_error>
 
 #include "files/message.hpp"
+#include "platform/platform.hpp"
 #include "taut/files/file.hpp"
 
 namespace taut {
@@ -38,30 +36,17 @@ std::filesystem::path make_temporary(const std::filesystem::path& target) {
     constexpr size_t longest = 200;  // of the 255 bytes that a name may have
     for (;;) {
         std::filesystem::path temporary = target;
-        temporary.replace_filename(fmt::format(
-            ".{}.{}-{}.tmp", target.filename().string().substr(0, longest), getpid(), counter++));
-        const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file >= 0) {
-            close(file);
+        temporary.replace_filename(fmt::format(".{}.{}-{}.tmp",
+                                               target.filename().string().substr(0, longest),
+                                               platform::process_id(), counter++));
+        const std::error_code error = platform::make_new_file(temporary);
+        if (!error) {
             return temporary;
         }
-        if (errno != EEXIST) {
-            throw OutputError(target, "cannot be written: " + error_text(errno));
+        if (error != std::errc::file_exists) {
+            throw OutputError(target, "cannot be written: " + error.message());
         }
     }
-}
-
-/// Waits until a file's content, or a directory's entries, are on the disk.
-bool flush_to_disk(const std::filesystem::path& path, int flags) {
-    const int file = open(path.c_str(), flags | O_CLOEXEC);
-    if (file < 0) {
-        return false;
-    }
-    const bool done = fsync(file) == 0;
-    const int code = errno;
-    close(file);
-    errno = code;
-    return done;
 }
 
 }  // namespace
@@ -80,10 +65,10 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
-    if (!flush_to_disk(m_temporary, O_RDWR)) {
-        throw OutputError(m_target, "cannot be flushed to the disk: " + error_text(errno));
+    std::error_code error = platform::flush_file(m_temporary);
+    if (error) {
+        throw OutputError(m_target, "cannot be flushed to the disk: " + error.message());
     }
-    std::error_code error;
     std::filesystem::rename(m_temporary, m_target, error);
     if (error) {
         throw OutputError(m_target, "cannot be put in its place: " + error.message());
@@ -92,7 +77,7 @@ void AtomicFile::commit() {
     // The file is whole and in its place by now. Some file systems cannot flush a directory; what
     // is at stake is only which of the two whole files a power cut leaves.
     const std::filesystem::path directory = m_target.parent_path();
-    flush_to_disk(directory.empty() ? "." : directory, O_RDONLY | O_DIRECTORY);
+    error = platform::flush_directory(directory.empty() ? "." : directory);
 }
 
 }  // namespace taut

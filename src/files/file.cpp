@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "taut/files/file.hpp"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <deque>
 #include <system_error>
 
 #include "files/message.hpp"
 #include "files/open_file.hpp"
+#include "platform/platform.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut {
@@ -19,8 +18,11 @@ void write_content(const AtomicFile& file, const std::filesystem::path& name,
                    std::string_view content) {
     const File stream(std::fopen(file.temporary().c_str(), "wb"));
     if (!stream || std::fwrite(content.data(), 1, content.size(), stream.get()) < content.size() ||
-        std::fflush(stream.get()) != 0 || fsync(fileno(stream.get())) != 0) {
+        std::fflush(stream.get()) != 0) {
         throw OutputError(name, "cannot be written: " + error_text(errno));
+    }
+    if (const std::error_code error = platform::flush_file(file.temporary())) {
+        throw OutputError(name, "cannot be written: " + error.message());
     }
 }
 

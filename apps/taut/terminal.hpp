@@ -10,6 +10,9 @@ namespace taut::app {
 /// The exit code after SIGINT, as shells have it.
 inline constexpr int interrupted = 130;
 
+/// Whether standard error is shown to somebody.
+[[nodiscard]] bool is_watched();
+
 /// What SIGINT, SIGTERM and SIGHUP do. A command that says nothing is ended at once with exit code
 /// 130; its outputs appear in one piece or not at all, so nothing is left half done. A command that
 /// asks for stop_request() is told by it, and ended at once by a second signal.

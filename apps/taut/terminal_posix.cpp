@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "interruption.hpp"
+#include "terminal.hpp"
 
-#include <semaphore.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <string_view>
@@ -15,12 +15,12 @@ namespace {
 
 std::atomic<bool> orderly{false};
 std::atomic<bool> requested{false};
-sem_t arrived;
+std::array<int, 2> arrived{};  ///< a pipe: what the handler writes, the thread reads
 
 /// Runs in whichever thread the signal meets, where next to nothing is allowed. To block the signal
 /// in all threads but one is no way out: OpenBLAS starts its own before main().
 void hand_over(int /*signal*/) {
-    sem_post(&arrived);
+    [[maybe_unused]] const auto written = ::write(arrived[1], "", 1);
 }
 
 [[noreturn]] void end_at_once() {
@@ -31,11 +31,18 @@ void hand_over(int /*signal*/) {
 
 }  // namespace
 
+bool is_watched() {
+    return isatty(STDERR_FILENO) == 1;
+}
+
 void Interruption::watch() {
-    sem_init(&arrived, 0, 0);
+    if (pipe(arrived.data()) != 0) {
+        return;  // signals then end the program, as they do by default
+    }
     std::thread([] {
         while (true) {
-            if (sem_wait(&arrived) != 0) {
+            char byte = 0;
+            if (::read(arrived[0], &byte, 1) != 1) {
                 continue;
             }
             if (!orderly || requested.exchange(true)) {
