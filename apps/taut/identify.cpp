@@ -422,7 +422,6 @@ Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& 
 }
 
 void run(const Options& options) {
-    const auto threads = options.limit_threads();
     const CableNet net = read_net(options.net).net;
     const std::optional<LengthLaw> law = law_of(net, options);
     Survey survey = read_survey(net, options.survey, options.reading());
@@ -462,10 +461,10 @@ void run(const Options& options) {
     const std::string document = identification_to_json(net, survey, result, run_record());
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     if (!options.output.empty()) {
-        files.emplace_back(options.output, document);
         if (result.draws) {
             files.emplace_back(options.draws_file(), draws_bytes(net, result));
         }
+        files.emplace_back(options.output, document);
     }
     if (!options.names.empty()) {
         files.emplace_back(options.names, survey_names_csv(net, survey));
@@ -521,7 +520,7 @@ void add_identify(CLI::App& program) {
         ->allow_extra_args(false);
     add_seed_option(command, options->seed);
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

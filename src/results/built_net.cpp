@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "files/message.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/result_file.hpp"
@@ -29,9 +30,20 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
                       .length_draws = {},
                       .no_draws_since = {}},
             .trust = result->trust};
-        if (const std::filesystem::path draws = draws_path(result_path);
-            std::filesystem::exists(draws)) {
-            add_draws(identified.built, turned, read_draws(net, draws), result->unknowns);
+        const std::filesystem::path draws = draws_path(result_path);
+        if (result->draws == 0) {
+            identified.built.no_draws_since = "the result was made without";
+        } else if (std::filesystem::exists(draws)) {
+            const PosteriorDraws drawn = read_draws(net, draws);
+            if (drawn.count() != result->draws ||
+                (!result->draws_fingerprint.empty() &&
+                 fingerprint_of(drawn) != result->draws_fingerprint)) {
+                throw InputError(
+                    draws.string(), "",
+                    fmt::format("holds draws of another result than {}: identify again",
+                                quote(result_path.string())));
+            }
+            add_draws(identified.built, turned, drawn, result->unknowns);
         } else {
             identified.built.no_draws_since =
                 fmt::format("there is no file {} beside the result", draws.string());

@@ -9,6 +9,7 @@
 #include "files/hdf5_reader.hpp"
 #include "files/hdf5_writer.hpp"
 #include "files/message.hpp"
+#include "net/fnv1a.hpp"
 
 namespace taut {
 
@@ -36,6 +37,15 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     writer.matrix("form", draws.forms, "m");
     writer.matrix("tension", draws.tensions, "N");
     return writer.finish();
+}
+
+std::string fingerprint_of(const PosteriorDraws& draws) {
+    Fnv1a hash;
+    for (const Eigen::MatrixXd* matrix :
+         {&draws.length_deviations, &draws.adjustable_deviations, &draws.forms, &draws.tensions}) {
+        hash.add_list(*matrix);
+    }
+    return hash.text();
 }
 
 std::filesystem::path draws_path(const std::filesystem::path& result) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "results/result_parts.hpp"
+#include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/version.hpp"
 
@@ -199,6 +200,7 @@ void add_drawn(Json& document, const CableNet& net, const Identification& identi
     if (identification.draws) {
         const PosteriorDraws& draws = *identification.draws;
         document["draws"] = {{"count", draws.count()},
+                             {"fingerprint", fingerprint_of(draws)},
                              {"seed", draws.seed},
                              {"how", draws.how},
                              {"doubt", draws.doubt.empty() ? Json() : Json(draws.doubt)}};

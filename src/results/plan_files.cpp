@@ -228,7 +228,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
          {{"reached", value_or_null(plan.is_within_tolerance)},
-          {"fewest_bound", record.options->tolerance ? Json(plan.fewest_bound) : Json()}}},
+          {"fewest_bound", value_or_null(plan.fewest_bound)}}},
         {"survey_first", survey_first_json(record)},
         {"draws", plan.draws},
         {"no_draws_since", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
@@ -243,7 +243,14 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
 }
 
 std::string plan_to_csv(const PlanRecord& record) {
-    std::string text =
+    std::string text;
+    if (!record.plan->is_feasible) {
+        text = "# DO NOT TURN BY THIS LIST: limits of the plan are broken by it\n";
+    } else if (!record.order->is_safe) {
+        text = fmt::format("# NO SAFE ORDER WAS FOUND: a limit is broken at moment {}\n",
+                           record.order->worst.moment + 1);
+    }
+    text +=
         "crew,pass,moment,edge,sense,rotation,stroke_mm,turns,reading_after_mm,tension_after_kN\n";
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;

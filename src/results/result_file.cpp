@@ -266,6 +266,12 @@ IdentificationResult read_identification(const JsonValue& root) {
     result.boundary_outliers = read_boundary_outliers(root, result.net);
     result.turned = read_turned(root, result.net);
     result.trust = read_trust(root);
+    if (const auto draws = root.find("draws"); draws && !draws->json().is_null()) {
+        result.draws = member(*draws, "count").integer();
+        if (const auto fingerprint = draws->find("fingerprint")) {
+            result.draws_fingerprint = fingerprint->text();
+        }
+    }
     const JsonValue survey = member(root, "survey");
     for (const JsonValue& node : entries(survey, "missing_nodes")) {
         static_cast<void>(read_node(node, result.net));

@@ -606,6 +606,10 @@ export interface DrawnPlace {
 }
 export interface Draws {
   count: Count;
+  /**
+   * Of what was drawn, by which the file is known to belong to the result.
+   */
+  fingerprint?: string;
   seed: number;
   how: string;
   /**

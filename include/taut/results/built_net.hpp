@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "taut/adjustment/plan.hpp"
+#include "taut/export/io.hpp"
 #include "taut/identification/trust.hpp"
 
 namespace taut {
@@ -18,10 +19,12 @@ struct IdentifiedNet {
     Trust trust;
 };
 
+/// Reads a saved identification as the net that turning begins with. Not for two threads at the
+/// same time, as all that uses HDF5.
 /// @param net as designed
 /// @throws InputError as read_result() and read_draws(), for a result that is no identification,
 ///   one of another net (both fingerprints are named), and one whose lengths find no equilibrium
-[[nodiscard]] IdentifiedNet read_identified_net(const CableNet& net,
-                                                const std::filesystem::path& result_path);
+[[nodiscard]] TAUT_IO_EXPORT IdentifiedNet
+read_identified_net(const CableNet& net, const std::filesystem::path& result_path);
 
 }  // namespace taut

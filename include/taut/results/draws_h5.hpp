@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "taut/export/io.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -12,20 +13,28 @@ namespace taut {
 
 /// The draws of an identification as an HDF5 file, "taut-draws", one draw a row:
 ///
-///   length_deviation [draws, m_I]   m, of the edges in `edge`
-///   form             [draws, 3 n_I] m, x1,y1,z1,x2,... of the nodes in `node`
-///   tension          [draws, m]     N, of all edges
+///     length_deviation [draws, m_I]   m, of the edges in `edge`
+///     form             [draws, 3 n_I] m, x1,y1,z1,x2,... of the nodes in `node`
+///     tension          [draws, m]     N, of all edges
 ///
 /// with the fingerprint of the net, the law, the seed and how they were drawn as attributes.
+/// Not for two threads at the same time, as all that uses HDF5.
+/// @param identification of this net, which is not checked
 /// @throws std::invalid_argument where the identification has none
-[[nodiscard]] std::string draws_bytes(const CableNet& net, const Identification& identification);
+[[nodiscard]] TAUT_IO_EXPORT std::string draws_bytes(const CableNet& net,
+                                                     const Identification& identification);
 
 /// Where the draws of a result are kept: beside it, "result_draws.h5" of "result.json".
-[[nodiscard]] std::filesystem::path draws_path(const std::filesystem::path& result);
+[[nodiscard]] TAUT_IO_EXPORT std::filesystem::path draws_path(const std::filesystem::path& result);
 
-/// Reads what draws_bytes() wrote.
+/// 16 hexadecimal digits of what was drawn: a result tells it, so that draws of another are not
+/// taken for its own.
+[[nodiscard]] TAUT_IO_EXPORT std::string fingerprint_of(const PosteriorDraws& draws);
+
+/// Reads what draws_bytes() wrote. Not for two threads at the same time, likewise.
 /// @throws InputError as all readers of HDF5, for draws of another net, and for lengths that are
 ///   not positive
-[[nodiscard]] PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT PosteriorDraws read_draws(const CableNet& net,
+                                                       const std::filesystem::path& path);
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/io/net_json.hpp"
 
 namespace taut {
@@ -24,9 +25,11 @@ struct NetOrResult {
 
 /// Reads a net (parse_net()) or a saved identification (parse_result()), told apart by "format".
 /// @throws InputError as these two, and for a result of another kind, which is not of one built net
-[[nodiscard]] NetOrResult parse_net_or_result(std::string_view text, const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT NetOrResult parse_net_or_result(std::string_view text,
+                                                             const std::string& file_name);
 
+/// Reads a file as parse_net_or_result().
 /// @throws InputError as parse_net_or_result() and read_file(), and for units that cannot be meant
-[[nodiscard]] NetOrResult read_net_or_result(const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT NetOrResult read_net_or_result(const std::filesystem::path& path);
 
 }  // namespace taut

@@ -9,12 +9,14 @@
 #include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
+#include "taut/export/io.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/results/results_json.hpp"
 
 namespace taut {
 
-/// All that a saved plan tells of.
+/// All that a saved plan tells of. It refers to what it tells of, which must live until it is
+/// written; all pointers must be set, and to what belongs together: not checked.
 struct PlanRecord {
     const CableNet* net = nullptr;  ///< as designed
     const BuiltNet* built = nullptr;
@@ -30,19 +32,20 @@ struct PlanRecord {
 };
 
 /// plan.json: format "taut-plan", version 1; all numbers in SI units.
-[[nodiscard]] std::string plan_to_json(const PlanRecord& record, const RunRecord& run = {});
+[[nodiscard]] TAUT_IO_EXPORT std::string plan_to_json(const PlanRecord& record,
+                                                      const RunRecord& run = {});
 
 /// The list that a crew works from, a line each turning, in the order of the work: crew, pass,
 /// moment, edge, sense, rotation (empty where the thread is not told), stroke [mm], turns, reading
 /// afterwards [mm], tension after all [kN].
-[[nodiscard]] std::string plan_to_csv(const PlanRecord& record);
+[[nodiscard]] TAUT_IO_EXPORT std::string plan_to_csv(const PlanRecord& record);
 
-/// "shorten" or "lengthen".
-[[nodiscard]] std::string_view sense_of(double stroke);
+/// "shorten", or "lengthen" for 0 and more.
+[[nodiscard]] TAUT_IO_EXPORT std::string_view sense_of(double stroke);
 
 /// "clockwise" or "counterclockwise", seen from the support along the cable; nothing where the
 /// thread is not told.
-[[nodiscard]] std::optional<std::string_view> rotation_of(double stroke,
-                                                          std::optional<Thread> thread);
+[[nodiscard]] TAUT_IO_EXPORT std::optional<std::string_view> rotation_of(
+    double stroke, std::optional<Thread> thread);
 
 }  // namespace taut

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -42,6 +43,10 @@ struct IdentificationResult {
     std::vector<BoundaryOutlier> boundary_outliers;
     std::vector<EdgeTurned> turned;  ///< since the net was as designed, until the last survey
     Trust trust;                     ///< empty in results of older versions
+    int draws = 0;                   ///< that were made with it
+    /// Of them, fingerprint_of(); empty in results of older versions.
+    std::string draws_fingerprint;
+    /// At one surveyed node.
     struct Residual {
         int node = 0;
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]
@@ -53,6 +58,7 @@ struct IdentificationResult {
 
 /// What a saved comparison of methods tells.
 struct ComparisonResult {
+    /// One method on surveys of one kind.
     struct Row {
         std::string method;
         double noise = 0.0;  ///< standard deviation of a surveyed coordinate [m]
@@ -72,6 +78,7 @@ struct PlanResult {
     Points planned_form;
     Points target_form;
     Points target_normals;  ///< 0 at nodes without normal
+    /// Of one edge.
     struct Tension {
         double as_built = 0.0;
         double planned = 0.0;
@@ -85,6 +92,7 @@ struct PlanResult {
 
 /// What saved simulated jobs tell, as far as their figures need it.
 struct ControlResult {
+    /// The nets after a round.
     struct Round {
         double normal_rmse = 0.0;  ///< along the target's normal, over nodes and trials [m]
         std::vector<double> normal_rmse_of_trials;  ///< [m]
@@ -92,6 +100,7 @@ struct ControlResult {
         double turned = 0.0;  ///< sum of the sizes of the strokes, mean over the trials [m]
         int failed = 0;       ///< trials in which nothing could be planned
     };
+    /// All that was planned on one knowledge of the net.
     struct Strategy {
         std::string name;
         std::vector<Round> rounds;  ///< from round 0, as built
@@ -114,9 +123,11 @@ struct ResultFile {
 /// @param file_name for messages
 /// @throws InputError at a line and column for what is no JSON, and at a JSON pointer for what is
 ///   missing, of another type or size, or breaks a rule
-[[nodiscard]] ResultFile parse_result(std::string_view text, const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT ResultFile parse_result(std::string_view text,
+                                                     const std::string& file_name);
 
+/// Reads a file as parse_result().
 /// @throws InputError as parse_result() and read_file()
-[[nodiscard]] ResultFile read_result(const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT ResultFile read_result(const std::filesystem::path& path);
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "taut/export/io.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/study/study.hpp"
@@ -18,12 +19,14 @@ struct RunRecord {
 };
 
 /// results.json of a study: format "taut-study", version 1; all numbers in SI units.
-[[nodiscard]] std::string study_to_json(const Study& study, const RunRecord& run = {});
+[[nodiscard]] TAUT_IO_EXPORT std::string study_to_json(const Study& study,
+                                                       const RunRecord& run = {});
 
 /// result.json of an identification: format "taut-identification", version 1; all numbers in SI
 /// units.
-[[nodiscard]] std::string identification_to_json(const CableNet& net, const Survey& survey,
-                                                 const Identification& identification,
-                                                 const RunRecord& run = {});
+/// @param net, survey that it is of, which is not checked
+[[nodiscard]] TAUT_IO_EXPORT std::string identification_to_json(
+    const CableNet& net, const Survey& survey, const Identification& identification,
+    const RunRecord& run = {});
 
 }  // namespace taut
