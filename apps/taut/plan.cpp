@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -76,8 +77,12 @@ void take_tension(const CableNet& net, const std::string& text, TensionLimits& l
     }
     const auto set = [&](int edge) {
         const double strength = range.has_part() ? breaking_load(edge) : 0.0;
-        limits.lower(edge) = range.least.at(strength);
-        limits.upper(edge) = range.most.at(strength);
+        if (range.least.is_told) {
+            limits.lower(edge) = range.least.at(strength);
+        }
+        if (range.most.is_told) {
+            limits.upper(edge) = range.most.at(strength);
+        }
     };
     if (at == std::string::npos) {
         for (int edge = 0; edge < net.edge_count(); ++edge) {
@@ -162,6 +167,9 @@ std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNe
         std::erase_if(ranges, [&](const StrokeRange& range) {
             return !std::ranges::binary_search(edges, range.edge);
         });
+        if (ranges.empty()) {
+            throw InputError(command.stroke, "", "leaves no edge that may be turned");
+        }
         edges.clear();
         limits = limits_of_stroke(net, ranges.size(), 0.0);
         for (size_t k = 0; k < ranges.size(); ++k) {
@@ -180,8 +188,13 @@ std::pair<std::vector<int>, Limits> limits_of(const CableNet& net, const CableNe
     if (!command.total_stroke.empty()) {
         hold_total_stroke(net, built, command.total_stroke, edges, limits);
     }
-    for (const std::string& text : command.tension) {
-        take_tension(net, text, limits.tension);
+    // Limits of all edges first: what a group is told beside them goes before.
+    for (const bool is_of_group : {false, true}) {
+        for (const std::string& text : command.tension) {
+            if ((text.find('@') != std::string::npos) == is_of_group) {
+                take_tension(net, text, limits.tension);
+            }
+        }
     }
     for (const std::string& text : command.reaction) {
         limits.reactions.push_back(reaction_limit(net, text));
@@ -247,12 +260,22 @@ void print_deviation(const char* what, const FormDeviation& d) {
 }
 
 std::string where_text(const CableNet& net, const LimitBreach& breach) {
-    return fmt::format("{} {}{}: {:.3g} kN, limit {:.3g} kN",
+    // As many digits as tell the force from its limit.
+    const auto both = [&](int digits) {
+        return std::pair(fmt::format("{:.{}g}", 1e-3 * breach.value, digits),
+                         fmt::format("{:.{}g}", 1e-3 * breach.limit, digits));
+    };
+    constexpr int most_digits = 6;
+    int digits = 3;
+    auto [value, limit] = both(digits);
+    while (value == limit && digits < most_digits) {
+        std::tie(value, limit) = both(++digits);
+    }
+    return fmt::format("{} {}{}: {} kN, limit {} kN",
                        breach.kind == LimitBreach::Kind::tension ? "edge" : "support",
                        breach.kind == LimitBreach::Kind::tension ? net.edge_id(breach.index)
                                                                  : net.node_id(breach.index),
-                       breach.load_case.empty() ? "" : " under " + breach.load_case,
-                       1e-3 * breach.value, 1e-3 * breach.limit);
+                       breach.load_case.empty() ? "" : " under " + breach.load_case, value, limit);
 }
 
 void print_breaches(const CableNet& net, const Plan& plan) {
@@ -285,6 +308,12 @@ void print(const PlanCommand& command, const PlanRecord& record) {
         fmt::print("not known of the planned form along the normal: {:.2f} mm RMS\n",
                    1e3 * plan.normal_unknown);
     }
+    if (!plan.strokes.empty() && plan.draws > 0 && !record.options->tolerance &&
+        plan.as_built.normal_rmse - plan.planned.normal_rmse < plan.normal_unknown) {
+        fmt::print(
+            "  turning gains less than that along the normal: --tolerance turns fewer edges, "
+            "or none\n");
+    }
     if (record.options->survey_noise) {
         print_survey_first(net, plan, *record.options->survey_noise);
     }
@@ -296,16 +325,19 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     fmt::print("turn {} of {} edges, by at most {:.2f} mm\n", plan.strokes.size(),
                record.options->edges.size(), 1e3 * plan.largest_stroke());
     if (record.options->tolerance) {
-        fmt::print("within {}: {}; to first order no fewer than {} edges can do\n",
-                   format_length(*record.options->tolerance),
-                   *plan.is_within_tolerance ? "yes" : "no", plan.fewest_bound);
+        fmt::print("within {}: {}{}\n", format_length(*record.options->tolerance),
+                   *plan.is_within_tolerance ? "yes" : "no",
+                   plan.fewest_bound ? fmt::format("; to first order no fewer than {} edges can do",
+                                                   *plan.fewest_bound)
+                                     : "");
     }
     fmt::print("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
                1e-3 * plan.tensions.maxCoeff());
     if (plan.draws > 0) {
-        fmt::print("all limits are kept in {:.0f} of {} draws, {:.1f} %, wanted {:g} %\n",
+        fmt::print("all limits are kept in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n",
                    plan.limit_probability * plan.draws, plan.draws, 100.0 * plan.limit_probability,
-                   100.0 * record.options->confidence);
+                   100.0 * record.options->confidence,
+                   std::ceil(record.options->confidence * (plan.draws + 1.0)));
     } else {
         fmt::print("limits are {} by the estimate; how surely is not known, since {}\n",
                    plan.is_feasible ? "kept" : "broken", plan.no_draws_since);
@@ -313,12 +345,12 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     print_breaches(net, plan);
     const TurnOrder& order = *record.order;
     fmt::print(
-        "order: {} pass{}, {} crew{}, {:.0f} m between stations; {}\n", order.passes,
+        "order: {} pass{}, {} crew{}, {:.0f} m to walk in all; {}\n", order.passes,
         order.passes == 1 ? "" : "es", record.crews, record.crews == 1 ? "" : "s", order.walk,
         order.is_safe ? "at no moment is a limit broken that was kept before"
                       : fmt::format("no safe order was found: at moment {} {}{}",
                                     order.worst.moment + 1, where_text(net, order.worst.breach),
-                                    plan.draws > 0 ? " with its margin" : ""));
+                                    plan.draws > 0 && plan.is_feasible ? " with its margin" : ""));
     if (record.further) {
         fmt::print("{}\n", record.further->empty()
                                ? "no further edge would help"
@@ -331,12 +363,12 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     }
     fmt::print("written to {}\n", command.output);
     if (!command.csv.empty()) {
-        fmt::print("written to {}: the list for the crews\n", command.csv);
+        fmt::print("written to {}: the list for the crews{}\n", command.csv,
+                   plan.is_feasible ? "" : ", by which limits are broken");
     }
 }
 
 void run(const PlanCommand& command) {
-    const auto threads = command.limit_threads();
     const CableNet net = read_net(command.net).net;
     const IdentifiedNet identified = read_identified_net(net, command.result);
     const FormTarget target = command.target.read(net);
@@ -374,10 +406,12 @@ void run(const PlanCommand& command) {
                             .crews = command.crews,
                             .thread = thread_of(command.thread)};
     const std::string document = plan_to_json(record, run_record());
-    std::vector<std::pair<std::filesystem::path, std::string>> files{{command.output, document}};
+    // The list first: a plan with the list of an older one beside it would be worked off.
+    std::vector<std::pair<std::filesystem::path, std::string>> files;
     if (!command.csv.empty()) {
         files.emplace_back(command.csv, plan_to_csv(record));
     }
+    files.emplace_back(command.output, document);
     write_files(files);
     if (command.json) {
         fmt::print("{}", document);
@@ -386,10 +420,12 @@ void run(const PlanCommand& command) {
     }
     if (!plan.is_feasible) {
         throw NumericalFailure(fmt::format(
-            "{}: no strokes keep all limits{}; the plan that was written breaks the least: {}",
-            command.result,
+            "no strokes were found that keep all limits{}{}; the plan that was written breaks "
+            "the least: {}",
             plan.draws > 0 ? fmt::format(" with {:.0f} %", 100.0 * options.confidence) : "",
-            plan.breaches.empty() ? "by little each" : where_text(net, plan.breaches.front())));
+            options.turn && options.turn->step() > 0.0 ? ", in whole steps" : "",
+            plan.breaches.empty() ? "some draws find no equilibrium"
+                                  : where_text(net, plan.breaches.front())));
     }
 }
 
@@ -462,7 +498,7 @@ void add_plan(CLI::App& program) {
         ->check(CLI::Range(1, 1000));
     command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
     add_seed_option(command, options->seed);
-    command.callback([options] { run(*options); });
+    set_action(command, options, run);
 }
 
 }  // namespace taut::app

@@ -19,13 +19,14 @@ struct TensionRange {
     struct End {
         double value = 0.0;
         bool is_part = false;
+        bool is_told = false;
         /// @param breaking_load of the edge; read of a part only [N]
         [[nodiscard]] double at(double breaking_load) const {
             return is_part ? value * breaking_load : value;
         }
     };
     End least;
-    End most;  ///< infinite where there is none
+    End most;  ///< infinite where it is not told
     [[nodiscard]] bool has_part() const { return least.is_part || most.is_part; }
 };
 

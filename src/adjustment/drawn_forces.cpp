@@ -42,7 +42,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
         RandomNumbers random(seed, static_cast<std::uint32_t>(d));
         for (double& stroke : strokes) {
             const double play = actuator_std * random.normal();
-            stroke += stroke != 0.0 ? play : 0.0;
+            stroke += std::abs(stroke) >= negligible_stroke ? play : 0.0;
         }
         std::vector<StrokeResponse>& local = workspaces.local();
         for (size_t i = 0; i < local.size(); ++i) {

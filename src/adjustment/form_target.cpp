@@ -97,9 +97,15 @@ void FormTarget::set_weights(Eigen::VectorXd normal, Eigen::VectorXd tangential)
         throw std::invalid_argument(fmt::format("{} and {} weights for {} nodes", normal.size(),
                                                 tangential.size(), m_places.cols()));
     }
-    m_normal_weight = std::move(normal);
-    m_tangential_weight = std::move(tangential);
-    check_weights();
+    m_normal_weight.swap(normal);
+    m_tangential_weight.swap(tangential);
+    try {
+        check_weights();
+    } catch (...) {
+        m_normal_weight.swap(normal);
+        m_tangential_weight.swap(tangential);
+        throw;
+    }
 }
 
 void FormTarget::move_to(Points places) {

@@ -11,6 +11,9 @@
 
 namespace taut {
 
+/// Strokes below this are none [m].
+inline constexpr double negligible_stroke = 1e-6;
+
 /// One set of loads of a plan: the net under them, and its limits.
 struct LimitedResponse {
     StrokeResponse response;

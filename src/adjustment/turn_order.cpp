@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "adjustment/force_ranges.hpp"
@@ -68,8 +69,17 @@ public:
         }
         // Where the plan ends it was accepted, though the limits that it held may be missed by
         // little there.
-        m_allowed = beyond(m_now).cwiseMax(beyond(at(all))).cwiseMax(0.0);
+        const StrokedNet end = at(all);
+        m_allowed = beyond(m_now).cwiseMax(beyond(end)).cwiseMax(0.0);
         m_unit = std::max(1e-9, m_now.equilibrium.mean_tension);
+        const ForceRange told = range_of(built.net, limits.tension, limits.reactions);
+        const auto beyond_told = [&](const StrokedNet& net) -> Eigen::VectorXd {
+            return (told.lower - net.forces).cwiseMax(net.forces - told.upper).cwiseMax(0.0);
+        };
+        const Eigen::VectorXd worse = beyond_told(end) - beyond_told(m_now);
+        if (worse.maxCoeff() > negligible_excess * m_unit) {
+            m_breach_at_end = breach(end, worse, told);
+        }
     }
 
     [[nodiscard]] StrokedNet at(const Eigen::VectorXd& strokes) {
@@ -85,6 +95,11 @@ public:
                                           : std::numeric_limits<double>::infinity();
     }
 
+    /// The worst limit that all strokes together break and that was kept before, or by more.
+    [[nodiscard]] const std::optional<LimitBreach>& breach_at_end() const {
+        return m_breach_at_end;
+    }
+
     [[nodiscard]] const Eigen::VectorXd& strokes() const { return m_strokes; }
     void accept(Eigen::VectorXd strokes, StrokedNet net) {
         m_strokes = std::move(strokes);
@@ -96,9 +111,15 @@ public:
     }
 
     [[nodiscard]] LimitBreach worst_breach(const StrokedNet& net) const {
+        return breach(net, beyond(net) - m_allowed, m_response.front().range);
+    }
+
+private:
+    /// The one of the largest excess.
+    [[nodiscard]] LimitBreach breach(const StrokedNet& net, const Eigen::VectorXd& excess,
+                                     const ForceRange& range) const {
         Eigen::Index row = 0;
-        (beyond(net) - m_allowed).maxCoeff(&row);
-        const ForceRange& range = m_response.front().range;
+        excess.maxCoeff(&row);
         const bool is_edge = row < m_net->edge_count();
         return {
             .kind = is_edge ? LimitBreach::Kind::tension : LimitBreach::Kind::reaction,
@@ -112,7 +133,6 @@ public:
             .probability = 0.0};
     }
 
-private:
     [[nodiscard]] Eigen::VectorXd beyond(const StrokedNet& net) const {
         const ForceRange& range = m_response.front().range;
         return (range.lower - net.forces).cwiseMax(net.forces - range.upper);
@@ -124,6 +144,7 @@ private:
     Eigen::VectorXd m_strokes;
     StrokedNet m_now;
     Eigen::VectorXd m_allowed;
+    std::optional<LimitBreach> m_breach_at_end;
     double m_unit = 1.0;
 };
 
@@ -156,7 +177,9 @@ PassAttempt try_passes(Work& work, const Plan& plan, const std::vector<std::vect
             return pass == passes || step == 0.0 ? part : step * std::round(part / step);
         };
         for (std::vector<int>& stations : left) {
-            std::erase_if(stations, [&](int j) { return goal(j) == work.strokes()(j); });
+            std::erase_if(stations, [&](int j) {
+                return std::abs(goal(j) - work.strokes()(j)) < negligible_stroke;
+            });
         }
         while (std::ranges::any_of(left, [](const auto& stations) { return !stations.empty(); })) {
             progress("ordering", 0, 0);
@@ -204,7 +227,10 @@ PassAttempt try_passes(Work& work, const Plan& plan, const std::vector<std::vect
             ++moment;
         }
     }
-    result.order.is_safe = result.excess <= negligible_excess;
+    if (result.excess <= negligible_excess && work.breach_at_end()) {
+        result.order.worst = {.moment = moment - 1, .breach = *work.breach_at_end()};
+    }
+    result.order.is_safe = result.excess <= negligible_excess && !work.breach_at_end();
     return result;
 }
 
@@ -253,7 +279,7 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
         if (passes == 1 || tried.excess < best.excess) {
             best = std::move(tried);
         }
-        if (best.order.is_safe) {
+        if (best.excess <= negligible_excess) {
             break;
         }
     }

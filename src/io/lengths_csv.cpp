@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -45,10 +46,16 @@ std::string lengths_to_csv(const CableNet& nominal, const CableNet& built) {
         throw std::invalid_argument("the built net has other interior edges than the nominal one");
     }
     std::string result = "edge,nominal,length_deviation\n";
-    for (const int edge : nominal.interior_edges()) {
+    const auto add = [&](int edge) {
         const double length = nominal.unstressed_lengths()(edge);
         result += fmt::format("{},{},{}\n", csv_field(nominal.edge_id(edge)), length,
                               built.unstressed_lengths()(edge) - length);
+    };
+    std::ranges::for_each(nominal.interior_edges(), add);
+    for (const int edge : nominal.adjustable_edges()) {
+        if (built.unstressed_lengths()(edge) != nominal.unstressed_lengths()(edge)) {
+            add(edge);
+        }
     }
     return result;
 }
@@ -62,7 +69,7 @@ Eigen::VectorXd parse_lengths(const CableNet& nominal, std::string_view text,
                          "does not start with the header edge,nominal,length_deviation");
     }
     std::map<std::string, int> edge_of;
-    for (const int edge : nominal.interior_edges()) {
+    for (int edge = 0; edge < nominal.edge_count(); ++edge) {
         edge_of.emplace(nominal.edge_id(edge), edge);
     }
     Eigen::VectorXd lengths = nominal.unstressed_lengths();
@@ -76,7 +83,7 @@ Eigen::VectorXd parse_lengths(const CableNet& nominal, std::string_view text,
         const auto found = edge_of.find(id);
         if (found == edge_of.end()) {
             fail(file_name, *record,
-                 fmt::format("{} is no interior edge of the net '{}'", quote(id), nominal.name()));
+                 fmt::format("{} is no edge of the net '{}'", quote(id), nominal.name()));
         }
         const int edge = found->second;
         if (line_of[edge] != 0) {

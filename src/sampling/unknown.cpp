@@ -206,7 +206,7 @@ Unknown parse_unknown(std::string_view text) {
             throw std::invalid_argument(fmt::format(
                 "the unknown '{}' {}", text,
                 found->has_groups
-                    ? "unknown_names no group behind @"
+                    ? "names no group behind @"
                     : "takes no group: only stiffness, stiffness-each and temperature do"));
         }
     }

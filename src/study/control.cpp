@@ -43,6 +43,14 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
     require(settings.least_tension >= 0.0 &&
                 (settings.most_tension == 0.0 || settings.most_tension > settings.least_tension),
             "the largest tension is to be above the least, and", settings.most_tension);
+    require(settings.confidence > 0.0 && settings.confidence < 1.0,
+            "the confidence is to lie above 0 and below 1, and", settings.confidence);
+    require(
+        settings.draws == 0 || settings.draws * (1.0 - settings.confidence) > 1.0 - 1e-9,
+        "draws are to be 0, or so many that one may break the confidence, and the number of them",
+        settings.draws);
+    const auto count = net.adjustable_edges().size();
+    check_limits(net, net.adjustable_edges(), limits_of_stroke(net, count, settings.stroke));
 }
 
 CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const Points& start) {
@@ -81,16 +89,18 @@ public:
         const Eigen::VectorXd tension = tensions(m_net, m_true_lengths, m_form);
         state.least_tension = tension.minCoeff();
         state.most_tension = tension.maxCoeff();
+        // A plan may lead right up to a limit, and the form is then as exact as its equilibrium.
+        constexpr double rounding = 1e-6;
         for (const double t : tension) {
             const double low = m_settings.least_tension - t;
             const double high = m_settings.most_tension > 0.0 ? t - m_settings.most_tension : -1.0;
             // An edge without tension is slack, which always breaks a limit.
-            if (low > 0.0 || t <= 0.0) {
+            if (low > rounding * m_settings.least_tension || t <= 0.0) {
                 ++state.broken;
                 state.worst_excess =
                     std::max(state.worst_excess,
                              m_settings.least_tension > 0.0 ? low / m_settings.least_tension : 1.0);
-            } else if (high > 0.0) {
+            } else if (high > rounding * m_settings.most_tension) {
                 ++state.broken;
                 state.worst_excess = std::max(state.worst_excess, high / m_settings.most_tension);
             }

@@ -276,7 +276,8 @@ TEST(Plan, TurnsFewEdgesForATolerance) {
     EXPECT_TRUE(*few.is_within_tolerance);
     EXPECT_LE(few.planned.normal_rmse, *options.tolerance);
     EXPECT_LE(2 * few.strokes.size(), all.strokes.size());
-    EXPECT_LE(few.fewest_bound, static_cast<int>(few.strokes.size()));
+    ASSERT_TRUE(few.fewest_bound);
+    EXPECT_LE(*few.fewest_bound, static_cast<int>(few.strokes.size()));
 }
 
 TEST(Plan, SaysWhereNoStrokesReachATolerance) {

@@ -339,14 +339,48 @@ TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {
               "bare.json"});
     const Outcome outcome = run({"plan", "net.json", "bare.json", "-o", "plan.json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("by the estimate; how surely is not known, since there is "
-                                       "no file"));
+    EXPECT_THAT(outcome.out, HasSubstr("by the estimate; how surely is not known, since the "
+                                       "result was made without"));
+    // Draws of a result that stood there before are not taken for its own.
+    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "0", "-o",
+              "result.json"});
+    ASSERT_TRUE(exists("result_draws.h5"));
+    EXPECT_EQ(json::parse(must_run(
+                  {"plan", "net.json", "result.json", "-o", "plan.json", "--json"}))["draws"],
+              0);
+}
+
+TEST_F(PlanCommand, RefusesDrawsOfAnotherResult) {
+    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "50",
+              "--seed", "2", "-o", "other.json"});
+    write("result_draws.h5", read("other_draws.h5"));
+    expect_refused({}, "result_draws.h5: holds draws of another result than");
+}
+
+TEST_F(PlanCommand, HoldsWhatAGroupIsNotToldByTheLimitOfAll) {
+    json net = json::parse(read("net.json"));
+    for (size_t edge = 0; edge < net["edges"].size(); ++edge) {
+        net["groups"]["whole"].push_back(edge);
+    }
+    write("net.json", net.dump());
+    for (const auto& options :
+         {std::vector<std::string>{"--tension", "20kN..", "--tension", "..30kN@whole"},
+          {"--tension", "..30kN@whole", "--tension", "20kN.."}}) {
+        EXPECT_EQ(plan(options).exit_code, 1);
+    }
+    EXPECT_EQ(plan({"--tension", "20kN..", "--tension", "0kN..30kN@whole"}).exit_code, 0);
+}
+
+TEST_F(PlanCommand, MarksAListByWhichLimitsAreBroken) {
+    ASSERT_EQ(plan({"--tension", "20kN..", "--csv", "turns.csv"}).exit_code, 1);
+    EXPECT_THAT(read("turns.csv"), testing::StartsWith("# DO NOT TURN BY THIS LIST"));
+    EXPECT_FALSE(json::parse(read("plan.json"))["order"]["safe"].get<bool>());
 }
 
 TEST_F(PlanCommand, EndsWithOneWhereLimitsCannotBeKeptAndNamesThem) {
     const Outcome outcome = plan({"--tension", "20kN.."});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("no strokes keep all limits"));
+    EXPECT_THAT(outcome.err, HasSubstr("no strokes were found that keep all limits"));
     EXPECT_FALSE(json::parse(read("plan.json"))["feasible"].get<bool>());
     EXPECT_FALSE(json::parse(read("plan.json"))["violations"].empty());
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -24,19 +25,30 @@ struct BuiltNet {
 /// identified, those of adjustable edges as told unless the survey contradicts them, supports and
 /// all else as identified; its nodes in equilibrium, its loads those of `net`, self-weight
 /// included.
-/// @throws std::invalid_argument where these find no equilibrium, or are no net
-[[nodiscard]] CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
-                                         std::span<const UnknownEstimate> unknowns,
-                                         std::span<const BoundaryOutlier> boundary_outliers);
+/// @param net with what was turned since: turned_net()
+/// @param edges, unknowns, boundary_outliers of an identification of this net; their indices are
+///   not checked
+/// @throws std::invalid_argument where these find no equilibrium, or are no net (NetError)
+/// @throws std::out_of_range for an unknown of a group that the net does not have
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT CableNet net_as_identified(
+    const CableNet& net, std::span<const IdentifiedEdge> edges,
+    std::span<const UnknownEstimate> unknowns, std::span<const BoundaryOutlier> boundary_outliers);
 
 /// The same with draws, where they can be relied on and nothing but lengths was unknown.
-[[nodiscard]] BuiltNet built_net_of(const CableNet& net, const Identification& identification);
+/// @param net as designed: what was turned since is in the identification
+/// @param identification of this net, which is not checked; its trust is not asked for
+/// @throws std::invalid_argument as net_as_identified() and add_draws()
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT BuiltNet built_net_of(const CableNet& net,
+                                                           const Identification& identification);
 
 /// Puts the draws of an identification with the net, or why they are of no use.
+/// @param built gets the draws, or the reason
 /// @param turned the net with what was turned, as told
+/// @param draws of this net, whose sizes are not checked
 /// @param unknowns besides lengths of interior edges
 /// @throws std::invalid_argument where draws leave an edge no length
-void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
-               std::span<const UnknownEstimate> unknowns);
+TAUT_ADJUSTMENT_EXPORT void add_draws(BuiltNet& built, const CableNet& turned,
+                                      const PosteriorDraws& draws,
+                                      std::span<const UnknownEstimate> unknowns);
 
 }  // namespace taut

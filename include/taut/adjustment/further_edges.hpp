@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/adjustment/plan.hpp"
+#include "taut/export/adjustment.hpp"
 
 namespace taut {
 
@@ -19,14 +20,15 @@ struct FurtherEdge {
 /// the target, one after the other. Each time the edges are ranked by what they would give to first
 /// order, (further-edges), and of the first few the best is taken by a search in exact equilibrium,
 /// within the limits that the plan held for the estimate. docs/theory.md (further-edges).
+/// @param target, limits, options as the plan was made with
 /// @param plan of this net; strokes of further edges go as far as the longest of those that may be
 ///   turned
 /// @param count how many at most; fewer where no other edge would help, by 0.1 % of the cost
 /// @throws std::invalid_argument for a count below 1, and what plan_strokes() refuses
-/// @throws Interrupted
-[[nodiscard]] std::vector<FurtherEdge> further_edges(const BuiltNet& built,
-                                                     const FormTarget& target, const Limits& limits,
-                                                     const PlanOptions& options, const Plan& plan,
-                                                     int count, const Progress& progress = {});
+/// @param progress told of the stage "further edges" before each and at the end
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<FurtherEdge> further_edges(
+    const BuiltNet& built, const FormTarget& target, const Limits& limits,
+    const PlanOptions& options, const Plan& plan, int count, const Progress& progress = {});
 
 }  // namespace taut

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
 
 /// What the tension of each edge must keep to (m each) [N].
-struct TensionLimits {
+struct TAUT_ADJUSTMENT_EXPORT TensionLimits {
     Eigen::VectorXd lower;  ///< at least 0: no edge may go slack
     Eigen::VectorXd upper;  ///< may be infinite
 
@@ -35,11 +36,12 @@ struct LoadCase {
 
 /// What forces must keep to: the tensions of all edges (m), then the reactions of the supports of
 /// all reaction limits [N].
-struct ForceRange {
+struct TAUT_ADJUSTMENT_EXPORT ForceRange {
     Eigen::VectorXd lower;
     Eigen::VectorXd upper;
 
     /// Sum of what forces are beyond [N].
+    /// @param forces as many as limits, not checked
     [[nodiscard]] double violation(const Eigen::Ref<const Eigen::VectorXd>& forces) const;
 };
 
@@ -55,12 +57,17 @@ struct Limits {
 };
 
 /// Strokes of at most `stroke` either way, and no edge slack.
-[[nodiscard]] Limits limits_of_stroke(const CableNet& net, size_t edges, double stroke);
+/// @param edges how many may be turned
+/// @param stroke 0 or more; check_limits() looks [m]
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Limits limits_of_stroke(const CableNet& net, size_t edges,
+                                                             double stroke);
 
-/// @param edges that may be turned
-/// @throws std::invalid_argument for limits of wrong size or not numbers, a lower one above its
-///   upper, a stroke that leaves an edge without length, no stroke at all, a reaction limit that is
-///   not positive or of a node that is no support
-void check_limits(const CableNet& net, const std::vector<int>& edges, const Limits& limits);
+/// Whether turning can keep to limits.
+/// @param edges that may be turned, indices of the net: not checked
+/// @throws std::invalid_argument for limits of wrong size or not numbers, a lower one not
+///   below its upper, a range of strokes without 0 or that leaves an edge a tenth of its length or
+///   less, a reaction limit that is not positive or of a node that is no support
+TAUT_ADJUSTMENT_EXPORT void check_limits(const CableNet& net, const std::vector<int>& edges,
+                                         const Limits& limits);
 
 }  // namespace taut

@@ -11,6 +11,7 @@
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
+#include "taut/export/adjustment.hpp"
 #include "taut/progress.hpp"
 
 namespace taut {
@@ -23,6 +24,7 @@ struct TurnSize {
     [[nodiscard]] double step() const { return pitch * smallest; }
 };
 
+/// Which edges may be turned, and how surely limits are to hold.
 struct PlanOptions {
     std::vector<int> edges;  ///< that may be turned, ascending; empty: the net's adjustable edges
     double confidence = 0.95;
@@ -45,6 +47,7 @@ struct PlannedStroke {
 
 /// A limit that is not kept, or not surely so.
 struct LimitBreach {
+    /// Of what force the limit is.
     enum class Kind { tension, reaction };
     Kind kind = Kind::tension;
     int index = 0;             ///< an edge, or a support
@@ -61,7 +64,8 @@ struct FurtherTarget {
     double normal_unknown = 0.0;
 };
 
-struct Plan {
+/// Which edges to turn how far, and what comes of it.
+struct TAUT_ADJUSTMENT_EXPORT Plan {
     std::vector<PlannedStroke> strokes;  ///< those that are not 0, by edge
     FormDeviation as_built;
     FormDeviation planned;      ///< of the estimate
@@ -93,9 +97,10 @@ struct Plan {
     /// Where a tolerance was told: whether it is reached, and a number of edges below which, to
     /// first order, it cannot be.
     std::optional<bool> is_within_tolerance;
-    int fewest_bound = 0;
+    std::optional<int> fewest_bound;  ///< where it is
     int iterations = 0;
 
+    /// The size of the longest stroke; 0 where none is turned [m].
     [[nodiscard]] double largest_stroke() const;
 };
 
@@ -103,13 +108,18 @@ struct Plan {
 /// then little turning. docs/theory.md (stroke-program); docs/adjustment.md.
 ///
 /// @param built in equilibrium; limits and options tell of its edges
+/// @param target of the same net, which is not checked
+/// @param progress told of the stage "planning"
 /// @throws std::invalid_argument as check_limits(), for edges out of range, doubled or none, a
 ///   confidence outside (0, 1), a tolerance or pitch that is not positive, a smallest part of a
-///   turn outside (0, 1], draws of wrong size, and where this taut was built without the conic
-///   solver
-/// @throws Interrupted
-[[nodiscard]] Plan plan_strokes(const BuiltNet& built, const FormTarget& target,
-                                const Limits& limits, const PlanOptions& options = {},
-                                const Progress& progress = {});
+///   turn outside (0, 1], draws of wrong size or too few for the confidence, play of the
+///   actuators beyond a quarter of the shortest edge, a net that finds no equilibrium, and where
+///   this taut was built without the conic solver
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Plan plan_strokes(const BuiltNet& built,
+                                                       const FormTarget& target,
+                                                       const Limits& limits,
+                                                       const PlanOptions& options = {},
+                                                       const Progress& progress = {});
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -23,8 +24,9 @@ struct SurfacePoint {
 };
 
 /// A surface of triangles, to be searched for its nearest points. Vertices at the same place are
-/// one; the sides of faces need not agree.
-class TargetSurface {
+/// one; the sides of faces need not agree. One object serves several threads at once. Once moved
+/// from, it may only be assigned to or destroyed.
+class TAUT_ADJUSTMENT_EXPORT TargetSurface {
 public:
     /// @param vertices 3 x v [m]
     /// @param triangles three vertices each; those without area are left out
@@ -34,12 +36,16 @@ public:
     ~TargetSurface();
     TargetSurface(const TargetSurface&) = delete;
     TargetSurface& operator=(const TargetSurface&) = delete;
+    /// Leaves the other one without triangles.
     TargetSurface(TargetSurface&&) noexcept;
+    /// Leaves the other one without triangles.
     TargetSurface& operator=(TargetSurface&&) noexcept;
 
-    /// @param point finite [m]
+    /// The point of the surface that is nearest to another.
+    /// @param point finite, not checked [m]
     [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point) const;
 
+    /// Those with an area, at least one.
     [[nodiscard]] int triangle_count() const;
     /// Triangles without area, which were left out.
     [[nodiscard]] int left_out() const;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "taut/adjustment/plan.hpp"
+#include "taut/export/adjustment.hpp"
 
 namespace taut {
 
@@ -35,6 +36,7 @@ struct TurnOrder {
     WorstMoment worst;  ///< where it is not
 };
 
+/// Who turns, and how finely.
 struct TurnOrderOptions {
     int crews = 1;
     double step = 0.0;  ///< of what is turned at once; 0: any [m]
@@ -43,13 +45,16 @@ struct TurnOrderOptions {
 /// Looks for passes over the net in which no cable leaves its limits at any moment: neighbouring
 /// stations together, in one pass if that can be, else in two, four or eight, each with its part of
 /// every stroke. Exact equilibrium after every moment. docs/theory.md (turn-order).
+/// @param built, limits as the plan was made with, which is not checked
 /// @param plan of this net; its limits hold for the estimate, narrowed by nine tenths of what the
-/// plan's were
+///   plan's were
+/// @param progress told of the stage "ordering", 0 of 0
 /// @throws std::invalid_argument for crews below 1 or above 100, a step that is negative, and what
 ///   plan_strokes() refuses of limits
-/// @throws Interrupted
-[[nodiscard]] TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& plan,
-                                    const TurnOrderOptions& options = {},
-                                    const Progress& progress = {});
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT TurnOrder order_turns(const BuiltNet& built,
+                                                           const Limits& limits, const Plan& plan,
+                                                           const TurnOrderOptions& options = {},
+                                                           const Progress& progress = {});
 
 }  // namespace taut
