@@ -712,6 +712,17 @@ Eigen::MatrixXd LinearisedStatics::evidence_covariance(int common_count) const {
     return 0.5 * (result + result.transpose());
 }
 
+Eigen::MatrixXd LinearisedStatics::length_covariance(const std::vector<int>& edges) const {
+    const auto count = std::ssize(edges);
+    Eigen::MatrixXd result(count, count);
+    tbb::parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t k) {
+        BorderedFactor::Vector unit = empty_vector();
+        unit.inner.lengths(edges[k]) = 1.0;
+        result.col(k) = m_length_unit * m_length_unit * m_matrix.solve(unit).inner.lengths(edges);
+    });
+    return 0.5 * (result + result.transpose());
+}
+
 double LinearisedStatics::length_sum_variance(const Eigen::VectorXd& weights) const {
     BorderedFactor::Vector sum = empty_vector();
     sum.inner.lengths(m_net.interior_edges()) = weights;

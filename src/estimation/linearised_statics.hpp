@@ -153,6 +153,8 @@ public:
     /// Of all length deviations and, behind them, so many of the first common unknowns, as evidence
     /// tells of them; takes a solution for each.
     [[nodiscard]] Eigen::MatrixXd evidence_covariance(int common_count) const;
+    /// Of the lengths of these edges, known ones 0; takes a solution for each (k x k) [m2].
+    [[nodiscard]] Eigen::MatrixXd length_covariance(const std::vector<int>& edges) const;
     /// Of the sum of length deviations with weights (m_I) [m2 of the weights].
     [[nodiscard]] double length_sum_variance(const Eigen::VectorXd& weights) const;
     /// Of all edges' tensions with the mean of them (m) [N2].

@@ -137,7 +137,8 @@ void tell_drawn_edges(Identification& result, const std::vector<LengthLaw>& laws
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
                     const Survey& survey, const PriorKnowledge& knowledge,
                     const LinearisedStatics& statics, const Observations& sites,
-                    const Iterate& fitted, const DrawSettings& settings, const Progress& progress) {
+                    const Iterate& fitted, const PosteriorSettings& settings,
+                    const Progress& progress) {
     if (settings.count == 0 || result.status != IdentificationStatus::converged) {
         return;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
@@ -14,9 +15,11 @@
 
 namespace taut {
 
-struct DrawSettings {
-    int count = 0;
+/// What is wanted of the posterior besides lengths with their standard deviations.
+struct PosteriorSettings {
+    int count = 0;  ///< of draws
     std::uint64_t seed = 1;
+    std::vector<int> covariance_of;  ///< IdentifyOptions::covariance_of
 };
 
 /// Draws the posterior around a fit (draw_by_perturbation()), then tells the result what follows:
@@ -30,6 +33,7 @@ struct DrawSettings {
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
                     const Survey& survey, const PriorKnowledge& knowledge,
                     const LinearisedStatics& statics, const Observations& sites,
-                    const Iterate& fitted, const DrawSettings& settings, const Progress& progress);
+                    const Iterate& fitted, const PosteriorSettings& settings,
+                    const Progress& progress);
 
 }  // namespace taut

@@ -41,6 +41,16 @@ bool is_repeated(const Survey& a, const Survey& b) {
     return !both.empty() && 2 * same > std::ssize(both);
 }
 
+/// Of a survey that cannot be taken, which of them it is.
+template <class Action>
+auto with_epoch(size_t k, const Action& action) {
+    try {
+        return action();
+    } catch (const SurveyError& error) {
+        throw EpochError(k, error.what());
+    }
+}
+
 void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
                   const IdentifyOptions& options) {
     if (epochs.size() < 2) {
@@ -49,6 +59,9 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
     if (options.model != nullptr ||
         options.method.value_or(IdentificationMethod::map) != IdentificationMethod::map) {
         throw std::invalid_argument("--epoch is for --method map, without a model");
+    }
+    if (!options.covariance_of.empty()) {
+        throw std::invalid_argument("covariances of lengths are told of one survey, not of epochs");
     }
     if (net.interior_edge_count() > most_edges_of_epochs) {
         throw std::invalid_argument(
@@ -68,6 +81,7 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
     }
     std::vector<std::vector<EdgeTurned>> steps;
     for (size_t k = 0; k < epochs.size(); ++k) {
+        with_epoch(k, [&] { check_survey(net, epochs[k].survey); });
         check_turned(net, epochs[k].turned);
         steps.push_back(epochs[k].turned);
         try {
@@ -87,16 +101,6 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
                                                 j + 1, k + 1));
             }
         }
-    }
-}
-
-/// Of a survey that cannot be taken, which of them it is.
-template <class Action>
-auto with_epoch(size_t k, const Action& action) {
-    try {
-        return action();
-    } catch (const SurveyError& error) {
-        throw EpochError(k, error.what());
     }
 }
 
@@ -314,14 +318,20 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     const bool is_compared = each.find_changes(progress);
     const int last = each.count() - 1;
     Identification result;
-    for (int k = 1; k <= last && result.status == IdentificationStatus::converged; ++k) {
+    for (int k = 0; k <= last && result.status == IdentificationStatus::converged; ++k) {
         const EpochChain::Changes& changes = each.changes()[k];
         if (are_too_many_changes(net, changes.lengths.size())) {
             result = each.found(last);
             result.status = IdentificationStatus::survey_does_not_fit;
             result.message =
-                fmt::format("{}, and more than a tenth of all. {}",
-                            contradiction_text(k, changes.agreement.ratio()), what_to_check);
+                k == 0
+                    ? fmt::format(
+                          "at the first survey {} adjustable edges and more are not as "
+                          "long as the net tells. Check that it is this net's file, "
+                          "and what was turned since it was written",
+                          changes.lengths.size())
+                    : fmt::format("{}, and more than a tenth of all. {}",
+                                  contradiction_text(k, changes.agreement.ratio()), what_to_check);
         }
     }
     Trust together;

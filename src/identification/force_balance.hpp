@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "taut/export/core.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -18,7 +19,8 @@ namespace taut {
 /// amplifies it, as maximum a posteriori does not, and the standard deviations say so.
 /// @throws SurveyError where a free node was not surveyed; else as
 ///   identify_by_maximum_a_posteriori()
-[[nodiscard]] Identification identify_by_force_balance(const CableNet& net, const Survey& survey,
-                                                       const LengthLaw& law);
+[[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_force_balance(const CableNet& net,
+                                                                        const Survey& survey,
+                                                                        const LengthLaw& law);
 
 }  // namespace taut

@@ -8,6 +8,7 @@
 
 #include "estimation/data_snooping.hpp"
 #include "numerics/dense.hpp"
+#include "taut/export/core.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
@@ -27,11 +28,12 @@ struct FormDistribution {
 ///   mean(e),   law.std()^2 J J' + cov(e),
 ///
 /// with cov(e) shrunk towards its diagonal.
-[[nodiscard]] FormDistribution form_before_survey(const CableNet& net, const LengthModel& model);
+[[nodiscard]] TAUT_CORE_EXPORT FormDistribution form_before_survey(const CableNet& net,
+                                                                   const LengthModel& model);
 
 /// The form after a survey, docs/theory.md (conditioning): a normal distribution conditioned on the
 /// surveyed coordinates with their noise, gross errors rejected by data snooping.
-class ConditionedForm {
+class TAUT_CORE_EXPORT ConditionedForm {
 public:
     /// Keeps references to all but the nominal form. Not copied: its parts refer to each other.
     /// @param nominal_form that deviations refer to (3 n_I) [m]

@@ -3,11 +3,11 @@
 #include "taut/identification/identify.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +16,7 @@
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/processes.hpp"
+#include "platform/platform.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/sampling/sampler.hpp"
 
@@ -57,7 +58,6 @@ Choice choose_method(const Survey& survey, const IdentifyOptions& options) {
 
 /// What a survey must be, whatever the method.
 void check_survey_for(const CableNet& net, const Survey& survey, IdentificationMethod method) {
-    check_survey(net, survey);
     if (method == IdentificationMethod::balance) {
         require_whole(net, survey, "all for --method balance");
     }
@@ -75,6 +75,10 @@ void check_for_method(const IdentifyOptions& options, IdentificationMethod metho
     if (method == IdentificationMethod::map) {
         return;
     }
+    if (!options.covariance_of.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "covariances of lengths are for --method map, not for {}", to_string(method)));
+    }
     if (!options.forces.empty()) {
         throw std::invalid_argument(fmt::format(
             "--forces, --taut and --slack are for --method map, not for {}", to_string(method)));
@@ -91,6 +95,20 @@ void check_for_method(const IdentifyOptions& options, IdentificationMethod metho
             "the model was trained with the unknowns {}, expected {}: taut sample --unknown draws "
             "them",
             to_string(options.model->unknowns), to_string(options.unknowns)));
+    }
+}
+
+void check_covariance_of(const CableNet& net, const std::vector<int>& edges) {
+    std::set<int> seen;
+    for (const int edge : edges) {
+        if (!std::ranges::binary_search(net.interior_edges(), edge)) {
+            throw std::invalid_argument(fmt::format(
+                "covariances of lengths: edge {} is no interior edge of the net", edge));
+        }
+        if (!seen.insert(edge).second) {
+            throw std::invalid_argument(
+                fmt::format("covariances of lengths: edge {} comes twice", edge));
+        }
     }
 }
 
@@ -231,8 +249,11 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
             Told told(law);
             told.unknowns = options.unknowns;
             told.forces = options.forces;
-            result = identify_by_maximum_a_posteriori(
-                net, survey, told, {}, {.count = options.draws, .seed = options.seed}, progress);
+            result = identify_by_maximum_a_posteriori(net, survey, told, {},
+                                                      {.count = options.draws,
+                                                       .seed = options.seed,
+                                                       .covariance_of = options.covariance_of},
+                                                      progress);
             result.how =
                 fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string());
             if (!options.unknowns.empty()) {
@@ -316,9 +337,7 @@ void check_draws(const CableNet& net, std::int64_t draws) {
     const double bytes_a_draw =
         2.0 * sizeof(double) *
         (net.interior_edge_count() + 3.0 * net.free_node_count() + net.edge_count());
-    const double memory =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-    const double most = std::min(memory / bytes_a_draw, 2147483647.0);
+    const double most = std::min(platform::physical_memory() / bytes_a_draw, 2147483647.0);
     if (draws < 0 || static_cast<double>(draws) > most) {
         throw std::invalid_argument(
             fmt::format("draws is {}, expected 0 to {:.0f}, as many as the memory holds for this "
@@ -346,10 +365,12 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         options.law.value_or(options.model != nullptr ? options.model->law : LengthLaw());
     check_law(net, law);
     check_draws(net, options.draws);
+    check_survey(net, survey);
     const auto [method, reason] = choose_method(survey, options);
     check_survey_for(net, survey, method);
     check_forces(net, options.forces);
     check_unknowns(net, options.unknowns);
+    check_covariance_of(net, options.covariance_of);
     check_for_method(options, method);
     if (options.model != nullptr) {
         check_model(net, *options.model, options.law);

@@ -175,9 +175,21 @@ std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet&
     return result;
 }
 
+LengthCovariance covariance_of(const std::vector<int>& edges, const LinearisedStatics& statics,
+                               const Identification& result) {
+    const Eigen::MatrixXd linearised = statics.length_covariance(edges);
+    Eigen::VectorXd scale(edges.size());
+    for (Eigen::Index k = 0; k < scale.size(); ++k) {
+        const auto edge = std::ranges::find(result.edges, edges[k], &IdentifiedEdge::edge);
+        const double std = std::sqrt(linearised(k, k));
+        scale(k) = std > 0.0 ? edge->std / std : 0.0;
+    }
+    return {.edges = edges, .covariance = linearised.cwiseProduct(scale * scale.transpose())};
+}
+
 /// @param own what the survey tells by itself, with its number of common unknowns; null: not wanted
 Identification identify_by_map(const CableNet& net, const Survey& survey, const Told& told,
-                               const SurveyFitSettings& settings, const DrawSettings& draws,
+                               const SurveyFitSettings& settings, const PosteriorSettings& wanted,
                                LengthEvidence* own, int common_count, const Progress& progress) {
     check_survey(net, survey);
     check_unknowns(net, told.unknowns);
@@ -245,11 +257,14 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     }
     result.unknowns =
         unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
+    if (!wanted.covariance_of.empty() && fitted.converged) {
+        result.length_covariance = covariance_of(wanted.covariance_of, fit.statics(), result);
+    }
     if (!fit_net.is_linear()) {
         fit.statics().hold_laws(fitted.iterate);  // (drawn-law)
     }
     draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
-                   fitted.iterate, draws, progress);
+                   fitted.iterate, wanted, progress);
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";
     return result;
@@ -259,9 +274,9 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
 
 Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
                                                 const Told& told, const SurveyFitSettings& settings,
-                                                const DrawSettings& draws,
+                                                const PosteriorSettings& wanted,
                                                 const Progress& progress) {
-    return identify_by_map(net, survey, told, settings, draws, nullptr, 0, progress);
+    return identify_by_map(net, survey, told, settings, wanted, nullptr, 0, progress);
 }
 
 IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, const Told& told,

@@ -8,6 +8,7 @@
 #include "estimation/epoch_evidence.hpp"
 #include "estimation/survey_fit.hpp"
 #include "identification/draw_posterior.hpp"
+#include "taut/export/core.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -38,9 +39,9 @@ struct Told {
 /// the lengths are those of the balance, unless more than them is unknown, or forces are told.
 /// @throws std::invalid_argument as SurveyFit, check_unknowns()
 /// @throws std::runtime_error where the statics are singular at the surveyed form
-[[nodiscard]] Identification identify_by_maximum_a_posteriori(
+[[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_maximum_a_posteriori(
     const CableNet& net, const Survey& survey, const Told& told,
-    const SurveyFitSettings& settings = {}, const DrawSettings& draws = {},
+    const SurveyFitSettings& settings = {}, const PosteriorSettings& wanted = {},
     const Progress& progress = {});
 
 /// The same, without draws, and what the survey tells of the lengths by itself; nothing where the
@@ -49,18 +50,18 @@ struct IdentifiedEpoch {
     Identification identification;
     LengthEvidence own;
 };
-[[nodiscard]] IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey,
-                                                 const Told& told, int common_count,
-                                                 const Progress& progress = {});
+[[nodiscard]] TAUT_CORE_EXPORT IdentifiedEpoch identify_one_epoch(const CableNet& net,
+                                                                  const Survey& survey,
+                                                                  const Told& told,
+                                                                  int common_count,
+                                                                  const Progress& progress = {});
 
 /// What a fit tells of the lengths, under the law; no form is predicted yet.
 /// @param fit_net of the fit, net_to_fit()
 /// @param observations with the prior that the fit was made with
-[[nodiscard]] Identification identification_of(const CableNet& net, const CableNet& fit_net,
-                                               const Survey& survey, const LengthLaw& law,
-                                               const PriorKnowledge& knowledge,
-                                               const SurveyFit& fit,
-                                               const GaussNewtonResult& fitted,
-                                               const Observations& observations);
+[[nodiscard]] TAUT_CORE_EXPORT Identification
+identification_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
+                  const LengthLaw& law, const PriorKnowledge& knowledge, const SurveyFit& fit,
+                  const GaussNewtonResult& fitted, const Observations& observations);
 
 }  // namespace taut

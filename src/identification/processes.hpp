@@ -3,6 +3,7 @@
 #pragma once
 
 #include "identification/form_conditioning.hpp"
+#include "taut/export/core.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
@@ -15,16 +16,17 @@ namespace taut {
 /// uncertainty that is left goes through them to first order (propagation). Law and slack edges
 /// then enter as in (posterior). Gross errors are rejected by data snooping.
 /// @param before form_before_survey(), where there are many surveys; else it is made here
-[[nodiscard]] Identification identify_by_processes(const CableNet& net, const LengthModel& model,
-                                                   const Survey& survey,
-                                                   const FormDistribution* before = nullptr);
+[[nodiscard]] TAUT_CORE_EXPORT Identification
+identify_by_processes(const CableNet& net, const LengthModel& model, const Survey& survey,
+                      const FormDistribution* before = nullptr);
 
 /// Eq. ident as it stands, on the surveyed form as it is: the processes' means, their standard
 /// deviations and the intervals of a normal law, docs/theory.md (as-in-paper). Only edges that are
 /// slack in the predicted form are told as what they are: their interval is that of (slack-bound).
 /// @param model trained as in the paper
 /// @throws SurveyError where a free node was not surveyed
-[[nodiscard]] Identification identify_as_in_paper(const CableNet& net, const LengthModel& model,
-                                                  const Survey& survey);
+[[nodiscard]] TAUT_CORE_EXPORT Identification identify_as_in_paper(const CableNet& net,
+                                                                   const LengthModel& model,
+                                                                   const Survey& survey);
 
 }  // namespace taut

@@ -299,8 +299,7 @@ TEST_F(Readings, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
 TEST_F(Readings, AreDrawnTheSameOnAnyNumberOfThreads) {
     const Forces forces{.readings = {read(3, 0.02)}, .taut = {}, .slack = {}};
     const auto on = [&](int threads) {
-        const ThreadLimit limit(threads);
-        return found(forces, 20).draws->tensions;
+        return with_threads(threads, [&] { return found(forces, 20).draws->tensions; });
     };
     EXPECT_EQ(on(1), on(4));
 }

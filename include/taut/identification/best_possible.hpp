@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "taut/export/core.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -16,8 +17,10 @@ namespace taut {
 /// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @param form their equilibrium (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
-/// @throws std::invalid_argument as identify_by_maximum_a_posteriori()
-[[nodiscard]] Eigen::VectorXd best_possible_variances(
+/// @throws std::invalid_argument as tensions() and LengthLaw::check()
+/// @throws SurveyError as check_survey()
+/// @throws std::runtime_error where the statics are singular at this form: a slack mechanism
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd best_possible_variances(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form, const Survey& survey, const LengthLaw& law);
 

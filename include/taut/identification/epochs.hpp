@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/survey/turned_net.hpp"
 
@@ -19,8 +20,9 @@ struct Epoch {
 };
 
 /// A rule of surveys that one among several breaks.
-class EpochError : public SurveyError {
+class TAUT_CORE_EXPORT EpochError : public SurveyError {
 public:
+    /// @param epoch the survey, from 0
     EpochError(size_t epoch, const std::string& what) : SurveyError(0, what), m_epoch(epoch) {}
     [[nodiscard]] size_t epoch() const { return m_epoch; }  ///< from 0
 
@@ -41,14 +43,17 @@ inline constexpr int most_edges_of_epochs = 3000;
 /// @param net as designed, before anything was turned
 /// @param epochs at least two, in the order of the surveys, with their noise
 /// @param options forces and draws are of the last survey; no model
+/// @param progress told of the stages "comparing surveys" and "identification"
 /// @return of the net at the last survey, turned_net(net, result.turned); `epochs` tells of each
 /// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
 ///   than most_edges_of_epochs, unknowns that all surveys would share one by one (supports,
 ///   stiffness-each, loads in newtons), and a method that is not map
 /// @throws std::runtime_error where the net as turned finds no equilibrium
 /// @throws EpochError where identify() throws SurveyError; for an exact survey, and one told twice
-[[nodiscard]] Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
-                                             const IdentifyOptions& options = {},
-                                             const Progress& progress = {});
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] TAUT_CORE_EXPORT Identification identify_epochs(const CableNet& net,
+                                                              std::span<const Epoch> epochs,
+                                                              const IdentifyOptions& options = {},
+                                                              const Progress& progress = {});
 
 }  // namespace taut

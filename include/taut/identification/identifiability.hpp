@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -13,7 +14,7 @@ namespace taut {
 /// lengths l; the adjustable edges' l_0 are known, so their tensions are, too. What is left to
 /// find is linear in 1/l_0 (eq. h): with the equilibrium matrix A_I of the taut interior edges,
 ///
-///   B (1/l_0) = known forces,   B = A_I diag(EA l)
+///     B (1/l_0) = known forces,   B = A_I diag(EA l)
 ///
 /// A length is determined if no solution of B x = 0 has this entry: if no state of self-stress
 /// among the interior edges alone passes through its edge. A slack edge is not determined: the form
@@ -35,12 +36,13 @@ struct Identifiability {
     }
 };
 
+/// Which lengths follow from a form.
 /// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @param form an equilibrium form for them (3 x n) [m]
 /// @throws std::invalid_argument for wrong sizes, lengths that are not positive and finite,
 ///   coordinates that are not finite
-[[nodiscard]] Identifiability identifiability(
-    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-    const Eigen::Ref<const Points>& form);
+[[nodiscard]] TAUT_CORE_EXPORT Identifiability
+identifiability(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                const Eigen::Ref<const Points>& form);
 
 }  // namespace taut

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
@@ -26,11 +28,14 @@ enum class IdentificationMethod {
 };
 
 /// "balance", "map", "gp".
-[[nodiscard]] std::string_view to_string(IdentificationMethod method);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(IdentificationMethod method);
 
+/// The method that to_string() calls so.
 /// @throws std::invalid_argument for another name
-[[nodiscard]] IdentificationMethod parse_identification_method(std::string_view name);
+[[nodiscard]] TAUT_CORE_EXPORT IdentificationMethod
+parse_identification_method(std::string_view name);
 
+/// What is told besides net and survey, and what is asked for.
 struct IdentifyOptions {
     /// Empty: gp where a model is given; map where the survey has noise or misses nodes, forces are
     /// told or more than lengths is unknown; balance else.
@@ -42,14 +47,17 @@ struct IdentifyOptions {
     /// What else is not known: map estimates it with the lengths; the samples of gp are drawn with
     /// it. A model has its own.
     std::vector<Unknown> unknowns;
-    /// For gp; not copied. Null: one is trained now, on `training_samples` samples of the law, and
-    /// forgotten.
+    /// For gp; not copied: it must live until identify() has ended. Null: one is trained now, on
+    /// `training_samples` samples of the law, and forgotten.
     const LengthModel* model = nullptr;
-    int training_samples = 1000;
+    int training_samples = 1000;  ///< at least 2
     /// Draws of the posterior, for map; 0: none, and which edges are slack is told by the
     /// linearised fit alone: not to be relied on where cables stretch by less than their lengths
     /// are known to.
     int draws = 0;
+    /// Interior edges whose lengths' covariances are wanted: Identification::length_covariance. For
+    /// map; each takes the time of one more step of the fit.
+    std::vector<int> covariance_of;
     /// The noise of the survey is known but for a common factor, which is found with the lengths.
     bool estimate_noise = false;
     std::uint64_t seed = 1;  ///< of the draws
@@ -58,10 +66,11 @@ struct IdentifyOptions {
 /// Draws that the program makes unless told otherwise: 200, of which the 95 % interval ends at the
 /// fifth from either side; for more than 10,000 interior edges and for tension laws, where each
 /// takes long, 40, of which it ends at the outermost.
-[[nodiscard]] int default_draws(const CableNet& net);
+[[nodiscard]] TAUT_CORE_EXPORT int default_draws(const CableNet& net);
 
+/// Whether so many draws can be made.
 /// @throws std::invalid_argument for draws below 0, or more than the memory of the machine holds
-void check_draws(const CableNet& net, std::int64_t draws);
+TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
 
 /// From one survey of the form to all interior edges' unstressed lengths, with standard deviations
 /// and 95 % intervals, and to the form that follows.
@@ -71,24 +80,28 @@ void check_draws(const CableNet& net, std::int64_t draws);
 /// lengths of the law give its form to rounding errors, the status is `survey_not_exact`.
 ///
 /// @param survey of the net's free nodes: read_survey(), match_to_nodes(), or made by hand
-/// @param progress of the training, where a model has to be trained
+/// @param progress told of "sampling" and "training" where a model has to be trained; draws ask it
+///   whether to go on, the fit itself does not
 /// @return status and message tell whether it may be relied on; misuse throws
 /// @throws std::invalid_argument for draws as check_draws(), a law that the net does not bear
-///   (check_law()), forces as check_forces(), or for another method than map; unknowns as
+///   (check_law()), forces as check_forces(), or for another method than map; covariances of edges
+///   that are not interior or come twice, or for another method than map; unknowns as
 ///   check_unknowns(), for balance, or others than the model's; a model of another net (both
 ///   fingerprints are named) or law, a model for another method than gp
 /// @throws SurveyError as check_survey(), and where a free node was not surveyed though the survey
 ///   is exact, or the method (balance, a model as in the paper) needs all; and where it is to tell
 ///   its noise, but does not show it
-/// @throws std::runtime_error where the statics are singular at the surveyed form
-/// @throws Interrupted
-[[nodiscard]] Identification identify(const CableNet& net, const Survey& survey,
-                                      const IdentifyOptions& options = {},
-                                      const Progress& progress = {});
+/// @throws std::runtime_error where the statics are singular at the surveyed form, and where a
+///   model has to be trained and the net as designed finds no equilibrium
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] TAUT_CORE_EXPORT Identification identify(const CableNet& net, const Survey& survey,
+                                                       const IdentifyOptions& options = {},
+                                                       const Progress& progress = {});
 
-/// Whether a model may be used for a net and, where it is given, a law.
+/// Whether a model may be used for a net and, where it is given, a law: by the fingerprint that it
+/// bears; that its parts have the sizes of the net is not checked.
 /// @throws std::invalid_argument as identify()
-void check_model(const CableNet& net, const LengthModel& model,
-                 const std::optional<LengthLaw>& law = {});
+TAUT_CORE_EXPORT void check_model(const CableNet& net, const LengthModel& model,
+                                  const std::optional<LengthLaw>& law = {});
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "taut/export/core.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -18,9 +19,11 @@ struct LengthEstimates {
 };
 
 /// Eq. ident for k forms: their deviations from the model's nominal form (3 n_I x k) [m]. Edges
-/// whose process could not be fitted get the law's mean and standard deviation.
-[[nodiscard]] LengthEstimates estimate_lengths(
-    const CableNet& net, const LengthModel& model,
-    const Eigen::Ref<const Eigen::MatrixXd>& form_deviations);
+/// whose process could not be fitted get the law's mean and standard deviation. That the model is
+/// of this net is not checked: check_model() does.
+/// @throws std::invalid_argument for deviations of another size than 3 n_I, or not finite
+[[nodiscard]] TAUT_CORE_EXPORT LengthEstimates
+estimate_lengths(const CableNet& net, const LengthModel& model,
+                 const Eigen::Ref<const Eigen::MatrixXd>& form_deviations);
 
 }  // namespace taut

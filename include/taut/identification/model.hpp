@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/core.hpp"
 #include "taut/gp/fit.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
@@ -26,10 +27,11 @@ enum class KernelMetric {
 };
 
 /// "zero", "geometry".
-[[nodiscard]] std::string_view to_string(MeanFunction mean);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(MeanFunction mean);
 /// "isotropic", "direction", "node".
-[[nodiscard]] std::string_view to_string(KernelMetric metric);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(KernelMetric metric);
 
+/// How a model is to be trained.
 struct TrainingSettings {
     MeanFunction mean = MeanFunction::geometry;
     KernelMetric metric = KernelMetric::isotropic;
@@ -37,6 +39,7 @@ struct TrainingSettings {
     /// Zero mean, isotropic kernel, and every survey taken for exact and whole: see LengthModel.
     bool as_in_paper = false;
 
+    /// The paper's: for exact surveys of all nodes.
     [[nodiscard]] static TrainingSettings paper() {
         return {.mean = MeanFunction::zero, .metric = KernelMetric::isotropic, .as_in_paper = true};
     }
@@ -61,6 +64,7 @@ struct LengthModel {
     /// function [m].
     gp::FittedProcesses processes;
 
+    /// n, the samples that it was trained on.
     [[nodiscard]] int training_count() const { return static_cast<int>(processes.inputs.cols()); }
 
     /// The form deviations it was trained on (3 n_I x n) [m].
@@ -70,14 +74,14 @@ struct LengthModel {
 };
 
 /// Algorithm 1 of the paper on samples of a data set of the net.
-/// @param samples which to train on; their forces must balance
+/// @param samples which to train on; their forces must balance: DataSet::converged_in()
 /// @param progress told of the stages of gp::estimate_input_scales() and gp::fit()
 /// @throws std::invalid_argument for a data set of another net, fewer than two samples, or an index
 ///   out of range, and for `as_in_paper` with another mean function or kernel than the paper's
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] LengthModel train(const CableNet& net, const DataSet& data,
-                                const std::vector<int>& samples,
-                                const TrainingSettings& settings = {},
-                                const Progress& progress = {});
+[[nodiscard]] TAUT_CORE_EXPORT LengthModel train(const CableNet& net, const DataSet& data,
+                                                 const std::vector<int>& samples,
+                                                 const TrainingSettings& settings = {},
+                                                 const Progress& progress = {});
 
 }  // namespace taut

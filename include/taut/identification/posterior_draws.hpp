@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 namespace taut {
 
@@ -24,6 +25,7 @@ struct PosteriorDraws {
     std::string how;    ///< they were made, in words
     std::string doubt;  ///< why they are not to be relied on; empty: they are
 
+    /// How many draws.
     [[nodiscard]] int count() const { return static_cast<int>(length_deviations.cols()); }
 };
 
@@ -38,8 +40,9 @@ struct DrawnEstimate {
 /// The interval ends at the order statistics of rank p (draws + 1), p = 0.025 and 0.975: so another
 /// draw of the same posterior falls within with 95 %, however few there are, docs/theory.md
 /// (drawn).
-/// @param values one a draw, at least one
-[[nodiscard]] DrawnEstimate estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values);
+/// @param values one a draw, at least one, which is not checked
+[[nodiscard]] TAUT_CORE_EXPORT DrawnEstimate
+estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values);
 
 /// What is known of the tension of one edge.
 struct DrawnTension {
@@ -64,8 +67,12 @@ struct DrawnSummary {
     std::vector<DrawnPlace> missing;     ///< of the nodes that the survey misses
 };
 
-/// @param free_index place of each missing node among the free nodes
-[[nodiscard]] DrawnSummary summary_of(const PosteriorDraws& draws, const std::vector<int>& missing,
-                                      const std::vector<int>& free_index);
+/// What tensions and missing nodes follow from draws.
+/// @param draws at least one, not checked
+/// @param missing nodes, for their names in the result
+/// @param free_index place of each missing node among the free nodes, not checked
+[[nodiscard]] TAUT_CORE_EXPORT DrawnSummary summary_of(const PosteriorDraws& draws,
+                                                       const std::vector<int>& missing,
+                                                       const std::vector<int>& free_index);
 
 }  // namespace taut

@@ -11,6 +11,7 @@
 #include "taut/estimation/doubt.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/estimation/outlier.hpp"
+#include "taut/export/core.hpp"
 #include "taut/identification/posterior_draws.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/identification/unknown_estimate.hpp"
@@ -32,7 +33,7 @@ enum class IdentificationStatus {
 };
 
 /// "converged", "iteration limit", "survey does not fit", "survey not exact", "no equilibrium".
-[[nodiscard]] std::string_view to_string(IdentificationStatus status);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(IdentificationStatus status);
 
 /// What is known of one interior edge's unstressed length after a survey.
 struct IdentifiedEdge {
@@ -45,9 +46,17 @@ struct IdentifiedEdge {
     EdgeStatus status = EdgeStatus::identified;
 };
 
+/// Posterior covariances between the lengths of some interior edges.
+struct LengthCovariance {
+    std::vector<int> edges;  ///< k, in the order in which they were asked for
+    /// k x k: the correlations of the fit linearised at the result, (covariance) of docs/theory.md,
+    /// times the standard deviations of IdentifiedEdge, which the law itself cuts [m2].
+    Eigen::MatrixXd covariance;
+};
+
 /// How far the frame of a survey is from the net's, where it was unknown: a rotation about a point,
 /// then a translation, both small.
-struct FrameOffset {
+struct TAUT_CORE_EXPORT FrameOffset {
     Eigen::Vector3d about;            ///< [m]
     Eigen::Vector3d translation;      ///< [m]
     Eigen::Vector3d translation_std;  ///< [m]
@@ -153,10 +162,15 @@ struct Identification {
     std::vector<EdgeTurned> turned;
     Trust trust;  ///< whether all this may be acted on; identify() tells it
 
+    /// Where it was asked for, and the survey is not exact.
+    std::optional<LengthCovariance> length_covariance;
+
     DrawnSummary drawn;  ///< what follows from them; empty without, and where they are in doubt
 };
 
 /// The residuals of the targets that were not left out.
-[[nodiscard]] Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey);
+/// @param survey the one that was identified from; that it is, is not checked
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd residuals_in_use(const Identification& result,
+                                                                const Survey& survey);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "taut/estimation/edge_status.hpp"
+#include "taut/export/core.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/sampling/unknown.hpp"
 #include "taut/survey/forces.hpp"
@@ -30,7 +31,7 @@ struct TensionProspect {
 };
 
 /// What a survey can tell of all lengths and tensions, before it is made.
-struct SurveyProspect {
+struct TAUT_CORE_EXPORT SurveyProspect {
     double prior_std = 0.0;           ///< of each length deviation, before the survey [m]
     std::vector<EdgeProspect> edges;  ///< one an interior edge, in their order
 
@@ -39,6 +40,7 @@ struct SurveyProspect {
     /// All taut edges of which no reading is told, those first of which one would tell most.
     std::vector<TensionProspect> readings;
 
+    /// How many edges have a status.
     [[nodiscard]] int count(EdgeStatus status) const;
     /// Root mean square of the edges' standard deviations [m].
     [[nodiscard]] double rms_std() const;
@@ -54,14 +56,12 @@ struct SurveyProspect {
 /// @param forces of which edges tensions are read, and their noise; the tensions are not used
 /// @param reading_noise standard deviation of one more reading, as a part of the tension
 /// @throws std::invalid_argument as best_possible_variances(), check_forces(), check_unknowns(),
-/// and
-///   where the net has no interior edge
-/// @throws SurveyError where the survey is exact and not whole
-[[nodiscard]] SurveyProspect survey_prospect(const CableNet& net,
-                                             const Eigen::Ref<const Points>& form,
-                                             const Survey& survey, const LengthLaw& law,
-                                             const Forces& forces = {},
-                                             const std::vector<Unknown>& unknowns = {},
-                                             double reading_noise = 0.02);
+///   and where the net has no interior edge
+/// @throws SurveyError as check_survey(), and where the survey is exact and not whole
+/// @throws std::runtime_error where the statics are singular at this form
+[[nodiscard]] TAUT_CORE_EXPORT SurveyProspect
+survey_prospect(const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
+                const LengthLaw& law, const Forces& forces = {},
+                const std::vector<Unknown>& unknowns = {}, double reading_noise = 0.02);
 
 }  // namespace taut

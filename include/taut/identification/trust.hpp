@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -14,7 +15,8 @@ namespace taut {
 struct Identification;
 
 /// Whether a result may be acted on, from all tests of it together.
-struct Trust {
+struct TAUT_CORE_EXPORT Trust {
+    /// Ascending: the worst is the largest.
     enum class Verdict {
         passed,    ///< nothing speaks against it
         doubtful,  ///< something was found that should be looked at first
@@ -33,10 +35,12 @@ struct Trust {
 };
 
 /// "passed", "doubtful", "failed".
-[[nodiscard]] std::string_view to_string(Trust::Verdict verdict);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(Trust::Verdict verdict);
 
-/// What the tests of a result found, docs/theory.md, "Doubt".
-[[nodiscard]] Trust trust_of(const CableNet& net, const Survey& survey,
-                             const Identification& result);
+/// What the tests of a result found, docs/theory.md, "Doubt". identify() has called it already.
+/// @param survey the one that was identified from; that net, survey and result go together is not
+///   checked
+[[nodiscard]] TAUT_CORE_EXPORT Trust trust_of(const CableNet& net, const Survey& survey,
+                                              const Identification& result);
 
 }  // namespace taut

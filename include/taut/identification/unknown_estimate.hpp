@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/circumstances.hpp"
 #include "taut/sampling/unknown.hpp"
@@ -13,7 +14,7 @@ namespace taut {
 
 /// What a survey tells of one number that was unknown besides the lengths, in the unit of its kind:
 /// the logarithm of a factor of the stiffness, K, m, a part of the loads, N.
-struct UnknownEstimate {
+struct TAUT_CORE_EXPORT UnknownEstimate {
     Unknown unknown;    ///< as it was told, with its standard deviation before the survey
     int edge = -1;      ///< whose it is, of stiffness-each and adjustable; else -1
     int node = -1;      ///< whose it is, of supports and of loads in newtons; else -1
@@ -27,10 +28,10 @@ struct UnknownEstimate {
 /// How far estimates of one width are from what was told, root mean square, over what that width
 /// lets expect of them, sqrt(told^2 - std^2): about 1 where it is told right. 0 where nothing shows
 /// them.
-[[nodiscard]] double spread_ratio(std::span<const UnknownEstimate> estimates);
+[[nodiscard]] TAUT_CORE_EXPORT double spread_ratio(std::span<const UnknownEstimate> estimates);
 
 /// The spread_ratio() of the estimates of one unknown.
-struct UnknownSpread {
+struct TAUT_CORE_EXPORT UnknownSpread {
     Unknown unknown;
     int count = 0;  ///< of numbers
     double ratio = 0.0;
@@ -40,10 +41,13 @@ struct UnknownSpread {
 };
 
 /// Of each unknown, in their order.
-[[nodiscard]] std::vector<UnknownSpread> spreads_of(const std::vector<UnknownEstimate>& estimates);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<UnknownSpread> spreads_of(
+    const std::vector<UnknownEstimate>& estimates);
 
 /// The means of unknowns as circumstances of their net.
-[[nodiscard]] Circumstances circumstances_of(const CableNet& net,
-                                             const std::vector<UnknownEstimate>& unknowns);
+/// @param unknowns of this net; edges, nodes and axes are not checked
+/// @throws std::out_of_range for a group that the net does not have
+[[nodiscard]] TAUT_CORE_EXPORT Circumstances
+circumstances_of(const CableNet& net, const std::vector<UnknownEstimate>& unknowns);
 
 }  // namespace taut
