@@ -39,10 +39,16 @@ if(TAUT_HAS_CLARABEL)
         DEPENDS ${crate}/Cargo.toml ${crate}/Cargo.lock ${crate}/src/lib.rs
         COMMENT "Building the conic solver Clarabel with cargo")
     add_custom_target(taut_clarabel_c DEPENDS ${library})
+    # Rust compiles its own symbols to be seen: the linker is told not to pass them on.
+    set(TAUT_HIDE_CLARABEL)
+    if(NOT APPLE)
+        set(TAUT_HIDE_CLARABEL LINKER:--exclude-libs,libclarabel_c.a)
+    endif()
     add_library(taut::clarabel_c STATIC IMPORTED GLOBAL)
     set_target_properties(taut::clarabel_c PROPERTIES
         IMPORTED_LOCATION ${library}
         INTERFACE_INCLUDE_DIRECTORIES ${crate}/include
-        INTERFACE_LINK_LIBRARIES "pthread;dl;m")
+        INTERFACE_LINK_LIBRARIES "pthread;dl;m"
+        INTERFACE_LINK_OPTIONS "${TAUT_HIDE_CLARABEL}")
     add_dependencies(taut::clarabel_c taut_clarabel_c)
 endif()

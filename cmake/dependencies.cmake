@@ -3,7 +3,13 @@
 
 # What taut needs from outside. Imported targets: their headers count as system headers.
 # cmake/tautConfig.cmake.in repeats those that a static library still needs when it is linked.
-find_package(Eigen3 3.4 REQUIRED)
+include(CheckCXXSourceCompiles)
+
+# Either major version: their version files accept no range over both.
+find_package(Eigen3 3.4 QUIET)
+if(NOT Eigen3_FOUND)
+    find_package(Eigen3 5 REQUIRED)
+endif()
 find_package(Boost 1.74 REQUIRED)
 find_package(TBB 2021 REQUIRED)
 find_package(fmt 9 REQUIRED)
@@ -16,10 +22,26 @@ endif()
 find_package(NLopt 2.7 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(pugixml 1.13 REQUIRED)
+find_package(BLAS REQUIRED)
+find_package(LAPACK REQUIRED)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(TAUT_OPENBLAS REQUIRED IMPORTED_TARGET openblas)
-pkg_check_modules(TAUT_LAPACKE REQUIRED IMPORTED_TARGET lapacke)
 pkg_check_modules(TAUT_HDF5 REQUIRED IMPORTED_TARGET hdf5)
+
+# How this BLAS is kept to one thread (src/numerics/serial_blas.cpp): by a function of its own.
+set(TAUT_BLAS_THREADS "")
+set(CMAKE_REQUIRED_LIBRARIES BLAS::BLAS)
+check_cxx_source_compiles([[
+    extern "C" void openblas_set_num_threads(int);
+    int main() { openblas_set_num_threads(1); }]] TAUT_FOUND_OPENBLAS)
+check_cxx_source_compiles([[
+    extern "C" int MKL_Set_Num_Threads_Local(int);
+    int main() { MKL_Set_Num_Threads_Local(1); }]] TAUT_FOUND_MKL)
+unset(CMAKE_REQUIRED_LIBRARIES)
+if(TAUT_FOUND_OPENBLAS)
+    set(TAUT_BLAS_THREADS TAUT_BLAS_IS_OPENBLAS)
+elseif(TAUT_FOUND_MKL)
+    set(TAUT_BLAS_THREADS TAUT_BLAS_IS_MKL)
+endif()
 
 if(TAUT_BUILD_APP)
     find_package(CLI11 2.1 REQUIRED)

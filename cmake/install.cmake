@@ -2,30 +2,50 @@
 # SPDX-License-Identifier: MIT
 
 include(CMakePackageConfigHelpers)
-include(GNUInstallDirs)
 
 set(TAUT_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/taut)
 
-install(TARGETS taut EXPORT tautTargets FILE_SET HEADERS FILE_SET generated_headers)
-install(EXPORT tautTargets NAMESPACE taut:: DESTINATION ${TAUT_CMAKE_DIR})
-if(TAUT_HAS_CLARABEL)
-    # libtaut.a is static, so whoever links it links this one, too: tautConfig.cmake names it.
+# One export a library, so that whoever asks for one need not have what the others are linked with.
+foreach(component core adjustment io report)
+    install(TARGETS taut_${component} EXPORT taut-${component}
+        RUNTIME COMPONENT library
+        LIBRARY COMPONENT library NAMELINK_COMPONENT development
+        ARCHIVE COMPONENT development
+        FILE_SET HEADERS COMPONENT development
+        FILE_SET generated_headers COMPONENT development)
+    install(EXPORT taut-${component} NAMESPACE taut:: DESTINATION ${TAUT_CMAKE_DIR}
+        COMPONENT development)
+endforeach()
+if(TAUT_HAS_CLARABEL AND NOT BUILD_SHARED_LIBS)
+    # Whoever links libtaut_adjustment.a links this one, too: tautConfig.cmake names it.
     get_target_property(clarabel_c taut::clarabel_c IMPORTED_LOCATION)
-    install(FILES ${clarabel_c} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(FILES ${clarabel_c} DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 endif()
-install(FILES src/results/result.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut)
+install(FILES src/results/result.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/taut COMPONENT development)
 if(TAUT_BUILD_APP)
-    install(TARGETS taut_app)
+    install(TARGETS taut_app COMPONENT program)
 endif()
 
-if(TAUT_HAS_CLARABEL)
-    set(TAUT_PC_CLARABEL "-lclarabel_c -lpthread -ldl -lm")
+# For pkg-config. A shared library finds for itself what it needs; with a static one, --static tells.
+if(NOT BUILD_SHARED_LIBS)
+    if(TAUT_HAS_CLARABEL)
+        set(TAUT_PC_CLARABEL "-Wl,--exclude-libs,libclarabel_c.a -lclarabel_c -lpthread -ldl -lm")
+    endif()
+    set(TAUT_PC_REQUIRES "Requires.private: hdf5 pugixml")
+    set(TAUT_PC_FLAGS "-DTAUT_ADJUSTMENT_STATIC_DEFINE -DTAUT_IO_STATIC_DEFINE -DTAUT_REPORT_STATIC_DEFINE")
+    set(TAUT_PC_CORE_REQUIRES "Requires.private: fmt nlopt tbb")
+    set(TAUT_PC_CORE_FLAGS -DTAUT_CORE_STATIC_DEFINE)
+    list(JOIN LAPACK_LIBRARIES " " lapack)
+    set(TAUT_PC_CORE_LIBS "Libs.private: ${lapack}")
 endif()
 # From where the file lies, so that what is installed may be moved.
 file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 set(TAUT_PC_PREFIX "\${pcfiledir}/${to_prefix}")
-configure_file(cmake/taut.pc.in ${PROJECT_BINARY_DIR}/taut.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/taut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+foreach(name taut taut-core)
+    configure_file(cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT development)
+endforeach()
 
 configure_package_config_file(cmake/tautConfig.cmake.in
     ${PROJECT_BINARY_DIR}/tautConfig.cmake
@@ -35,4 +55,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tautConfigVersion.cmake
 install(FILES
     ${PROJECT_BINARY_DIR}/tautConfig.cmake
     ${PROJECT_BINARY_DIR}/tautConfigVersion.cmake
-    DESTINATION ${TAUT_CMAKE_DIR})
+    DESTINATION ${TAUT_CMAKE_DIR} COMPONENT development)

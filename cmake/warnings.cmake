@@ -7,3 +7,9 @@ target_compile_options(taut_warnings INTERFACE
     -Wall -Wextra -Wno-missing-field-initializers -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     -Wcast-qual -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
     $<$<BOOL:${TAUT_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# Boost before 1.81 counts an enumeration down below its first value, which Clang 16 takes for an error.
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 16
+    AND Boost_VERSION VERSION_LESS 1.81)
+    target_compile_options(taut_warnings INTERFACE -Wno-enum-constexpr-conversion)
+endif()

@@ -117,11 +117,18 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
     m_fingerprint = compute_fingerprint(m_data);
 }
 
+void CableNet::refuse_index(const char* what, int index, std::size_t count) {
+    throw std::out_of_range(fmt::format("{} {}, expected 0 to {}", what, index,
+                                        static_cast<std::ptrdiff_t>(count) - 1));
+}
+
 std::string CableNet::node_id(int node) const {
+    check_index("node", node, m_free_index.size());
     return m_data.node_ids.empty() ? std::to_string(node) : m_data.node_ids[node];
 }
 
 std::string CableNet::edge_id(int edge) const {
+    check_index("edge", edge, m_data.edges.size());
     return m_data.edge_ids.empty() ? std::to_string(edge) : m_data.edge_ids[edge];
 }
 

@@ -4,19 +4,22 @@
 
 #include <Eigen/Core>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
 
 /// @throws std::invalid_argument unless there is one positive and finite length an edge
-void check_unstressed_lengths(Eigen::Index edge_count,
-                              const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths);
+TAUT_CORE_EXPORT void check_unstressed_lengths(
+    Eigen::Index edge_count, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths);
 
 /// @param name of the argument, for the message
 /// @throws std::invalid_argument unless there is one finite point a node
-void check_form(const char* name, Eigen::Index node_count, const Eigen::Ref<const Points>& form);
+TAUT_CORE_EXPORT void check_form(const char* name, Eigen::Index node_count,
+                                 const Eigen::Ref<const Points>& form);
 
 /// @throws std::invalid_argument unless there is one finite force an edge
-void check_edge_forces(Eigen::Index edge_count, const Eigen::Ref<const Points>& edge_forces);
+TAUT_CORE_EXPORT void check_edge_forces(Eigen::Index edge_count,
+                                        const Eigen::Ref<const Points>& edge_forces);
 
 }  // namespace taut

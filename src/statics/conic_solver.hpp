@@ -6,6 +6,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/statics/cone_program.hpp"
 
 namespace taut {
@@ -37,6 +38,7 @@ struct ConicSolution {
 };
 
 /// Throws std::invalid_argument where this taut was built without a conic solver.
-[[nodiscard]] ConicSolution solve_conic(const ConicProgram& program, int max_iterations);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT ConicSolution solve_conic(const ConicProgram& program,
+                                                               int max_iterations);
 
 }  // namespace taut

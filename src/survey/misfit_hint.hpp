@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -18,7 +19,9 @@ namespace taut {
 /// @param unit that their numbers were taken in [m]
 /// @param frame_is_fitted whether their frame may be any
 /// @return "; ..." or nothing
-[[nodiscard]] std::string misfit_hint(const CableNet& net, const std::vector<SurveyPoint>& points,
-                                      double unit = 1.0, bool frame_is_fitted = false);
+[[nodiscard]] TAUT_CORE_EXPORT std::string misfit_hint(const CableNet& net,
+                                                       const std::vector<SurveyPoint>& points,
+                                                       double unit = 1.0,
+                                                       bool frame_is_fitted = false);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -13,13 +14,14 @@ namespace taut {
 /// numbers of a surveyor who counts from 1: a part of the points lies on a node beyond doubt
 /// (match_by_place()), and less than half of these on the node of their name.
 /// @param matched_part at least that part: 0.95 to rely on it, less to guess
-[[nodiscard]] bool names_contradict_places(const CableNet& net,
-                                           const std::vector<SurveyPoint>& points,
-                                           double matched_part = 0.95);
+[[nodiscard]] TAUT_CORE_EXPORT bool names_contradict_places(const CableNet& net,
+                                                            const std::vector<SurveyPoint>& points,
+                                                            double matched_part = 0.95);
 
 /// Turns names into labels, so that those points are matched by their place.
 /// @param all of them, or only those that are no node's
 /// @return how many
-int make_names_labels(const CableNet& net, std::vector<SurveyPoint>& points, bool all);
+TAUT_CORE_EXPORT int make_names_labels(const CableNet& net, std::vector<SurveyPoint>& points,
+                                       bool all);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -21,6 +22,7 @@ struct AveragedPoints {
 /// @param noise_std of points that do not tell their own [m]
 /// @throws SurveyError with the line of a point farther than 20 mm, and than 10 standard
 ///   deviations, from the first of its name
-[[nodiscard]] AveragedPoints average_repeated(std::vector<SurveyPoint> points, double noise_std);
+[[nodiscard]] TAUT_CORE_EXPORT AveragedPoints average_repeated(std::vector<SurveyPoint> points,
+                                                               double noise_std);
 
 }  // namespace taut

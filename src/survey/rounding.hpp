@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -15,16 +16,17 @@ namespace taut {
 /// @param unit of them [m]
 /// @return [m]; 0 for steps below 0.05 um, which are no instrument's, for numbers to the last digit
 ///   of a double, and where there is no point
-[[nodiscard]] double rounding_step(const std::vector<SurveyPoint>& points, double unit);
+[[nodiscard]] TAUT_CORE_EXPORT double rounding_step(const std::vector<SurveyPoint>& points,
+                                                    double unit);
 
 /// Standard deviation of a number rounded to a step, (rounding) [m].
-[[nodiscard]] double rounding_std(double step);
+[[nodiscard]] TAUT_CORE_EXPORT double rounding_std(double step);
 
 /// Of a coordinate that was measured and then rounded: noise and rounding in quadrature. Rounding
 /// that adds less than 6 %, below a third of the noise, is left aside, since what is told of
 /// instruments is no better known; so is any of a coordinate that is told to be exact.
 /// @param noise_std as told [m]
 /// @param rounding its rounding_std() [m]
-[[nodiscard]] double noise_with_rounding(double noise_std, double rounding);
+[[nodiscard]] TAUT_CORE_EXPORT double noise_with_rounding(double noise_std, double rounding);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -22,10 +23,11 @@ struct UnitGuess {
 /// extent is the median distance from their middle, the coordinates' medians, so that a few points
 /// elsewhere do not matter. Points with names of nodes are compared with these, else with all.
 /// @return nothing where none of the units fits
-[[nodiscard]] std::optional<UnitGuess> guess_unit(const CableNet& net,
-                                                  const std::vector<SurveyPoint>& points);
+[[nodiscard]] TAUT_CORE_EXPORT std::optional<UnitGuess> guess_unit(
+    const CableNet& net, const std::vector<SurveyPoint>& points);
 
 /// The same extents, whatever the unit: for a message.
-[[nodiscard]] std::string extents_text(const CableNet& net, const std::vector<SurveyPoint>& points);
+[[nodiscard]] TAUT_CORE_EXPORT std::string extents_text(const CableNet& net,
+                                                        const std::vector<SurveyPoint>& points);
 
 }  // namespace taut

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 
-# Installs taut into a fresh prefix, then configures, builds and runs the consumer against it: as taut
-# was built, with flags that change how Eigen and the standard library lay out memory, and by
-# pkg-config.
+# What whoever links taut would do, with every compiler of COMPILERS. KIND static: against the libraries
+# of TAUT_BINARY_DIR, installed: as they were built, and with flags that change how Eigen and the
+# standard library lay out memory. KIND shared: taut as a part of the consumer's project, with shared
+# libraries; then these, installed.
 set(prefix ${CONSUMER_BINARY_DIR}/prefix)
 file(REMOVE_RECURSE ${CONSUMER_BINARY_DIR})
 
@@ -11,36 +12,77 @@ function(run)
     execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-function(configure build flags)
-    run(${CMAKE_COMMAND} -S ${CONSUMER_SOURCE_DIR} -B ${build} -G ${GENERATOR}
+function(configure build compiler flags)
+    run(${CMAKE_COMMAND} -S ${CONSUMER_SOURCE_DIR} -B ${build} -G ${GENERATOR} --log-level=WARNING
         -DCMAKE_PREFIX_PATH=${prefix}
-        -DCMAKE_BUILD_TYPE=${CONFIG}
-        -DCMAKE_CXX_COMPILER=${CXX_COMPILER}
+        -DCMAKE_CXX_COMPILER=${compiler}
         "-DCMAKE_CXX_FLAGS=${CXX_FLAGS} ${flags}"
-        -DTAUT_EXPECTED_VERSION=${VERSION})
+        -DREADME=${TAUT_SOURCE_DIR}/README.md
+        -DTAUT_EXPECTED_VERSION=${VERSION}
+        ${ARGN})
 endfunction()
 
-function(build_and_run name flags)
-    message(STATUS "consumer built with '${flags}'")
-    set(build ${CONSUMER_BINARY_DIR}/${name})
-    configure(${build} "${flags}")
-    run(${CMAKE_COMMAND} --build ${build} --config ${CONFIG})
-    run(${build}/consumer ${VERSION})
+# What a program or plugin loads, and what a plugin shows.
+function(check_loaded build)
+    execute_process(COMMAND ldd ${build}/consumer_core OUTPUT_VARIABLE loaded COMMAND_ERROR_IS_FATAL ANY)
+    if(loaded MATCHES "hdf5|curl|krb5|ldap|pugixml|clarabel|taut_(adjustment|io|report)")
+        message(FATAL_ERROR "with taut::core alone this is loaded:\n${loaded}")
+    endif()
+    execute_process(COMMAND nm -D --defined-only -C ${build}/plugin.so
+        OUTPUT_VARIABLE shown COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT shown MATCHES "plugin_iterations" OR shown MATCHES "taut|clarabel|rust")
+        message(FATAL_ERROR "a plugin shows what it is made of:\n${shown}")
+    endif()
 endfunction()
+
+function(build_and_run name compiler flags)
+    cmake_path(GET compiler FILENAME compiler_name)
+    message(STATUS "consumer: ${name}, ${compiler_name} ${flags}")
+    set(build ${CONSUMER_BINARY_DIR}/${name}_${compiler_name})
+    configure(${build} ${compiler} "${flags}" ${ARGN})
+    run(${CMAKE_COMMAND} --build ${build})
+    run(${build}/consumer ${VERSION})
+    run(${build}/consumer_core)
+    if(NOT flags AND NOT CXX_FLAGS)
+        check_loaded(${build})
+    endif()
+endfunction()
+
+if(KIND STREQUAL "shared")
+    list(GET COMPILERS -1 compiler)  # the other one than that of the tests, where there are two
+    build_and_run(subproject ${compiler} ""
+        -DTAUT_SOURCE_DIR=${TAUT_SOURCE_DIR}
+        -DTAUT_INSTALL=ON -DBUILD_SHARED_LIBS=ON -DCMAKE_UNITY_BUILD=ON)
+    cmake_path(GET compiler FILENAME compiler_name)
+    set(build ${CONSUMER_BINARY_DIR}/subproject_${compiler_name})
+    file(STRINGS ${build}/CMakeCache.txt cached REGEX "^CMAKE_BUILD_TYPE:[A-Z]+=.+")
+    if(cached)
+        message(FATAL_ERROR "a part of the project set what is the whole's: ${cached}")
+    endif()
+    run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
+    foreach(compiler ${COMPILERS})
+        build_and_run(shared ${compiler} "")
+    endforeach()
+    return()
+endif()
 
 run(${CMAKE_COMMAND} --install ${TAUT_BINARY_DIR} --prefix ${prefix} --config ${CONFIG})
-build_and_run(plain "")
-if(NOT CXX_FLAGS MATCHES "-fsanitize")  # a library with sanitizers needs a consumer with the same
-    build_and_run(native "-march=native")
-    build_and_run(avx2 "-mavx2 -mfma")
-    build_and_run(asan "-fsanitize=address")
+foreach(compiler ${COMPILERS})
+    build_and_run(plain ${compiler} "")
+    if(CXX_FLAGS MATCHES "-fsanitize")  # a library with sanitizers needs a consumer with the same
+        continue()
+    endif()
+    build_and_run(native ${compiler} "-march=native")
+    build_and_run(avx2 ${compiler} "-mavx2 -mfma")
+    build_and_run(asan ${compiler} "-fsanitize=address")
 
     # A std::vector with checks is another one: that must not link, and the message tell why.
-    set(build ${CONSUMER_BINARY_DIR}/debug_containers)
-    configure(${build} "-D_GLIBCXX_DEBUG")
-    execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} --config ${CONFIG}
+    cmake_path(GET compiler FILENAME compiler_name)
+    set(build ${CONSUMER_BINARY_DIR}/debug_containers_${compiler_name})
+    configure(${build} ${compiler} "-D_GLIBCXX_DEBUG")
+    execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} --target consumer
         RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
     if(NOT failed OR NOT said MATCHES "compiled_for_libstdcxx_debug_eigen")
         message(FATAL_ERROR "with -D_GLIBCXX_DEBUG expected a link that fails and says why, got:\n${said}")
     endif()
-endif()
+endforeach()
