@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test examples bench lint format sanitize fuzz clean
+.PHONY: help build demo test examples bench reference lint format sanitize fuzz clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -39,6 +39,10 @@ examples: ## build and run the examples
 bench: ## run the benchmarks
 	scripts/install_dependencies.sh bench
 	scripts/bench.sh
+
+reference: ## build the API reference in build/reference
+	scripts/install_dependencies.sh reference
+	scripts/reference.sh
 
 lint: ## check format, names, rooms and licence lines
 	scripts/install_dependencies.sh lint

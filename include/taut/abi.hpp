@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <version>
 
+#include "taut/export/core.hpp"
+
 // taut hands over matrices of Eigen and containers of the standard library. Both sides must lay
 // them out, align and free them alike, which flags of a compiler change: -mavx and -march=native
 // how Eigen aligns, -fsanitize=address how it allocates, -D_GLIBCXX_DEBUG what a std::vector is.
@@ -23,17 +25,18 @@
 #define TAUT_ABI_STANDARD_LIBRARY libstdcxx
 #endif
 
-#define TAUT_ABI_PASTE(library, heap, stack, by_malloc) \
-    compiled_for_##library##_eigen_aligned_to_##heap##_and_##stack##_by_malloc_##by_malloc
-#define TAUT_ABI_NAME(library, heap, stack, by_malloc) \
-    TAUT_ABI_PASTE(library, heap, stack, by_malloc)
-#define TAUT_ABI                                                          \
-    TAUT_ABI_NAME(TAUT_ABI_STANDARD_LIBRARY, EIGEN_MAX_ALIGN_BYTES,       \
+// The version of Eigen is 3.4 or 5.x: the second number of the old ones tells both apart.
+#define TAUT_ABI_PASTE(library, major, heap, stack, by_malloc) \
+    compiled_for_##library##_eigen_##major##_aligned_to_##heap##_and_##stack##_by_malloc_##by_malloc
+#define TAUT_ABI_NAME(library, major, heap, stack, by_malloc) \
+    TAUT_ABI_PASTE(library, major, heap, stack, by_malloc)
+#define TAUT_ABI                                                                         \
+    TAUT_ABI_NAME(TAUT_ABI_STANDARD_LIBRARY, EIGEN_MAJOR_VERSION, EIGEN_MAX_ALIGN_BYTES, \
                   EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_MALLOC_ALREADY_ALIGNED)
 
 namespace taut::abi {
 
-extern const char TAUT_ABI;
+extern TAUT_CORE_EXPORT const char TAUT_ABI;
 
 namespace {
 [[maybe_unused, gnu::used]] const char* const is_as_the_library = &TAUT_ABI;

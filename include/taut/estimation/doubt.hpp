@@ -4,12 +4,13 @@
 
 #include <Eigen/Core>
 
+#include "taut/export/core.hpp"
 #include "taut/sampling/length_law.hpp"
 
 namespace taut {
 
 /// A scale that a survey shows, of what was told.
-struct FoundScale {
+struct TAUT_CORE_EXPORT FoundScale {
     double ratio = 1.0;  ///< found over told; 0 where the survey does not show it
     double std = 0.0;    ///< of the ratio, if what was told is true
 
@@ -24,7 +25,7 @@ struct VarianceComponents {
 };
 
 /// What the lengths that a survey shows tell of their law.
-struct LawCheck {
+struct TAUT_CORE_EXPORT LawCheck {
     LengthLaw checked;      ///< the law reckoned with
     int lengths = 0;        ///< that it rests on
     LengthLaw likeliest;    ///< of uniform, normal and bimodal, of any scale
@@ -45,7 +46,7 @@ struct LawCheck {
 };
 
 /// How a survey as a whole would fit better than it does.
-struct FrameCheck {
+struct TAUT_CORE_EXPORT FrameCheck {
     double scale = 0.0;      ///< by which it is too large, relative
     double scale_std = 0.0;  ///< of that, if it is not; 0 where the survey does not show it
     /// By which the survey lies off the frame that was told, about the middle of the net [m, rad];

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 namespace taut {
 
@@ -16,7 +17,7 @@ enum class EdgeStatus {
 };
 
 /// "identified", "slack", "unobserved".
-[[nodiscard]] std::string_view to_string(EdgeStatus status);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(EdgeStatus status);
 
 /// An edge is unobserved when its standard deviation exceeds this part of that of the law of its
 /// length: two Gaussian processes trained on other samples differ by as much.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "taut/estimation/edge_status.hpp"
+#include "taut/export/core.hpp"
 #include "taut/sampling/length_law.hpp"
 
 namespace taut {
@@ -15,7 +16,7 @@ namespace taut {
 /// likely as any other, as likely as the survey finds an edge without tension: with z the extension
 /// of the edge in standard deviations and phi, Phi the standard normal density and distribution,
 ///
-///   taut:  Phi(z) N(x; mean, std^2)       slack: phi(z) / std   for x > slack_from
+///     taut:  Phi(z) N(x; mean, std^2)       slack: phi(z) / std   for x > slack_from
 ///
 /// docs/theory.md, (slack-mixture).
 struct LengthLikelihood {
@@ -31,9 +32,11 @@ struct LengthLikelihood {
 };
 
 /// Takes a normal prior out of a normal posterior: 1/std^2 = 1/posterior_std^2 - 1/prior_std^2.
-/// Where the posterior is no narrower, nothing is left.
-[[nodiscard]] LengthLikelihood without_prior(double prior_mean, double prior_std,
-                                             double posterior_mean, double posterior_std);
+/// Where the posterior is no narrower, nothing is left. Standard deviations must be positive, which
+/// is not checked.
+[[nodiscard]] TAUT_CORE_EXPORT LengthLikelihood without_prior(double prior_mean, double prior_std,
+                                                              double posterior_mean,
+                                                              double posterior_std);
 
 /// A distribution of one length deviation.
 struct LengthPosterior {
@@ -50,17 +53,19 @@ struct LengthPosterior {
 /// law. Where the edge is rather slack than not, all that is known is that bound: the interval
 /// begins at slack_from or where it would anyway, if that is lower, and ends at the bound of a
 /// uniform law.
+/// @param law with a positive scale, not checked
 /// @throws std::invalid_argument for a mean that is not finite, or a std that is not positive
-[[nodiscard]] LengthPosterior posterior_of(const LengthLaw& law,
-                                           const LengthLikelihood& likelihood);
+[[nodiscard]] TAUT_CORE_EXPORT LengthPosterior posterior_of(const LengthLaw& law,
+                                                            const LengthLikelihood& likelihood);
 
 /// Mean [m] and variance [m2] of the same distribution.
 /// @throws std::invalid_argument as posterior_of()
-[[nodiscard]] std::pair<double, double> moments_of(const LengthLaw& law,
-                                                   const LengthLikelihood& likelihood);
+[[nodiscard]] TAUT_CORE_EXPORT std::pair<double, double> moments_of(
+    const LengthLaw& law, const LengthLikelihood& likelihood);
 
 /// What a posterior says of its edge: slack where that is more probable than not; unobserved where
 /// its standard deviation is no smaller than 0.95 of the law's; identified else.
-[[nodiscard]] EdgeStatus status_of(const LengthLaw& law, const LengthPosterior& posterior);
+[[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(const LengthLaw& law,
+                                                    const LengthPosterior& posterior);
 
 }  // namespace taut

@@ -36,6 +36,7 @@ struct LengthOutlier {
 
 /// An adjustable edge or a support that the survey shows not to be as told.
 struct BoundaryOutlier {
+    /// What it is.
     enum class Kind { adjustable_edge, support };
     Kind kind = Kind::adjustable_edge;
     int index = 0;  ///< of the edge or node

@@ -10,26 +10,29 @@
 #include <vector>
 
 #include "taut/abi.hpp"
+#include "taut/export/io.hpp"
 
 namespace taut {
 
 /// A file that cannot be written. The message is one line that names it.
-class OutputError : public std::runtime_error {
+class TAUT_IO_EXPORT OutputError : public std::runtime_error {
 public:
+    /// @param what is wrong
     OutputError(const std::filesystem::path& file, const std::string& what);
 };
 
 /// The whole content of a file.
 /// @throws InputError where it is missing, a directory, unreadable or larger than 1 GiB
-[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT std::string read_file(const std::filesystem::path& path);
 
 /// Whether two names lead to one file, or would if it were there.
-[[nodiscard]] bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+[[nodiscard]] TAUT_IO_EXPORT bool is_same_file(const std::filesystem::path& a,
+                                               const std::filesystem::path& b);
 
 /// An output that stands in its place whole or not at all: it is written to a temporary file in the
 /// same directory, which commit() renames over the target. A target that is a symbolic link keeps
 /// being one.
-class AtomicFile {
+class TAUT_IO_EXPORT AtomicFile {
 public:
     /// Makes the temporary file, empty.
     /// @throws OutputError where the target is anything but a regular file or nothing yet, or its
@@ -42,10 +45,11 @@ public:
     AtomicFile(AtomicFile&&) = delete;
     AtomicFile& operator=(AtomicFile&&) = delete;
 
-    /// Where to write.
+    /// Where to write, until commit().
     [[nodiscard]] const std::filesystem::path& temporary() const { return m_temporary; }
 
     /// Flushes the temporary file to the disk and renames it over the target.
+    /// Once an object; what writes to the temporary file must be closed or flushed before.
     /// @throws OutputError where that fails; the target is then as it was
     void commit();
 
@@ -56,20 +60,22 @@ private:
 };
 
 /// Writes a file whole or not at all.
-/// @throws OutputError
-void write_file(const std::filesystem::path& path, std::string_view content);
+/// @throws OutputError where that fails; the file is then as it was
+TAUT_IO_EXPORT void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// Writes files (path, content). All of them are on the disk under temporary names before the first
 /// takes its place, so that a failure until then leaves everything as it was.
-/// @throws OutputError
+/// @throws OutputError where one cannot be written or put in its place
 /// @throws std::invalid_argument for a path that comes twice
-void write_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files);
+TAUT_IO_EXPORT void write_files(
+    const std::vector<std::pair<std::filesystem::path, std::string>>& files);
 
 /// The same for files (name, content) in a directory, which it makes if needed.
-/// @throws OutputError
+/// @throws OutputError where one cannot be written or put in its place, or the directory not be
+///   made
 /// @throws std::invalid_argument for a name that is empty, comes twice or leads out of the
 ///   directory
-void write_files(const std::filesystem::path& directory,
-                 const std::vector<std::pair<std::string, std::string>>& files);
+TAUT_IO_EXPORT void write_files(const std::filesystem::path& directory,
+                                const std::vector<std::pair<std::string, std::string>>& files);
 
 }  // namespace taut

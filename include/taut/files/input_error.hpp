@@ -6,13 +6,15 @@
 #include <string>
 
 #include "taut/abi.hpp"
+#include "taut/export/io.hpp"
 
 namespace taut {
 
-/// A file that cannot be read as what it should be. The message is one line, "<file>: <what>" or
-/// "<file>:<place>: <what>", whatever bytes the file holds.
-class InputError : public std::runtime_error {
+/// A file that cannot be read as what it should be. The message is one line, `file: what` or
+/// `file:place: what`, whatever bytes the file holds.
+class TAUT_IO_EXPORT InputError : public std::runtime_error {
 public:
+    /// @param file its name, as the user knows it
     /// @param place line ("12"), line and column ("12:5"), JSON pointer ("/edges/3") or HDF5 object
     ///   ("form_deviation"); may be empty
     /// @param what is wrong, and what was expected

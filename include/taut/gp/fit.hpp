@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/gp/kernel.hpp"
 #include "taut/gp/likelihood.hpp"
 #include "taut/gp/spectrum.hpp"
@@ -14,6 +15,7 @@
 
 namespace taut::gp {
 
+/// Whether an output could be fitted.
 enum class FitStatus {
     fitted,
     constant_output,    ///< the same number throughout: nothing to learn
@@ -21,7 +23,7 @@ enum class FitStatus {
 };
 
 /// "fitted", "constant output", "non-finite output".
-[[nodiscard]] std::string_view to_string(FitStatus status);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(FitStatus status);
 
 /// One process, trained.
 struct Process {
@@ -39,8 +41,8 @@ struct Prediction {
 };
 
 /// m processes with zero mean and an isotropic squared exponential kernel each, trained on the same
-/// n inputs. Made by fit().
-struct FittedProcesses {
+/// n inputs. Made by fit(), or read from a file; that its parts belong together is not checked.
+struct TAUT_CORE_EXPORT FittedProcesses {
     Eigen::MatrixXd inputs;               ///< d x n
     std::vector<KernelSpectrum> spectra;  ///< one for each lambda in use
     std::vector<Process> processes;       ///< m
@@ -55,6 +57,7 @@ struct FittedProcesses {
     [[nodiscard]] Eigen::MatrixXd mean_gradient(const Eigen::Ref<const Eigen::VectorXd>& at) const;
 };
 
+/// Where hyperparameters are looked for, and for how long.
 struct FitSettings {
     /// The feasible set Theta. Lower end: lambda times the median distance of two training inputs;
     /// there the kernel is a polynomial of low degree, and longer length scales change nothing.
@@ -80,8 +83,9 @@ struct FitSettings {
 /// @throws std::invalid_argument for sizes that differ, for inputs as excluded above, and for
 ///   settings out of range
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
-                                  const Eigen::Ref<const Eigen::MatrixXd>& outputs,
-                                  const FitSettings& settings = {}, const Progress& progress = {});
+[[nodiscard]] TAUT_CORE_EXPORT FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
+                                                   const Eigen::Ref<const Eigen::MatrixXd>& outputs,
+                                                   const FitSettings& settings = {},
+                                                   const Progress& progress = {});
 
 }  // namespace taut::gp

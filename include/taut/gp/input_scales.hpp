@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/progress.hpp"
 
 namespace taut::gp {
@@ -18,15 +19,19 @@ struct ScalesLikelihood {
 };
 
 /// With the squared exponential kernel that scales each input dimension for itself (eq. SEkernel),
-///   exp(-1/2 sum_i (s_g(i) (x_i - x'_i))^2),  g(i) the group of dimension i.
+///
+///     exp(-1/2 sum_i (s_g(i) (x_i - x'_i))^2),  g(i) the group of dimension i
+///
+/// That sizes and groups agree is not checked.
 /// @param inputs d x n
 /// @param outputs n x m, none of them constant
 /// @param groups of the d dimensions, 0 to G - 1
 /// @param log_scales of the G groups
-[[nodiscard]] ScalesLikelihood scales_likelihood(
-    const Eigen::Ref<const Eigen::MatrixXd>& inputs,
-    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups,
-    const Eigen::Ref<const Eigen::VectorXd>& log_scales);
+/// @throws std::invalid_argument for a scale or an input that is not finite
+[[nodiscard]] TAUT_CORE_EXPORT ScalesLikelihood
+scales_likelihood(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
+                  const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups,
+                  const Eigen::Ref<const Eigen::VectorXd>& log_scales);
 
 /// Automatic relevance determination for many outputs at once: the scale of each input dimension
 /// (d), relative to their geometric mean, that makes all outputs together most likely. Dimensions
@@ -34,10 +39,10 @@ struct ScalesLikelihood {
 /// lambda, so that lambda_i of eq. SEkernel is that lambda times the dimension's scale. Where there
 /// are more than 500 inputs, 500 of them are used.
 /// @param progress told of the stage "scales of the kernel" before each evaluation of the
-/// likelihood
+///   likelihood
 /// @throws std::invalid_argument as fit(), and for groups that are not one a dimension, from 0 on
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] Eigen::VectorXd estimate_input_scales(
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd estimate_input_scales(
     const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     const Eigen::Ref<const Eigen::MatrixXd>& outputs, const std::vector<int>& groups,
     const Progress& progress = {});

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 /// Gaussian process regression of many outputs over the same inputs. Inputs are columns: n training
 /// inputs of dimension d are a d x n matrix; the m outputs at them are an n x m matrix.
@@ -17,13 +18,14 @@ struct Hyperparameters {
     double noise_std = 0.0;             ///< sigma_w, in the unit of the output
 };
 
-/// |x_i - z_j|^2 of all pairs of columns of x (d x n) and z (d x k): n x k, never negative.
-[[nodiscard]] Eigen::MatrixXd squared_distances(const Eigen::Ref<const Eigen::MatrixXd>& x,
-                                                const Eigen::Ref<const Eigen::MatrixXd>& z);
+/// |x_i - z_j|^2 of all pairs of columns of x (d x n) and z (d x k): n x k, never negative. That
+/// both have d rows is not checked.
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd squared_distances(
+    const Eigen::Ref<const Eigen::MatrixXd>& x, const Eigen::Ref<const Eigen::MatrixXd>& z);
 
 /// The isotropic squared exponential kernel with signal std 1 (eq. SEkernel_iso):
-///   exp(-lambda^2 / 2 |x - x'|^2), entry by entry of the squared distances.
-[[nodiscard]] Eigen::MatrixXd correlation(
+/// exp(-lambda^2 / 2 |x - x'|^2), entry by entry of the squared distances.
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd correlation(
     const Eigen::Ref<const Eigen::MatrixXd>& squared_distances, double inverse_length_scale);
 
 }  // namespace taut::gp

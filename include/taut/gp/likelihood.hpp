@@ -4,24 +4,28 @@
 
 #include <Eigen/Core>
 
+#include "taut/export/core.hpp"
 #include "taut/gp/kernel.hpp"
 #include "taut/gp/spectrum.hpp"
 
 namespace taut::gp {
 
+/// The negative log marginal likelihood of one output, and its gradient.
 struct Likelihood {
     double value = 0.0;        ///< negative log marginal likelihood
     Eigen::Vector3d gradient;  ///< with respect to log lambda, log sigma_f, log sigma_w
 };
 
 /// The negative log marginal likelihood of one output (eq. max_marginal_likelihood) with zero mean,
-///   1/2 y' C^-1 y + 1/2 log det C + n/2 log 2 pi,   C = sigma_f^2 R + sigma_w^2 I,
+///
+///     1/2 y' C^-1 y + 1/2 log det C + n/2 log 2 pi,   C = sigma_f^2 R + sigma_w^2 I,
+///
 /// and its gradient, 1/2 tr(C^-1 dC) - 1/2 a' dC a with a = C^-1 y (Rasmussen and Williams,
-/// eq. 5.9).
+/// eq. 5.9). That sizes agree is not checked.
 /// @param spectrum of the correlation matrix R at hyperparameters.inverse_length_scale
 /// @param squared_distances of all pairs of training inputs (n x n)
 /// @param output y (n)
-[[nodiscard]] Likelihood negative_log_likelihood(
+[[nodiscard]] TAUT_CORE_EXPORT Likelihood negative_log_likelihood(
     const KernelSpectrum& spectrum, const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
     const Eigen::Ref<const Eigen::VectorXd>& output, const Hyperparameters& hyperparameters);
 
@@ -33,7 +37,7 @@ struct NoiseRatioBounds {
 
 /// The lower bound keeps R + eta I away from singular: ten times the rounding error of an
 /// eigenvalue of R, whose largest is at most n.
-[[nodiscard]] NoiseRatioBounds default_noise_ratio_bounds(Eigen::Index n);
+[[nodiscard]] TAUT_CORE_EXPORT NoiseRatioBounds default_noise_ratio_bounds(Eigen::Index n);
 
 /// What is best for each of m outputs at one lambda: the profile of the likelihood.
 struct LikelihoodProfile {
@@ -46,9 +50,13 @@ struct LikelihoodProfile {
 /// Minimises the negative log likelihood of every output over sigma_f and sigma_w, at one lambda.
 /// For a given eta the best sigma_f^2 is (1/n) sum_i z_i^2 / (d_i + eta), z = Q'y, and what is left
 /// to search is a function of eta alone:
-///   n/2 log sigma_f^2 + 1/2 sum_i log(d_i + eta) + n/2 (1 + log 2 pi).
+///
+///     n/2 log sigma_f^2 + 1/2 sum_i log(d_i + eta) + n/2 (1 + log 2 pi)
+///
+/// That sizes agree, and 0 < bounds.lower <= bounds.upper, is not checked.
+/// @param squared_distances of all pairs of training inputs (n x n)
 /// @param outputs n x m, none of them zero throughout
-[[nodiscard]] LikelihoodProfile profile_likelihood(
+[[nodiscard]] TAUT_CORE_EXPORT LikelihoodProfile profile_likelihood(
     const KernelSpectrum& spectrum, const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
     const Eigen::Ref<const Eigen::MatrixXd>& outputs, const NoiseRatioBounds& bounds);
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 namespace taut::gp {
 
@@ -17,9 +18,12 @@ struct KernelSpectrum {
     Eigen::MatrixXd eigenvectors;  ///< Q (n x n)
 };
 
-/// @param squared_distances of all pairs of training inputs (n x n), symmetric
+/// Decomposes the correlation matrix at one lambda, in O(n^3).
+/// @param squared_distances of all pairs of training inputs (n x n), symmetric, which is not
+///   checked
+/// @param inverse_length_scale lambda, in 1 / unit of the inputs
 /// @throws std::invalid_argument where lambda is not positive and finite, or a distance not finite
-[[nodiscard]] KernelSpectrum kernel_spectrum(
+[[nodiscard]] TAUT_CORE_EXPORT KernelSpectrum kernel_spectrum(
     const Eigen::Ref<const Eigen::MatrixXd>& squared_distances, double inverse_length_scale);
 
 }  // namespace taut::gp

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/io.hpp"
 #include "taut/interchange/imported_structure.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -19,14 +20,16 @@ namespace taut {
 /// @throws InputError at a line and column or a JSON pointer, for what is no JSON (as parse_net()),
 ///   no such structure or more than one, a vertex that is not there, a face of fewer than three
 ///   vertices, an attribute of another type, and an edge whose two directions contradict each other
-[[nodiscard]] ImportedStructure parse_compas(std::string_view text, const std::string& file_name,
-                                             const std::string& select = "");
+[[nodiscard]] TAUT_IO_EXPORT ImportedStructure parse_compas(std::string_view text,
+                                                            const std::string& file_name,
+                                                            const std::string& select = "");
 
 /// A form as a COMPAS Graph, which compas.json_load() opens and parse_compas() reads: nodes with
 /// is_support and loads (px, py, pz), edges with q, f, l, l0, EA, is_slack and is_adjustable, in m
 /// and N.
 /// @param form 3 x n [m]
-/// @throws std::invalid_argument for another size, or a coordinate that is not finite
-[[nodiscard]] std::string form_to_compas(const CableNet& net, const Points& form);
+/// @throws std::invalid_argument for another size, a coordinate that is not finite, and an edge of
+///   no length
+[[nodiscard]] TAUT_IO_EXPORT std::string form_to_compas(const CableNet& net, const Points& form);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "taut/abi.hpp"
+#include "taut/export/io.hpp"
 
 namespace taut {
 
@@ -18,11 +19,13 @@ enum class ForeignFormat {
 
 /// The format of a text, by its first line that says something.
 /// @throws InputError where it is none of them
-[[nodiscard]] ForeignFormat detect_format(std::string_view text, const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT ForeignFormat detect_format(std::string_view text,
+                                                         const std::string& file_name);
 
 /// The format that the command line calls "compas", "jax-fdm" (whose networks are JSON or CSV),
 /// "csv" or "obj".
 /// @throws std::invalid_argument for another name
-[[nodiscard]] ForeignFormat format_named(std::string_view name, std::string_view text);
+[[nodiscard]] TAUT_IO_EXPORT ForeignFormat format_named(std::string_view name,
+                                                        std::string_view text);
 
 }  // namespace taut

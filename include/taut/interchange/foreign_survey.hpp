@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/survey/station_adjustment.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -25,16 +26,17 @@ enum class SurveyFormat {
 };
 
 /// "table", "xyz", "pts", "gsi", "landxml", "jobxml", "gama", "dxf".
-[[nodiscard]] std::string_view to_string(SurveyFormat format);
+[[nodiscard]] TAUT_IO_EXPORT std::string_view to_string(SurveyFormat format);
 
-/// @throws std::invalid_argument for another name than those of to_string()
-[[nodiscard]] SurveyFormat parse_survey_format(std::string_view name);
+/// The format that to_string() calls so.
+/// @throws std::invalid_argument for another name
+[[nodiscard]] TAUT_IO_EXPORT SurveyFormat parse_survey_format(std::string_view name);
 
 /// How bytes stand for letters.
 enum class TextEncoding { utf_8, utf_16, latin_1 };
 
 /// "UTF-8", "UTF-16", "Latin-1".
-[[nodiscard]] std::string_view to_string(TextEncoding encoding);
+[[nodiscard]] TAUT_IO_EXPORT std::string_view to_string(TextEncoding encoding);
 
 /// What is told of a survey file; the rest is found in it.
 struct SurveyFileOptions {
@@ -42,23 +44,24 @@ struct SurveyFileOptions {
     /// Of a table, in their order: id, x, y, z, sx, sy, sz, code (the kind of target), and - for
     /// one to leave out; empty: as its header says.
     std::vector<std::string> columns;
-    std::optional<char> separator;  ///< of a table: ',', ';', '\t', or ' ' for blanks
+    std::optional<char> separator;  ///< of a table: comma, semicolon, tab, or blank for blanks
     std::optional<char> decimal;    ///< of a table: '.' or ','
     std::optional<TextEncoding> encoding;
     /// Readings of angles and distances are asked for, even where the file has coordinates, too.
     bool takes_readings = false;
     std::optional<double> angle_unit;  ///< of such readings, where the file tells none [rad]
 
+    /// All that is told.
     [[nodiscard]] bool operator==(const SurveyFileOptions&) const = default;
 };
 
 /// Columns of a table out of "id,x,y,z,-,sx,sy,sz".
 /// @throws std::invalid_argument for another name, one that comes twice, a coordinate that is not
 ///   there, and only one or two of sx, sy, sz
-[[nodiscard]] std::vector<std::string> parse_survey_columns(std::string_view text);
+[[nodiscard]] TAUT_IO_EXPORT std::vector<std::string> parse_survey_columns(std::string_view text);
 
 /// The length of a unit, "mm", "cm", "m", "in", "ft", "us-ft" [m]; nothing for another name.
-[[nodiscard]] std::optional<double> length_of_unit(std::string_view name);
+[[nodiscard]] TAUT_IO_EXPORT std::optional<double> length_of_unit(std::string_view name);
 
 /// A line, or an element, of a file that is no point.
 struct LeftOutLine {
@@ -84,8 +87,8 @@ struct ForeignSurvey {
 /// @param file_name of it, also for messages
 /// @throws InputError for what is no survey (a spreadsheet, JSON, HDF5, XML of another kind), and
 ///   for another format than the file's name says
-[[nodiscard]] SurveyFormat detect_survey_format(std::string_view bytes,
-                                                const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT SurveyFormat detect_survey_format(std::string_view bytes,
+                                                               const std::string& file_name);
 
 /// Reads a survey of any of the formats.
 /// @param bytes of the file
@@ -93,8 +96,8 @@ struct ForeignSurvey {
 /// @throws InputError with the line, for a file that is cut, a number that is not finite, units
 ///   that differ, neither coordinates nor readings, no readings where these are asked for, more
 ///   than 64 MiB, and as detect_survey_format()
-[[nodiscard]] ForeignSurvey read_foreign_survey(std::string_view bytes,
-                                                const std::string& file_name,
-                                                const SurveyFileOptions& told = {});
+[[nodiscard]] TAUT_IO_EXPORT ForeignSurvey read_foreign_survey(std::string_view bytes,
+                                                               const std::string& file_name,
+                                                               const SurveyFileOptions& told = {});
 
 }  // namespace taut

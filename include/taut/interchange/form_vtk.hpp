@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -13,7 +14,8 @@ namespace taut {
 /// unstressed_length [m], axial_stiffness [N], is_slack and is_adjustable. Points and lines stand
 /// in the order of the net's nodes and edges.
 /// @param form 3 x n [m]
-/// @throws std::invalid_argument for another size, or a coordinate that is not finite
-[[nodiscard]] std::string form_to_vtk(const CableNet& net, const Points& form);
+/// @throws std::invalid_argument for another size, a coordinate that is not finite, and an edge of
+///   no length
+[[nodiscard]] TAUT_IO_EXPORT std::string form_to_vtk(const CableNet& net, const Points& form);
 
 }  // namespace taut

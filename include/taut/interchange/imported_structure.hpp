@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "taut/abi.hpp"
+#include "taut/export/io.hpp"
 
 namespace taut {
 
@@ -37,7 +38,7 @@ struct ImportedEdge {
 };
 
 /// What a reader found in another program's file, before taut makes a net of it. Every format is
-/// read into this.
+/// read into this. Both ends of an edge must be indices of `nodes`: not checked.
 struct ImportedStructure {
     std::string file;    ///< name, for messages
     std::string format;  ///< in words: "COMPAS mesh"
@@ -49,14 +50,14 @@ struct ImportedStructure {
     std::vector<std::string> notes;  ///< what the reader left out or took for granted, a line each
 };
 
-/// Marks the nodes at the boundary as supports.
-void support_boundary(ImportedStructure& structure);
+/// Marks the nodes at the boundary as supports: ImportedNode::is_boundary.
+TAUT_IO_EXPORT void support_boundary(ImportedStructure& structure);
 
 /// Marks the nodes that a text names as supports: ids between blanks, commas, semicolons or ends of
 /// lines; # starts a comment.
 /// @param file_name of the text, for messages
 /// @throws InputError with the line, for a name that is no node's, and where there is none
-void support_named(ImportedStructure& structure, std::string_view text,
-                   const std::string& file_name);
+TAUT_IO_EXPORT void support_named(ImportedStructure& structure, std::string_view text,
+                                  const std::string& file_name);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/io.hpp"
 #include "taut/interchange/imported_structure.hpp"
 #include "taut/net/cable_net.hpp"
 
@@ -23,13 +24,15 @@ struct NetCsv {
 /// numbers as in ImportedEdge, where q may be qopt or q0, and id.
 /// @param nodes_name, edges_name for messages
 /// @throws InputError with the line
-[[nodiscard]] ImportedStructure parse_net_csv(const NetCsv& text, const std::string& nodes_name,
-                                              const std::string& edges_name);
+[[nodiscard]] TAUT_IO_EXPORT ImportedStructure parse_net_csv(const NetCsv& text,
+                                                             const std::string& nodes_name,
+                                                             const std::string& edges_name);
 
 /// A form as such a pair: nodes id,x,y,z,is_free,u,v,w,px,py,pz and edges
 /// u,v,q,f,l,l0,EA,is_slack,is_adjustable,id; in m and N.
 /// @param form 3 x n [m]
-/// @throws std::invalid_argument for another size, or a coordinate that is not finite
-[[nodiscard]] NetCsv form_to_net_csv(const CableNet& net, const Points& form);
+/// @throws std::invalid_argument for another size, a coordinate that is not finite, and an edge of
+///   no length
+[[nodiscard]] TAUT_IO_EXPORT NetCsv form_to_net_csv(const CableNet& net, const Points& form);
 
 }  // namespace taut

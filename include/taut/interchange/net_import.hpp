@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/interchange/imported_structure.hpp"
 #include "taut/interchange/stress_strain_csv.hpp"
 #include "taut/net/cable_net.hpp"
@@ -46,19 +47,20 @@ struct ImportReport {
     double largest_strain = 0.0;
 };
 
+/// A net, and how it came about.
 struct ImportedNet {
     CableNet net;
     ImportReport report;
 };
 
-/// Makes a net. The given form is the nominal form; edges between two supports and nodes without
-/// edges are left out; edges at supports are adjustable. Where the file gives unstressed lengths
-/// that agree with its forces, they are taken; else l_0 = l / (1 + strain at T), T/EA where edges
-/// are linear, with T = q l, or T = f.
+/// Makes a net of what a reader found. The given form is the nominal form; edges between two
+/// supports and nodes without edges are left out; edges at supports are adjustable. Where the file
+/// gives unstressed lengths that agree with its forces, they are taken; else l_0 = l / (1 + strain
+/// at T), T/EA where edges are linear, with T = q l, or T = f.
 /// @throws InputError naming the node or edge: an edge in compression, a strain beyond 10 %, no
 ///   axial stiffness, a rule of CableNet that is broken
 /// @throws std::invalid_argument for settings that are not positive, or exclude each other
-[[nodiscard]] ImportedNet import_net(const ImportedStructure& structure,
-                                     const ImportSettings& settings);
+[[nodiscard]] TAUT_IO_EXPORT ImportedNet import_net(const ImportedStructure& structure,
+                                                    const ImportSettings& settings);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/io.hpp"
 #include "taut/net/tension_law.hpp"
 
 namespace taut {
@@ -18,8 +19,10 @@ struct StressStrain {
 
 /// Reads a CSV table with the header strain,stress: the points of a piecewise linear law, from 0,0,
 /// stresses in Pa.
+/// @param file_name for messages
 /// @throws InputError with the line, for what is no such table, breaks a rule of TensionLaw, or has
 ///   a slope that no cable has
-[[nodiscard]] StressStrain parse_stress_strain(std::string_view text, const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT StressStrain parse_stress_strain(std::string_view text,
+                                                              const std::string& file_name);
 
 }  // namespace taut

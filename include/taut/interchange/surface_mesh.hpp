@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -20,7 +21,7 @@ struct SurfaceMesh {
 };
 
 /// Whether the name of a file ends as that of a surface does: .obj, .ply, in capitals too.
-[[nodiscard]] bool is_surface_mesh_name(const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT bool is_surface_mesh_name(const std::filesystem::path& path);
 
 /// Reads the vertices and faces of an OBJ (text) or PLY file (text, or binary of either byte
 /// order), whichever it is; coordinates to full double precision. Everything else that it holds is
@@ -28,7 +29,7 @@ struct SurfaceMesh {
 /// @param file_name for messages
 /// @throws InputError with the line, or the element, for a file that is neither, is cut, holds a
 ///   coordinate that is not finite, a face of a vertex that is not there, or no face
-[[nodiscard]] SurfaceMesh parse_surface_mesh(std::string_view content,
-                                             const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT SurfaceMesh parse_surface_mesh(std::string_view content,
+                                                            const std::string& file_name);
 
 }  // namespace taut

@@ -6,8 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 
+/// @file
 /// What a plan is told of edges and nodes in files of their own. All throw InputError with the
 /// line, for a name that is not of the net or comes twice, a number that is none, and a file
 /// without a line. A header may be left out.
@@ -21,13 +23,15 @@ struct StrokeRange {
 };
 
 /// edge,shortest,longest in m; edges that are not named may not be turned.
-[[nodiscard]] std::vector<StrokeRange> parse_stroke_ranges(const CableNet& net,
-                                                           std::string_view text,
-                                                           const std::string& file_name);
+/// @return in the order of the file, at least one
+/// @throws InputError as of all, and for a range that does not hold 0
+[[nodiscard]] TAUT_IO_EXPORT std::vector<StrokeRange> parse_stroke_ranges(
+    const CableNet& net, std::string_view text, const std::string& file_name);
 
 /// id,x,y,z in N, one node a line; 3 x n, 0 for nodes that are not named [N].
-[[nodiscard]] Points parse_loads(const CableNet& net, std::string_view text,
-                                 const std::string& file_name);
+/// @throws InputError as parse_stroke_ranges()
+[[nodiscard]] TAUT_IO_EXPORT Points parse_loads(const CableNet& net, std::string_view text,
+                                                const std::string& file_name);
 
 /// Weights of the squares of a node's deviations.
 struct NodeWeights {
@@ -37,8 +41,9 @@ struct NodeWeights {
 };
 
 /// id,normal,tangential: free nodes, weights of 0 or more.
-[[nodiscard]] std::vector<NodeWeights> parse_node_weights(const CableNet& net,
-                                                          std::string_view text,
-                                                          const std::string& file_name);
+/// @return in the order of the file, at least one
+/// @throws InputError as parse_stroke_ranges(), and for a support or a negative weight
+[[nodiscard]] TAUT_IO_EXPORT std::vector<NodeWeights> parse_node_weights(
+    const CableNet& net, std::string_view text, const std::string& file_name);
 
 }  // namespace taut

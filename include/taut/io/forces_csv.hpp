@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/forces.hpp"
 
@@ -26,27 +27,26 @@ struct ForceFormat {
 /// @throws InputError with the line, for anything else, an edge that is not of the net or comes
 ///   twice, a tension that is negative, a std that is not positive, and a tension of 0 whose std is
 ///   told as a part of it
-[[nodiscard]] std::vector<ForceReading> parse_force_readings(const CableNet& net,
-                                                             std::string_view text,
-                                                             const std::string& file_name,
-                                                             const ForceFormat& format = {});
+[[nodiscard]] TAUT_IO_EXPORT std::vector<ForceReading> parse_force_readings(
+    const CableNet& net, std::string_view text, const std::string& file_name,
+    const ForceFormat& format = {});
 
 /// Reads a list of edges, one a line, with or without the header "edge".
 /// @return in the order of the file, at least one
 /// @throws InputError with the line, for an edge that is not of the net or comes twice
-[[nodiscard]] std::vector<int> parse_edge_list(const CableNet& net, std::string_view text,
-                                               const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT std::vector<int> parse_edge_list(const CableNet& net,
+                                                              std::string_view text,
+                                                              const std::string& file_name);
 
 /// Whether the first line with anything has one field: a list of edges, not readings.
 /// @throws InputError as CSV
-[[nodiscard]] bool is_edge_list(std::string_view text, const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT bool is_edge_list(std::string_view text, const std::string& file_name);
 
 /// What most likely is told in another unit, in words; empty: nothing. The median of the tensions
 /// read is held against those of the design.
 /// @param file_name for messages
 /// @throws InputError where it is 50 times as large or as small: that cannot be meant
-[[nodiscard]] std::string force_unit_warning(const CableNet& net,
-                                             const std::vector<ForceReading>& readings,
-                                             const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT std::string force_unit_warning(
+    const CableNet& net, const std::vector<ForceReading>& readings, const std::string& file_name);
 
 }  // namespace taut

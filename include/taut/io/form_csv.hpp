@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -13,6 +14,6 @@ namespace taut {
 /// otherwise be misread. read_survey_points() reads it.
 /// @param form 3 x n [m]
 /// @throws std::invalid_argument for another size, or a coordinate that is not finite
-[[nodiscard]] std::string form_to_csv(const CableNet& net, const Points& form);
+[[nodiscard]] TAUT_IO_EXPORT std::string form_to_csv(const CableNet& net, const Points& form);
 
 }  // namespace taut

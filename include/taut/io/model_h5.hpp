@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "taut/export/io.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/io/net_json.hpp"
 
@@ -19,33 +20,38 @@ struct StoredModel {
 /// Writes a model as HDF5, whole or not at all; the same model gives the same bytes. Attributes of
 /// the root: format "taut-model", version 1, law, seed, net_fingerprint. Datasets (n training
 /// samples):
-///   net                            the net as JSON text (net_to_json())
-///   free_nodes, interior_edges     [n_I], [m_I]: node and edge of each point and process
-///   nominal_form                   [3 n_I] [m]
-///   training_inputs                [n, 3 n_I] [m]: form deviations, a row a sample
-///   weights                        [m_I, n] [m]: gp::FittedProcesses::weights
-///   inverse_length_scale           [m_I] [1/m]
-///   signal_std, noise_std          [m_I] [m]
-///   negative_log_likelihood        [m_I]
-///   leave_one_out_rmse             [m_I] [m]
-///   fit_status                     [m_I]: code of the gp::FitStatus
-///   spectrum                       [m_I]: k of the group spectra/k, or -1 where not fitted
-///   spectra/k/inverse_length_scale one number [1/m]
-///   spectra/k/eigenvalues          [n]
-///   spectra/k/eigenvectors         [n, n]: a row an eigenvector
+///
+///     net                            the net as JSON text (net_to_json())
+///     free_nodes, interior_edges     [n_I], [m_I]: node and edge of each point and process
+///     nominal_form                   [3 n_I] [m]
+///     training_inputs                [n, 3 n_I] [m]: form deviations, a row a sample
+///     weights                        [m_I, n] [m]: gp::FittedProcesses::weights
+///     inverse_length_scale           [m_I] [1/m]
+///     signal_std, noise_std          [m_I] [m]
+///     negative_log_likelihood        [m_I]
+///     leave_one_out_rmse             [m_I] [m]
+///     fit_status                     [m_I]: code of the gp::FitStatus
+///     spectrum                       [m_I]: k of the group spectra/k, or -1 where not fitted
+///     spectra/k/inverse_length_scale one number [1/m]
+///     spectra/k/eigenvalues          [n]
+///     spectra/k/eigenvectors         [n, n]: a row an eigenvector
+///
 /// Not for two threads at the same time, as all that uses HDF5.
 /// @throws std::invalid_argument where model and net do not belong together (both fingerprints are
 ///   named), their sizes differ or a number is not finite
 /// @throws OutputError where the file cannot be written
-void write_model(const std::filesystem::path& path, const LengthModel& model, const NetFile& net);
+TAUT_IO_EXPORT void write_model(const std::filesystem::path& path, const LengthModel& model,
+                                const NetFile& net);
 
-/// The content of such a file.
-/// @throws std::invalid_argument likewise
-[[nodiscard]] std::string model_bytes(const LengthModel& model, const NetFile& net);
+/// The content of such a file. Not for two threads at the same time, likewise.
+/// @throws std::invalid_argument as write_model()
+/// @throws std::runtime_error where there is no memory for it
+[[nodiscard]] TAUT_IO_EXPORT std::string model_bytes(const LengthModel& model, const NetFile& net);
 
 /// Reads what write_model() wrote: predicts to the last bit as before. Every size is checked
-/// against the net inside and the size of the file before anything is allocated.
+/// against the net inside and the size of the file before anything is allocated. Not for two
+/// threads at the same time, likewise.
 /// @throws InputError naming the file and the HDF5 object
-[[nodiscard]] StoredModel read_model(const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT StoredModel read_model(const std::filesystem::path& path);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -18,15 +19,17 @@ struct NetFile {
 };
 
 /// Reads a net in taut's own JSON format, version 1:
-///   {"format": "taut-net", "version": 1, "name": text, "nodes": [[x, y, z]...] [m],
-///    "supports": [node...], "edges": [[s, t]...], "axial_stiffness": [N...] or one number [N],
-///    "unstressed_lengths": [m...], "adjustable": [edge...], "loads": [[x, y, z]...] [N],
-///    "node_ids": [text...], "edge_ids": [text...],
-///    "tension_laws": [{"name": text, "strain": [0, ...], "tension": [0, ...] [N]}...],
-///    "tension_law": [index or null, one an edge], "groups": {name: [edge...]},
-///    "mass": [kg/m...] or one number, "expansion": [1/K...] or one number,
-///    "breaking_load": [N...] or one number, "thread": ["right" or "left", one an entry of
-///    "adjustable"]}
+///
+///     {"format": "taut-net", "version": 1, "name": text, "nodes": [[x, y, z]...] [m],
+///      "supports": [node...], "edges": [[s, t]...], "axial_stiffness": [N...] or one number [N],
+///      "unstressed_lengths": [m...], "adjustable": [edge...], "loads": [[x, y, z]...] [N],
+///      "node_ids": [text...], "edge_ids": [text...],
+///      "tension_laws": [{"name": text, "strain": [0, ...], "tension": [0, ...] [N]}...],
+///      "tension_law": [index or null, one an edge], "groups": {name: [edge...]},
+///      "mass": [kg/m...] or one number, "expansion": [1/K...] or one number,
+///      "breaking_load": [N...] or one number, "thread": ["right" or "left", one an entry of
+///      "adjustable"]}
+///
 /// Optional are name (default: the file's, without its ending), adjustable (default: the edges at a
 /// support), loads, node_ids, edge_ids and all behind them. An edge with a tension law
 /// makes no use of its axial_stiffness. Other keys are kept. An index is written without fraction
@@ -35,16 +38,18 @@ struct NetFile {
 /// @throws InputError at a line and column for what is no JSON (RFC 8259, UTF-8, no key twice in an
 ///   object, no number beyond the range of a double, at most 64 levels deep), and at a JSON pointer
 ///   for what is missing, of another type, or breaks a rule of CableNet
-[[nodiscard]] NetFile parse_net(std::string_view text, const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT NetFile parse_net(std::string_view text, const std::string& file_name);
 
+/// Reads a file as parse_net().
 /// @throws InputError as parse_net() and read_file(), and for units that cannot be meant, as
 ///   refuse_impossible_units()
-[[nodiscard]] NetFile read_net(const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT NetFile read_net(const std::filesystem::path& path);
 
 /// The net as parse_net() reads it, numbers to the last bit: one node or edge a line.
 /// @param unknown_keys a JSON object, as in NetFile
 /// @throws std::invalid_argument for unknown_keys that are no JSON object or name a key of the
 ///   format, and for a name in the net that is not UTF-8
-[[nodiscard]] std::string net_to_json(const CableNet& net, const std::string& unknown_keys = "{}");
+[[nodiscard]] TAUT_IO_EXPORT std::string net_to_json(const CableNet& net,
+                                                     const std::string& unknown_keys = "{}");
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/io.hpp"
 #include "taut/survey/station_adjustment.hpp"
 
 namespace taut {
@@ -18,20 +19,21 @@ struct AngleText {
         full_unit;  ///< gon, degree or 1: what angles that are read are in, with such a unit [rad]
 };
 
+/// Reads an angle with its unit.
 /// @throws std::invalid_argument for anything else, naming the text
-[[nodiscard]] AngleText parse_angle(std::string_view text);
+[[nodiscard]] TAUT_IO_EXPORT AngleText parse_angle(std::string_view text);
 
-/// "1mm+1.5ppm", "1mm".
+/// Reads a precision, "1mm+1.5ppm", "1mm".
 /// @throws std::invalid_argument for anything else, naming the text
-[[nodiscard]] DistancePrecision parse_distance_precision(std::string_view text);
+[[nodiscard]] TAUT_IO_EXPORT DistancePrecision parse_distance_precision(std::string_view text);
 
 /// Whether the first line of a text is the header of readings: it names station, target and hz.
-[[nodiscard]] bool is_polar_csv(std::string_view text);
+[[nodiscard]] TAUT_IO_EXPORT bool is_polar_csv(std::string_view text);
 
 /// Reads what instruments read, one pointing a line, by a header in any order:
 ///
-///   station,target,hz [gon],v [gon],distance [m],target_height [m],angle_std [mgon],
-///   distance_std [mm]
+///     station,target,hz [gon],v [gon],distance [m],target_height [m],angle_std [mgon],
+///     distance_std [mm]
 ///
 /// of which the last three may be left out. hz is the direction, clockwise, v the zenith angle (of
 /// the second face more than half a circle), distance the slope distance. Units as those of
@@ -40,10 +42,12 @@ struct AngleText {
 /// @param file_name for messages
 /// @throws InputError with the line, for anything else: a column that is missing, or of another
 ///   name; angles without a unit or beyond a full circle; what is no number
-[[nodiscard]] PolarSurvey parse_polar_csv(std::string_view text, const std::string& file_name,
-                                          std::optional<double> told_unit = {});
+[[nodiscard]] TAUT_IO_EXPORT PolarSurvey parse_polar_csv(std::string_view text,
+                                                         const std::string& file_name,
+                                                         std::optional<double> told_unit = {});
 
 /// Readings as parse_polar_csv() reads them back, in gon, to a part in 10^12.
-[[nodiscard]] std::string polar_to_csv(const PolarSurvey& survey);
+/// @param survey whose readings are of stations that it has, not checked
+[[nodiscard]] TAUT_IO_EXPORT std::string polar_to_csv(const PolarSurvey& survey);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "taut/export/io.hpp"
 #include "taut/interchange/foreign_survey.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/station_adjustment.hpp"
@@ -62,21 +63,26 @@ struct ReadSurveyOptions {
 /// @throws InputError naming the file, its line and the rule: as the functions named, and where two
 ///   points of one name lie apart, no unit fits, no free node was surveyed or the noise exceeds the
 ///   mean edge length
-[[nodiscard]] Survey read_survey(const CableNet& net, const std::filesystem::path& file,
-                                 const ReadSurveyOptions& options = {});
+[[nodiscard]] TAUT_IO_EXPORT Survey read_survey(const CableNet& net,
+                                                const std::filesystem::path& file,
+                                                const ReadSurveyOptions& options = {});
 
 /// The same, or where the file names nodes alone, their survey as planned: without places.
 /// @throws InputError as read_survey(), and where a file of names asks for a frame to be fitted
-[[nodiscard]] Survey read_planned_survey(const CableNet& net, const std::filesystem::path& file,
-                                         const ReadSurveyOptions& options = {});
+[[nodiscard]] TAUT_IO_EXPORT Survey read_planned_survey(const CableNet& net,
+                                                        const std::filesystem::path& file,
+                                                        const ReadSurveyOptions& options = {});
 
 /// Which point of a survey is on which node, as CSV: line,name,node,distance,status in the order of
 /// the file; distance to the node's nominal place [m], status "used", or why the point was left
 /// out, and then the nearest node.
-[[nodiscard]] std::string survey_names_csv(const CableNet& net, const Survey& survey);
+/// @param survey of this net, which is not checked
+[[nodiscard]] TAUT_IO_EXPORT std::string survey_names_csv(const CableNet& net,
+                                                          const Survey& survey);
 
 /// A form that holds every free node of the net, in its frame (3 x n) [m].
 /// @throws InputError as read_survey(), and where a free node is missing
-[[nodiscard]] Points read_form(const CableNet& net, const std::filesystem::path& file);
+[[nodiscard]] TAUT_IO_EXPORT Points read_form(const CableNet& net,
+                                              const std::filesystem::path& file);
 
 }  // namespace taut

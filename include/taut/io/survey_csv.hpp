@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -21,21 +22,22 @@ namespace taut {
 /// @param file_name for messages
 /// @return the points in the order of the file, at least one, positions finite [m]
 /// @throws InputError with the line, for anything else
-[[nodiscard]] std::vector<SurveyPoint> parse_survey_points(std::string_view text,
-                                                           const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT std::vector<SurveyPoint> parse_survey_points(
+    std::string_view text, const std::string& file_name);
 
 /// Reads a PTS point file: the number of points, then a line each, x y z [m], with or without
 /// intensity and colour behind. All targets are without a name.
 /// @throws InputError with the line, for anything else, and another number of points
-[[nodiscard]] std::vector<SurveyPoint> parse_pts_points(std::string_view text,
-                                                        const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT std::vector<SurveyPoint> parse_pts_points(
+    std::string_view text, const std::string& file_name);
 
 /// A file whose name ends in .pts as PTS, any other as parse_survey_points().
 /// @throws InputError as these two and read_file()
-[[nodiscard]] std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path);
+[[nodiscard]] TAUT_IO_EXPORT std::vector<SurveyPoint> read_survey_points(
+    const std::filesystem::path& path);
 
 /// Points as parse_survey_points() reads them back to the last bit, with standard deviations where
 /// any point has them (0 for those without), and correlations likewise.
-[[nodiscard]] std::string survey_to_csv(const std::vector<SurveyPoint>& points);
+[[nodiscard]] TAUT_IO_EXPORT std::string survey_to_csv(const std::vector<SurveyPoint>& points);
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/survey/planned_survey.hpp"
 
 namespace taut {
@@ -16,7 +17,7 @@ namespace taut {
 /// @param file_name for messages
 /// @return nothing where the first line holds more than a name: it is then a survey
 /// @throws InputError with the line, where another line holds more, and for an empty file
-[[nodiscard]] std::optional<std::vector<PlannedTarget>> parse_target_list(
+[[nodiscard]] TAUT_IO_EXPORT std::optional<std::vector<PlannedTarget>> parse_target_list(
     std::string_view text, const std::string& file_name);
 
 }  // namespace taut

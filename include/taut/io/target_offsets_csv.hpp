@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/io.hpp"
 #include "taut/survey/target_offsets.hpp"
 
 namespace taut {
@@ -17,7 +18,7 @@ namespace taut {
 /// @return by target, at least one
 /// @throws InputError with the line, for anything else, a target that comes twice and a std that is
 ///   negative
-[[nodiscard]] std::map<std::string, TargetOffset> parse_target_offsets(
+[[nodiscard]] TAUT_IO_EXPORT std::map<std::string, TargetOffset> parse_target_offsets(
     std::string_view text, const std::string& file_name);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/io.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/turned_net.hpp"
 
@@ -18,7 +19,8 @@ namespace taut {
 /// @throws InputError with the line, for a file without a line, an edge that is not of the net, not
 ///   adjustable, or comes twice (in the list of a plan: twice in one pass), a number that is none,
 ///   and a stroke or std that is more than a quarter of the edge
-[[nodiscard]] std::vector<EdgeTurned> parse_turned(const CableNet& net, std::string_view text,
-                                                   const std::string& file_name);
+[[nodiscard]] TAUT_IO_EXPORT std::vector<EdgeTurned> parse_turned(const CableNet& net,
+                                                                  std::string_view text,
+                                                                  const std::string& file_name);
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 namespace taut {
 
@@ -14,8 +15,9 @@ namespace taut {
 /// (0, 0), and on with the last slope behind the last. It rises from the start and at the end and
 /// never falls in between, so that the energy of a net stays convex. A flat part is a
 /// constructional stretch. Below strain 0 an edge is slack; the first slope goes on there as
-/// pressure for whoever needs a smooth law.
-struct TensionLaw {
+/// pressure for whoever needs a smooth law. A struct that anyone may fill: all functions ask for a
+/// law that problem_of() finds nothing wrong with, and do not check; a CableNet holds no other.
+struct TAUT_CORE_EXPORT TensionLaw {
     std::string name;
     Eigen::VectorXd strain;   ///< k >= 2, ascending from 0 [-]
     Eigen::VectorXd tension;  ///< k, from 0 [N]
@@ -25,12 +27,16 @@ struct TensionLaw {
         double tension;  ///< [N]
         double slope;    ///< dT/d strain, at a corner that behind it [N]
     };
+    /// Tension and slope at a strain; at a corner the slope behind it.
     [[nodiscard]] Tangent at(double strain_there) const;
 
     /// The law as a strain sees it that is known with a standard deviation: the mean of the tension
     /// over N(strain, std^2), and the slope of that mean.
+    /// @param std 0 or less: at()
     [[nodiscard]] Tangent blurred(double strain_there, double std) const;
-    /// The variance of what that tangent misses of the law over the same distribution [N2].
+    /// The variance of what that tangent misses of the law over the same distribution, by 40
+    /// equally probable points of it [N2].
+    /// @param std positive
     [[nodiscard]] double missed_by_blurred(double strain_there, double std) const;
 
     /// The least strain with this tension.
@@ -57,6 +63,6 @@ private:
 };
 
 /// The first rule that a law breaks, "falls from ...", or nothing.
-[[nodiscard]] std::string problem_of(const TensionLaw& law);
+[[nodiscard]] TAUT_CORE_EXPORT std::string problem_of(const TensionLaw& law);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 namespace taut {
 
@@ -13,35 +14,35 @@ namespace taut {
 /// metres.
 /// @return [m]
 /// @throws std::invalid_argument for anything else, naming the text
-[[nodiscard]] double parse_length(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT double parse_length(std::string_view text);
 
 /// "5mm", for people: the shortest number of millimetres that parse_length() reads back to a part
 /// in 10^12, so that rounding errors of a length are not told with it; of metres where there is
 /// none.
-[[nodiscard]] std::string format_length(double metres);
+[[nodiscard]] TAUT_CORE_EXPORT std::string format_length(double metres);
 
 /// The same, but read back to the last bit: for a file that keeps a length as text.
-[[nodiscard]] std::string format_length_exactly(double metres);
+[[nodiscard]] TAUT_CORE_EXPORT std::string format_length_exactly(double metres);
 
 /// A force written with its unit, "200kN", "0.2 MN", "50 N", or as a bare number of newtons.
 /// @return [N]
 /// @throws std::invalid_argument for anything else, naming the text
-[[nodiscard]] double parse_force(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT double parse_force(std::string_view text);
 
 /// A stress or modulus written with its unit, "205GPa", "205000 MPa", "2.05e11 Pa", or as a bare
 /// number of pascals.
 /// @return [Pa]
 /// @throws std::invalid_argument for anything else, naming the text
-[[nodiscard]] double parse_stress(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT double parse_stress(std::string_view text);
 
 /// A part of something, "5%", "0.5 %".
 /// @return 0.05 for 5 %
 /// @throws std::invalid_argument for anything else, a bare number too, naming the text
-[[nodiscard]] double parse_part(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT double parse_part(std::string_view text);
 
 /// A difference of temperatures, "10K".
 /// @return [K]
 /// @throws std::invalid_argument for anything else, a bare number too, naming the text
-[[nodiscard]] double parse_temperature(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT double parse_temperature(std::string_view text);
 
 }  // namespace taut

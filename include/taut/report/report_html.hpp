@@ -4,12 +4,13 @@
 
 #include <string>
 
+#include "taut/export/report.hpp"
 #include "taut/results/result_file.hpp"
 
 namespace taut {
 
 /// Whether this build holds the report's viewer: it takes Node.js to build that.
-[[nodiscard]] bool has_report_viewer();
+[[nodiscard]] TAUT_REPORT_EXPORT bool has_report_viewer();
 
 /// A result as one HTML page that needs nothing else and asks for nothing over the network: the
 /// viewer (viewer/), the figures of figures_svg(), and the result itself, from which the viewer
@@ -17,6 +18,6 @@ namespace taut {
 /// taken for markup, and the page's content security policy lets no script run but the viewer.
 /// @return the page in UTF-8
 /// @throws std::runtime_error where has_report_viewer() is false
-[[nodiscard]] std::string report_html(const ResultFile& result);
+[[nodiscard]] TAUT_REPORT_EXPORT std::string report_html(const ResultFile& result);
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
 
@@ -12,6 +13,7 @@ namespace taut {
 /// A net as it might be built, for trials: the unstressed lengths of its interior edges drawn from
 /// a law, all else as designed. No sample that a Sampler draws with this seed is the same.
 /// @throws std::invalid_argument as check_law()
-[[nodiscard]] CableNet built_net(const CableNet& net, const LengthLaw& law, std::uint64_t seed);
+[[nodiscard]] TAUT_CORE_EXPORT CableNet built_net(const CableNet& net, const LengthLaw& law,
+                                                  std::uint64_t seed);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/unknown.hpp"
 
@@ -23,17 +24,21 @@ struct Circumstances {
 };
 
 /// All as the net tells.
-[[nodiscard]] Circumstances as_told(const CableNet& net);
+[[nodiscard]] TAUT_CORE_EXPORT Circumstances as_told(const CableNet& net);
 
-/// One draw of what is unknown; it depends on the seed and the sample's index alone.
-[[nodiscard]] Circumstances draw_circumstances(const CableNet& net,
-                                               const std::vector<Unknown>& unknowns,
-                                               std::uint64_t seed, std::uint64_t sample);
+/// One draw of what is unknown; it depends on the seed and the sample's index alone, of which the
+/// lower 32 bits count.
+/// @param unknowns of this net, which is not checked: check_unknowns() does
+[[nodiscard]] TAUT_CORE_EXPORT Circumstances
+draw_circumstances(const CableNet& net, const std::vector<Unknown>& unknowns, std::uint64_t seed,
+                   std::uint64_t sample);
 
 /// The net under circumstances, with unstressed lengths of its own.
+/// @param circumstances sizes as of as_told(net), not checked
 /// @param unstressed_lengths l_0 of all edges as they would be as told (m) [m]
 /// @throws NetError where a length is no longer positive
-[[nodiscard]] CableNet net_under(const CableNet& net, const Circumstances& circumstances,
-                                 const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths);
+[[nodiscard]] TAUT_CORE_EXPORT CableNet
+net_under(const CableNet& net, const Circumstances& circumstances,
+          const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths);
 
 }  // namespace taut

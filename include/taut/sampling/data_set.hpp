@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/sampling/length_law.hpp"
 #include "taut/sampling/unknown.hpp"
@@ -16,7 +17,7 @@ namespace taut {
 
 /// The data set D of the paper (Algorithm 2) in deviations from the nominal net: pairs of form
 /// deviation and length deviation (section 5: f maps one to the other).
-struct DataSet {
+struct TAUT_CORE_EXPORT DataSet {
     std::string net_fingerprint;
     LengthLaw law;
     std::uint64_t seed = 1;
@@ -27,6 +28,7 @@ struct DataSet {
     std::vector<EquilibriumStatus> statuses;  ///< n
     std::vector<int> slack_counts;            ///< slack edges in each sample (n)
 
+    /// n, the number of samples.
     [[nodiscard]] int size() const { return static_cast<int>(form_deviations.cols()); }
     /// Samples with at least one slack edge.
     [[nodiscard]] int with_slack() const;
@@ -35,18 +37,24 @@ struct DataSet {
     /// Indices in [first, last) of the samples whose forces balance. Slack mechanisms are among
     /// them: their loose nodes' places are one choice of many, but always the one that the solver
     /// comes to from the linear prediction, and all other nodes tell as much as in any sample.
+    /// @param first 0 or more, not checked
+    /// @param last at most size(), not checked
     [[nodiscard]] std::vector<int> converged_in(int first, int last) const;
 };
 
 /// Whether length deviations of a net can be drawn from a law.
 /// @throws std::invalid_argument where the net has no interior edge, as LengthLaw::check(), and
-///   where the law's reach is not below the shortest interior unstressed length, named with both
-void check_law(const CableNet& net, const LengthLaw& law);
+///   where the law's reach is not below the shortest interior unstressed length, named with both,
+///   or the law so narrow that rounding errors hide it
+TAUT_CORE_EXPORT void check_law(const CableNet& net, const LengthLaw& law);
 
 /// The length deviations of one sample (m_I) [m]. They depend on the law, the seed and the sample's
 /// index alone, and so on no other sample, thread or run.
+/// @param count m_I, 0 or more
 /// @throws std::invalid_argument as LengthLaw::check()
-[[nodiscard]] Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
-                                                     std::uint64_t sample, Eigen::Index count);
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd draw_length_deviations(const LengthLaw& law,
+                                                                      std::uint64_t seed,
+                                                                      std::uint64_t sample,
+                                                                      Eigen::Index count);
 
 }  // namespace taut

@@ -6,12 +6,14 @@
 #include <string_view>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 namespace taut {
 
 /// The probability law of the length deviations, independent and the same for every interior edge,
 /// with mean zero.
-struct LengthLaw {
+struct TAUT_CORE_EXPORT LengthLaw {
+    /// The shape of the law.
     enum class Kind {
         uniform,  ///< U(-scale, scale), the paper's
         normal,   ///< N(0, scale^2)
@@ -20,7 +22,7 @@ struct LengthLaw {
     Kind kind = Kind::uniform;
     double scale = 0.005;  ///< [m]
 
-    /// A scale that is positive and finite; the functions below ask for it and do not check.
+    /// Whether the scale is positive and finite; the functions below ask for it and do not check.
     /// @throws std::invalid_argument naming law and scale
     void check() const;
 
@@ -30,17 +32,18 @@ struct LengthLaw {
     /// No deviation drawn exceeds this [m].
     [[nodiscard]] double reach() const;
 
-    /// The deviation [m] that a random number u, uniform in (0, 1), stands for.
+    /// The deviation that a random number u, uniform in (0, 1), stands for [m].
     [[nodiscard]] double draw(double u) const;
 
     /// "uniform:5mm"; parse_length_law() reads it back.
     [[nodiscard]] std::string to_string() const;
 
+    /// Kind and scale, to the last bit.
     friend bool operator==(const LengthLaw&, const LengthLaw&) = default;
 };
 
 /// "uniform:5mm", "normal:2mm", "bimodal:5mm".
 /// @throws std::invalid_argument for another name, or a scale that is not a positive length
-[[nodiscard]] LengthLaw parse_length_law(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT LengthLaw parse_length_law(std::string_view text);
 
 }  // namespace taut

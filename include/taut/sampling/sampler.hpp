@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/sampling/data_set.hpp"
@@ -14,8 +15,9 @@ namespace taut {
 
 /// Algorithm 2 of the paper: draws length deviations and solves for the forms that follow, in
 /// parallel on the threads of oneTBB. Each solve starts from the linear prediction r + (dr/dl_0)
-/// dl_0.
-class Sampler {
+/// dl_0. Holds a copy of the net, and solvers for the threads that drew. One object serves several
+/// threads at once, each with a data set of its own.
+class TAUT_CORE_EXPORT Sampler {
 public:
     /// Solves for the nominal form.
     /// @param unknowns what is drawn besides the lengths; the lengths are the same with and without
@@ -29,7 +31,7 @@ public:
     Sampler(Sampler&&) = delete;
     Sampler& operator=(Sampler&&) = delete;
 
-    /// Of the net as designed: the reference of all form deviations.
+    /// Of the net as designed: the reference of all form deviations. Lives as long as the sampler.
     [[nodiscard]] const Equilibrium& nominal() const;
 
     /// A data set of this net, law, seed and unknowns without samples.
@@ -38,8 +40,12 @@ public:
     /// Adds samples to a data set that this sampler made, until it holds `count`, in blocks of
     /// about a second. The outcome is the same, bit for bit, in one call or in many, on any number
     /// of threads.
+    /// @param data made by empty() of this sampler, or one of the same net, law, seed and unknowns,
+    ///   which is not checked; in no other thread's use meanwhile
+    /// @param count in all; no more than there are: nothing is drawn
     /// @param progress told of the stage "sampling" before each block and at the end
-    /// @param after_block called where the data set has got a block more: to keep it, say
+    /// @param after_block called in the calling thread where the data set has got a block more: to
+    ///   keep it, say; what it throws ends the call
     /// @throws Interrupted where a stop was requested; the data set then holds whole blocks, and
     ///   can be extended again
     void extend(DataSet& data, int count, const Progress& progress = {},
@@ -53,8 +59,9 @@ private:
 };
 
 /// The first `count` samples of a sampler.
+/// @param progress as Sampler::extend()
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] DataSet draw_samples(const Sampler& sampler, int count,
-                                   const Progress& progress = {});
+[[nodiscard]] TAUT_CORE_EXPORT DataSet draw_samples(const Sampler& sampler, int count,
+                                                    const Progress& progress = {});
 
 }  // namespace taut

@@ -6,13 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
 
 /// What is not known of a net besides its lengths: numbers with independent normal distributions
 /// around what the net tells.
-struct Unknown {
+struct TAUT_CORE_EXPORT Unknown {
+    /// What the numbers are.
     enum class Kind {
         stiffness,  ///< one factor of EA, or of the tension law, common to edges: its logarithm
         stiffness_each,  ///< one such factor an edge
@@ -31,34 +33,39 @@ struct Unknown {
     /// "stiffness:5%@ridge"; parse_unknown() reads it back.
     [[nodiscard]] std::string to_string() const;
 
+    /// All fields, to the last bit.
     friend bool operator==(const Unknown&, const Unknown&) = default;
 };
 
 /// All, "stiffness:5%, supports:1mm", or "none".
-[[nodiscard]] std::string to_string(const std::vector<Unknown>& unknowns);
+[[nodiscard]] TAUT_CORE_EXPORT std::string to_string(const std::vector<Unknown>& unknowns);
 
 /// "stiffness:5%", "stiffness:5%@GROUP", "stiffness-each:3%", "temperature:10K", "supports:1mm",
 /// "adjustable:0.5mm", "loads:20N", "loads:10%".
 /// @throws std::invalid_argument for another name or unit, a width that is not positive and finite,
 ///   a relative one of 30 % or more, and a group where the kind has none
-[[nodiscard]] Unknown parse_unknown(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT Unknown parse_unknown(std::string_view text);
 
 /// Whether these can be unknown of a net.
 /// @throws std::invalid_argument for two of one name and group (of loads: of one kind), a group
 ///   that the net does not have, a temperature where no edge of it expands, adjustable lengths
 ///   where the net has none, or wider than a third of the shortest, supports wider than a third of
 ///   the shortest edge, common loads where there are none
-void check_unknowns(const CableNet& net, const std::vector<Unknown>& unknowns);
+TAUT_CORE_EXPORT void check_unknowns(const CableNet& net, const std::vector<Unknown>& unknowns);
 
 /// The edges that an unknown of stiffness or temperature is about, ascending: those of its group,
 /// or all.
-[[nodiscard]] std::vector<int> edges_of(const CableNet& net, const Unknown& unknown);
+/// @throws std::out_of_range for a group that the net does not have
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_of(const CableNet& net,
+                                                         const Unknown& unknown);
 
 /// The standard deviation of one kind; 0 where it is known.
-[[nodiscard]] double std_of(const std::vector<Unknown>& unknowns, Unknown::Kind kind);
+[[nodiscard]] TAUT_CORE_EXPORT double std_of(const std::vector<Unknown>& unknowns,
+                                             Unknown::Kind kind);
 
-/// Of each edge's own stiffness, relative (m).
-[[nodiscard]] Eigen::VectorXd own_stiffness_stds(const CableNet& net,
-                                                 const std::vector<Unknown>& unknowns);
+/// Standard deviation of each edge's own stiffness, relative (m); 0 where it is known.
+/// @throws std::out_of_range as edges_of()
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd own_stiffness_stds(
+    const CableNet& net, const std::vector<Unknown>& unknowns);
 
 }  // namespace taut

@@ -5,15 +5,17 @@
 #include <Eigen/Core>
 #include <string_view>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 
+/// @file
 /// The equilibrium as the paper computes it: the second-order cone program of eq. SOCP, solved by
 /// the interior point method of Clarabel. With loads p and w = sqrt(EA/l_0) times the extension:
 ///
-///   minimise    v/2 - sum_s p_s . r_s          (ConeForm::paper)
-///               w'w/2 - sum_s p_s . r_s        (ConeForm::quadratic)
-///   subject to  sqrt(EA/l_0) (|r_s - r_t| - l_0) <= w_(s,t),   w >= 0,
-///               |(2w, 1 - v)| <= 1 + v         (ConeForm::paper)
+///     minimise    v/2 - sum_s p_s . r_s          (ConeForm::paper)
+///                 w'w/2 - sum_s p_s . r_s        (ConeForm::quadratic)
+///     subject to  sqrt(EA/l_0) (|r_s - r_t| - l_0) <= w_(s,t),   w >= 0,
+///                 |(2w, 1 - v)| <= 1 + v         (ConeForm::paper)
 ///
 /// The quadratic form is the default: it takes two thirds of the iterations and half of the time
 /// (built-in net, +-5 mm: 12 and 0.05 s, against 17 and 0.1 s), and its form agrees with Newton's
@@ -29,19 +31,22 @@
 /// shares no code with it, needs no start, and so is its check.
 namespace taut {
 
+/// How the cone program is written.
 enum class ConeForm {
     quadratic,  ///< one small cone an edge, the energy as a quadratic objective
     paper,      ///< a linear objective, and one more cone that holds all of w
 };
 
 /// "quadratic", "paper".
-[[nodiscard]] std::string_view to_string(ConeForm form);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string_view to_string(ConeForm form);
 
+/// How to solve it, and when to stop.
 struct ConeProgramSettings {
     ConeForm form = ConeForm::quadratic;
     int max_iterations = 100;
 };
 
+/// How the conic solver ended.
 enum class ConeStatus {
     solved,         ///< to the full tolerances
     almost_solved,  ///< to reduced ones
@@ -51,7 +56,7 @@ enum class ConeStatus {
 };
 
 /// "solved", "almost solved", "infeasible", "iteration limit", "numerical error".
-[[nodiscard]] std::string_view to_string(ConeStatus status);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string_view to_string(ConeStatus status);
 
 /// What the conic solver found, back in SI units.
 struct ConeSolution {
@@ -71,7 +76,7 @@ struct ConeSolution {
 };
 
 /// Whether this taut was built with the conic solver.
-[[nodiscard]] bool cone_solver_available();
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT bool cone_solver_available();
 
 /// Solves the cone program. Inside, lengths are in mean unstressed lengths, from the net's nodes;
 /// forces in mean tensions at the net's nodes (mean loads, or axial stiffnesses, where all edges
@@ -79,8 +84,8 @@ struct ConeSolution {
 /// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @throws std::invalid_argument for wrong sizes, a length that is not positive and finite, and
 ///   where this taut was built without the conic solver
-[[nodiscard]] ConeSolution solve_cone_program(
-    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-    ConeProgramSettings settings = {});
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT ConeSolution
+solve_cone_program(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+                   ConeProgramSettings settings = {});
 
 }  // namespace taut

@@ -4,38 +4,45 @@
 
 #include <Eigen/SparseCore>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
+/// @file
 /// The energy of a net with tension-only linear elastic edges, and its first two derivatives with
 /// respect to the coordinates of the free nodes. The three take the same arguments: the net (n
 /// nodes, m edges, n_I free nodes), the unstressed lengths l_0 of all edges (m) [m], and the form,
 /// coordinates of all nodes (3 x n) [m]. With l = |r_s - r_t| and the loads p:
 ///
-///   V(r) = sum_(s,t) EA / (2 l_0) max(0, l - l_0)^2  -  sum_s p_s . r_s
+///     V(r) = sum_(s,t) EA / (2 l_0) max(0, l - l_0)^2  -  sum_s p_s . r_s
 ///
 /// V is convex in r, and once continuously differentiable.
-///
-/// All three throw std::invalid_argument for wrong sizes, unstressed lengths that are not positive
-/// and finite, and coordinates that are not finite.
 namespace taut {
 
 /// V [J], elastic energy less the work of the loads: half the objective v of the paper's SOCP where
 /// no load acts.
-[[nodiscard]] double energy(const CableNet& net,
-                            const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                            const Eigen::Ref<const Points>& form);
+/// @throws std::invalid_argument for wrong sizes, unstressed lengths that are not positive and
+///   finite, and coordinates that are not finite
+[[nodiscard]] TAUT_CORE_EXPORT double energy(
+    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+    const Eigen::Ref<const Points>& form);
 
 /// dV/dr_I (3 n_I) [N]: the force balances h_s of the paper (eqs. hq, h) less the loads,
-///   h_s = sum_(s,t) EA (r_s - r_t) (1/l_0 - 1/l) - p_s   over the edges with l > l_0.
-[[nodiscard]] Eigen::VectorXd out_of_balance_forces(
+///
+///     h_s = sum_(s,t) EA (r_s - r_t) (1/l_0 - 1/l) - p_s   over the edges with l > l_0
+///
+/// @throws std::invalid_argument as energy()
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd out_of_balance_forces(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
 
 /// d2V/dr_I2, symmetric (3 n_I x 3 n_I, both triangles) [N/m]. With u = (r_s - r_t)/l and the
 /// tension T = EA (l/l_0 - 1), a taut edge adds
-///   k = EA/l_0 u u' + T/l (I - u u')
+///
+///     k = EA/l_0 u u' + T/l (I - u u')
+///
 /// to the blocks (s,s) and (t,t) and -k to (s,t) and (t,s); a slack edge adds nothing.
-[[nodiscard]] Eigen::SparseMatrix<double> stiffness(
+/// @throws std::invalid_argument as energy()
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::SparseMatrix<double> stiffness(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -19,8 +20,9 @@ enum class EquilibriumStatus {
 };
 
 /// "converged", "slack mechanism", "iteration limit".
-[[nodiscard]] std::string_view to_string(EquilibriumStatus status);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(EquilibriumStatus status);
 
+/// When to stop.
 struct EquilibriumSettings {
     int max_iterations = 500;
     /// Largest out-of-balance force at a node that counts as balanced, in mean tensions of the taut
@@ -49,14 +51,18 @@ struct Equilibrium {
 };
 
 /// Solves for the equilibrium of one net with many sets of unstressed lengths. Does the symbolic
-/// work once; the iteration allocates nothing. One object a thread.
-class EquilibriumSolver {
+/// work once; the iteration allocates nothing. One object a thread: solve() works in memory of the
+/// object. Holds a copy of what it needs of the net. Once moved from, it may only be assigned to or
+/// destroyed.
+class TAUT_CORE_EXPORT EquilibriumSolver {
 public:
     /// @throws std::invalid_argument for a negative max_iterations, or a relative_tolerance that is
     ///   not positive and finite
     explicit EquilibriumSolver(const CableNet& net, EquilibriumSettings settings = {});
     ~EquilibriumSolver();
+    /// Leaves the other one without a net.
     EquilibriumSolver(EquilibriumSolver&&) noexcept;
+    /// Leaves the other one without a net.
     EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
     EquilibriumSolver(const EquilibriumSolver&) = delete;
     EquilibriumSolver& operator=(const EquilibriumSolver&) = delete;
@@ -69,7 +75,8 @@ public:
     /// @param unstressed_lengths l_0 of all edges (m), positive [m]
     /// @param start where to begin (3 x n); supports are taken from the net [m]
     /// @throws std::invalid_argument for wrong sizes, a length that is not positive and
-    ///   finite, or a start that is not finite.
+    ///   finite, or a start that is not finite. Forces that do not balance throw nothing: see
+    ///   Equilibrium::status.
     [[nodiscard]] Equilibrium solve(const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                     const Eigen::Ref<const Points>& start);
 
@@ -79,6 +86,8 @@ private:
 };
 
 /// Equilibrium of the net with its own unstressed lengths, from its own nodes: the nominal form.
-[[nodiscard]] Equilibrium solve_equilibrium(const CableNet& net, EquilibriumSettings settings = {});
+/// @throws std::invalid_argument as EquilibriumSolver
+[[nodiscard]] TAUT_CORE_EXPORT Equilibrium solve_equilibrium(const CableNet& net,
+                                                             EquilibriumSettings settings = {});
 
 }  // namespace taut

@@ -5,20 +5,22 @@
 #include <Eigen/SparseCore>
 #include <span>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
+/// @file
 /// The equilibrium matrix A of some edges at a form (3 n_I x edges.size()): with their tensions T,
 /// A T is the force that they exert at the free nodes. The column of edge (s, t) holds the unit
 /// vector u = (r_s - r_t)/l in the rows of s, -u in those of t. Balance (eqs. hq, h) reads A T = p.
 namespace taut {
 
+/// A, of the edges told.
 /// @param form coordinates of all nodes (3 x n) [m]
 /// @param edges columns of A, in this order
 /// @throws std::invalid_argument for a form of the wrong size or not finite, an edge that the net
 ///   does not have, and one whose ends meet
-[[nodiscard]] Eigen::SparseMatrix<double> equilibrium_matrix(const CableNet& net,
-                                                             const Eigen::Ref<const Points>& form,
-                                                             std::span<const int> edges);
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::SparseMatrix<double> equilibrium_matrix(
+    const CableNet& net, const Eigen::Ref<const Points>& form, std::span<const int> edges);
 
 /// What the rank of A over the taut edges tells.
 struct StressStates {
@@ -31,8 +33,8 @@ struct StressStates {
 /// count as zero.
 /// @throws std::invalid_argument for wrong sizes, unstressed lengths that are not positive and
 ///   finite, coordinates that are not finite
-[[nodiscard]] StressStates stress_states(
-    const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-    const Eigen::Ref<const Points>& form);
+[[nodiscard]] TAUT_CORE_EXPORT StressStates
+stress_states(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+              const Eigen::Ref<const Points>& form);
 
 }  // namespace taut

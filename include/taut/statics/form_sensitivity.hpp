@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -14,22 +15,26 @@ namespace taut {
 /// First derivative of the equilibrium form with respect to unstressed lengths. By the implicit
 /// function theorem on h(r_I, l_0) = 0 (eq. h), with the stiffness H = dh/dr_I:
 ///
-///   dr_I/dl_0 = -H^-1 dh/dl_0,   dh_s/dl_0(s,t) = -EA (r_s - r_t) / l_0^2   (0 for a slack edge)
+///     dr_I/dl_0 = -H^-1 dh/dl_0,   dh_s/dl_0(s,t) = -EA (r_s - r_t) / l_0^2   (0 for a slack edge)
 ///
 /// H is factorised once, on construction; each derivative is then a pair of triangular solves.
-class FormSensitivity {
+/// Holds a copy of what it needs of the net. One object serves several threads at once. Once moved
+/// from, it may only be assigned to or destroyed.
+class TAUT_CORE_EXPORT FormSensitivity {
 public:
-    /// @param unstressed_lengths l_0 of all edges (m) [m]
-    /// @param form an equilibrium form for them (3 x n) [m]
     /// Where H is singular (a slack mechanism) it is shifted by 1e-12 of the nodes' axial
     /// stiffness, so that loose nodes stay where they are.
+    /// @param unstressed_lengths l_0 of all edges (m) [m]
+    /// @param form an equilibrium form for them, which is not checked (3 x n) [m]
     /// @throws std::invalid_argument for wrong sizes, lengths that are not positive and finite,
     ///   coordinates that are not finite
     FormSensitivity(const CableNet& net,
                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                     const Eigen::Ref<const Points>& form);
     ~FormSensitivity();
+    /// Leaves the other one without a factor.
     FormSensitivity(FormSensitivity&&) noexcept;
+    /// Leaves the other one without a factor.
     FormSensitivity& operator=(FormSensitivity&&) noexcept;
     FormSensitivity(const FormSensitivity&) = delete;
     FormSensitivity& operator=(const FormSensitivity&) = delete;
@@ -49,15 +54,16 @@ private:
     std::unique_ptr<Factor> m_factor;
 };
 
+/// How far the length of an edge moves the form.
 struct EdgeSensitivity {
     int edge;
     double move;  ///< norm of dr_I/dl_0, over all free coordinates [m/m]
 };
 
-/// Of the given edges the `count` whose lengths move the form most, most first.
+/// Of the given edges the `count` whose lengths move the form most, most first; all where there are
+/// no more.
 /// @throws std::invalid_argument for an edge that the net does not have
-[[nodiscard]] std::vector<EdgeSensitivity> most_sensitive_edges(const FormSensitivity& sensitivity,
-                                                                std::span<const int> edges,
-                                                                int count);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<EdgeSensitivity> most_sensitive_edges(
+    const FormSensitivity& sensitivity, std::span<const int> edges, int count);
 
 }  // namespace taut

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
 
 /// How far a form is from the equilibrium of its lengths and loads.
-struct Imbalance {
+struct TAUT_CORE_EXPORT Imbalance {
     double largest = 0.0;       ///< out-of-balance force at a free node, |h_s| [N]
     double mean_tension = 0.0;  ///< over the taut edges; 0 where all are slack [N]
 
@@ -15,10 +16,12 @@ struct Imbalance {
     [[nodiscard]] double share() const;
 };
 
+/// The imbalance of a form with these lengths.
+/// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @param form coordinates of all nodes (3 x n) [m]
 /// @throws std::invalid_argument as out_of_balance_forces()
-[[nodiscard]] Imbalance imbalance(const CableNet& net,
-                                  const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
-                                  const Eigen::Ref<const Points>& form);
+[[nodiscard]] TAUT_CORE_EXPORT Imbalance
+imbalance(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
+          const Eigen::Ref<const Points>& form);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -17,11 +18,11 @@ namespace taut {
 /// - a strain beyond 5 %: the other way around;
 /// - nodes out of balance by more than a tenth of the mean tension: loads left out, or in another
 ///   unit.
-[[nodiscard]] std::vector<std::string> unit_warnings(const CableNet& net);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<std::string> unit_warnings(const CableNet& net);
 
 /// Refuses what no unit makes a net: unstressed lengths that are, in the median, more than a
 /// hundred times the lengths of their edges at the nominal form, or less than a hundredth of them.
 /// @throws NetError of unstressed_lengths
-void refuse_impossible_units(const CableNet& net);
+TAUT_CORE_EXPORT void refuse_impossible_units(const CableNet& net);
 
 }  // namespace taut

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/study/evaluation.hpp"
@@ -20,7 +21,7 @@ namespace taut {
 /// nodes. And where more than lengths is unknown, at both common ones: nets that differ in it, with
 /// that told to the methods and not. And where there are several surveys: one, two, ... of each net
 /// at once, at the common noise.
-struct ComparisonSettings {
+struct TAUT_ADJUSTMENT_EXPORT ComparisonSettings {
     std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
     std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is there anyway
@@ -35,6 +36,7 @@ struct ComparisonSettings {
     /// 0.5 mm where that is among the noises; else the largest [m].
     [[nodiscard]] double common_noise() const;
 
+    /// Whether a comparison can be made of these.
     /// @throws std::invalid_argument for an empty list, noise that is negative or not finite, fewer
     ///   than two training samples, a hidden part outside [0, 1), no survey, fewer than one epoch
     ///   or more than ten, epochs without noise; and as LengthLaw::check()
@@ -46,7 +48,7 @@ struct ComparisonSettings {
 enum class ModelErrors { none, untold, told };
 
 /// "none", "untold", "told".
-[[nodiscard]] std::string_view to_string(ModelErrors errors);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string_view to_string(ModelErrors errors);
 
 /// One method on surveys of one kind.
 struct ComparisonRow {
@@ -78,6 +80,7 @@ struct Comparison {
     int not_converged = 0;       ///< of these, neither trained on nor surveyed
     int surveys = 0;             ///< of each kind
     int surveys_with_slack = 0;  ///< in whose true form an edge is slack
+    /// Wall time [s].
     struct Seconds {
         double sampling = 0.0;
         double training = 0.0;
@@ -86,12 +89,14 @@ struct Comparison {
     } seconds;
 };
 
+/// Compares all methods on simulated surveys of one net.
 /// @throws std::invalid_argument as ComparisonSettings::check(), check_unknowns(), Sampler and
 ///   simulate_trials()
 /// @throws std::runtime_error where too few samples converge
 /// @param progress told of the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
-                                         const Progress& progress = {});
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Comparison compare_methods(const CableNet& net,
+                                                                const ComparisonSettings& settings,
+                                                                const Progress& progress = {});
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/adjustment/plan.hpp"
+#include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -22,7 +23,7 @@ enum class ControlStrategy {
 };
 
 /// "true lengths", "identified", "design", "design, once".
-[[nodiscard]] std::string_view to_string(ControlStrategy strategy);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string_view to_string(ControlStrategy strategy);
 
 /// A job: nets are built, surveyed, turned, and so on.
 struct ControlSettings {
@@ -56,7 +57,8 @@ struct ControlState {
     bool has_failed = false;  ///< no identification or plan came about; nothing was turned
 };
 
-struct ControlRecord {
+/// All jobs of one strategy.
+struct TAUT_ADJUSTMENT_EXPORT ControlRecord {
     ControlStrategy strategy = ControlStrategy::identified;
     std::vector<ControlState> states;  ///< by trial, then round
 
@@ -74,15 +76,17 @@ struct ControlRecord {
         double worst_excess = 0.0;
         int failed = 0;
     };
+    /// Means of one round.
+    /// @param round one that there is, from 0: of another all means are no numbers
     [[nodiscard]] Round after(int round) const;
 };
 
 /// The whole loop, simulated: survey, identification, plan, turns, again, beside its rivals. The
 /// net of a trial, its surveys and the play of its turnbuckles follow from the seed.
 /// @throws std::invalid_argument for settings that cannot be meant, and as plan_strokes()
-/// @throws Interrupted
-[[nodiscard]] std::vector<ControlRecord> simulate_control(const CableNet& net,
-                                                          const ControlSettings& settings,
-                                                          const Progress& progress = {});
+/// @param progress told of the stage "control" before each job and at the end
+/// @throws Interrupted where a stop was requested
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<ControlRecord> simulate_control(
+    const CableNet& net, const ControlSettings& settings, const Progress& progress = {});
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "taut/abi.hpp"
+#include "taut/export/adjustment.hpp"
 
 namespace taut {
 
@@ -18,23 +19,26 @@ struct LengthErrors {
     /// are left out of the mean.
     double mrse = 0.0;
 
-    /// max_i |mean(e_i)| [m]
+    /// max_i |mean(e_i)|; there must be an edge, which is not checked [m].
     [[nodiscard]] double mean_max_abs() const { return mean.cwiseAbs().maxCoeff(); }
-    /// Mean of std(e_i) over the edges [m].
+    /// Mean of std(e_i) over the edges; likewise [m].
     [[nodiscard]] double std_mean() const { return std.mean(); }
 };
 
+/// The statistics of estimates whose truth is known.
 /// @param truth, estimate length deviations (m_I x n_v) [m]
 /// @throws std::invalid_argument for sizes that differ or are zero
-[[nodiscard]] LengthErrors length_errors(const Eigen::Ref<const Eigen::MatrixXd>& truth,
-                                         const Eigen::Ref<const Eigen::MatrixXd>& estimate);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT LengthErrors
+length_errors(const Eigen::Ref<const Eigen::MatrixXd>& truth,
+              const Eigen::Ref<const Eigen::MatrixXd>& estimate);
 
 /// Distances |r_i - r'_i| at the free nodes between two forms (eq. enomident).
 /// @param coordinates, other r_I of both (3 n_I) [m]
 /// @return n_I [m]
 /// @throws std::invalid_argument for sizes that differ or are no multiple of 3
-[[nodiscard]] Eigen::VectorXd node_distances(const Eigen::Ref<const Eigen::VectorXd>& coordinates,
-                                             const Eigen::Ref<const Eigen::VectorXd>& other);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Eigen::VectorXd node_distances(
+    const Eigen::Ref<const Eigen::VectorXd>& coordinates,
+    const Eigen::Ref<const Eigen::VectorXd>& other);
 
 /// The four numbers of the paper's table of form errors [m].
 struct FormErrorSummary {
@@ -44,11 +48,16 @@ struct FormErrorSummary {
     double rmse = 0.0;
 };
 
+/// The four numbers of one form.
 /// @param distances at the free nodes (n_I), at least one [m]
 /// @throws std::invalid_argument where there is none
-[[nodiscard]] FormErrorSummary summarise(const Eigen::Ref<const Eigen::VectorXd>& distances);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT FormErrorSummary
+summarise(const Eigen::Ref<const Eigen::VectorXd>& distances);
 
 /// Adds one of `count` summaries to the mean of each of their numbers.
-void add_to_mean(FormErrorSummary& mean, const FormErrorSummary& summary, int count);
+/// @param mean 0 throughout at first
+/// @param count positive
+TAUT_ADJUSTMENT_EXPORT void add_to_mean(FormErrorSummary& mean, const FormErrorSummary& summary,
+                                        int count);
 
 }  // namespace taut

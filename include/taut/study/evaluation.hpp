@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/progress.hpp"
 #include "taut/study/error_statistics.hpp"
 #include "taut/study/method.hpp"
@@ -33,20 +34,25 @@ struct MethodResult {
     double training_seconds = 0.0;
     double seconds = 0.0;  ///< mean of one identification, in its thread while others do others
 
+    /// How many did not fail.
     [[nodiscard]] int identified() const { return surveys - failed; }
 };
 
+/// What a method made of surveys: the sum, and each by itself.
 struct Evaluation {
     MethodResult result;
     std::vector<std::optional<Identification>> identifications;  ///< of each trial; empty: failed
 };
 
 /// Tries a method on surveys, in parallel on the threads of oneTBB where it does not use them
-/// itself. The outcome does not depend on their number.
+/// itself. The outcome does not depend on their number. What a method throws counts as a failure,
+/// but for std::bad_alloc.
+/// @param method of this net, called from several threads at once unless it uses all of them itself
 /// @param progress told of the stage "identification" after each trial
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] Evaluation evaluate(const CableNet& net, const Method& method,
-                                  const std::vector<Trial>& trials, const Progress& progress = {});
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Evaluation evaluate(const CableNet& net, const Method& method,
+                                                         const std::vector<Trial>& trials,
+                                                         const Progress& progress = {});
 
 /// The least mean squared error that can be expected, to first order: the mean over edges and
 /// surveys of best_possible_variances() at the truth [m2].
@@ -55,8 +61,11 @@ struct BestPossible {
     double mse_of_taut = 0.0;  ///< over the edges that carry tension in the true form
 };
 
+/// The least error that can be expected of these surveys.
+/// @param trials of this net, at least one
 /// @return nothing where the statics of a true form are singular: a slack mechanism
-[[nodiscard]] std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& law,
-                                                        const std::vector<Trial>& trials);
+/// @throws std::invalid_argument as best_possible_variances()
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::optional<BestPossible> best_possible(
+    const CableNet& net, const LengthLaw& law, const std::vector<Trial>& trials);
 
 }  // namespace taut

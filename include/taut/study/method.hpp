@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -15,34 +16,41 @@
 
 namespace taut {
 
-/// A method of identification, ready to be tried on surveys of one net. It refers to the net and
-/// the model that it was made with.
+/// A method of identification, ready to be tried on surveys of one net. It and its copies refer to
+/// the net and the model that it was made with, which must outlive them; law and unknowns are
+/// copied. It throws and tells what identify() does. Several threads may call one at once unless
+/// uses_all_threads says otherwise.
 struct Method {
     std::string name;
     std::optional<int> training_samples;  ///< what it learnt from; empty: it learns from none
     double training_seconds = 0.0;
     bool needs_all_nodes = false;  ///< takes no survey with hidden nodes
-    /// Its dense algebra uses all threads, and wants to be called from one at a time.
+    /// Its dense algebra uses all threads; it may be called from one at a time only, copies
+    /// included.
     bool uses_all_threads = false;
     std::function<Identification(const Trial&)> identify;
 };
 
 /// "gp_as_in_paper": what identify() does with a model trained as in the paper. The predicted form
 /// may be out of balance.
-[[nodiscard]] Method method_as_in_paper(const CableNet& net, const LengthModel& model);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_as_in_paper(const CableNet& net,
+                                                               const LengthModel& model);
 
 /// "gp": what identify() does with any other model.
-[[nodiscard]] Method method_by_processes(const CableNet& net, const LengthModel& model);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_by_processes(const CableNet& net,
+                                                                const LengthModel& model);
 
 /// "balance".
-[[nodiscard]] Method method_by_force_balance(const CableNet& net, const LengthLaw& law);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_by_force_balance(const CableNet& net,
+                                                                    const LengthLaw& law);
 
 /// "map".
 /// @param unknowns what is told to be unknown besides the lengths
-[[nodiscard]] Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law,
-                                                    const std::vector<Unknown>& unknowns = {});
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_by_maximum_a_posteriori(
+    const CableNet& net, const LengthLaw& law, const std::vector<Unknown>& unknowns = {});
 
 /// "map" of all surveys of a trial at once, identify_epochs().
-[[nodiscard]] Method method_by_epochs(const CableNet& net, const LengthLaw& law);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_by_epochs(const CableNet& net,
+                                                             const LengthLaw& law);
 
 }  // namespace taut

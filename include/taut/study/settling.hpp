@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/sampling/length_law.hpp"
@@ -14,11 +15,13 @@
 
 namespace taut {
 
-struct SettlingSettings {
+/// Which surveys are tried.
+struct TAUT_ADJUSTMENT_EXPORT SettlingSettings {
     int surveys = 100;  ///< of each net
     int first = 0;      ///< number of the first: a survey follows from net, seed and its number
     std::uint64_t seed = 1;
 
+    /// Whether there is a survey to try.
     /// @throws std::invalid_argument naming the field, for fewer than one survey or a first below 0
     void check() const;
 };
@@ -41,7 +44,8 @@ struct SettlingSurvey {
 /// Survey `number` of a net. Where its drawn lengths find no equilibrium others are drawn.
 /// @throws std::invalid_argument as check_law()
 /// @throws std::runtime_error where a hundred draws find none
-[[nodiscard]] SettlingSurvey settling_survey(const CableNet& net, std::uint64_t seed, int number);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT SettlingSurvey settling_survey(const CableNet& net,
+                                                                    std::uint64_t seed, int number);
 
 /// What maximum a posteriori made of one survey.
 struct SettlingOutcome {
@@ -64,18 +68,22 @@ struct SettlingOutcome {
 };
 
 /// All surveys of one net. Coverage and the calls of slack count those that settled.
-struct SettlingRecord {
+struct TAUT_ADJUSTMENT_EXPORT SettlingRecord {
     std::string net;
     int free_nodes = 0;
     int interior_edges = 0;
     std::vector<SettlingOutcome> outcomes;
 
+    /// How many surveys settled.
     [[nodiscard]] int settled() const;
+    /// Of all surveys; 0 where there is none [s].
     [[nodiscard]] double median_seconds() const;
+    /// Of all surveys; 0 where there is none [s].
     [[nodiscard]] double largest_seconds() const;
     [[nodiscard]] double coverage() const;  ///< of the 95 % intervals; 0 where none settled
     /// Sum of a count over the surveys that settled.
     [[nodiscard]] int sum(int SettlingOutcome::* count) const;
+    /// Over the surveys that settled.
     [[nodiscard]] SlackReliability slack_reliability() const;
 };
 
@@ -84,7 +92,8 @@ struct SettlingRecord {
 /// @param progress told of the stage "identification" after each survey
 /// @throws std::invalid_argument as SettlingSettings::check() and settling_survey()
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] SettlingRecord try_settling(const CableNet& net, const SettlingSettings& settings,
-                                          const Progress& progress = {});
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT SettlingRecord try_settling(const CableNet& net,
+                                                                 const SettlingSettings& settings,
+                                                                 const Progress& progress = {});
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
@@ -16,12 +17,14 @@
 
 namespace taut {
 
-struct StudySettings {
+/// How large the experiment is.
+struct TAUT_ADJUSTMENT_EXPORT StudySettings {
     int samples = 1000;   ///< drawn in all
     int validation = 50;  ///< of these the last, kept from training
     LengthLaw law;
     std::uint64_t seed = 1;
 
+    /// Whether the experiment can be made of these.
     /// @throws std::invalid_argument for less than 3 samples, no validation sample, or fewer than
     ///   two samples left to train on, and as LengthLaw::check()
     void check() const;
@@ -50,7 +53,9 @@ struct Study {
     Points identified_form;       ///< all nodes' (3 x n), of that sample [m]
     FormErrors form_errors;       ///< of that sample
     FormErrors mean_form_errors;  ///< each number's mean over the validation samples
+    /// The first of the methods, the paper's; there must be one: run_study() gives four.
     [[nodiscard]] const MethodResult& as_in_paper() const { return methods.front(); }
+    /// Wall time [s].
     struct Seconds {
         double sampling = 0.0;
         double training = 0.0;
@@ -63,11 +68,12 @@ struct Study {
 /// samples (Algorithm 1), identifies these (eq. ident) and compares with the truth; then does the
 /// same by the other methods.
 /// @throws std::invalid_argument as StudySettings::check() and Sampler
-/// @throws std::runtime_error where too few samples converge, or the method of the paper fails on
-/// one
+/// @throws std::runtime_error where the nominal net finds no equilibrium, too few samples converge,
+///   or the method of the paper fails on one
 /// @param progress told of the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested
-[[nodiscard]] Study run_study(const CableNet& net, const StudySettings& settings,
-                              const Progress& progress = {});
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Study run_study(const CableNet& net,
+                                                     const StudySettings& settings,
+                                                     const Progress& progress = {});
 
 }  // namespace taut

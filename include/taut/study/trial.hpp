@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "taut/export/adjustment.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/survey/survey.hpp"
@@ -16,6 +17,7 @@ struct SurveyKind {
     double noise_std = 0.0;    ///< normal noise on every coordinate of a free node [m]
     double hidden_part = 0.0;  ///< of the free nodes, not surveyed; in [0, 1)
 
+    /// Both numbers, to the last bit.
     friend bool operator==(const SurveyKind&, const SurveyKind&) = default;
 };
 
@@ -33,19 +35,22 @@ struct Trial {
 /// Surveys of samples of a data set. Noise and hidden nodes of a trial follow from the seed and the
 /// sample alone, so that trials of two kinds differ in nothing but the kind: the noise is the same
 /// but for its size.
-/// @param samples which; their forces must balance
+/// @param data of this net, which is not checked
+/// @param samples which, 0 to data.size() - 1, not checked; their forces must balance
 /// @throws std::invalid_argument as simulate_survey(), and for noise so large that surveyed points
 ///   are nowhere near their nodes
-[[nodiscard]] std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
-                                                 const std::vector<int>& samples,
-                                                 const SurveyKind& kind, std::uint64_t seed);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<Trial> simulate_trials(
+    const CableNet& net, const DataSet& data, const std::vector<int>& samples,
+    const SurveyKind& kind, std::uint64_t seed);
 
 /// The same trials, surveyed once more: as they stand, or after every adjustable edge was turned by
 /// a stroke drawn from [-5 mm, 5 mm], at most a twentieth of its length, which is told.
 /// @throws std::invalid_argument as simulate_trials(), and where a net as turned finds no
 ///   equilibrium
-[[nodiscard]] std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials,
-                                                const SurveyKind& kind, bool is_turned,
-                                                std::uint64_t seed);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<Trial> surveyed_again(const CableNet& net,
+                                                                       std::vector<Trial> trials,
+                                                                       const SurveyKind& kind,
+                                                                       bool is_turned,
+                                                                       std::uint64_t seed);
 
 }  // namespace taut

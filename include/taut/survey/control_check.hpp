@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/frame.hpp"
 
@@ -15,7 +16,7 @@ namespace taut {
 /// by a millionth of the mean edge length.
 /// @param residuals measured less known, in the net's frame
 /// @param noise_std of a coordinate [m]
-[[nodiscard]] std::vector<std::string> control_warnings(
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<std::string> control_warnings(
     const CableNet& net, const std::vector<ControlResidual>& residuals, double noise_std);
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -21,12 +22,14 @@ struct Forces {
     std::vector<int> taut;               ///< edges seen to carry tension
     std::vector<int> slack;              ///< edges seen to carry none
 
+    /// Whether nothing was read or seen.
     [[nodiscard]] bool empty() const { return readings.empty() && taut.empty() && slack.empty(); }
 };
 
+/// Whether these can be forces of a net.
 /// @throws std::invalid_argument for an edge that is out of range or comes twice, a reading that is
 ///   negative or not finite, a standard deviation that is not positive and finite, an edge seen
 ///   both taut and slack, and a reading of an edge seen slack
-void check_forces(const CableNet& net, const Forces& forces);
+TAUT_CORE_EXPORT void check_forces(const CableNet& net, const Forces& forces);
 
 }  // namespace taut

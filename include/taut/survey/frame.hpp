@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "taut/abi.hpp"
+#include "taut/export/core.hpp"
 
 namespace taut {
 
@@ -17,6 +18,7 @@ struct RigidMotion {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< [m]
     Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< [m]
 
+    /// Where the motion takes a place [m].
     [[nodiscard]] Eigen::Vector3d operator()(const Eigen::Vector3d& x) const {
         return rotation * (x - from) + to;
     }
@@ -35,6 +37,7 @@ struct Registration {
 };
 
 /// Root of the mean squared length of residuals; 0 where there are none [m].
-[[nodiscard]] double root_mean_square(const std::vector<ControlResidual>& residuals);
+[[nodiscard]] TAUT_CORE_EXPORT double root_mean_square(
+    const std::vector<ControlResidual>& residuals);
 
 }  // namespace taut

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/registration.hpp"
 
 namespace taut {
 
 /// How many times as far apart as they are control points were measured, and how sure that is.
-struct MeasuredScale {
+struct TAUT_CORE_EXPORT MeasuredScale {
     double scale = 1.0;
     double std = 0.0;    ///< standard error of it, from the points' residuals
     int redundancy = 2;  ///< 3 n - 7 of n points
@@ -24,11 +25,15 @@ struct MeasuredScale {
 /// With the places less their means, a_i measured and turned by the R of register_rigidly(), and
 /// b_i known, the scale k that makes sum_i |a_i - k b_i|^2 least (Umeyama 1991), and its standard
 /// error:
-///   k = sum a_i . b_i / sum |b_i|^2,   s_k^2 = sum |a_i - k b_i|^2 / ((3 n - 7) sum |b_i|^2)
-/// @return none where the points determine no frame
-[[nodiscard]] std::optional<MeasuredScale> measured_scale(const std::vector<ControlPoint>& points);
+///
+///     k = sum a_i . b_i / sum |b_i|^2,   s_k^2 = sum |a_i - k b_i|^2 / ((3 n - 7) sum |b_i|^2)
+///
+/// @return none where the points determine no frame: where register_rigidly() throws
+[[nodiscard]] TAUT_CORE_EXPORT std::optional<MeasuredScale> measured_scale(
+    const std::vector<ControlPoint>& points);
 
 /// A line where the scale is significantly, and by more than a ten-thousandth, not 1; else none.
-[[nodiscard]] std::vector<std::string> scale_warnings(const std::vector<ControlPoint>& points);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<std::string> scale_warnings(
+    const std::vector<ControlPoint>& points);
 
 }  // namespace taut

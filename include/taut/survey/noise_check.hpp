@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -12,10 +13,12 @@ namespace taut {
 /// A line where the noise of a survey is more than 2 % of the net's mean edge length, or than
 /// 50 mm: no instrument is that bad, so it was most likely meant in millimetres. Else none.
 /// @param noise_std of a coordinate [m]
-[[nodiscard]] std::vector<std::string> noise_warnings(const CableNet& net, double noise_std);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<std::string> noise_warnings(const CableNet& net,
+                                                                       double noise_std);
 
 /// Refuses noise beyond the mean edge length, which hides what node a target is on.
-/// @throws SurveyError
-void refuse_absurd_noise(const CableNet& net, double noise_std);
+/// @param noise_std of a coordinate [m]
+/// @throws SurveyError for such noise
+TAUT_CORE_EXPORT void refuse_absurd_noise(const CableNet& net, double noise_std);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -18,8 +19,10 @@ struct PlannedTarget {
 /// The survey that a plan leads to, but for the measured places: those are the nominal ones.
 /// Targets on supports tell of the frame only, and are left at that.
 /// @param noise_std of each coordinate [m]
-/// @throws SurveyError for a name that is not a node's or comes twice
-[[nodiscard]] Survey planned_survey(const CableNet& net, const std::vector<PlannedTarget>& targets,
-                                    double noise_std);
+/// @throws SurveyError with the line of a target, for a name that is empty, not a node's or comes
+///   twice
+[[nodiscard]] TAUT_CORE_EXPORT Survey planned_survey(const CableNet& net,
+                                                     const std::vector<PlannedTarget>& targets,
+                                                     double noise_std);
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/frame.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -20,31 +21,35 @@ struct ControlPoint {
 };
 
 /// The rigid motion, without scale, that moves the measured places nearest to the known ones in
-/// the sense of least squares (Kabsch 1976; Umeyama 1991).
+/// the sense of least squares (Kabsch 1976; Umeyama 1991). Places must be finite, which is not
+/// checked.
 /// @throws SurveyError for fewer than three points, points on a line, and where measured and known
 ///   points differ in scale by more than 1 % of their spread: a survey in millimetres, another net
-[[nodiscard]] Registration register_rigidly(const std::vector<ControlPoint>& points);
+[[nodiscard]] TAUT_CORE_EXPORT Registration
+register_rigidly(const std::vector<ControlPoint>& points);
 
 /// Points that the net's own supports control: those that are named after one.
-[[nodiscard]] std::vector<ControlPoint> support_control_points(
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<ControlPoint> support_control_points(
     const CableNet& net, const std::vector<SurveyPoint>& points);
 
 /// Takes control points out of the points of a survey, by the names of the known ones. A node of
 /// the net stays in: it is a target, too.
 /// @param known control points in the net's frame [m]
-/// @param points of the survey; left are those that are no control points, or nodes
+/// @param points of the survey; left are those that are no control points, or nodes; as they were
+///   where it throws
 /// @return those that were measured
 /// @throws SurveyError with the line of a known point without a name, or whose name comes twice
-[[nodiscard]] std::vector<ControlPoint> split_off_control_points(
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<ControlPoint> split_off_control_points(
     const CableNet& net, const std::vector<SurveyPoint>& known, std::vector<SurveyPoint>& points);
 
 /// Whether all control points were measured where they are known to be: to a tenth of the net's
 /// mean edge length.
-[[nodiscard]] bool in_frame_of_net(const CableNet& net, const std::vector<ControlPoint>& points);
+[[nodiscard]] TAUT_CORE_EXPORT bool in_frame_of_net(const CableNet& net,
+                                                    const std::vector<ControlPoint>& points);
 
 /// The points in the frame that a registration leads to. Standard deviations turn with them: the
 /// diagonal of R diag(s^2) R'.
-[[nodiscard]] std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points,
-                                             const RigidMotion& motion);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points,
+                                                              const RigidMotion& motion);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/station_adjustment.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -27,8 +28,8 @@ struct SurveySimulation {
 /// @throws std::invalid_argument for a form of another size or that is not finite, a negative or
 ///   infinite noise or standard deviation of offsets, an offset where the form has no normal, and a
 ///   dropped part outside [0, 1)
-[[nodiscard]] std::vector<SurveyPoint> simulate_survey(const CableNet& net, const Points& form,
-                                                       const SurveySimulation& simulation);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<SurveyPoint> simulate_survey(
+    const CableNet& net, const Points& form, const SurveySimulation& simulation);
 
 /// What a simulated instrument does to a form.
 struct PolarSimulation {
@@ -40,13 +41,14 @@ struct PolarSimulation {
     std::uint64_t seed = 1;
 };
 
-/// The readings of such a survey: each station, named 1, 2, ..., levelled and with the zero of its
-/// circle anywhere, reads each target once, with the standard deviations told. A shuffled target is
-/// named t1, t2, ... in any order. The same seed gives the same readings.
+/// The readings of a simulated instrument: each station, named 1, 2, ..., levelled and with the
+/// zero of its circle anywhere, reads each target once, with the standard deviations told. A
+/// shuffled target is named t1, t2, ... in any order. The same seed gives the same readings.
 /// @param form 3 x n, supports included [m]
 /// @throws std::invalid_argument as simulate_survey(), and for no station, one nearer than 10 mm to
 ///   a target or not finite, and noise that is not positive
-[[nodiscard]] PolarSurvey simulate_polar_survey(const CableNet& net, const Points& form,
-                                                const PolarSimulation& simulation);
+[[nodiscard]] TAUT_CORE_EXPORT PolarSurvey simulate_polar_survey(const CableNet& net,
+                                                                 const Points& form,
+                                                                 const PolarSimulation& simulation);
 
 }  // namespace taut

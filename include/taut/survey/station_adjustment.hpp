@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -22,6 +23,7 @@ struct DistancePrecision {
     double std = 1e-3;     ///< standard deviation at the instrument [m]
     double part = 1.5e-6;  ///< what comes to that, in parts of the distance
 
+    /// Standard deviation of a distance [m].
     [[nodiscard]] double std_at(double distance) const { return std + part * distance; }
 };
 
@@ -52,7 +54,7 @@ struct PolarSurvey {
 
 /// A reading whose telescope was turned over, its zenith angle above pi, as the first face reads
 /// it.
-[[nodiscard]] PolarReading in_first_face(PolarReading reading);
+[[nodiscard]] TAUT_CORE_EXPORT PolarReading in_first_face(PolarReading reading);
 
 /// Where a station stands: place of the point that its axes meet in, and by how much the zero of
 /// its horizontal circle is turned, counterclockwise seen from above, from the direction of y.
@@ -84,7 +86,7 @@ struct StationAdjustment {
 /// the vector o = s u(a, z) that a reading tells in the frame of its station (direction a, zenith
 /// angle z, distance s) and the target t in the frame of all, docs/theory.md (polar):
 ///
-///   minimise  sum |W (R(w)' (t + h e_z - p) - o)|^2
+///     minimise  sum |W (R(w)' (t + h e_z - p) - o)|^2
 ///
 /// p, w the pose, h the height of the prism, and W the inverse standard deviations across, up and
 /// along the line of sight. The covariance of a target is its block of the inverse of the normal
@@ -92,9 +94,10 @@ struct StationAdjustment {
 /// the frame is to be taken for unknown. What else targets have in common is not kept.
 /// @param survey each station with a reading, each reading with its standard deviations
 /// @throws SurveyError with the line, for readings that are not finite or have no positive distance
-///   and standard deviations, a station that shares fewer than two targets with those placed before
+///   and standard deviations, of no station there, a survey without stations or a station without
+///   readings, a station that shares fewer than two targets with those placed before
 ///   it, or only targets above each other: it has no orientation then; and where the sum does not
 ///   settle
-[[nodiscard]] StationAdjustment adjust_stations(const PolarSurvey& survey);
+[[nodiscard]] TAUT_CORE_EXPORT StationAdjustment adjust_stations(const PolarSurvey& survey);
 
 }  // namespace taut

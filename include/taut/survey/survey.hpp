@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/frame.hpp"
 
@@ -36,7 +37,7 @@ enum class UnmatchedReason {
 };
 
 /// "far from its node", "far from every node", "between nodes", "node taken".
-[[nodiscard]] std::string_view to_string(UnmatchedReason reason);
+[[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(UnmatchedReason reason);
 
 /// A surveyed point that was put on no node.
 struct UnmatchedPoint {
@@ -67,8 +68,10 @@ struct PlacedPoint {
     std::string code;       ///< of the point in the file
 };
 
-/// A survey brought to the nodes of a net.
-struct Survey {
+/// A survey brought to the nodes of a net: by match_to_nodes(), read_survey(), or by hand.
+/// identify(), identify_epochs() and survey_prospect() refuse what check_survey() refuses; its own
+/// functions do not check, and ask for a `surveyed` that names columns of `noise_std`.
+struct TAUT_CORE_EXPORT Survey {
     Points form;  ///< 3 x n: surveyed where it was, nominal elsewhere [m]
     /// 3 x n, standard deviation of each coordinate, 0 for an exact one; ignored where no free node
     /// was surveyed. 3 x 0: all exact [m].
@@ -94,8 +97,10 @@ struct Survey {
     double rounding_std = 0.0;  ///< of its file's last digit, where `noise_std` holds it [m]
 
     /// Correlations of the noise at a node, 0 where there are none.
+    /// @param node 0 to n - 1, not checked
     [[nodiscard]] Eigen::Vector3d correlations_of(int node) const;
-    /// Makes these the correlations of the noise at a node.
+    /// Makes these the correlations of the noise at a node; `form` must have its size by then.
+    /// @param node 0 to n - 1, not checked
     void set_correlations(int node, const Eigen::Vector3d& correlations);
     /// Whether some surveyed coordinate has noise.
     [[nodiscard]] bool is_noisy() const { return largest_noise_std() > 0.0; }
@@ -109,21 +114,26 @@ struct Survey {
     [[nodiscard]] double rms_noise_std() const;
 };
 
-/// @throws SurveyError for a survey of another size than the net, a node that is not free, comes
-///   twice or is neither surveyed nor missing, noise that is negative or not finite, correlations
-///   that no noise can have, a position that is not finite, and where no node was surveyed
-void check_survey(const CableNet& net, const Survey& survey);
+/// Whether a survey can be one of a net.
+/// @throws SurveyError for a survey of another size than the net, a node that is not free, out of
+///   order, comes twice or is neither surveyed nor missing, noise that is negative or not finite,
+///   correlations that no noise can have, a position that is not finite, and where no node was
+///   surveyed
+TAUT_CORE_EXPORT void check_survey(const CableNet& net, const Survey& survey);
 
 /// With the standard deviations of all that was surveyed times a factor.
-[[nodiscard]] Survey with_noise_times(Survey survey, double factor);
+[[nodiscard]] TAUT_CORE_EXPORT Survey with_noise_times(Survey survey, double factor);
 
+/// Refuses a survey that misses nodes.
 /// @param expected what the survey should have held, for the message: "all for ..."
 /// @throws SurveyError where a free node was not surveyed; names the first
-void require_whole(const CableNet& net, const Survey& survey, std::string_view expected);
+TAUT_CORE_EXPORT void require_whole(const CableNet& net, const Survey& survey,
+                                    std::string_view expected);
 
 /// A rule of a survey that is broken, at a point of it.
-class SurveyError : public std::invalid_argument {
+class TAUT_CORE_EXPORT SurveyError : public std::invalid_argument {
 public:
+    /// @param line of the file, or 0
     SurveyError(int line, const std::string& what) : std::invalid_argument(what), m_line(line) {}
     /// Line of the file, or 0 where it is the survey as a whole.
     [[nodiscard]] int line() const { return m_line; }
@@ -138,11 +148,13 @@ private:
 /// frame, whose place is known, and left at that.
 /// @param noise_std of the coordinates of points that do not tell their own [m]
 /// @throws SurveyError for a name that is not a node's or comes twice, a position that is not
-///   finite, and where the survey is not of this net, in its frame and in metres: more than 5 % of
-///   the named free nodes further from their nominal place than the net's mean edge length, a named
-///   support further than a tenth of that, less than half of the unnamed targets on a node; beside
-///   points with the names of nodes, targets with a label do not count for that
-[[nodiscard]] Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& points,
-                                    double noise_std = 0.0);
+///   finite or beyond 1e9 m, and where the survey is not of this net, in its frame and in metres:
+///   more than 5 % of the named free nodes further from their nominal place than the net's mean
+///   edge length, a named support further than a tenth of that, less than half of the unnamed
+///   targets on a node; beside points with the names of nodes, targets with a label do not count
+///   for that
+[[nodiscard]] TAUT_CORE_EXPORT Survey match_to_nodes(const CableNet& net,
+                                                     const std::vector<SurveyPoint>& points,
+                                                     double noise_std = 0.0);
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -18,19 +19,21 @@ struct TargetOffset {
     double std = 0.0;     ///< of each target by itself [m]
 };
 
-/// @throws std::invalid_argument for an offset or standard deviation beyond 0.5 m, or a negative
-/// one
-void check_target_offset(const TargetOffset& offset);
+/// Whether a target can stand so far off.
+/// @throws std::invalid_argument for an offset beyond 0.5 m either way, and a standard deviation
+///   that is negative or beyond that
+TAUT_CORE_EXPORT void check_target_offset(const TargetOffset& offset);
 
 /// "3mm", "-3mm", "3mm:0.2mm": an offset and its standard deviation (0 where none is told).
 /// @throws std::invalid_argument for anything else, and as check_target_offset()
-[[nodiscard]] TargetOffset parse_target_offset(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT TargetOffset parse_target_offset(std::string_view text);
 
 /// Offsets of the targets of a survey.
 struct TargetOffsets {
     std::optional<TargetOffset> all;         ///< of those that the table does not name
     std::map<std::string, TargetOffset> of;  ///< by a target's name in the file, or its code
 
+    /// Whether no offset is told.
     [[nodiscard]] bool empty() const { return !all && of.empty(); }
 };
 
@@ -39,15 +42,18 @@ struct TargetOffsets {
 /// docs/theory.md (normal-of-node). All of a connected net are on one side: that which is up (z) in
 /// the mean; where the net stands upright, its mean normal steeper than 1 in 10, the side of y, or
 /// else of x.
-/// @param form 3 x n, supports included [m]
-[[nodiscard]] Points node_normals(const CableNet& net, const Points& form);
+/// @param form 3 x n, supports included; its size is not checked [m]
+[[nodiscard]] TAUT_CORE_EXPORT Points node_normals(const CableNet& net, const Points& form);
 
 /// Moves targets on free nodes from where they were measured to the axis of the cable, along the
 /// normals of the nominal form, and adds the standard deviation of the offset to their noise,
 /// (offset). Supports are left as they are. Says so in the notes of the survey, and names in its
 /// warnings the nodes without a normal, where the target stays and the whole offset counts as
 /// noise.
-/// @throws SurveyError for a name or code in the table that no point of the survey has
-void take_off_offsets(const CableNet& net, const TargetOffsets& offsets, Survey& survey);
+/// @param survey of this net, which is not checked; its noise_std is 3 x n
+/// @throws SurveyError where no name or code in the table is that of a point; one that is not,
+///   beside others that are, is a note
+TAUT_CORE_EXPORT void take_off_offsets(const CableNet& net, const TargetOffsets& offsets,
+                                       Survey& survey);
 
 }  // namespace taut

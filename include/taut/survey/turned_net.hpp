@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -19,16 +20,20 @@ struct EdgeTurned {
 /// No turnbuckle changes its edge by a larger part of the unstressed length.
 inline constexpr double most_turned_part = 0.25;
 
+/// Whether this can have been turned at a net.
 /// @throws std::invalid_argument for an edge that is not adjustable or comes twice, a stroke that
-/// is
-///   not finite or more than most_turned_part of the edge, and a std that is negative, not finite
-///   or more than that
-void check_turned(const CableNet& net, std::span<const EdgeTurned> turned);
+///   is not finite or more than most_turned_part of the edge, and a std that is negative, not
+///   finite or more than that
+TAUT_CORE_EXPORT void check_turned(const CableNet& net, std::span<const EdgeTurned> turned);
 
 /// All that was turned in one step after another: one entry an edge, ascending; variances add up.
-[[nodiscard]] std::vector<EdgeTurned> all_turned(std::span<const std::vector<EdgeTurned>> steps);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<EdgeTurned> all_turned(
+    std::span<const std::vector<EdgeTurned>> steps);
 
-/// The net with these lengths; its nodes where they were.
-[[nodiscard]] CableNet turned_net(const CableNet& net, std::span<const EdgeTurned> turned);
+/// The net with these lengths; its nodes where they were. An edge may come twice.
+/// @param turned edges of the net, which is not checked: check_turned() does
+/// @throws NetError for a length that is no longer positive
+[[nodiscard]] TAUT_CORE_EXPORT CableNet turned_net(const CableNet& net,
+                                                   std::span<const EdgeTurned> turned);
 
 }  // namespace taut
