@@ -2,29 +2,64 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 #
-# Installs the Debian 12 packages that the named groups need, and nothing when all are there.
+# Installs the packages that the named groups need, of Debian 12 and 13 and Ubuntu 24.04, and nothing
+# when all are there. On other systems it says what is needed and leaves it to CMake to look.
 # cargo builds the conic solver Clarabel: Debian's cargo-web, kept up to date for browsers, is recent
 # enough, its cargo is not. A cargo that is there, from rustup say, is left alone; where it is too old,
 # CMake says so and builds without the solver.
-# Usage: scripts/install_dependencies.sh [build|test|bench|lint|fuzz]...
+# Usage: scripts/install_dependencies.sh [build|test|bench|lint|fuzz|compilers|reference]...
 set -euo pipefail
 
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
 # functions. OpenBLAS comes with pthreads, HDF5 in its serial form.
-build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev liblapacke-dev
+build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev
     libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev libpugixml-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy)
 lint=(clang-format-19 clang-tidy-19)
 # libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they tell.
 fuzz=(clang-19 libclang-rt-19-dev llvm-19)
+reference=(doxygen)
+# Compilers that scripts/check_compilers.sh builds with; libc++ in the version of the newest.
+compilers=(clang-14 clang-16 clang-19 libc++-19-dev libc++abi-19-dev)
+cargo=cargo-web
+
+system="$(. /etc/os-release 2>/dev/null && echo "$ID $VERSION_ID" || uname -s)"
+case "$system" in
+    "debian 12") ;;
+    "debian 13")
+        compilers=(clang-19 libc++-19-dev libc++abi-19-dev)
+        ;;
+    "ubuntu 24.04")
+        cargo=cargo
+        test=("${test[@]/chromium/chromium-browser}")
+        # It has no Clang 19, which these work with.
+        for group in "$@"; do
+            if [[ "$group" =~ ^(lint|fuzz|compilers)$ ]]; then
+                echo "install_dependencies.sh: '$group' takes Debian, this is $system" >&2
+                exit 1
+            fi
+        done
+        ;;
+    *)
+        cat >&2 <<EOF
+install_dependencies.sh: knows Debian 12 and 13 and Ubuntu 24.04, this is $system. taut needs:
+  a compiler of C++20 (GCC 12, Clang 14), CMake 3.25, Ninja, pkg-config
+  Eigen 3.4, oneTBB 2021, NLopt 2.7, BLAS and LAPACK (OpenBLAS), Boost 1.74, nlohmann-json 3.11, fmt 9,
+  HDF5 1.10, pugixml 1.13; for the program CLI11 2.1
+  for plans and the cone program cargo 1.71; for reports Node.js 18 with npm
+  for the tests GoogleTest 1.12, RapidCheck, Chromium, Python 3 with h5py and numpy
+EOF
+        exit 0
+        ;;
+esac
 
 # The report's viewer is bundled by Node.js. One that is there already, from elsewhere too, will do.
 if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
     build+=(nodejs npm)
 fi
 if ! command -v cargo >/dev/null && [[ ! -x "${CARGO_HOME:-$HOME/.cargo}/bin/cargo" ]]; then
-    build+=(cargo-web)
+    build+=("$cargo")
 fi
 test=("${build[@]}" "${test[@]}")
 bench=("${build[@]}" "${bench[@]}")
@@ -34,12 +69,13 @@ fuzz=("${build[@]}" "${fuzz[@]}")
 packages=()
 for group in "${@:-build}"; do
     case "$group" in
-        build | test | bench | lint | fuzz)
+        build | test | bench | lint | fuzz | compilers | reference)
             declare -n members="$group"
             packages+=("${members[@]}")
             ;;
         *)
-            echo "install_dependencies.sh: unknown group '$group', expected build, test, bench, lint or fuzz" >&2
+            echo "install_dependencies.sh: unknown group '$group'," \
+                "expected build, test, bench, lint, fuzz, compilers or reference" >&2
             exit 2
             ;;
     esac
