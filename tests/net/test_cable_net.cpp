@@ -95,6 +95,20 @@ TEST(EdgesAtSupports, AreThoseWithASupportAtEitherEnd) {
     EXPECT_THAT(edges_at_supports({{0, 1}, {1, 2}}, {}), IsEmpty());
 }
 
+TEST(CableNet, RefusesIndicesBeyondItsNodesAndEdges) {
+    const CableNet net(test::two_node_net_data());
+    for (const int node : {-1, net.node_count(), 100000}) {
+        EXPECT_THROW((void)net.free_index(node), std::out_of_range) << node;
+        EXPECT_THROW((void)net.node_id(node), std::out_of_range) << node;
+    }
+    for (const int edge : {-1, net.edge_count(), 100000}) {
+        EXPECT_THROW((void)net.tension_law(edge), std::out_of_range) << edge;
+        EXPECT_THROW((void)net.edge_id(edge), std::out_of_range) << edge;
+    }
+    EXPECT_THAT([&] { (void)net.free_index(100000); },
+                ThrowsMessage<std::out_of_range>(HasSubstr("node 100000, expected 0 to")));
+}
+
 TEST(FreeCoordinates, StandNodeByNodeInTheOrderOfTheFreeNodes) {
     const CableNet net(test::two_node_net_data());
     Eigen::VectorXd expected(6);
