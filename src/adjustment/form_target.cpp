@@ -62,8 +62,10 @@ void FormTarget::check_nearness(const CableNet& net) const {
         constexpr std::array<std::pair<const char*, double>, 4> units{
             {{"mm", 1e-3}, {"cm", 1e-2}, {"ft", 0.3048}, {"in", 0.0254}}};
         for (const auto& [name, unit] : units) {
-            if (std::ranges::all_of(m_free_nodes,
-                                    [&](int other) { return distance_in(other, unit) <= most; })) {
+            const auto fits = [&, in_it = unit](int other) {
+                return distance_in(other, in_it) <= most;
+            };
+            if (std::ranges::all_of(m_free_nodes, fits)) {
                 hint = fmt::format("in {} it would fit", name);
                 break;
             }

@@ -66,9 +66,9 @@ std::map<LatticePoint, int> free_lattice_points() {
         }
     }
     const auto hangs_loose = [&](const auto& point) {
-        const auto [i, j] = point.first;
+        const LatticePoint& at = point.first;
         return std::ranges::count_if(directions, [&](LatticePoint d) {
-                   return points.contains({i + d[0], j + d[1]});
+                   return points.contains({at[0] + d[0], at[1] + d[1]});
                }) < 2;
     };
     while (std::erase_if(points, hangs_loose) > 0) {

@@ -7,7 +7,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
-#include <ranges>
 #include <utility>
 
 #include "numerics/dense.hpp"
@@ -63,7 +62,9 @@ SupernodalFactor::SupernodalFactor(const std::vector<int>& sizes,
 /// @return false where a pivot is singular
 bool SupernodalFactor::eliminate(int front, const Assembly& assemble,
                                  std::vector<Eigen::MatrixXd>& matrices) {
-    auto& [supernode, panels, L] = m_fronts[front];
+    const auto& supernode = m_fronts[front].supernode;
+    const auto& panels = m_fronts[front].panels;
+    Eigen::MatrixXd& L = m_fronts[front].factor;
     Eigen::MatrixXd& matrix = matrices[front];
     const auto p = static_cast<Eigen::Index>(supernode.size);
     const Eigen::Index size = p + static_cast<Eigen::Index>(supernode.rows.size());
@@ -141,7 +142,8 @@ Eigen::VectorXd SupernodalFactor::solve(const Eigen::Ref<const Eigen::VectorXd>&
         x.segment(supernode.begin, L.cols()) = v.head(L.cols());
         x(supernode.rows) += v.tail(size - L.cols());
     }
-    for (const auto& [supernode, panels, L] : m_fronts | std::views::reverse) {
+    for (auto front = m_fronts.rbegin(); front != m_fronts.rend(); ++front) {
+        const auto& [supernode, panels, L] = *front;
         const Eigen::Index size = L.rows();
         v.resize(size);
         v.head(L.cols()) = x.segment(supernode.begin, L.cols());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <tbb/parallel_for.h>
 
-#include <ranges>
+#include <algorithm>
 
 #include "numerics/dense.hpp"
 #include "numerics/parts.hpp"
@@ -53,9 +53,8 @@ void SupernodalFactor::invert(int front, const Reader& read,
 void SupernodalFactor::selected_inverse(const Reader& read) const {
     const SerialBlas serial;
     std::vector<Eigen::MatrixXd> inverses(m_fronts.size());
-    for (const int front : m_branches.trunk | std::views::reverse) {
-        invert(front, read, inverses);
-    }
+    const std::vector<int>& trunk = m_branches.trunk;
+    std::for_each(trunk.rbegin(), trunk.rend(), [&](int front) { invert(front, read, inverses); });
     tbb::parallel_for(size_t{0}, m_branches.branches.size(), [&](size_t b) {
         const auto [first, end] = m_branches.branches[b];
         for (int j = end; j-- > first;) {

@@ -42,8 +42,10 @@ std::vector<Supernode> elimination_tree(const std::vector<int>& sizes,
                                  [&](int row) { return row >= node.begin + node.size; });
         }
         std::ranges::sort(node.rows);
-        const auto doubled = std::ranges::unique(node.rows);
-        node.rows.erase(doubled.begin(), doubled.end());
+        // Not std::ranges::unique, which Clang 14 cannot take from GCC's library.
+        node.rows.erase(
+            std::unique(node.rows.begin(), node.rows.end()),  // NOLINT(modernize-use-ranges)
+            node.rows.end());
         if (!node.rows.empty()) {
             node.parent = block_of[node.rows.front()];
             nodes[node.parent].children.push_back(j);

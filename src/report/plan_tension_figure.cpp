@@ -54,8 +54,9 @@ std::vector<int> drawn_edges(const std::vector<Tension>& tensions) {
         }
     }
     std::ranges::sort(edges);
-    const auto doubled = std::ranges::unique(edges);
-    edges.erase(doubled.begin(), doubled.end());
+    // Not std::ranges::unique, which Clang 14 cannot take from GCC's library.
+    edges.erase(std::unique(edges.begin(), edges.end()),  // NOLINT(modernize-use-ranges)
+                edges.end());
     return edges;
 }
 
