@@ -12,4 +12,6 @@ target_compile_options(taut_warnings INTERFACE
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 16
     AND Boost_VERSION VERSION_LESS 1.81)
     target_compile_options(taut_warnings INTERFACE -Wno-enum-constexpr-conversion)
+    # And Boost before 1.81 derives from what C++17 removed and libc++ no longer has unasked.
+    target_compile_definitions(taut_warnings INTERFACE _LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION)
 endif()

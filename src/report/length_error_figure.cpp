@@ -27,8 +27,9 @@ PathData dots(const Axes& axes, const Eigen::MatrixXd& errors_mm, const std::vec
         std::ranges::transform(errors_mm.row(i), column.begin(),
                                [&](double error) { return 0.5 * std::round(2.0 * axes.y(error)); });
         std::ranges::sort(column);
-        const auto doubled = std::ranges::unique(column);
-        column.erase(doubled.begin(), doubled.end());
+        // Not std::ranges::unique, which Clang 14 cannot take from GCC's library.
+        column.erase(std::unique(column.begin(), column.end()),  // NOLINT(modernize-use-ranges)
+                     column.end());
         for (const double y : column) {
             path.dot({axes.x(i + 1), y});
         }
