@@ -142,8 +142,8 @@ Eigen::VectorXd SupernodalFactor::solve(const Eigen::Ref<const Eigen::VectorXd>&
         x.segment(supernode.begin, L.cols()) = v.head(L.cols());
         x(supernode.rows) += v.tail(size - L.cols());
     }
-    for (auto front = m_fronts.rbegin(); front != m_fronts.rend(); ++front) {
-        const auto& [supernode, panels, L] = *front;
+    for (size_t i = m_fronts.size(); i-- > 0;) {
+        const auto& [supernode, panels, L] = m_fronts[i];
         const Eigen::Index size = L.rows();
         v.resize(size);
         v.head(L.cols()) = x.segment(supernode.begin, L.cols());

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-
 #include "numerics/dense.hpp"
 #include "numerics/parts.hpp"
 #include "numerics/serial_blas.hpp"
@@ -53,8 +51,9 @@ void SupernodalFactor::invert(int front, const Reader& read,
 void SupernodalFactor::selected_inverse(const Reader& read) const {
     const SerialBlas serial;
     std::vector<Eigen::MatrixXd> inverses(m_fronts.size());
-    const std::vector<int>& trunk = m_branches.trunk;
-    std::for_each(trunk.rbegin(), trunk.rend(), [&](int front) { invert(front, read, inverses); });
+    for (size_t k = m_branches.trunk.size(); k-- > 0;) {
+        invert(m_branches.trunk[k], read, inverses);
+    }
     tbb::parallel_for(size_t{0}, m_branches.branches.size(), [&](size_t b) {
         const auto [first, end] = m_branches.branches[b];
         for (int j = end; j-- > first;) {
