@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "net/fingerprint.hpp"
 
-#include <fmt/core.h>
-
 #include "net/fnv1a.hpp"
 
 namespace taut {
-namespace {}  // namespace
 
 std::string compute_fingerprint(const CableNetData& data) {
     Fnv1a hash;
@@ -28,7 +25,7 @@ std::string compute_fingerprint(const CableNetData& data) {
     if (data.mass.size() > 0) {
         hash.add_list(data.mass);
     }
-    return fmt::format("{:016x}", hash.value());
+    return hash.text();
 }
 
 }  // namespace taut

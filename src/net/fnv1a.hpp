@@ -29,7 +29,6 @@ public:
         add(list.data(), list.size());
     }
 
-    [[nodiscard]] std::uint64_t value() const { return m_hash; }
     /// 16 hexadecimal digits.
     [[nodiscard]] std::string text() const { return fmt::format("{:016x}", m_hash); }
 
