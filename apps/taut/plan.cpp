@@ -282,9 +282,10 @@ void print_breaches(const CableNet& net, const Plan& plan) {
     constexpr size_t shown = 10;
     for (size_t i = 0; i < std::min(shown, plan.breaches.size()); ++i) {
         const LimitBreach& breach = plan.breaches[i];
-        fmt::print(
-            "  {}{}\n", where_text(net, breach),
-            plan.draws > 0 ? fmt::format(", kept with {:.0f} %", 100.0 * breach.probability) : "");
+        fmt::print("  {}{}\n", where_text(net, breach),
+                   plan.draws > 0
+                       ? fmt::format(", kept in {:.0f} % of the draws", 100.0 * breach.probability)
+                       : "");
     }
     if (plan.breaches.size() > shown) {
         fmt::print("  and {} more\n", plan.breaches.size() - shown);
@@ -334,10 +335,14 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     fmt::print("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
                1e-3 * plan.tensions.maxCoeff());
     if (plan.draws > 0) {
+        const double kept = std::round(plan.limit_probability * plan.draws);
+        const double needed = std::ceil(record.options->confidence * (plan.draws + 1.0));
         fmt::print("all limits are kept in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n",
-                   plan.limit_probability * plan.draws, plan.draws, 100.0 * plan.limit_probability,
-                   100.0 * record.options->confidence,
-                   std::ceil(record.options->confidence * (plan.draws + 1.0)));
+                   kept, plan.draws, 100.0 * plan.limit_probability,
+                   100.0 * record.options->confidence, needed);
+        if (!plan.is_feasible && kept >= needed) {
+            fmt::print("  but the estimate itself breaks limits: do not rely on the draws here\n");
+        }
     } else {
         fmt::print("limits are {} by the estimate; how surely is not known, since {}\n",
                    plan.is_feasible ? "kept" : "broken", plan.no_draws_since);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
@@ -398,9 +399,11 @@ private:
     }
 
     /// Of each force that breaks a limit, or does so in more draws than the confidence leaves, the
-    /// limit that it breaks; where all limits together are not kept, in any draw.
+    /// limit that it breaks; where all limits together are not kept, in any draw. Those that the
+    /// estimate itself breaks come first, though draws keep them.
     void tell_breaches(Plan& plan, const StrokedState& state, const DrawnStrokes* drawn_strokes) {
         const std::vector<int> supports = supports_of(m_limits->reactions);
+        std::vector<LimitBreach> of_draws;
         for (size_t i = 0; i < m_told.size(); ++i) {
             const Eigen::VectorXd& forces = state.nets[i].forces;
             for (Eigen::Index row = 0; row < forces.size(); ++row) {
@@ -410,34 +413,38 @@ private:
                         continue;
                     }
                     const double sign = is_lower ? -1.0 : 1.0;
-                    double probability =
-                        sign * (forces(row) - limit) <= negligible_violation * m_force_unit ? 1.0
-                                                                                            : 0.0;
+                    const bool is_kept =
+                        sign * (forces(row) - limit) <= negligible_violation * m_force_unit;
+                    double probability = is_kept ? 1.0 : 0.0;
                     if (drawn_strokes != nullptr) {
                         const auto drawn_row = drawn_strokes->forces[i].row(row).array();
                         probability = (sign * (drawn_row - limit) <= 0.0).cast<double>().mean();
                     }
-                    if (probability >= (plan.is_feasible ? m_options->confidence : 1.0)) {
+                    if (is_kept &&
+                        probability >= (plan.is_feasible ? m_options->confidence : 1.0)) {
                         continue;
                     }
                     const bool is_edge = row < m_built->net.edge_count();
-                    plan.breaches.push_back(
-                        {.kind = is_edge ? LimitBreach::Kind::tension : LimitBreach::Kind::reaction,
-                         .index =
-                             is_edge
-                                 ? static_cast<int>(row)
-                                 : supports[static_cast<size_t>(row - m_built->net.edge_count())],
-                         .load_case = i == 0 ? "" : m_limits->load_cases[i - 1].name,
-                         .value = is_edge ? std::max(0.0, forces(row)) : forces(row),
-                         .limit = limit,
-                         .probability = probability});
+                    (is_kept ? of_draws : plan.breaches)
+                        .push_back({.kind = is_edge ? LimitBreach::Kind::tension
+                                                    : LimitBreach::Kind::reaction,
+                                    .index = is_edge ? static_cast<int>(row)
+                                                     : supports[static_cast<size_t>(
+                                                           row - m_built->net.edge_count())],
+                                    .load_case = i == 0 ? "" : m_limits->load_cases[i - 1].name,
+                                    .value = is_edge ? std::max(0.0, forces(row)) : forces(row),
+                                    .limit = limit,
+                                    .probability = probability});
                 }
             }
         }
-        std::ranges::stable_sort(plan.breaches, [](const LimitBreach& a, const LimitBreach& b) {
+        const auto is_worse = [](const LimitBreach& a, const LimitBreach& b) {
             return std::tuple(a.probability, -std::abs(a.value - a.limit)) <
                    std::tuple(b.probability, -std::abs(b.value - b.limit));
-        });
+        };
+        std::ranges::stable_sort(plan.breaches, is_worse);
+        std::ranges::stable_sort(of_draws, is_worse);
+        std::ranges::move(of_draws, std::back_inserter(plan.breaches));
     }
 
     const BuiltNet* m_built;
