@@ -12,6 +12,7 @@ if(NOT Eigen3_FOUND)
 endif()
 find_package(Boost 1.74 REQUIRED)
 find_package(TBB 2021 REQUIRED)
+find_package(FastFloat REQUIRED)  # std::from_chars of a double, which libc++ has from 20 on
 find_package(fmt 9 REQUIRED)
 # Clang 19 and the GCC that made Debian's libfmt give one of its templates two names.
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")

@@ -25,6 +25,7 @@ function(taut_add_library component)
     target_link_libraries(${target} PRIVATE
         ${TAUT_FMT}
         $<BUILD_INTERFACE:Boost::headers>
+        $<BUILD_INTERFACE:FastFloat::fast_float>
         $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
         $<BUILD_INTERFACE:taut_warnings>)
 

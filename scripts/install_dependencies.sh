@@ -13,7 +13,7 @@ set -euo pipefail
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
 # functions. OpenBLAS comes with pthreads, HDF5 in its serial form.
 build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev
-    libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev libpugixml-dev)
+    libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libfast-float-dev libboost-dev libpugixml-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy)
 lint=(clang-format-19 clang-tidy-19)
@@ -21,14 +21,14 @@ lint=(clang-format-19 clang-tidy-19)
 fuzz=(clang-19 libclang-rt-19-dev llvm-19)
 reference=(doxygen)
 # Compilers that scripts/check_compilers.sh builds with.
-compilers=(clang-14 clang-16)
+compilers=(clang-14 clang-16 clang-19 libc++-19-dev libc++abi-19-dev)
 cargo=cargo-web
 
 system="$(. /etc/os-release 2>/dev/null && echo "$ID $VERSION_ID" || uname -s)"
 case "$system" in
     "debian 12") ;;
     "debian 13")
-        compilers=()  # it has none older than 17
+        compilers=(clang-19 libc++-19-dev libc++abi-19-dev)  # it has none older than 17
         ;;
     "ubuntu 24.04")
         cargo=cargo
@@ -46,7 +46,7 @@ case "$system" in
 install_dependencies.sh: knows Debian 12 and 13 and Ubuntu 24.04, this is $system. taut needs:
   a compiler of C++20 (GCC 12, Clang 14), CMake 3.25, Ninja, pkg-config
   Eigen 3.4, oneTBB 2021, NLopt 2.7, BLAS and LAPACK (OpenBLAS), Boost 1.74, nlohmann-json 3.11, fmt 9,
-  HDF5 1.10, pugixml 1.13; for the program CLI11 2.1
+  fast_float 3.9, HDF5 1.10, pugixml 1.13; for the program CLI11 2.1
   for plans and the cone program cargo 1.71; for reports Node.js 18 with npm
   for the tests GoogleTest 1.12, RapidCheck, Chromium, Python 3 with h5py and numpy
 EOF

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "plan_options.hpp"
 
+#include <fast_float/fast_float.h>
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -19,7 +19,8 @@ namespace {
 double parse_part_of_turn(const std::string& text) {
     const auto number = [&](std::string_view part) {
         double value = 0.0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+        const auto [end, error] =
+            fast_float::from_chars(part.data(), part.data() + part.size(), value);
         if (error != std::errc() || end != part.data() + part.size() || !(value > 0.0)) {
             throw std::invalid_argument(
                 fmt::format("--step is '{}', expected a part of a turn, such as 1/4", text));

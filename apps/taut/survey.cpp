@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
+#include <fast_float/fast_float.h>
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "command.hpp"
@@ -39,7 +39,7 @@ Eigen::Vector3d parse_place(const std::string& text) {
     const char* at = text.data();
     const char* const end = at + text.size();
     for (int k = 0; k < 3; ++k) {
-        const auto [rest, error] = std::from_chars(at, end, place(k));
+        const auto [rest, error] = fast_float::from_chars(at, end, place(k));
         const bool is_followed = k < 2 ? rest != end && *rest == ',' : rest == end;
         if (error != std::errc() || !is_followed || !std::isfinite(place(k))) {
             throw std::invalid_argument(fmt::format(
@@ -99,7 +99,7 @@ void simulate_readings(const SurveySimulationOptions& options, const CableNet& n
 double parse_part(const std::string& text) {
     double percent = 0.0;
     const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, percent);
+    const auto [rest, error] = fast_float::from_chars(text.data(), end, percent);
     if (error != std::errc() || std::string_view(rest, end - rest) != "%" ||
         !(percent >= 0.0 && percent < 100.0)) {
         throw std::invalid_argument(

@@ -70,6 +70,7 @@ class Taut(ConanFile):
         # Headers that only the sources include: nobody who links taut needs them.
         self.requires("boost/[>=1.74 <2]", visible=False)
         self.requires("fmt/[>=9 <12]")
+        self.requires("fast_float/[>=3.9 <9]", visible=False)
         self.requires("nlohmann_json/[>=3.11 <4]", visible=False)
 
     def build_requirements(self):

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <charconv>
+#include <fast_float/fast_float.h>
+
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -16,7 +17,7 @@ namespace taut {
     }
     double value = 0.0;
     const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    const auto [rest, error] = fast_float::from_chars(text.data(), end, value);
     if (error != std::errc() || rest != end || !std::isfinite(value)) {
         return std::nullopt;
     }

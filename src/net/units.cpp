@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "taut/net/units.hpp"
 
+#include <fast_float/fast_float.h>
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -42,7 +42,7 @@ double parse_quantity(std::string_view text, const std::array<Unit, Count>& unit
                       std::string_view is_no) {
     double value = 0.0;
     const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    const auto [rest, error] = fast_float::from_chars(text.data(), end, value);
     if (error == std::errc() && std::isfinite(value)) {
         std::string_view name(rest, end - rest);
         while (name.starts_with(' ')) {
@@ -63,7 +63,7 @@ std::string shortest_text(double metres, double tolerance) {
     for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
         const std::string text = fmt::format("{:.{}e}", metres * 1000.0, digits - 1);
         double millimetres = 0.0;
-        std::from_chars(text.data(), text.data() + text.size(), millimetres);
+        fast_float::from_chars(text.data(), text.data() + text.size(), millimetres);
         if (std::abs(millimetres / 1000.0 - metres) <= tolerance * std::abs(metres)) {
             return fmt::format("{}mm", millimetres);
         }

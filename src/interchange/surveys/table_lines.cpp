@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "interchange/surveys/table_lines.hpp"
 
+#include <fast_float/fast_float.h>
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "taut/files/input_error.hpp"
@@ -30,7 +31,7 @@ std::optional<NumberField> parse_number_field(std::string_view field) {
     const size_t plus = text.starts_with('+') && !text.starts_with("+-") ? 1 : 0;
     double value = 0.0;
     const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data() + plus, end, value);
+    const auto [rest, error] = fast_float::from_chars(text.data() + plus, end, value);
     if (error == std::errc::invalid_argument || rest != end) {
         return std::nullopt;
     }
