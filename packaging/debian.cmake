@@ -2,10 +2,8 @@
 # SPDX-License-Identifier: MIT
 
 # Three Debian packages by install component, libtaut<major>.<minor>, libtaut-dev and taut:
-#   cmake -S . -B build/debian -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON -DCMAKE_INSTALL_PREFIX=/usr
-#       -DCMAKE_SKIP_INSTALL_RPATH=ON
-#   cmake --build build/debian && cpack -G DEB --config build/debian/CPackConfig.cmake -B build/debian/packages
-# The prefix makes GNUInstallDirs take Debian's folder of libraries; there nothing needs an RPATH.
+# docs/releasing.md has the commands. Their prefix makes GNUInstallDirs take Debian's folder of libraries; there
+# nothing needs an RPATH.
 # dpkg-shlibdeps (dpkg-dev) finds what the binaries need.
 include_guard()
 
@@ -37,22 +35,29 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libeigen3-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "lengths of a tensioned cable net from one survey (development)
-taut tells how long each cable of a built net is, how tight and how sure that is.
-This package holds what programs are built with: headers, libraries to link, and
-files for CMake and pkg-config.")
+taut tells how long each cable of a built net is, how tight and how sure that
+is. This package holds what programs are built with: headers, libraries to
+link, and files for CMake and pkg-config.")
 
 if(BUILD_SHARED_LIBS)
     list(APPEND CPACK_COMPONENTS_ALL library)
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library_package})
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
     set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
-    # For packages made on top of this one: what they link, and from which version on. The call of
-    # ldconfig comes by itself.
-    set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-    set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
     set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "lengths of a tensioned cable net from one survey (libraries)
-taut tells how long each cable of a built net is, how tight and how sure that is.
-This package holds the libraries that programs run with.")
+taut tells how long each cable of a built net is, how tight and how sure that
+is. This package holds the libraries that programs run with.")
+    # For packages made on top of this one: what they link, and from which version on. CPack's own
+    # would call ldconfig from a script; Debian's way is a trigger.
+    set(shlibs "")
+    foreach(component core adjustment io report)
+        string(APPEND shlibs "libtaut_${component} ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} "
+            "${library_package} (>= ${PROJECT_VERSION})\n")
+    endforeach()
+    file(WRITE ${PROJECT_BINARY_DIR}/debian/shlibs "${shlibs}")
+    file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+    set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
+        ${PROJECT_BINARY_DIR}/debian/shlibs ${PROJECT_BINARY_DIR}/debian/triggers)
     string(PREPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library_package} ${same_version}, ")
 else()
     # A static library brings none of its own along.
@@ -74,13 +79,28 @@ and which turnbuckle to turn how far. Surveys go in as they come from the
 instrument, results come out as JSON, CSV and reports for any browser.")
 endif()
 
-# Each package has the licence where Debian looks for it. Only who asks for a component gets it
-# there: a plain `cmake --install` does not.
+# Each package has the licence and the changes where Debian looks for them. Only who asks for a
+# component gets them there: a plain `cmake --install` does not.
+set(changes ${PROJECT_BINARY_DIR}/debian/changelog.Debian)
+file(STRINGS ${PROJECT_SOURCE_DIR}/CHANGELOG.md release REGEX "^## \\[${PROJECT_VERSION}\\] - " LIMIT_COUNT 1)
+string(REGEX MATCH "[0-9]+-[0-9]+-[0-9]+$" released "${release}")
+execute_process(COMMAND date --utc --rfc-email --date=${released}
+    OUTPUT_VARIABLE released OUTPUT_STRIP_TRAILING_WHITESPACE)
+file(WRITE ${changes} "taut (${PROJECT_VERSION}-${revision}) unstable; urgency=medium
+
+  * ${PROJECT_VERSION}: see changelog.gz.
+
+ -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${released}
+")
+configure_file(${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_BINARY_DIR}/debian/changelog COPYONLY)
+execute_process(COMMAND gzip --best --no-name --force ${changes} ${PROJECT_BINARY_DIR}/debian/changelog)
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     string(TOUPPER ${component} name)
+    set(documents ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME})
     install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
-        DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_DEBIAN_${name}_PACKAGE_NAME}
-        COMPONENT ${component} EXCLUDE_FROM_ALL)
+        DESTINATION ${documents} COMPONENT ${component} EXCLUDE_FROM_ALL)
+    install(FILES ${changes}.gz ${PROJECT_BINARY_DIR}/debian/changelog.gz
+        DESTINATION ${documents} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endforeach()
 
 # What is installed without one of these components would be in no package.
