@@ -54,8 +54,7 @@ struct PlanCommand : CommonOptions {
     std::uint64_t seed = 1;
 };
 
-const std::vector<int>& group_of(const CableNet& net, const std::string& name,
-                                 const std::string& option) {
+std::vector<int> group_of(const CableNet& net, const std::string& name, const std::string& option) {
     const auto found = net.data().groups.find(name);
     if (found == net.data().groups.end()) {
         throw std::invalid_argument(
@@ -89,7 +88,9 @@ void take_tension(const CableNet& net, const std::string& text, TensionLimits& l
             set(edge);
         }
     } else {
-        std::ranges::for_each(group_of(net, text.substr(at + 1), "--tension"), set);
+        for (const int edge : group_of(net, text.substr(at + 1), "--tension")) {
+            set(edge);
+        }
     }
 }
 
