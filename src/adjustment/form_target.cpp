@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "net/check_index.hpp"
 #include "statics/arguments.hpp"
 #include "taut/survey/target_offsets.hpp"
 
@@ -135,6 +136,7 @@ void FormTarget::check_weights() const {
 }
 
 Eigen::Matrix3d FormTarget::weight(int node) const {
+    check_index("node", node, m_normals.cols());
     const auto normal = m_normals.col(node);
     const double along = std::sqrt(m_normal_weight(node));
     if (normal.isZero(0.0)) {

@@ -8,6 +8,7 @@
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace taut {
@@ -21,6 +22,11 @@ constexpr double smallest_strain_step = 1e-12;
 
 bool is_magnitude(double value) {
     return std::abs(value) <= largest_entry;  // not so for what is no number
+}
+
+std::string size_problem(const TensionLaw& law) {
+    return fmt::format("has {} strains and {} tensions, expected as many, and two at least",
+                       law.strain.size(), law.tension.size());
 }
 
 /// The rule that the law breaks from its point k - 1 to k.
@@ -42,8 +48,7 @@ std::string problem_at(const TensionLaw& law, Eigen::Index k) {
 std::string problem_of(const TensionLaw& law) {
     const Eigen::Index count = law.strain.size();
     if (law.tension.size() != count || count < 2) {
-        return fmt::format("has {} strains and {} tensions, expected as many, and two at least",
-                           count, law.tension.size());
+        return size_problem(law);
     }
     for (Eigen::Index k = 0; k < count; ++k) {
         if (!is_magnitude(law.strain(k)) || !is_magnitude(law.tension(k))) {
@@ -79,6 +84,9 @@ Eigen::Index TensionLaw::part_of(double strain_there) const {
 }
 
 double TensionLaw::slope_of(Eigen::Index part) const {
+    if (strain.size() != tension.size() || part + 1 >= strain.size()) {
+        throw std::invalid_argument("the tension law " + size_problem(*this));
+    }
     return (tension(part + 1) - tension(part)) / (strain(part + 1) - strain(part));
 }
 
@@ -131,13 +139,13 @@ double TensionLaw::strain_at(double tension_there) const {
 
 std::pair<double, double> TensionLaw::strains_at(double tension_there) const {
     constexpr double rounding = 1e-6;
+    const double strain_there = strain_at(tension_there);
     for (Eigen::Index part = 1; part + 1 < tension.size(); ++part) {
         if (tension(part) == tension(part + 1) &&
             std::abs(tension_there - tension(part)) <= rounding * tension(part)) {
             return {strain(part), strain(part + 1)};
         }
     }
-    const double strain_there = strain_at(tension_there);
     return {strain_there, strain_there};
 }
 

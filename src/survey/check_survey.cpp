@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "net/check_index.hpp"
 #include "taut/survey/covariance.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -40,8 +41,11 @@ void check_target(const CableNet& net, const Survey& survey, int node) {
 }  // namespace
 
 Eigen::Vector3d Survey::correlations_of(int node) const {
-    return noise_correlations.cols() == 0 ? Eigen::Vector3d::Zero()
-                                          : Eigen::Vector3d(noise_correlations.col(node));
+    if (noise_correlations.cols() == 0) {
+        return Eigen::Vector3d::Zero();
+    }
+    check_index("node", node, noise_correlations.cols());
+    return noise_correlations.col(node);
 }
 
 void Survey::set_correlations(int node, const Eigen::Vector3d& correlations) {
@@ -51,6 +55,7 @@ void Survey::set_correlations(int node, const Eigen::Vector3d& correlations) {
         }
         noise_correlations.setZero(3, form.cols());
     }
+    check_index("node", node, noise_correlations.cols());
     noise_correlations.col(node) = correlations;
 }
 

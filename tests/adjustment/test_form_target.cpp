@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <limits>
+#include <stdexcept>
 
 #include "support/surfaces.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -122,6 +123,9 @@ TEST(FormTarget, RefusesWhatIsNoTarget) {
     FormTarget target(net, net.nodes());
     EXPECT_THAT([&] { target.set_weights(Eigen::VectorXd::Ones(3), Eigen::VectorXd::Ones(3)); },
                 refused("3 and 3 weights"));
+    EXPECT_THROW(static_cast<void>(target.weight(net.node_count())), std::out_of_range);
+    EXPECT_THROW(static_cast<void>(target.weighted(-1, Eigen::Vector3d::Zero())),
+                 std::out_of_range);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "support/random_laws.hpp"
 #include "support/small_nets.hpp"
@@ -182,6 +183,18 @@ TEST(TensionLaw, IsPartOfTheFingerprint) {
     EXPECT_NE(CableNet(data).fingerprint(), with_law);
     data.tension_laws[0].name = "another";
     EXPECT_EQ(CableNet(data).fingerprint().size(), with_law.size());
+}
+
+TEST(TensionLaw, OfLessThanTwoPointsIsRefused) {
+    const TensionLaw empty;
+    EXPECT_THROW(static_cast<void>(empty.at(0.1)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(empty.strain_at(0.1)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(empty.blurred(0.1, 0.01)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(empty.energy_between(0.0, 0.1)), std::invalid_argument);
+    TensionLaw uneven = law();
+    uneven.strain.conservativeResize(uneven.strain.size() - 1);
+    EXPECT_THROW(static_cast<void>(uneven.at(0.1)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(uneven.strains_at(0.1)), std::invalid_argument);
 }
 
 }  // namespace

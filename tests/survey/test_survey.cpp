@@ -13,6 +13,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 #include <string>
 
 #include "taut/design/builtin_nets.hpp"
@@ -219,6 +220,17 @@ TEST_F(MatchToNodes, RefusesASupportThatMovedByATenthOfTheMeanEdgeLength) {
     EXPECT_EQ(error.line(), 10 + m_support);
     EXPECT_THAT(error.what(), AllOf(HasSubstr("support '" + std::to_string(m_support) + "'"),
                                     HasSubstr("in its frame")));
+}
+
+TEST(Survey, RefusesCorrelationsOfANodeThatIsNotThere) {
+    Survey survey;
+    survey.form = Points::Zero(3, 4);
+    EXPECT_EQ(survey.correlations_of(7), Eigen::Vector3d::Zero());  // of no node there are any
+    EXPECT_THROW(survey.set_correlations(4, {0.1, 0.0, 0.0}), std::out_of_range);
+    survey.set_correlations(3, {0.1, 0.0, 0.0});
+    EXPECT_EQ(survey.correlations_of(3).x(), 0.1);
+    EXPECT_THROW(static_cast<void>(survey.correlations_of(4)), std::out_of_range);
+    EXPECT_THROW(static_cast<void>(survey.correlations_of(-1)), std::out_of_range);
 }
 
 }  // namespace

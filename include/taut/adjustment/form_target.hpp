@@ -81,12 +81,12 @@ public:
 
     /// The weighted deviation of a node that stands somewhere: W_s (r_s - p_s), with
     /// W_s = sqrt(w_n) n n' + sqrt(w_t) (I - n n') (weighted-deviation) [m].
-    /// @param node 0 to n - 1, not checked
     /// @param deviation r_s - p_s [m]
+    /// @throws std::out_of_range for another node
     [[nodiscard]] Eigen::Vector3d weighted(int node, const Eigen::Vector3d& deviation) const;
 
     /// W_s of a node (3 x 3).
-    /// @param node 0 to n - 1, not checked
+    /// @throws std::out_of_range for another node
     [[nodiscard]] Eigen::Matrix3d weight(int node) const;
 
 private:

@@ -16,7 +16,8 @@ namespace taut {
 /// never falls in between, so that the energy of a net stays convex. A flat part is a
 /// constructional stretch. Below strain 0 an edge is slack; the first slope goes on there as
 /// pressure for whoever needs a smooth law. A struct that anyone may fill: all functions ask for a
-/// law that problem_of() finds nothing wrong with, and do not check; a CableNet holds no other.
+/// law that problem_of() finds nothing wrong with, as a CableNet holds no other. They check its
+/// sizes alone, and throw std::invalid_argument for less than two points.
 struct TAUT_CORE_EXPORT TensionLaw {
     std::string name;
     Eigen::VectorXd strain;   ///< k >= 2, ascending from 0 [-]

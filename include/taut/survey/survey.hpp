@@ -97,10 +97,10 @@ struct TAUT_CORE_EXPORT Survey {
     double rounding_std = 0.0;  ///< of its file's last digit, where `noise_std` holds it [m]
 
     /// Correlations of the noise at a node, 0 where there are none.
-    /// @param node 0 to n - 1, not checked
+    /// @throws std::out_of_range for a node beyond `noise_correlations`
     [[nodiscard]] Eigen::Vector3d correlations_of(int node) const;
     /// Makes these the correlations of the noise at a node; `form` must have its size by then.
-    /// @param node 0 to n - 1, not checked
+    /// @throws std::out_of_range for a node beyond that
     void set_correlations(int node, const Eigen::Vector3d& correlations);
     /// Whether some surveyed coordinate has noise.
     [[nodiscard]] bool is_noisy() const { return largest_noise_std() > 0.0; }
