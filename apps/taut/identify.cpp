@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,7 @@
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/model.hpp"
+#include "taut/io/forces_csv.hpp"
 #include "taut/io/model_h5.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/io/turned_csv.hpp"
@@ -38,6 +41,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     std::string model;
     std::string law;  ///< empty: the model's, or the default
     std::string output;
+    std::string covariance_of;
     std::vector<std::string> unknowns;
     std::vector<std::string> epochs;    ///< SURVEY[:TURNED], of later surveys
     std::optional<std::int64_t> draws;  ///< empty: default_draws()
@@ -61,6 +65,27 @@ std::optional<LengthLaw> law_of(const CableNet& net, const Options& options) {
         throw InputError(options.net, "", error.what());
     }
     return law;
+}
+
+/// The edges of --covariance-of.
+std::vector<int> covariance_edges(const CableNet& net, const Options& options) {
+    const std::string& file = options.covariance_of;
+    if (file.empty()) {
+        return {};
+    }
+    if (options.output.empty() && !options.json) {
+        throw std::invalid_argument("--covariance-of is told in the result alone: -o or --json");
+    }
+    std::vector<int> edges = parse_edge_list(net, read_file(file), file);
+    for (const int edge : edges) {
+        if (!std::ranges::binary_search(net.interior_edges(), edge)) {
+            throw InputError(file, "",
+                             fmt::format("names edge '{}', which is adjustable: only interior "
+                                         "edges have covariances",
+                                         net.edge_id(edge)));
+        }
+    }
+    return edges;
 }
 
 std::optional<LengthModel> model_of(const CableNet& net, const Options& options,
@@ -437,8 +462,8 @@ void run(const Options& options) {
         const EpochFiles files = epoch_files(text);
         inputs.insert(inputs.end(), {files.survey, files.turned});
     }
-    inputs.insert(inputs.end(),
-                  {options.net, options.survey, options.model, options.control, options.offsets});
+    inputs.insert(inputs.end(), {options.net, options.survey, options.model, options.control,
+                                 options.offsets, options.covariance_of});
     check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names}, inputs);
     IdentifyOptions settings{.law = law,
                              .forces = forces,
@@ -450,6 +475,7 @@ void run(const Options& options) {
     if (!options.method.empty()) {
         settings.method = parse_identification_method(options.method);
     }
+    settings.covariance_of = covariance_edges(net, options);
     ProgressLine line(options.quiet);
     const Identification result =
         epochs.size() > 1 ? identified_epochs(net, epochs, settings, options, line.progress())
@@ -518,6 +544,9 @@ void add_identify(CLI::App& program) {
                     "second.csv:turned.csv, or second.csv where nothing was. Lengths are told by "
                     "all surveys at once, the result by the last. May be repeated")
         ->allow_extra_args(false);
+    command.add_option("--covariance-of", options->covariance_of,
+                       "Interior edges whose lengths' covariances the result is to hold, for map: "
+                       "a file that names them, one a line");
     add_seed_option(command, options->seed);
     command.add_option("-o,--output", options->output, "Result to write (JSON)");
     set_action(command, options, run);

@@ -107,7 +107,7 @@ void check_covariance_of(const CableNet& net, const std::vector<int>& edges) {
         }
         if (!seen.insert(edge).second) {
             throw std::invalid_argument(
-                fmt::format("covariances of lengths: edge {} comes twice", edge));
+                fmt::format("covariances of lengths: edge {} is named twice", edge));
         }
     }
 }

@@ -289,6 +289,22 @@ Json forces_json(const CableNet& net, const Identification& identification) {
             {"contradicted_slack", identification.contradicted_slack}};
 }
 
+/// Null where none were asked for.
+Json length_covariance_json(const CableNet& net, const std::optional<LengthCovariance>& lengths) {
+    if (!lengths) {
+        return {};
+    }
+    Json ids = Json::array();
+    for (const int edge : lengths->edges) {
+        ids.push_back(net.edge_id(edge));
+    }
+    Json rows = Json::array();
+    for (const auto& row : lengths->covariance.rowwise()) {
+        rows.push_back(std::vector<double>(row.begin(), row.end()));
+    }
+    return {{"edges", lengths->edges}, {"ids", ids}, {"covariance", rows}};
+}
+
 Json turned_json(const CableNet& net, const std::vector<EdgeTurned>& turned) {
     Json list = Json::array();
     for (const EdgeTurned& one : turned) {
@@ -398,6 +414,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     }
     document["unknowns"] = unknowns_json(net, identification);
     document["forces"] = forces_json(net, identification);
+    document["length_covariance"] = length_covariance_json(net, identification.length_covariance);
     add_drawn(document, net, identification);
     return to_text(document);
 }

@@ -245,6 +245,10 @@ export interface Identification {
   unknowns?: Unknown[];
   forces?: Forces;
   /**
+   * Posterior covariances between the lengths of the edges that were asked for; null where none were.
+   */
+  length_covariance?: LengthCovariance | null;
+  /**
    * What the draws tell of the adjustable edges; empty without.
    */
   adjustable_edges?: DrawnTension[];
@@ -583,6 +587,14 @@ export interface Forces {
   } | null;
   contradicted_taut?: Indices1;
   contradicted_slack?: Indices2;
+}
+export interface LengthCovariance {
+  edges: Indices;
+  ids: string[];
+  /**
+   * Row by row, in the order of edges [m2].
+   */
+  covariance: Numbers[];
 }
 export interface DrawnTension {
   edge: Index;
