@@ -20,8 +20,8 @@ enum class FormObjective {
 
 /// Weights of the square of a deviation along the normal of the target and across it.
 struct DeviationWeights {
-    double normal = 1.0;
-    double tangential = 0.1;
+    double normal = 1.0;  ///< along the normal, 0 or more; of a node without one in all directions
+    double tangential = 0.1;  ///< across the normal, 0 or more
 };
 
 /// Where a net should stand: a place and a normal for each free node. A node without normal (the
@@ -106,12 +106,12 @@ private:
 /// How far a form is from a target, over the free nodes; of a surface from its points that are
 /// nearest to the form [m].
 struct FormDeviation {
-    double mean = 0.0;
-    double max = 0.0;
-    double rmse = 0.0;
+    double mean = 0.0;         ///< of the distances of the nodes
+    double max = 0.0;          ///< the largest of these
+    double rmse = 0.0;         ///< root of their mean square
     double normal_mean = 0.0;  ///< of the size along the normal, over the nodes that have one
-    double normal_max = 0.0;
-    double normal_rmse = 0.0;
+    double normal_max = 0.0;   ///< the largest of these; 0 where no node has a normal
+    double normal_rmse = 0.0;  ///< root of their mean square; 0 likewise
 };
 
 /// How far a form is from a target.

@@ -11,7 +11,7 @@ namespace taut {
 
 /// An edge that may not be turned, and what it would give if it could, beside those before it.
 struct FurtherEdge {
-    int edge = 0;
+    int edge = 0;                    ///< index in the net
     double stroke = 0.0;             ///< of it then [m]
     double normal_rmse_after = 0.0;  ///< of the form, all strokes free [m]
 };

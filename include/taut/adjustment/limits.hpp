@@ -22,23 +22,23 @@ struct TAUT_ADJUSTMENT_EXPORT TensionLimits {
 
 /// The force with which each support of a group is pulled must not exceed a limit.
 struct ReactionLimit {
-    std::string name;
+    std::string name;           ///< for messages
     std::vector<int> supports;  ///< nodes
     double upper = 0.0;         ///< [N]
 };
 
 /// Loads that come later (wet concrete, say), and the limits then.
 struct LoadCase {
-    std::string name;
-    Points loads;  ///< 3 x n, in place of the net's [N]
-    TensionLimits tension;
+    std::string name;       ///< as LimitBreach::load_case tells it
+    Points loads;           ///< 3 x n, in place of the net's [N]
+    TensionLimits tension;  ///< under these loads
 };
 
 /// What forces must keep to: the tensions of all edges (m), then the reactions of the supports of
 /// all reaction limits [N].
 struct TAUT_ADJUSTMENT_EXPORT ForceRange {
-    Eigen::VectorXd lower;
-    Eigen::VectorXd upper;
+    Eigen::VectorXd lower;  ///< of reactions -infinite
+    Eigen::VectorXd upper;  ///< may be infinite
 
     /// Sum of what forces are beyond [N].
     /// @param forces as many as limits, not checked
@@ -50,10 +50,10 @@ struct Limits {
     /// Of the edges that may be turned (k each): change of the unstressed length from where it
     /// stands now [m].
     Eigen::VectorXd shortest_stroke;
-    Eigen::VectorXd longest_stroke;
-    TensionLimits tension;
-    std::vector<ReactionLimit> reactions;
-    std::vector<LoadCase> load_cases;
+    Eigen::VectorXd longest_stroke;        ///< 0 or more, likewise (k) [m]
+    TensionLimits tension;                 ///< under the net's own loads
+    std::vector<ReactionLimit> reactions;  ///< under the net's own loads, none under later ones
+    std::vector<LoadCase> load_cases;      ///< each with its own limits of tensions
 };
 
 /// Strokes of at most `stroke` either way, and no edge slack.

@@ -26,10 +26,10 @@ struct TurnSize {
 
 /// Which edges may be turned, and how surely limits are to hold.
 struct PlanOptions {
-    std::vector<int> edges;  ///< that may be turned, ascending; empty: the net's adjustable edges
-    double confidence = 0.95;
-    double actuator_std = 0.0;  ///< of what is turned, from what was told [m]
-    std::optional<TurnSize> turn;
+    std::vector<int> edges;    ///< that may be turned, ascending; empty: the net's adjustable edges
+    double confidence = 0.95;  ///< that all limits are kept together, over the draws
+    double actuator_std = 0.0;     ///< of what is turned, from what was told [m]
+    std::optional<TurnSize> turn;  ///< empty: any stroke can be turned
     /// The fewest edges are turned with which the form comes so near: the root of the mean square
     /// of its deviations along the normal, or the largest of them, as the target's objective [m].
     std::optional<double> tolerance;
@@ -41,7 +41,7 @@ struct PlanOptions {
 
 /// One edge that is to be turned.
 struct PlannedStroke {
-    int edge = 0;
+    int edge = 0;         ///< index in the net
     double stroke = 0.0;  ///< change of its unstressed length [m]
 };
 
@@ -49,17 +49,17 @@ struct PlannedStroke {
 struct LimitBreach {
     /// Of what force the limit is.
     enum class Kind { tension, reaction };
-    Kind kind = Kind::tension;
-    int index = 0;             ///< an edge, or a support
-    std::string load_case;     ///< empty: the loads of the net
-    double value = 0.0;        ///< planned [N]
-    double limit = 0.0;        ///< [N]
-    double probability = 0.0;  ///< that the limit is kept; 0 or 1 without draws
+    Kind kind = Kind::tension;  ///< tension of an edge, or reaction of a support
+    int index = 0;              ///< an edge, or a support
+    std::string load_case;      ///< empty: the loads of the net
+    double value = 0.0;         ///< planned [N]
+    double limit = 0.0;         ///< [N]
+    double probability = 0.0;   ///< that the limit is kept; 0 or 1 without draws
 };
 
 /// A target that tells of the planned form what is not known yet.
 struct FurtherTarget {
-    int node = 0;
+    int node = 0;  ///< index of a free node
     /// Plan::normal_unknown after a survey of this and those before it [m].
     double normal_unknown = 0.0;
 };
@@ -67,9 +67,9 @@ struct FurtherTarget {
 /// Which edges to turn how far, and what comes of it.
 struct TAUT_ADJUSTMENT_EXPORT Plan {
     std::vector<PlannedStroke> strokes;  ///< those that are not 0, by edge
-    FormDeviation as_built;
-    FormDeviation planned;      ///< of the estimate
-    FormDeviation unavoidable;  ///< what strokes without limits leave, no edge slack
+    FormDeviation as_built;              ///< of the estimate, before anything is turned
+    FormDeviation planned;               ///< of the estimate
+    FormDeviation unavoidable;           ///< what strokes without limits leave, no edge slack
     /// Root of the mean square, over nodes and draws, of what the deviation along the normal
     /// differs from the planned one: not known yet, rather than not to be had. 0 without draws [m].
     double normal_unknown = 0.0;
@@ -80,16 +80,16 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     Eigen::MatrixXd form_std;       ///< 3 x n; 0 without draws [m]
     Eigen::VectorXd tensions;       ///< planned (m) [N]
     Eigen::VectorXd tension_lower;  ///< 95 % intervals over the draws (m); empty without [N]
-    Eigen::VectorXd tension_upper;
+    Eigen::VectorXd tension_upper;  ///< their upper ends (m); empty without [N]
     /// The limits that were held: narrower than those told by what holds them in the draws, too;
     /// of the net's loads, then of each load case.
     std::vector<ForceRange> held;
-    int draws = 0;
+    int draws = 0;               ///< that limits were held for; 0: for the estimate alone
     std::string no_draws_since;  ///< where there are none
     /// That all limits are kept; 0 or 1 without draws.
     double limit_probability = 0.0;
-    bool is_feasible = false;  ///< all limits are kept, with the confidence wanted
-    bool has_converged = false;
+    bool is_feasible = false;    ///< all limits are kept, with the confidence wanted
+    bool has_converged = false;  ///< the search for strokes ended where no step promised to help
     std::vector<LimitBreach> breaches;  ///< the worst first
     /// Cost of whole steps: normal RMS with free strokes; that of `planned` where there are no
     /// steps [m].
@@ -98,7 +98,7 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     /// first order, it cannot be.
     std::optional<bool> is_within_tolerance;
     std::optional<int> fewest_bound;  ///< where it is
-    int iterations = 0;
+    int iterations = 0;               ///< steps of that search
 
     /// The size of the longest stroke; 0 where none is turned [m].
     [[nodiscard]] double largest_stroke() const;

@@ -12,7 +12,7 @@ namespace taut {
 
 /// One thing that a crew does at one turnbuckle.
 struct Turning {
-    int edge = 0;
+    int edge = 0;         ///< index in the net
     double stroke = 0.0;  ///< [m]
     int pass = 1;         ///< over the net, from 1
     int crew = 1;         ///< from 1
@@ -28,8 +28,8 @@ struct WorstMoment {
 /// In which order strokes are turned.
 struct TurnOrder {
     std::vector<Turning> turnings;  ///< in the order of the work
-    int passes = 0;
-    double walk = 0.0;  ///< of all crews, along straight lines between stations [m]
+    int passes = 0;                 ///< over the net: 1, 2, 4 or 8; 0 where nothing is to be turned
+    double walk = 0.0;              ///< of all crews, along straight lines between stations [m]
     /// No force is beyond its limits at any moment, but for what was beyond before the work began
     /// and then is no worse.
     bool is_safe = false;
@@ -38,7 +38,7 @@ struct TurnOrder {
 
 /// Who turns, and how finely.
 struct TurnOrderOptions {
-    int crews = 1;
+    int crews = 1;      ///< that work at the same time, 1 to 100
     double step = 0.0;  ///< of what is turned at once; 0: any [m]
 };
 

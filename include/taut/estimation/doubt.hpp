@@ -20,8 +20,8 @@ struct TAUT_CORE_EXPORT FoundScale {
 
 /// The scales by which noise and lengths together fit what a survey shows.
 struct VarianceComponents {
-    FoundScale noise;
-    FoundScale lengths;
+    FoundScale noise;    ///< of the standard deviations of surveyed coordinates
+    FoundScale lengths;  ///< of the standard deviation of the law
 };
 
 /// What the lengths that a survey shows tell of their law.
@@ -52,7 +52,7 @@ struct TAUT_CORE_EXPORT FrameCheck {
     /// By which the survey lies off the frame that was told, about the middle of the net [m, rad];
     /// 0 where the frame was unknown.
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-    Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< about x, y and z, likewise [rad]
     double motion_statistic = 0.0;  ///< chi-squared of six degrees of freedom, if it does not
 
     /// Beyond chance.

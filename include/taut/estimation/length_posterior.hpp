@@ -28,7 +28,7 @@ struct LengthLikelihood {
     double extension = std::numeric_limits<double>::infinity();
     /// No x outside these is possible: of an exact form where the tension law is flat [m].
     double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();  ///< upper bound, likewise [m]
 };
 
 /// Takes a normal prior out of a normal posterior: 1/std^2 = 1/posterior_std^2 - 1/prior_std^2.
@@ -40,10 +40,10 @@ struct LengthLikelihood {
 
 /// A distribution of one length deviation.
 struct LengthPosterior {
-    double mean = 0.0;   ///< [m]
-    double std = 0.0;    ///< [m]
-    double lower = 0.0;  ///< 95 % interval [m]
-    double upper = 0.0;
+    double mean = 0.0;               ///< [m]
+    double std = 0.0;                ///< [m]
+    double lower = 0.0;              ///< 95 % interval [m]
+    double upper = 0.0;              ///< its upper end [m]
     double slack_probability = 0.0;  ///< that the deviation exceeds slack_from
 };
 

@@ -10,7 +10,7 @@ namespace taut {
 
 /// A target that contradicts all others: rejected by data snooping (docs/theory.md, (snooping)).
 struct Outlier {
-    int node = 0;
+    int node = 0;            ///< the target's: a free node, or a surveyed support
     double distance = 0.0;   ///< of the surveyed place from the one that all others tell [m]
     double statistic = 0.0;  ///< its square in standard deviations, to be compared with threshold
     /// Node of another outlier, where each of both lies where the other should: their names are
@@ -20,7 +20,7 @@ struct Outlier {
 
 /// A reading of a force that contradicts all else.
 struct ReadingOutlier {
-    int edge = 0;
+    int edge = 0;            ///< whose force was read
     double read = 0.0;       ///< [N]
     double expected = 0.0;   ///< what all else tells [N]
     double statistic = 0.0;  ///< squared difference in its variances
@@ -28,7 +28,7 @@ struct ReadingOutlier {
 
 /// An edge whose length the survey shows to be beyond the law of the others: mis-cut, most likely.
 struct LengthOutlier {
-    int edge = 0;
+    int edge = 0;  ///< an interior one; where their lengths were unknown, an adjustable one, too
     double deviation = 0.0;  ///< of its length by the survey alone [m]
     double std = 0.0;        ///< of that [m]
     double statistic = 0.0;  ///< squared distance from the law in its variances
@@ -38,8 +38,8 @@ struct LengthOutlier {
 struct BoundaryOutlier {
     /// What it is.
     enum class Kind { adjustable_edge, support };
-    Kind kind = Kind::adjustable_edge;
-    int index = 0;  ///< of the edge or node
+    Kind kind = Kind::adjustable_edge;  ///< what `index` is of
+    int index = 0;                      ///< of the edge or node
     /// Of the edge's length (the first alone), or of the support's place [m].
     Eigen::Vector3d deviation = Eigen::Vector3d::Zero();
     Eigen::Vector3d std = Eigen::Vector3d::Zero();  ///< of that [m]

@@ -27,9 +27,9 @@ enum class FitStatus {
 
 /// One process, trained.
 struct Process {
-    FitStatus status = FitStatus::fitted;
-    Hyperparameters hyperparameters;  ///< zero where not fitted, as the numbers below
-    double negative_log_likelihood = 0.0;
+    FitStatus status = FitStatus::fitted;  ///< whether it could be trained
+    Hyperparameters hyperparameters;       ///< zero where not fitted, as the numbers below
+    double negative_log_likelihood = 0.0;  ///< of its output, at these hyperparameters
     double leave_one_out_rmse = 0.0;  ///< of the mean at each training input, trained without it
     int spectrum = -1;                ///< which of FittedProcesses::spectra it uses
 };
@@ -72,7 +72,7 @@ struct FitSettings {
     /// log likelihood. At n = 1000 one takes about 0.2 s on two cores; where they cost less, allow
     /// more.
     double relative_tolerance = 1e-7;
-    int max_spectra = 12;
+    int max_spectra = 12;  ///< decompositions at most, 1 or more
 };
 
 /// Algorithm 1 of the paper: estimates each output's hyperparameters by maximum marginal likelihood

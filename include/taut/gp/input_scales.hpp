@@ -14,8 +14,8 @@ namespace taut::gp {
 /// and sigma_w at their best), and its gradient with respect to the logarithms of the groups'
 /// scales.
 struct ScalesLikelihood {
-    double value = 0.0;
-    Eigen::VectorXd gradient;
+    double value = 0.0;        ///< the sum; the smaller, the likelier
+    Eigen::VectorXd gradient;  ///< one a group (G)
 };
 
 /// With the squared exponential kernel that scales each input dimension for itself (eq. SEkernel),

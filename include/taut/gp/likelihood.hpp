@@ -31,8 +31,8 @@ struct Likelihood {
 
 /// Bounds of the noise ratio eta = sigma_w^2 / sigma_f^2 in which it is estimated.
 struct NoiseRatioBounds {
-    double lower;
-    double upper = 1e3;
+    double lower;        ///< above 0
+    double upper = 1e3;  ///< not below `lower`
 };
 
 /// The lower bound keeps R + eta I away from singular: ten times the rounding error of an

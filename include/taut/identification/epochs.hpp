@@ -15,7 +15,7 @@ namespace taut {
 
 /// One survey among several of the same net.
 struct Epoch {
-    Survey survey;
+    Survey survey;                   ///< not an exact one; of the net as it stood then
     std::vector<EdgeTurned> turned;  ///< since the survey before; of the first: none
 };
 

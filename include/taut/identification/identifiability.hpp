@@ -27,7 +27,7 @@ struct Identifiability {
     /// Of the map from determined 1/l_0 to forces, whatever the undetermined ones are: the largest
     /// and the smallest factor by which it stretches; 0 where nothing is determined [N m].
     double largest_singular_value = 0.0;
-    double smallest_singular_value = 0.0;
+    double smallest_singular_value = 0.0;  ///< the smallest, likewise [N m]
 
     /// By how much a relative error can be larger in 1/l_0 than in the forces, at most [-].
     [[nodiscard]] double condition() const {

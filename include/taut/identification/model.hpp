@@ -33,9 +33,10 @@ enum class KernelMetric {
 
 /// How a model is to be trained.
 struct TrainingSettings {
+    /// Taken off length deviations before they are learnt.
     MeanFunction mean = MeanFunction::geometry;
-    KernelMetric metric = KernelMetric::isotropic;
-    gp::FitSettings fit = {};
+    KernelMetric metric = KernelMetric::isotropic;  ///< of the kernel of all processes
+    gp::FitSettings fit = {};  ///< where hyperparameters are looked for, and for how long
     /// Zero mean, isotropic kernel, and every survey taken for exact and whole: see LengthModel.
     bool as_in_paper = false;
 
@@ -47,12 +48,12 @@ struct TrainingSettings {
 
 /// The learnt map from form deviation to length deviations: one Gaussian process an interior edge.
 struct LengthModel {
-    std::string net_fingerprint;
-    LengthLaw law;  ///< of the data it was trained on
-    std::uint64_t seed = 1;
+    std::string net_fingerprint;    ///< CableNet::fingerprint() of the net it was trained for
+    LengthLaw law;                  ///< of the data it was trained on
+    std::uint64_t seed = 1;         ///< of the data it was trained on
     std::vector<Unknown> unknowns;  ///< that its data were drawn with
-    MeanFunction mean = MeanFunction::zero;
-    KernelMetric metric = KernelMetric::isotropic;
+    MeanFunction mean = MeanFunction::zero;         ///< that was taken off the length deviations
+    KernelMetric metric = KernelMetric::isotropic;  ///< of the kernel of all processes
     /// Trained for the paper's algorithm: eq. ident as it stands, which takes every survey for
     /// exact and whole.
     bool as_in_paper = false;

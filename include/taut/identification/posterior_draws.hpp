@@ -21,9 +21,9 @@ struct PosteriorDraws {
     Eigen::MatrixXd adjustable_deviations;
     Eigen::MatrixXd forms;     ///< 3 n_I x draws, free coordinates [m]
     Eigen::MatrixXd tensions;  ///< m x draws, of all edges [N]
-    std::uint64_t seed = 1;
-    std::string how;    ///< they were made, in words
-    std::string doubt;  ///< why they are not to be relied on; empty: they are
+    std::uint64_t seed = 1;    ///< that the draws follow from
+    std::string how;           ///< they were made, in words
+    std::string doubt;         ///< why they are not to be relied on; empty: they are
 
     /// How many draws.
     [[nodiscard]] int count() const { return static_cast<int>(length_deviations.cols()); }
@@ -31,10 +31,10 @@ struct PosteriorDraws {
 
 /// Mean, standard deviation and 95 % interval of a number over draws.
 struct DrawnEstimate {
-    double mean = 0.0;
-    double std = 0.0;
-    double lower = 0.0;
-    double upper = 0.0;
+    double mean = 0.0;   ///< in the unit of the number, as all below
+    double std = 0.0;    ///< divisor draws - 1; 0 of one draw
+    double lower = 0.0;  ///< lower end of the interval
+    double upper = 0.0;  ///< its upper end
 };
 
 /// The interval ends at the order statistics of rank p (draws + 1), p = 0.025 and 0.975: so another
@@ -46,18 +46,18 @@ estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values);
 
 /// What is known of the tension of one edge.
 struct DrawnTension {
-    int edge = 0;
+    int edge = 0;                    ///< index in the net
     DrawnEstimate tension;           ///< [N]
     double slack_probability = 0.0;  ///< the part of the draws in which it carries nothing
 };
 
 /// What is known of the place of one free node.
 struct DrawnPlace {
-    int node = 0;
+    int node = 0;           ///< index of a free node
     Eigen::Vector3d mean;   ///< [m]
     Eigen::Vector3d std;    ///< [m]
     Eigen::Vector3d lower;  ///< 95 % interval of each coordinate [m]
-    Eigen::Vector3d upper;
+    Eigen::Vector3d upper;  ///< its upper end [m]
 };
 
 /// What follows from draws for a result.

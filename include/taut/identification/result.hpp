@@ -37,13 +37,13 @@ enum class IdentificationStatus {
 
 /// What is known of one interior edge's unstressed length after a survey.
 struct IdentifiedEdge {
-    int edge = 0;
-    double nominal = 0.0;           ///< unstressed length as designed [m]
-    double length_deviation = 0.0;  ///< estimate of true minus nominal [m]
-    double std = 0.0;               ///< standard deviation of the estimate [m]
-    double lower = 0.0;             ///< 95 % interval of the length deviation [m]
-    double upper = 0.0;
-    EdgeStatus status = EdgeStatus::identified;
+    int edge = 0;                                ///< index in the net
+    double nominal = 0.0;                        ///< unstressed length as designed [m]
+    double length_deviation = 0.0;               ///< estimate of true minus nominal [m]
+    double std = 0.0;                            ///< standard deviation of the estimate [m]
+    double lower = 0.0;                          ///< 95 % interval of the length deviation [m]
+    double upper = 0.0;                          ///< its upper end [m]
+    EdgeStatus status = EdgeStatus::identified;  ///< whether the survey tells its length at all
 };
 
 /// Posterior covariances between the lengths of some interior edges.
@@ -69,7 +69,7 @@ struct TAUT_CORE_EXPORT FrameOffset {
 
 /// A length that was not the same in two surveys, one after the other, but for what was turned.
 struct LengthChange {
-    int edge = 0;
+    int edge = 0;            ///< index in the net; of the first survey that of an adjustable edge
     double change = 0.0;     ///< of it, where it was set free [m]
     double std = 0.0;        ///< [m]
     double statistic = 0.0;  ///< in standard deviations, when it was found
@@ -77,13 +77,13 @@ struct LengthChange {
 
 /// One survey among several, as all together tell it.
 struct EpochResult {
-    int surveyed = 0;                ///< free nodes
-    std::vector<EdgeTurned> turned;  ///< since the survey before
-    std::vector<Outlier> outliers;   ///< targets left out, the worst first
-    std::vector<BoundaryOutlier> boundary_outliers;
-    std::optional<FrameOffset> frame_offset;
-    double noise_ratio = 0.0;
-    double noise_scale = 1.0;
+    int surveyed = 0;                                ///< free nodes
+    std::vector<EdgeTurned> turned;                  ///< since the survey before
+    std::vector<Outlier> outliers;                   ///< targets left out, the worst first
+    std::vector<BoundaryOutlier> boundary_outliers;  ///< not as told; the worst first
+    std::optional<FrameOffset> frame_offset;         ///< where its frame was unknown
+    double noise_ratio = 0.0;  ///< as Identification::noise_ratio, of this survey
+    double noise_scale = 1.0;  ///< that its noise was multiplied by, where it was unknown
     /// How far the survey moves lengths from where earlier ones have them, root mean square, over
     /// what both let expect: about 1. 0 of the first.
     double change_ratio = 0.0;
@@ -97,8 +97,8 @@ struct EpochResult {
     /// By which all strokes would have to be multiplied to fit best, and its standard deviation, 0
     /// where nothing was turned; far from 1 where a pitch or unit was told wrong.
     double stroke_factor = 1.0;
-    double stroke_factor_std = 0.0;
-    Trust trust;  ///< of this survey alone
+    double stroke_factor_std = 0.0;  ///< standard deviation of the factor
+    Trust trust;                     ///< of this survey alone
 };
 
 /// The outcome of an identification, by whatever method. Only where the status is `converged` may
@@ -109,7 +109,7 @@ struct Identification {
     std::string method_reason;  ///< why this method, in words
     std::string how;            ///< what was done, in words: the method, its law, its training
     LengthLaw law;              ///< of the length deviations, as reckoned with
-    IdentificationStatus status = IdentificationStatus::converged;
+    IdentificationStatus status = IdentificationStatus::converged;  ///< how it ended
     std::string message;                ///< why it did not converge, and what may help; else empty
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order
     Equilibrium predicted;     ///< of the net with the identified lengths, and all else identified
@@ -118,8 +118,8 @@ struct Identification {
     Eigen::VectorXd residuals;
 
     // Of data snooping; as here where the survey is exact or taken for it.
-    std::vector<Outlier> outliers;  ///< the worst first
-    double outlier_threshold = 0.0;
+    std::vector<Outlier> outliers;   ///< the worst first
+    double outlier_threshold = 0.0;  ///< that Outlier::statistic is held against; 0: no test
     /// Root mean square of the residuals over what the stated noise lets expect; about 1 where the
     /// noise is stated right. 0 where it was not computed.
     double noise_ratio = 0.0;
@@ -136,12 +136,12 @@ struct Identification {
     /// Where the frame was unknown; forms and places are then told in that of the survey.
     std::optional<FrameOffset> frame_offset;
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
-    LawCheck law_check;
-    FrameCheck frame_check;
+    LawCheck law_check;         ///< how lengths fit `law`; as here where not computed
+    FrameCheck frame_check;     ///< how the survey would fit better; of "map" alone, else as here
     /// The law told, or the default where none was, if the survey contradicts it: `law` is then the
     /// one that the survey shows.
     std::optional<LawCheck> contradicted_law;
-    bool law_was_told = false;
+    bool law_was_told = false;  ///< false: `law` began as the default, or the model's
 
     int readings = 0;                              ///< of forces, that were told
     std::vector<ReadingOutlier> reading_outliers;  ///< those left out, the worst first
@@ -150,7 +150,7 @@ struct Identification {
     /// Edges seen taut or slack where the survey tells otherwise: then nothing that was seen is
     /// used.
     std::vector<int> contradicted_taut;
-    std::vector<int> contradicted_slack;
+    std::vector<int> contradicted_slack;  ///< of those seen slack, likewise
 
     /// What else was unknown, in the order in which it was told.
     std::vector<UnknownEstimate> unknowns;

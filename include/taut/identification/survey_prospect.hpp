@@ -15,15 +15,15 @@ namespace taut {
 
 /// What a survey can tell of one interior edge's unstressed length, before it is made.
 struct EdgeProspect {
-    int edge = 0;
-    double std = 0.0;  ///< of the length deviation, after the survey [m]
-    EdgeStatus status = EdgeStatus::identified;
+    int edge = 0;                                ///< index in the net
+    double std = 0.0;                            ///< of the length deviation, after the survey [m]
+    EdgeStatus status = EdgeStatus::identified;  ///< that an identification most probably gives
 };
 
 /// What a survey can tell of one edge's tension, before it is made, and what a reading of it would
 /// add.
 struct TensionProspect {
-    int edge = 0;
+    int edge = 0;          ///< index in the net
     double tension = 0.0;  ///< in the form that it is reckoned at [N]
     double std = 0.0;      ///< of the tension, after the survey and the readings told [N]
     /// Of the mean tension, if this edge's were read besides [N].

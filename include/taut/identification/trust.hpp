@@ -24,9 +24,9 @@ struct TAUT_CORE_EXPORT Trust {
     };
     /// What one test found.
     struct Finding {
-        Verdict verdict = Verdict::passed;
-        std::string reason;  ///< in words
-        std::string next;    ///< what to do about it; may be empty
+        Verdict verdict = Verdict::passed;  ///< what this test alone leads to
+        std::string reason;                 ///< in words
+        std::string next;                   ///< what to do about it; may be empty
     };
     std::vector<Finding> findings;  ///< the worst first
 

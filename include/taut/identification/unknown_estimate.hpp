@@ -20,7 +20,7 @@ struct TAUT_CORE_EXPORT UnknownEstimate {
     int node = -1;      ///< whose it is, of supports and of loads in newtons; else -1
     int axis = -1;      ///< of the node: 0, 1, 2 for x, y, z
     double mean = 0.0;  ///< deviation from what the net tells
-    double std = 0.0;
+    double std = 0.0;   ///< of that, after the survey
     /// Whether the survey shows it at all: whether it is known better than before.
     [[nodiscard]] bool is_observed() const;
 };
@@ -32,9 +32,9 @@ struct TAUT_CORE_EXPORT UnknownEstimate {
 
 /// The spread_ratio() of the estimates of one unknown.
 struct TAUT_CORE_EXPORT UnknownSpread {
-    Unknown unknown;
-    int count = 0;  ///< of numbers
-    double ratio = 0.0;
+    Unknown unknown;     ///< with its standard deviation before the survey
+    int count = 0;       ///< of numbers
+    double ratio = 0.0;  ///< 0 where nothing shows them
 
     /// Whether chance does not explain it.
     [[nodiscard]] bool is_contradicted() const;

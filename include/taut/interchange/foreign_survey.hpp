@@ -40,13 +40,13 @@ enum class TextEncoding { utf_8, utf_16, latin_1 };
 
 /// What is told of a survey file; the rest is found in it.
 struct SurveyFileOptions {
-    std::optional<SurveyFormat> format;
+    std::optional<SurveyFormat> format;  ///< empty: that of detect_survey_format()
     /// Of a table, in their order: id, x, y, z, sx, sy, sz, code (the kind of target), and - for
     /// one to leave out; empty: as its header says.
     std::vector<std::string> columns;
     std::optional<char> separator;  ///< of a table: comma, semicolon, tab, or blank for blanks
     std::optional<char> decimal;    ///< of a table: '.' or ','
-    std::optional<TextEncoding> encoding;
+    std::optional<TextEncoding> encoding;  ///< of its text; empty: as its bytes show
     /// Readings of angles and distances are asked for, even where the file has coordinates, too.
     bool takes_readings = false;
     std::optional<double> angle_unit;  ///< of such readings, where the file tells none [rad]
@@ -65,8 +65,8 @@ struct SurveyFileOptions {
 
 /// A line, or an element, of a file that is no point.
 struct LeftOutLine {
-    int line = 0;
-    std::string reason;
+    int line = 0;        ///< in the file, from 1; 0: not of one line
+    std::string reason;  ///< what it is, or why it is no point
 };
 
 /// What was found in a survey file. Every format is read into this.
@@ -75,11 +75,11 @@ struct ForeignSurvey {
     /// In the file's unit, x east, y north, z up; at least one where there are no readings.
     std::vector<SurveyPoint> points;
     PolarSurvey readings;  ///< angles and distances, where the file has these in place of points
-    std::optional<double> unit;        ///< of coordinates, where the file tells it [m]
-    std::optional<double> std_unit;    ///< of their standard deviations; empty: as of coordinates
-    std::vector<std::string> notes;    ///< how it was understood, a line each
-    std::vector<std::string> guesses;  ///< what was taken for granted, a line each
-    std::vector<LeftOutLine> left_out;
+    std::optional<double> unit;         ///< of coordinates, where the file tells it [m]
+    std::optional<double> std_unit;     ///< of their standard deviations; empty: as of coordinates
+    std::vector<std::string> notes;     ///< how it was understood, a line each
+    std::vector<std::string> guesses;   ///< what was taken for granted, a line each
+    std::vector<LeftOutLine> left_out;  ///< what is no point
 };
 
 /// The format of a file, by its content; where that leaves it open, by its name.

@@ -17,20 +17,20 @@ namespace taut {
 
 /// A node as another program's file gives it.
 struct ImportedNode {
-    std::string id;
+    std::string id;                           ///< name, or number in the file; no two are alike
     std::string place;                        ///< in the file, for messages: JSON pointer or line
     Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m]
     Eigen::Vector3d load{0.0, 0.0, 0.0};      ///< in the file's unit of force
-    bool is_support = false;
+    bool is_support = false;   ///< by the file, support_boundary() or support_named()
     bool is_boundary = false;  ///< at a side of one face only; without faces: at one edge only
 };
 
 /// An edge as another program's file gives it.
 struct ImportedEdge {
-    std::string id;
-    std::string place;
-    int s = 0;
-    int t = 0;
+    std::string id;     ///< name; where it has none, those of its nodes, "a-b"; may come twice
+    std::string place;  ///< in the file, for messages, as that of a node
+    int s = 0;          ///< one end: index of ImportedStructure::nodes
+    int t = 0;          ///< the other end
     /// What the file says of it in numbers, in the file's units, by the names that it uses; true
     /// and false are 1 and 0. Those that taut understands: q, f or force, l or length, l0, E, r,
     /// EA, px, py, pz, is_adjustable.
@@ -40,10 +40,10 @@ struct ImportedEdge {
 /// What a reader found in another program's file, before taut makes a net of it. Every format is
 /// read into this. Both ends of an edge must be indices of `nodes`: not checked.
 struct ImportedStructure {
-    std::string file;    ///< name, for messages
-    std::string format;  ///< in words: "COMPAS mesh"
-    std::string name;
-    std::vector<ImportedNode> nodes;
+    std::string file;                  ///< name, for messages
+    std::string format;                ///< in words: "COMPAS mesh"
+    std::string name;                  ///< of the net, as the file tells it; may be empty
+    std::vector<ImportedNode> nodes;   ///< those without edges, too
     std::vector<ImportedEdge> edges;   ///< each pair of nodes once
     int inactive_edges = 0;            ///< those whose is_edge is false, which are not in `edges`
     std::optional<double> force_unit;  ///< [N], where the file tells it

@@ -13,8 +13,8 @@ namespace taut {
 
 /// The two CSV files of a net.
 struct NetCsv {
-    std::string nodes;
-    std::string edges;
+    std::string nodes;  ///< content of the file of nodes
+    std::string edges;  ///< content of the file of edges
 };
 
 /// Reads a pair of CSV files as JAX FDM uses them, each with a header.

@@ -27,30 +27,30 @@ struct ImportSettings {
     std::optional<double> diameter;             ///< of all edges [m]
     std::string diameter_attribute;             ///< name of the attribute that gives it [mm]
     std::optional<double> force_unit;           ///< of q, f and loads in the file [N]
-    Loads loads = Loads::file;
+    Loads loads = Loads::file;                  ///< which ones the net gets
 };
 
 /// What was read, left out and assumed: a line each, for a person.
 struct ImportReport {
-    std::vector<std::string> read;
-    std::vector<std::string> left_out;
-    std::vector<std::string> assumed;
-    std::vector<std::string> warnings;
-    int inactive_edges = 0;
-    int edges_between_supports = 0;
-    int isolated_nodes = 0;
+    std::vector<std::string> read;            ///< what the net has from the file; its format first
+    std::vector<std::string> left_out;        ///< what of the file the net has not
+    std::vector<std::string> assumed;         ///< in place of what the file does not tell
+    std::vector<std::string> warnings;        ///< what is most likely wrong
+    int inactive_edges = 0;                   ///< with is_edge false in the file; left out
+    int edges_between_supports = 0;           ///< which are left out
+    int isolated_nodes = 0;                   ///< without an edge that was taken; left out
     Eigen::Vector3d load_sum{0.0, 0.0, 0.0};  ///< over the free nodes [N]
     double largest_horizontal_load = 0.0;     ///< at one node [N]
     double largest_out_of_balance = 0.0;      ///< at one node, in the given form [N]
     double mean_tension = 0.0;                ///< over the taut edges, in the given form [N]
-    double least_strain = 0.0;  ///< in the given form, negative where an edge is slack
-    double largest_strain = 0.0;
+    double least_strain = 0.0;    ///< in the given form, negative where an edge is slack
+    double largest_strain = 0.0;  ///< in the given form [-]
 };
 
 /// A net, and how it came about.
 struct ImportedNet {
-    CableNet net;
-    ImportReport report;
+    CableNet net;         ///< its nodes are the given form
+    ImportReport report;  ///< how it came about
 };
 
 /// Makes a net of what a reader found. The given form is the nominal form; edges between two

@@ -17,7 +17,7 @@ namespace taut {
 
 /// How far an edge may be turned.
 struct StrokeRange {
-    int edge = 0;
+    int edge = 0;           ///< index in the net
     double shortest = 0.0;  ///< 0 or less [m]
     double longest = 0.0;   ///< 0 or more [m]
 };
@@ -35,9 +35,9 @@ struct StrokeRange {
 
 /// Weights of the squares of a node's deviations.
 struct NodeWeights {
-    int node = 0;
-    double normal = 0.0;
-    double tangential = 0.0;
+    int node = 0;             ///< index of a free node
+    double normal = 0.0;      ///< of the deviation along the normal, 0 or more
+    double tangential = 0.0;  ///< of the deviation across it, 0 or more
 };
 
 /// id,normal,tangential: free nodes, weights of 0 or more.

@@ -13,8 +13,8 @@ namespace taut {
 
 /// A data set and the net it was drawn from, as they stand in one file.
 struct StoredDataSet {
-    DataSet data;
-    NetFile net;
+    DataSet data;  ///< drawn from `net`
+    NetFile net;   ///< with the keys that taut does not know
 };
 
 /// Writes a data set as HDF5, whole or not at all; the same data give the same bytes. Attributes of

@@ -13,8 +13,8 @@ namespace taut {
 
 /// A trained model and the net it was trained for, as they stand in one file.
 struct StoredModel {
-    LengthModel model;
-    NetFile net;
+    LengthModel model;  ///< trained for `net`
+    NetFile net;        ///< with the keys that taut does not know
 };
 
 /// Writes a model as HDF5, whole or not at all; the same model gives the same bytes. Attributes of

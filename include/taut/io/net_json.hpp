@@ -13,7 +13,7 @@ namespace taut {
 
 /// A net as it stands in a file.
 struct NetFile {
-    CableNet net;
+    CableNet net;  ///< all that taut knows of the file
     /// A JSON object of the top-level keys that taut does not know, to be written back.
     std::string unknown_keys = "{}";
 };

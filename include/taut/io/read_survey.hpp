@@ -35,7 +35,7 @@ struct ReadSurveyOptions {
     /// Standard deviation of each coordinate where the file tells none; empty: that of the rounding
     /// to the digits of the file, 0 where it holds all of a double [m].
     std::optional<double> noise_std;
-    SurveyFrame frame = SurveyFrame::automatic;
+    SurveyFrame frame = SurveyFrame::automatic;  ///< that its coordinates are in
     /// Control points id,x,y,z in the net's frame, to fit the survey's frame to instead of the
     /// supports; empty: none.
     std::filesystem::path control;
@@ -43,10 +43,11 @@ struct ReadSurveyOptions {
     /// Of its coordinates, and of its standard deviations where the file tells no other; empty: as
     /// the file tells, or as the net's extent lets guess [m].
     std::optional<double> unit;
-    PointMatching matching = PointMatching::automatic;
+    PointMatching matching = PointMatching::automatic;  ///< what tells the node of a point
     /// Of readings of angles and distances, where the file tells none; empty: those of a common
     /// total station, which is warned of [rad].
     std::optional<double> angle_std;
+    /// Of distances, where the file tells none; empty: DistancePrecision{}, which is warned of.
     std::optional<DistancePrecision> distance;
     TargetOffsets offsets = {};  ///< of targets from the axes of the cables
 };

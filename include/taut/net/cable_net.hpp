@@ -50,18 +50,18 @@ enum class Thread { right, left };
 
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
 struct CableNetData {
-    std::string name;
-    Points nodes;                        ///< 3 x n, the nominal form [m]
-    std::vector<int> supports;           ///< nodes on the rigid frame
-    std::vector<Edge> edges;             ///< m pairs of nodes
-    Eigen::VectorXd axial_stiffness;     ///< m, EA > 0; see CableNet::axial_stiffness() [N]
-    Eigen::VectorXd unstressed_lengths;  ///< m, l_0 > 0 [m]
-    std::vector<int> adjustable;         ///< edges with a turnbuckle: length known and set
-    Points loads;                        ///< 3 x n external forces [N]; 3 x 0 means none
-    std::vector<std::string> node_ids;   ///< n names, or none
-    std::vector<std::string> edge_ids;   ///< m names, or none
-    std::vector<TensionLaw> tension_laws;
-    std::vector<int> tension_law;  ///< m indices of tension_laws, -1: linear by EA; or none
+    std::string name;                      ///< for people and files; may be empty
+    Points nodes;                          ///< 3 x n, the nominal form [m]
+    std::vector<int> supports;             ///< nodes on the rigid frame
+    std::vector<Edge> edges;               ///< m pairs of nodes
+    Eigen::VectorXd axial_stiffness;       ///< m, EA > 0; see CableNet::axial_stiffness() [N]
+    Eigen::VectorXd unstressed_lengths;    ///< m, l_0 > 0 [m]
+    std::vector<int> adjustable;           ///< edges with a turnbuckle: length known and set
+    Points loads;                          ///< 3 x n external forces [N]; 3 x 0 means none
+    std::vector<std::string> node_ids;     ///< n names, or none
+    std::vector<std::string> edge_ids;     ///< m names, or none
+    std::vector<TensionLaw> tension_laws;  ///< of all edges that are not linear; or none
+    std::vector<int> tension_law;          ///< m indices of tension_laws, -1: linear by EA; or none
     std::map<std::string, std::vector<int>> groups;  ///< named lists of edges
     Eigen::VectorXd mass;                            ///< m, of a metre of edge; or none [kg/m]
     Eigen::VectorXd expansion;      ///< m, thermal strain by temperature; or none [1/K]

@@ -19,7 +19,7 @@ namespace taut {
 /// law that problem_of() finds nothing wrong with, as a CableNet holds no other. They check its
 /// sizes alone, and throw std::invalid_argument for less than two points.
 struct TAUT_CORE_EXPORT TensionLaw {
-    std::string name;
+    std::string name;         ///< for people and files; may be empty
     Eigen::VectorXd strain;   ///< k >= 2, ascending from 0 [-]
     Eigen::VectorXd tension;  ///< k, from 0 [N]
 

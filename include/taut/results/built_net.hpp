@@ -16,7 +16,7 @@ struct IdentifiedNet {
     /// identified, those of adjustable edges as told unless the survey contradicts them, supports
     /// and all else as identified, its nodes in equilibrium. With the draws kept beside the result.
     BuiltNet built;
-    Trust trust;
+    Trust trust;  ///< of the identification; empty where an older version saved it
 };
 
 /// Reads a saved identification as the net that turning begins with. Not for two threads at the

@@ -17,10 +17,10 @@ struct NetOrResult {
     /// Of an identification: unstressed lengths of interior edges = nominal + length_deviation,
     /// nodes at the predicted form, all else as in its "cable_net", unknown keys included.
     NetFile file;
-    bool is_identified = false;
+    bool is_identified = false;  ///< false: `file` is the net as designed
     /// Interior edges whose length the survey does not tell; they have the estimate all the same.
     std::vector<int> slack;
-    std::vector<int> unobserved;
+    std::vector<int> unobserved;  ///< EdgeStatus::unobserved, those above EdgeStatus::slack
 };
 
 /// Reads a net (parse_net()) or a saved identification (parse_result()), told apart by "format".

@@ -18,16 +18,16 @@ namespace taut {
 /// All that a saved plan tells of. It refers to what it tells of, which must live until it is
 /// written; all pointers must be set, and to what belongs together: not checked.
 struct PlanRecord {
-    const CableNet* net = nullptr;  ///< as designed
-    const BuiltNet* built = nullptr;
-    const Trust* trust = nullptr;  ///< of the identification that it stands on
-    const FormTarget* target = nullptr;
-    const Limits* limits = nullptr;
-    const PlanOptions* options = nullptr;
-    const Plan* plan = nullptr;
-    const TurnOrder* order = nullptr;
+    const CableNet* net = nullptr;                    ///< as designed
+    const BuiltNet* built = nullptr;                  ///< that the plan begins with
+    const Trust* trust = nullptr;                     ///< of the identification that it stands on
+    const FormTarget* target = nullptr;               ///< of the plan
+    const Limits* limits = nullptr;                   ///< as told, not as narrowed by the plan
+    const PlanOptions* options = nullptr;             ///< that the plan was made with
+    const Plan* plan = nullptr;                       ///< strokes, and what comes of them
+    const TurnOrder* order = nullptr;                 ///< of the plan's strokes
     std::optional<std::vector<FurtherEdge>> further;  ///< where they were asked for
-    int crews = 1;
+    int crews = 1;                                    ///< that `order` is for
     std::optional<Thread> thread;  ///< of all, in place of what the net tells of each
 };
 

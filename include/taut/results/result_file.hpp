@@ -19,26 +19,26 @@ namespace taut {
 /// What a saved study tells, as far as its figures need it. Lengths are in the order of the
 /// interior edges, form errors in that of the free nodes.
 struct StudyResult {
-    CableNet net;
+    CableNet net;         ///< as designed
     Points nominal_form;  ///< equilibrium of the nominal lengths (3 x n) [m]
     int validation = 0;   ///< samples
     /// Of the first validation sample: length deviations (m_I) and form errors (n_I) [m].
     Eigen::VectorXd true_deviation;
-    Eigen::VectorXd identified_deviation;
-    Eigen::VectorXd nominal_form_error;
-    Eigen::VectorXd identified_form_error;
+    Eigen::VectorXd identified_deviation;   ///< estimate of that (m_I) [m]
+    Eigen::VectorXd nominal_form_error;     ///< of `nominal_form` (n_I) [m]
+    Eigen::VectorXd identified_form_error;  ///< of the form of the identified lengths (n_I) [m]
     /// Of the errors over all validation samples (m_I) [m].
     Eigen::VectorXd error_mean;
-    Eigen::VectorXd error_std;
-    Eigen::MatrixXd errors;  ///< all of them (m_I x samples), or m_I x 0 where not saved [m]
+    Eigen::VectorXd error_std;  ///< standard deviation, divisor `validation` (m_I) [m]
+    Eigen::MatrixXd errors;     ///< all of them (m_I x samples), or m_I x 0 where not saved [m]
 };
 
 /// What a saved identification tells, as far as its figures need it.
 struct IdentificationResult {
-    CableNet net;
-    std::vector<IdentifiedEdge> edges;  ///< in the order of the file
-    Points form;                        ///< predicted (3 x n) [m]
-    std::vector<UnknownEstimate> unknowns;
+    CableNet net;                           ///< as designed
+    std::vector<IdentifiedEdge> edges;      ///< in the order of the file
+    Points form;                            ///< predicted (3 x n) [m]
+    std::vector<UnknownEstimate> unknowns;  ///< what was unknown besides lengths
     /// Adjustable edges of another length than told, and supports at another place.
     std::vector<BoundaryOutlier> boundary_outliers;
     std::vector<EdgeTurned> turned;  ///< since the net was as designed, until the last survey
@@ -48,19 +48,19 @@ struct IdentificationResult {
     std::string draws_fingerprint;
     /// At one surveyed node.
     struct Residual {
-        int node = 0;
+        int node = 0;                                 ///< index of a free node
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]
         std::optional<Eigen::Vector3d> standardised;  ///< in standard deviations
         bool is_in_use = true;  ///< false for a target that was left out for a gross error
     };
-    std::vector<Residual> residuals;
+    std::vector<Residual> residuals;  ///< in the order of the file
 };
 
 /// What a saved comparison of methods tells.
 struct ComparisonResult {
     /// One method on surveys of one kind.
     struct Row {
-        std::string method;
+        std::string method;  ///< "gp_as_in_paper", "gp", "balance" or "map"
         double noise = 0.0;  ///< standard deviation of a surveyed coordinate [m]
         /// Empty for a method that learns from no samples.
         std::optional<double> training_samples;
@@ -68,23 +68,23 @@ struct ComparisonResult {
         std::optional<double> best_possible_mse;  ///< [m2]
         double hidden_fraction = 0.0;             ///< of the free nodes, not surveyed
     };
-    std::vector<Row> rows;
+    std::vector<Row> rows;  ///< as Comparison::rows, in the order of the file
 };
 
 /// What a saved plan tells, as far as its figures need it.
 struct PlanResult {
-    CableNet net;  ///< as designed
-    Points built_form;
-    Points planned_form;
-    Points target_form;
+    CableNet net;           ///< as designed
+    Points built_form;      ///< before turning, of the estimate (3 x n) [m]
+    Points planned_form;    ///< after turning, of the estimate (3 x n) [m]
+    Points target_form;     ///< where each node should stand (3 x n) [m]
     Points target_normals;  ///< 0 at nodes without normal
     /// Of one edge.
     struct Tension {
-        double as_built = 0.0;
-        double planned = 0.0;
-        std::optional<double> lower;  ///< 95 % interval; empty without draws
-        std::optional<double> upper;
-        double limit_lower = 0.0;
+        double as_built = 0.0;              ///< before turning, of the estimate [N]
+        double planned = 0.0;               ///< after turning, of the estimate [N]
+        std::optional<double> lower;        ///< 95 % interval; empty without draws
+        std::optional<double> upper;        ///< its upper end; empty likewise
+        double limit_lower = 0.0;           ///< as told, not as narrowed by the plan
         std::optional<double> limit_upper;  ///< empty: no limit
     };
     std::vector<Tension> tensions;  ///< of each edge [N]
@@ -102,17 +102,17 @@ struct ControlResult {
     };
     /// All that was planned on one knowledge of the net.
     struct Strategy {
-        std::string name;
+        std::string name;           ///< to_string() of the ControlStrategy
         std::vector<Round> rounds;  ///< from round 0, as built
     };
-    int trials = 0;
-    std::vector<Strategy> strategies;
+    int trials = 0;                    ///< of each strategy
+    std::vector<Strategy> strategies;  ///< in the order of the file
 };
 
 /// A saved result of `taut reproduce`, `identify`, `compare`, `plan` or `control`.
 struct ResultFile {
     std::variant<StudyResult, IdentificationResult, ComparisonResult, PlanResult, ControlResult>
-        content;
+        content;       ///< by its "format"
     std::string json;  ///< the whole document, without white space
 };
 

@@ -18,9 +18,9 @@ namespace taut {
 /// The data set D of the paper (Algorithm 2) in deviations from the nominal net: pairs of form
 /// deviation and length deviation (section 5: f maps one to the other).
 struct TAUT_CORE_EXPORT DataSet {
-    std::string net_fingerprint;
-    LengthLaw law;
-    std::uint64_t seed = 1;
+    std::string net_fingerprint;        ///< CableNet::fingerprint() of the nominal net
+    LengthLaw law;                      ///< of the length deviations
+    std::uint64_t seed = 1;             ///< that all samples follow from
     std::vector<Unknown> unknowns;      ///< what was drawn besides the lengths
     Eigen::VectorXd nominal_form;       ///< r_I of the nominal net (3 n_I) [m]
     Eigen::MatrixXd form_deviations;    ///< r_I - nominal, one column a sample (3 n_I x n) [m]

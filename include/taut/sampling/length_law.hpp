@@ -19,8 +19,8 @@ struct TAUT_CORE_EXPORT LengthLaw {
         normal,   ///< N(0, scale^2)
         bimodal,  ///< N(-scale, (scale/5)^2) or N(+scale, (scale/5)^2), equally likely
     };
-    Kind kind = Kind::uniform;
-    double scale = 0.005;  ///< [m]
+    Kind kind = Kind::uniform;  ///< its shape
+    double scale = 0.005;       ///< [m]
 
     /// Whether the scale is positive and finite; the functions below ask for it and do not check.
     /// @throws std::invalid_argument naming law and scale

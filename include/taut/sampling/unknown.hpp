@@ -24,9 +24,9 @@ struct TAUT_CORE_EXPORT Unknown {
         loads,           ///< one relative deviation of all loads
         loads_each,      ///< of each coordinate of the load on each free node [N]
     };
-    Kind kind = Kind::stiffness;
-    double std = 0.0;   ///< in the unit of the kind
-    std::string group;  ///< of edges, of the net; empty: all
+    Kind kind = Kind::stiffness;  ///< what the numbers are
+    double std = 0.0;             ///< in the unit of the kind
+    std::string group;            ///< of edges, of the net; empty: all
 
     /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads".
     [[nodiscard]] std::string_view name() const;

@@ -42,8 +42,8 @@ enum class ConeForm {
 
 /// How to solve it, and when to stop.
 struct ConeProgramSettings {
-    ConeForm form = ConeForm::quadratic;
-    int max_iterations = 100;
+    ConeForm form = ConeForm::quadratic;  ///< which of both programs is solved
+    int max_iterations = 100;             ///< of the interior point method
 };
 
 /// How the conic solver ended.
@@ -62,12 +62,12 @@ enum class ConeStatus {
 struct ConeSolution {
     Points form;         ///< 3 x n, supports included [m]
     Points edge_forces;  ///< 3 x m, f of statics/duality.hpp, from the dual variables [N]
-    ConeStatus status = ConeStatus::numerical_error;
-    int iterations = 0;
-    double primal_objective = 0.0;  ///< [J]
-    double dual_objective = 0.0;    ///< [J]
-    double primal_residual = 0.0;   ///< of the constraints, relative, as the solver tells it
-    double dual_residual = 0.0;     ///< of the balance of forces, likewise
+    ConeStatus status = ConeStatus::numerical_error;  ///< how the solver ended
+    int iterations = 0;                               ///< of the interior point method
+    double primal_objective = 0.0;                    ///< [J]
+    double dual_objective = 0.0;                      ///< [J]
+    double primal_residual = 0.0;  ///< of the constraints, relative, as the solver tells it
+    double dual_residual = 0.0;    ///< of the balance of forces, likewise
 
     /// The form is an equilibrium to the full or the reduced tolerances.
     [[nodiscard]] bool solved() const {

@@ -24,7 +24,7 @@ enum class EquilibriumStatus {
 
 /// When to stop.
 struct EquilibriumSettings {
-    int max_iterations = 500;
+    int max_iterations = 500;  ///< Newton and interior-point steps together, 0 or more
     /// Largest out-of-balance force at a node that counts as balanced, in mean tensions of the taut
     /// edges (in mean loads where all are slack). The solver goes on below it until rounding errors
     /// stop it or a hundredth is reached. Forces that are but the rounding error of the coordinates
@@ -37,7 +37,7 @@ struct EquilibriumSettings {
 /// The form a net takes: the minimiser of its energy.
 struct Equilibrium {
     Points form;  ///< 3 x n, supports included [m]
-    EquilibriumStatus status = EquilibriumStatus::iteration_limit;
+    EquilibriumStatus status = EquilibriumStatus::iteration_limit;  ///< how the search ended
     int iterations = 0;            ///< Newton and interior-point steps taken
     double out_of_balance = 0.0;   ///< largest norm of a nodal force h_s [N]
     double mean_tension = 0.0;     ///< over the taut edges [N]

@@ -24,7 +24,7 @@ namespace taut {
 
 /// What the rank of A over the taut edges tells.
 struct StressStates {
-    int rank = 0;
+    int rank = 0;         ///< of A
     int self_stress = 0;  ///< independent states of tension without load: columns of A less rank
     int mechanisms = 0;   ///< independent motions without change of length: 3 n_I less rank
 };

@@ -56,7 +56,7 @@ private:
 
 /// How far the length of an edge moves the form.
 struct EdgeSensitivity {
-    int edge;
+    int edge;     ///< index in the net
     double move;  ///< norm of dr_I/dl_0, over all free coordinates [m/m]
 };
 

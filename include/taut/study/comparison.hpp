@@ -23,11 +23,12 @@ namespace taut {
 /// at once, at the common noise.
 struct TAUT_ADJUSTMENT_EXPORT ComparisonSettings {
     std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
+    /// Drawn to train on, with those that do not converge; 2 to 20,000 each.
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
     std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is there anyway
-    int surveys = 50;  ///< of samples that no model was trained on; the same for all methods
-    LengthLaw law;
-    std::uint64_t seed = 1;
+    int surveys = 50;        ///< of samples that no model was trained on; the same for all methods
+    LengthLaw law;           ///< of the length deviations; all methods are told
+    std::uint64_t seed = 1;  ///< of samples and surveys
     std::vector<Unknown> unknowns;  ///< besides the lengths; empty: no such axis
     int epochs = 1;                 ///< surveys of one net; 1: no such axis
 
@@ -52,12 +53,12 @@ enum class ModelErrors { none, untold, told };
 
 /// One method on surveys of one kind.
 struct ComparisonRow {
-    SurveyKind kind;
-    ModelErrors model_errors = ModelErrors::none;
-    std::optional<int> training_samples;  ///< empty: the method learns from none
-    int epochs = 1;                       ///< surveys of each net that are used at once
-    bool is_turned = false;               ///< whether edges were turned between them
-    MethodResult result;
+    SurveyKind kind;                               ///< noise and hidden nodes
+    ModelErrors model_errors = ModelErrors::none;  ///< whether more than lengths differs
+    std::optional<int> training_samples;           ///< empty: the method learns from none
+    int epochs = 1;                                ///< surveys of each net that are used at once
+    bool is_turned = false;                        ///< whether edges were turned between them
+    MethodResult result;                           ///< over all these surveys
     /// Of these surveys, whatever the method. Empty without noise and hidden nodes, where every
     /// length can be known but that of a slack edge; and where it could not be computed.
     std::optional<BestPossible> best_possible;
@@ -65,7 +66,7 @@ struct ComparisonRow {
 
 /// The methods of identification beside each other on one net.
 struct Comparison {
-    CableNet net;
+    CableNet net;                 ///< as designed
     ComparisonSettings settings;  ///< its lists ascending, without repetitions
     /// The axis of noise, then of training samples, then of hidden nodes, each kind of survey once;
     /// of each "gp_as_in_paper", "gp", "balance", "map".
@@ -82,11 +83,11 @@ struct Comparison {
     int surveys_with_slack = 0;  ///< in whose true form an edge is slack
     /// Wall time [s].
     struct Seconds {
-        double sampling = 0.0;
-        double training = 0.0;
-        double identification = 0.0;
-        double total = 0.0;
-    } seconds;
+        double sampling = 0.0;        ///< of all samples
+        double training = 0.0;        ///< of all models
+        double identification = 0.0;  ///< by all methods
+        double total = 0.0;           ///< of the whole comparison
+    } seconds;                        ///< that the parts took
 };
 
 /// Compares all methods on simulated surveys of one net.

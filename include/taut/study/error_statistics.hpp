@@ -42,10 +42,10 @@ length_errors(const Eigen::Ref<const Eigen::MatrixXd>& truth,
 
 /// The four numbers of the paper's table of form errors [m].
 struct FormErrorSummary {
-    double max = 0.0;
-    double min = 0.0;
-    double mean = 0.0;
-    double rmse = 0.0;
+    double max = 0.0;   ///< the largest distance of a node
+    double min = 0.0;   ///< the smallest
+    double mean = 0.0;  ///< over the free nodes
+    double rmse = 0.0;  ///< root of the mean square
 };
 
 /// The four numbers of one form.

@@ -17,7 +17,7 @@ namespace taut {
 /// How well one method identified the lengths of many surveys. What failed is counted, and in none
 /// of the other numbers.
 struct MethodResult {
-    std::string name;
+    std::string name;           ///< Method::name
     int surveys = 0;            ///< tried
     int failed = 0;             ///< of these: refused, or not converged
     std::string first_failure;  ///< in words; empty where none failed
@@ -31,7 +31,7 @@ struct MethodResult {
         form_error;  ///< of the predicted form: each number's mean over the surveys [m]
     int forms_not_converged = 0;  ///< identified, but left out of form_error: not in balance
 
-    double training_seconds = 0.0;
+    double training_seconds = 0.0;  ///< Method::training_seconds
     double seconds = 0.0;  ///< mean of one identification, in its thread while others do others
 
     /// How many did not fail.
@@ -40,7 +40,7 @@ struct MethodResult {
 
 /// What a method made of surveys: the sum, and each by itself.
 struct Evaluation {
-    MethodResult result;
+    MethodResult result;                                         ///< over all surveys
     std::vector<std::optional<Identification>> identifications;  ///< of each trial; empty: failed
 };
 
@@ -57,7 +57,7 @@ struct Evaluation {
 /// The least mean squared error that can be expected, to first order: the mean over edges and
 /// surveys of best_possible_variances() at the truth [m2].
 struct BestPossible {
-    double mse = 0.0;
+    double mse = 0.0;          ///< over all interior edges
     double mse_of_taut = 0.0;  ///< over the edges that carry tension in the true form
 };
 

@@ -21,13 +21,14 @@ namespace taut {
 /// copied. It throws and tells what identify() does. Several threads may call one at once unless
 /// uses_all_threads says otherwise.
 struct Method {
-    std::string name;
+    std::string name;                     ///< "gp_as_in_paper", "gp", "balance" or "map"
     std::optional<int> training_samples;  ///< what it learnt from; empty: it learns from none
-    double training_seconds = 0.0;
-    bool needs_all_nodes = false;  ///< takes no survey with hidden nodes
+    double training_seconds = 0.0;        ///< wall time, set by who trained; else 0 [s]
+    bool needs_all_nodes = false;         ///< takes no survey with hidden nodes
     /// Its dense algebra uses all threads; it may be called from one at a time only, copies
     /// included.
     bool uses_all_threads = false;
+    /// Identifies lengths from the surveys of a trial; makes no use of its truth.
     std::function<Identification(const Trial&)> identify;
 };
 

@@ -8,10 +8,10 @@ namespace taut {
 
 /// What the paper reports of its own experiment (section 5), in SI units, to stand beside ours.
 struct PaperFigures {
-    int free_nodes = 300;
-    int interior_edges = 536;
-    double mse = 1.7e-8;  ///< [m2]
-    double mrse = 0.002;
+    int free_nodes = 300;      ///< n_I
+    int interior_edges = 536;  ///< m_I
+    double mse = 1.7e-8;       ///< [m2]
+    double mrse = 0.002;       ///< eq. MRSE [-]
     /// Table "Error Statistics", there in 1e-4 m.
     FormErrors form_errors{
         .nominal = {.max = 138e-4, .min = 1.93e-4, .mean = 47e-4, .rmse = 53e-4},

@@ -19,7 +19,7 @@ namespace taut {
 struct TAUT_ADJUSTMENT_EXPORT SettlingSettings {
     int surveys = 100;  ///< of each net
     int first = 0;      ///< number of the first: a survey follows from net, seed and its number
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;  ///< of all surveys of a net
 
     /// Whether there is a survey to try.
     /// @throws std::invalid_argument naming the field, for fewer than one survey or a first below 0
@@ -31,14 +31,14 @@ struct TAUT_ADJUSTMENT_EXPORT SettlingSettings {
 /// or 5 % of the targets (at least one) off by 10 to 50 standard deviations of the noise, in any
 /// direction.
 struct SettlingSurvey {
-    int number = 0;
-    LengthLaw law;
-    double noise_std = 0.0;  ///< [m]
-    int gross_errors = 0;
+    int number = 0;              ///< from 0; with net and seed it tells the survey
+    LengthLaw law;               ///< that the lengths were drawn from
+    double noise_std = 0.0;      ///< [m]
+    int gross_errors = 0;        ///< number of targets that have one
     Eigen::VectorXd deviations;  ///< true length deviations of the interior edges (m_I) [m]
     std::vector<bool> slack;     ///< interior edges without tension in the true form (m_I)
     Eigen::VectorXd tensions;    ///< true ones of all edges (m) [N]
-    Survey survey;
+    Survey survey;               ///< with the noise as it is
 };
 
 /// Survey `number` of a net. Where its drawn lengths find no equilibrium others are drawn.
@@ -49,11 +49,11 @@ struct SettlingSurvey {
 
 /// What maximum a posteriori made of one survey.
 struct SettlingOutcome {
-    int number = 0;
-    LengthLaw law;
-    double noise_std = 0.0;  ///< [m]
-    int hidden_nodes = 0;
-    int gross_errors = 0;
+    int number = 0;           ///< SettlingSurvey::number
+    LengthLaw law;            ///< that the lengths were drawn from; the method is told
+    double noise_std = 0.0;   ///< [m]
+    int hidden_nodes = 0;     ///< number of free nodes not surveyed
+    int gross_errors = 0;     ///< number of targets that have one
     int slack_edges = 0;      ///< interior, in the true form
     bool settled = false;     ///< its status is "converged"
     std::string message;      ///< where it did not
@@ -69,10 +69,10 @@ struct SettlingOutcome {
 
 /// All surveys of one net. Coverage and the calls of slack count those that settled.
 struct TAUT_ADJUSTMENT_EXPORT SettlingRecord {
-    std::string net;
-    int free_nodes = 0;
-    int interior_edges = 0;
-    std::vector<SettlingOutcome> outcomes;
+    std::string net;                        ///< its name
+    int free_nodes = 0;                     ///< n_I
+    int interior_edges = 0;                 ///< m_I
+    std::vector<SettlingOutcome> outcomes;  ///< one a survey, by number
 
     /// How many surveys settled.
     [[nodiscard]] int settled() const;

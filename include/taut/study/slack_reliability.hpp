@@ -16,10 +16,10 @@ public:
     /// Edges of like probability.
     struct Bin {
         double above = 0.0;  ///< the probabilities of the bin: above < p <= up_to
-        double up_to = 0.0;
-        int edges = 0;
-        int slack = 0;      ///< of these
-        double told = 0.0;  ///< sum of the probabilities told
+        double up_to = 0.0;  ///< upper end, within the bin
+        int edges = 0;       ///< of these probabilities
+        int slack = 0;       ///< of these
+        double told = 0.0;   ///< sum of the probabilities told
     };
     /// Number of bins.
     static constexpr int bin_count = 8;

@@ -19,10 +19,10 @@ namespace taut {
 
 /// How large the experiment is.
 struct TAUT_ADJUSTMENT_EXPORT StudySettings {
-    int samples = 1000;   ///< drawn in all
-    int validation = 50;  ///< of these the last, kept from training
-    LengthLaw law;
-    std::uint64_t seed = 1;
+    int samples = 1000;      ///< drawn in all
+    int validation = 50;     ///< of these the last, kept from training
+    LengthLaw law;           ///< of the length deviations
+    std::uint64_t seed = 1;  ///< of the samples
 
     /// Whether the experiment can be made of these.
     /// @throws std::invalid_argument for less than 3 samples, no validation sample, or fewer than
@@ -32,15 +32,15 @@ struct TAUT_ADJUSTMENT_EXPORT StudySettings {
 
 /// Form errors (eq. enomident) of the model before and after identification [m].
 struct FormErrors {
-    FormErrorSummary nominal;
-    FormErrorSummary identified;
+    FormErrorSummary nominal;     ///< of the equilibrium of the nominal lengths
+    FormErrorSummary identified;  ///< of the form predicted with the identified lengths
 };
 
 /// The paper's numerical experiment (section 5) on one net.
 struct Study {
-    CableNet net;
-    StudySettings settings;
-    DataSet data;
+    CableNet net;                 ///< as designed
+    StudySettings settings;       ///< as they were told
+    DataSet data;                 ///< all samples, those for validation last
     LengthModel model;            ///< as in the paper
     std::vector<int> validation;  ///< indices of the validation samples, those that converged
     /// Every method of identification on exact surveys of the validation samples: "gp_as_in_paper",
@@ -49,19 +49,19 @@ struct Study {
     LengthEstimates estimates;  ///< of the validation samples (m_I x n_v) [m]
     /// Per free node (n_I) for the first validation sample, the paper's k = 1 [m].
     Eigen::VectorXd nominal_form_error;
-    Eigen::VectorXd identified_form_error;
-    Points identified_form;       ///< all nodes' (3 x n), of that sample [m]
-    FormErrors form_errors;       ///< of that sample
-    FormErrors mean_form_errors;  ///< each number's mean over the validation samples
+    Eigen::VectorXd identified_form_error;  ///< of `identified_form`, likewise (n_I) [m]
+    Points identified_form;                 ///< all nodes' (3 x n), of that sample [m]
+    FormErrors form_errors;                 ///< of that sample
+    FormErrors mean_form_errors;            ///< each number's mean over the validation samples
     /// The first of the methods, the paper's; there must be one: run_study() gives four.
     [[nodiscard]] const MethodResult& as_in_paper() const { return methods.front(); }
     /// Wall time [s].
     struct Seconds {
-        double sampling = 0.0;
-        double training = 0.0;
-        double identification = 0.0;
-        double total = 0.0;
-    } seconds;
+        double sampling = 0.0;        ///< of all samples
+        double training = 0.0;        ///< of the models of "gp_as_in_paper" and "gp"
+        double identification = 0.0;  ///< by all methods
+        double total = 0.0;           ///< of the whole experiment
+    } seconds;                        ///< that the parts took
 };
 
 /// Runs the experiment: draws the data set (Algorithm 2), trains on all samples but the validation

@@ -11,7 +11,7 @@ namespace taut {
 
 /// The tension of an edge, read from a load cell or a tension meter.
 struct ForceReading {
-    int edge = 0;
+    int edge = 0;          ///< index in the net
     double tension = 0.0;  ///< [N]
     double std = 0.0;      ///< standard deviation of the reading [N]
 };

@@ -14,9 +14,9 @@ namespace taut {
 /// A rotation and a translation, x -> R (x - from) + to. Kept with two centres, so that coordinates
 /// of a national grid (10^6 m) lose nothing.
 struct RigidMotion {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d from = Eigen::Vector3d::Zero();  ///< [m]
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();    ///< [m]
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< R
+    Eigen::Vector3d from = Eigen::Vector3d::Zero();          ///< [m]
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();            ///< [m]
 
     /// Where the motion takes a place [m].
     [[nodiscard]] Eigen::Vector3d operator()(const Eigen::Vector3d& x) const {
@@ -26,7 +26,7 @@ struct RigidMotion {
 
 /// How far a control point lies from its known place after the fit of the survey's frame.
 struct ControlResidual {
-    std::string id;
+    std::string id;            ///< name of the point
     Eigen::Vector3d residual;  ///< measured, moved, less known [m]
 };
 

@@ -13,7 +13,7 @@ namespace taut {
 
 /// How many times as far apart as they are control points were measured, and how sure that is.
 struct TAUT_CORE_EXPORT MeasuredScale {
-    double scale = 1.0;
+    double scale = 1.0;  ///< measured over known distances
     double std = 0.0;    ///< standard error of it, from the points' residuals
     int redundancy = 2;  ///< 3 n - 7 of n points
 

@@ -14,7 +14,7 @@ namespace taut {
 
 /// A point whose place is known in the net's frame and was measured in the instrument's.
 struct ControlPoint {
-    std::string id;
+    std::string id;            ///< name in the survey
     Eigen::Vector3d known;     ///< [m]
     Eigen::Vector3d measured;  ///< [m]
     int line = 0;              ///< of the survey's file, for messages

@@ -19,7 +19,7 @@ struct SurveySimulation {
     double offset_std = 0.0;    ///< normal, of each target's offset [m]
     bool shuffled = false;      ///< targets on free nodes have no names, and any order
     bool random_frame = false;  ///< an instrument's own frame, as far away as a national grid
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;     ///< of all that is random
 };
 
 /// A survey of a form, for trials and teaching: free nodes and supports, with the noise told where
@@ -38,7 +38,7 @@ struct PolarSimulation {
     DistancePrecision distance;           ///< of normal noise on distances
     double dropped_part = 0.0;            ///< of the free nodes, hidden from all stations
     bool shuffled = false;                ///< targets on free nodes have names of their own
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;               ///< of all that is random
 };
 
 /// The readings of a simulated instrument: each station, named 1, 2, ..., levelled and with the

@@ -42,14 +42,14 @@ struct PolarReading {
 
 /// An instrument that was set up and levelled, and not moved since.
 struct PolarStation {
-    std::string name;
-    int line = 0;  ///< of the file it came from, for messages; 0 if none
+    std::string name;  ///< in the file, or its number from 1 where that tells none
+    int line = 0;      ///< of the file it came from, for messages; 0 if none
 };
 
 /// What instruments read.
 struct PolarSurvey {
-    std::vector<PolarStation> stations;
-    std::vector<PolarReading> readings;
+    std::vector<PolarStation> stations;  ///< by PolarReading::station
+    std::vector<PolarReading> readings;  ///< of all stations, in the order of the file
 };
 
 /// A reading whose telescope was turned over, its zenith angle above pi, as the first face reads

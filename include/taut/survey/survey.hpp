@@ -41,10 +41,10 @@ enum class UnmatchedReason {
 
 /// A surveyed point that was put on no node.
 struct UnmatchedPoint {
-    SurveyPoint point;
+    SurveyPoint point;      ///< in the net's frame
     int nearest = 0;        ///< node: its own if it is named, else the nearest
     double distance = 0.0;  ///< to the nominal place of that node [m]
-    UnmatchedReason reason = UnmatchedReason::far_from_every_node;
+    UnmatchedReason reason = UnmatchedReason::far_from_every_node;  ///< why it is on none
     /// Node of another such point, where each of both is at the node of the other's name: their
     /// names are swapped; else -1.
     int swapped_with = -1;
@@ -52,7 +52,7 @@ struct UnmatchedPoint {
 
 /// A measured support, whose place is known without, too.
 struct SurveyedSupport {
-    int node = 0;
+    int node = 0;               ///< index of a support
     Eigen::Vector3d position;   ///< [m]
     Eigen::Vector3d noise_std;  ///< of each coordinate [m]
     /// Of that noise, between x and y, x and z, y and z.
@@ -61,9 +61,9 @@ struct SurveyedSupport {
 
 /// A surveyed point that was put on a node.
 struct PlacedPoint {
-    std::string name;  ///< in the file; empty for a target without a name
-    int line = 0;
-    int node = 0;
+    std::string name;       ///< in the file; empty for a target without a name
+    int line = 0;           ///< of the file, for messages; 0 if none
+    int node = 0;           ///< free, or a support
     double distance = 0.0;  ///< to the nominal place of the node [m]
     std::string code;       ///< of the point in the file
 };

@@ -12,7 +12,7 @@ namespace taut {
 
 /// What was turned at an adjustable edge.
 struct EdgeTurned {
-    int edge = 0;
+    int edge = 0;         ///< index of an adjustable edge
     double stroke = 0.0;  ///< change of its unstressed length [m]
     double std = 0.0;     ///< standard deviation of that, the play of the turnbuckle; 0: none [m]
 };
