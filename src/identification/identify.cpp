@@ -179,6 +179,7 @@ void take_over(Identification& result, const Identification& fit, const CableNet
                const Survey& survey) {
     result.scales = fit.scales;
     result.law_check = fit.law_check;
+    result.frame_check = fit.frame_check;
     result.lengths_beyond_law = fit.lengths_beyond_law;
     result.boundary_outliers = fit.boundary_outliers;
     result.boundary_beyond = fit.boundary_beyond;

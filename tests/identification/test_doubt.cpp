@@ -207,6 +207,11 @@ TEST(Doubt, OfTheScaleOrTheFrameToldNamesIt) {
     EXPECT_EQ(shifted.trust.verdict(), Trust::Verdict::failed);
     EXPECT_TRUE(says(shifted, "off the frame that was told"));
     EXPECT_FALSE(shifted.frame_check.is_scaled());
+    for (const Survey& wrong : {larger, moved}) {  // whatever the method
+        const Identification by_balance = identified(wrong, law, IdentificationMethod::balance);
+        EXPECT_EQ(by_balance.trust.verdict(), Trust::Verdict::failed);
+        EXPECT_TRUE(by_balance.frame_check.is_scaled() || by_balance.frame_check.is_moved());
+    }
 }
 
 TEST(Doubt, FindsTheLawWhereNoneIsTold) {

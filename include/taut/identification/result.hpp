@@ -137,7 +137,7 @@ struct Identification {
     std::optional<FrameOffset> frame_offset;
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
     LawCheck law_check;         ///< how lengths fit `law`; as here where not computed
-    FrameCheck frame_check;     ///< how the survey would fit better; of "map" alone, else as here
+    FrameCheck frame_check;     ///< how the survey would fit better; as here where not computed
     /// The law told, or the default where none was, if the survey contradicts it: `law` is then the
     /// one that the survey shows.
     std::optional<LawCheck> contradicted_law;
