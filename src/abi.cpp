@@ -3,8 +3,8 @@
 
 #include "taut/abi.hpp"
 
-namespace taut::abi {
+namespace taut::border {
 
 extern const char TAUT_ABI = 0;
 
-}  // namespace taut::abi
+}  // namespace taut::border

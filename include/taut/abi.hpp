@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <type_traits>
 #include <version>
 
 #include "taut/export/core.hpp"
@@ -11,12 +13,15 @@
 // taut hands over matrices of Eigen and containers of the standard library. Both sides must lay
 // them out, align and free them alike, which flags of a compiler change: -mavx and -march=native
 // how Eigen aligns, -fsanitize=address how it allocates, -D_GLIBCXX_DEBUG what a std::vector is.
-// Linking taut::taut, or `pkg-config --cflags taut`, brings the definitions along that fix what
-// Eigen does, whatever the flags. What is different all the same does not link: the symbol below
-// tells in its name what a source was compiled for, and the library has only its own.
+// Likewise Eigen's order of storage and index, and the packing of structs, which do not compile
+// here. Linking taut::taut, or `pkg-config --cflags taut`, brings the definitions along that fix
+// what Eigen does, whatever the flags. What is different all the same does not link: the symbol
+// below tells in its name what a source was compiled for, and the library has only its own.
 // docs/architecture.md, "The border".
 #if defined(_LIBCPP_VERSION)
 #define TAUT_ABI_STANDARD_LIBRARY libcxx
+#elif defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI
+#define TAUT_ABI_STANDARD_LIBRARY libstdcxx_old_strings
 #elif defined(_GLIBCXX_DEBUG)
 #define TAUT_ABI_STANDARD_LIBRARY libstdcxx_debug
 #elif defined(_MSC_VER)
@@ -34,7 +39,19 @@
     TAUT_ABI_NAME(TAUT_ABI_STANDARD_LIBRARY, EIGEN_MAJOR_VERSION, EIGEN_MAX_ALIGN_BYTES, \
                   EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_MALLOC_ALREADY_ALIGNED)
 
-namespace taut::abi {
+namespace taut::border {
+
+static_assert(!Eigen::MatrixXd::IsRowMajor,
+              "taut hands over matrices by columns: undefine EIGEN_DEFAULT_TO_ROW_MAJOR");
+static_assert(std::is_same_v<Eigen::Index, std::ptrdiff_t>,
+              "taut is compiled with Eigen's own index: undefine EIGEN_DEFAULT_DENSE_INDEX_TYPE");
+struct Padded {
+    char first;
+    double second;
+};
+static_assert(sizeof(void*) >= 8, "taut is for 64-bit systems, whose malloc() aligns to 16 bytes");
+static_assert(sizeof(Padded) > sizeof(char) + sizeof(double),
+              "taut hands over structs as the ABI packs them: leave out -fpack-struct");
 
 extern TAUT_CORE_EXPORT const char TAUT_ABI;
 
@@ -42,4 +59,4 @@ namespace {
 [[maybe_unused, gnu::used]] const char* const is_as_the_library = &TAUT_ABI;
 }  // namespace
 
-}  // namespace taut::abi
+}  // namespace taut::border

@@ -137,7 +137,11 @@ class Taut(ConanFile):
             before = name
 
         # As src/CMakeLists.txt has them: docs/architecture.md, "The border".
-        self.cpp_info.components["core"].defines += ["EIGEN_MAX_ALIGN_BYTES=64", "EIGEN_MAX_STATIC_ALIGN_BYTES=16"]
+        self.cpp_info.components["core"].defines += [
+            "EIGEN_MAX_ALIGN_BYTES=16",
+            "EIGEN_MAX_STATIC_ALIGN_BYTES=16",
+            "EIGEN_MALLOC_ALREADY_ALIGNED=1",
+        ]
         if self.options.with_conic and not self.options.shared:
             self.cpp_info.components["adjustment"].libs.append("clarabel_c")
             self.cpp_info.components["adjustment"].system_libs.append("dl")
