@@ -34,6 +34,19 @@ struct FormSensitivity::Factor {
         }
     }
 
+    /// The inner product of -dh/dl_0 of an edge with a vector of local coordinates.
+    [[nodiscard]] double along_force(int edge, const Eigen::VectorXd& local) const {
+        const auto [s, t] = net.edges[edge];
+        double sum = 0.0;
+        if (s < net.free_count) {
+            sum += local.segment<3>(Eigen::Index{3} * s).dot(force_rates.col(edge));
+        }
+        if (t < net.free_count) {
+            sum -= local.segment<3>(Eigen::Index{3} * t).dot(force_rates.col(edge));
+        }
+        return sum;
+    }
+
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
         Eigen::VectorXd local = rhs;
         stiffness.factor.solve(local);
@@ -90,6 +103,25 @@ Eigen::VectorXd FormSensitivity::apply(
         }
     }
     return m_factor->solve(rhs);
+}
+
+Eigen::VectorXd FormSensitivity::apply_transposed(
+    const Eigen::Ref<const Eigen::VectorXd>& gradient) const {
+    const Factor& f = *m_factor;
+    if (gradient.size() != f.net.loads.size()) {
+        throw std::invalid_argument(fmt::format("gradient has {} entries, expected {}",
+                                                gradient.size(), f.net.loads.size()));
+    }
+    Eigen::VectorXd local(gradient.size());
+    for (int i = 0; i < f.net.free_count; ++i) {
+        local.segment<3>(Eigen::Index{3} * i) = gradient.segment<3>(Eigen::Index{3} * f.row_of[i]);
+    }
+    f.stiffness.factor.solve(local);  // H is symmetric
+    Eigen::VectorXd result(f.force_rates.cols());
+    for (int e = 0; e < result.size(); ++e) {
+        result(e) = f.along_force(e, local);
+    }
+    return result;
 }
 
 Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {

@@ -98,6 +98,16 @@ TEST(FormSensitivity, AppliedIsTheSumOfItsColumns) {
     EXPECT_EQ(columns.col(0), sensitivity.apply(Eigen::VectorXd::Unit(net.edge_count(), 17)));
 }
 
+TEST(FormSensitivity, TransposedIsTheGradientOfAFunctionOfTheForm) {
+    const CableNet net = hilo_quarter();
+    test::Random random(4);
+    const FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
+    const Eigen::VectorXd gradient = test::uniform_vector(random, 3 * net.free_node_count(), 1.0);
+    EXPECT_TRUE(sensitivity.apply_transposed(gradient).isApprox(
+        sensitivity.columns(all_edges(net)).transpose() * gradient, 1e-10));
+    EXPECT_THROW((void)sensitivity.apply_transposed(gradient.head(3)), std::invalid_argument);
+}
+
 RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()) {
     test::Random random = test::any_random();
     // Nets that hang stiffly: their forms change little enough for finite differences.

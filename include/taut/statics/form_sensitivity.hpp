@@ -45,6 +45,13 @@ public:
     [[nodiscard]] Eigen::VectorXd apply(
         const Eigen::Ref<const Eigen::VectorXd>& length_changes) const;
 
+    /// (dr_I/dl_0)' g: the gradient with respect to all unstressed lengths (m) of a function of the
+    /// form that has the gradient g. One pair of triangular solves. Its unit is that of g.
+    /// @param gradient g, in the order of r_I (3 n_I)
+    /// @throws std::invalid_argument for a wrong size
+    [[nodiscard]] Eigen::VectorXd apply_transposed(
+        const Eigen::Ref<const Eigen::VectorXd>& gradient) const;
+
     /// The columns of dr_I/dl_0 for the given edges (3 n_I x edges.size()) [m/m].
     /// @throws std::invalid_argument for an edge that the net does not have
     [[nodiscard]] Eigen::MatrixXd columns(std::span<const int> edges) const;
