@@ -182,12 +182,10 @@ std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& contr
     return residuals;
 }
 
-}  // namespace
-
-Survey read_survey(const CableNet& net, const std::filesystem::path& file,
-                   const ReadSurveyOptions& options) {
-    check(options);
-    SurveyFile found = read_survey_file(net, file, options);
+/// What was read, brought to the nodes of the net.
+/// @param file for messages
+Survey put_on_nodes(const CableNet& net, SurveyFile found, const std::filesystem::path& file,
+                    const ReadSurveyOptions& options) {
     const std::vector<SurveyPoint> as_read = found.points;
     const RoundedNoise noise = with_rounding(net, options, found);
     bool frame_is_fitted = true;
@@ -260,6 +258,30 @@ Survey read_survey(const CableNet& net, const std::filesystem::path& file,
         std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;
     });
+}
+
+}  // namespace
+
+Survey read_survey(const CableNet& net, const std::filesystem::path& file,
+                   const ReadSurveyOptions& options) {
+    check(options);
+    return put_on_nodes(net, read_survey_file(net, file, options), file, options);
+}
+
+Survey read_survey(const CableNet& net, std::vector<SurveyPoint> points,
+                   const ReadSurveyOptions& options) {
+    check(options);
+    if (points.empty()) {
+        throw InputError("points", "", "holds none, expected one at least");
+    }
+    const double unit = options.unit.value_or(1.0);
+    for (SurveyPoint& point : points) {
+        point.position *= unit;
+        if (point.noise_std) {
+            *point.noise_std *= unit;
+        }
+    }
+    return put_on_nodes(net, {.points = std::move(points), .unit = unit}, "points", options);
 }
 
 Survey read_planned_survey(const CableNet& net, const std::filesystem::path& file,

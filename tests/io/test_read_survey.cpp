@@ -233,5 +233,23 @@ TEST_F(ReadSurvey, TellsErrorsOfItsOwnFormatInItsOwnWords) {
               "a.csv:3: has 3 fields, expected id, x, y, z: is the file whole?");
 }
 
+// Points of a table, an array or another program's memory: the same rules as for a file's.
+TEST_F(ReadSurvey, TakesPointsThatComeFromNoFile) {
+    std::vector<SurveyPoint> points;
+    for (const int node : m_net.free_nodes()) {
+        points.push_back({.id = m_net.node_id(node), .position = m_net.nodes().col(node)});
+    }
+    const Survey survey = read_survey(m_net, points, {.noise_std = 1e-3});
+    EXPECT_EQ(survey.surveyed, m_net.free_nodes());
+    EXPECT_TRUE((survey.noise_std(Eigen::all, m_net.free_nodes()).array() == 1e-3).all());
+    for (SurveyPoint& point : points) {
+        point.position *= 1e3;
+    }
+    EXPECT_TRUE(
+        read_survey(m_net, points, {.noise_std = 1e-3, .unit = 1e-3}).form.isApprox(survey.form));
+    points[3].position.x() = std::nan("");
+    EXPECT_THAT(input_error_of([&] { (void)read_survey(m_net, points); }), HasSubstr("not finite"));
+}
+
 }  // namespace
 }  // namespace taut

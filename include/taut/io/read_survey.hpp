@@ -34,21 +34,21 @@ enum class PointMatching {
 struct ReadSurveyOptions {
     /// Standard deviation of each coordinate where the file tells none; empty: that of the rounding
     /// to the digits of the file, 0 where it holds all of a double [m].
-    std::optional<double> noise_std;
+    std::optional<double> noise_std = {};
     SurveyFrame frame = SurveyFrame::automatic;  ///< that its coordinates are in
     /// Control points id,x,y,z in the net's frame, to fit the survey's frame to instead of the
     /// supports; empty: none.
-    std::filesystem::path control;
+    std::filesystem::path control = {};
     SurveyFileOptions file = {};  ///< what is told of the file's format
     /// Of its coordinates, and of its standard deviations where the file tells no other; empty: as
     /// the file tells, or as the net's extent lets guess [m].
-    std::optional<double> unit;
+    std::optional<double> unit = {};
     PointMatching matching = PointMatching::automatic;  ///< what tells the node of a point
     /// Of readings of angles and distances, where the file tells none; empty: those of a common
     /// total station, which is warned of [rad].
-    std::optional<double> angle_std;
+    std::optional<double> angle_std = {};
     /// Of distances, where the file tells none; empty: DistancePrecision{}, which is warned of.
-    std::optional<DistancePrecision> distance;
+    std::optional<DistancePrecision> distance = {};
     TargetOffsets offsets = {};  ///< of targets from the axes of the cables
 };
 
@@ -66,6 +66,14 @@ struct ReadSurveyOptions {
 ///   mean edge length
 [[nodiscard]] TAUT_IO_EXPORT Survey read_survey(const CableNet& net,
                                                 const std::filesystem::path& file,
+                                                const ReadSurveyOptions& options = {});
+
+/// The same of points that are there already: their format is none, their unit the metre unless
+/// told.
+/// @param points a name that is no node's is a label, and points of one name are one target
+/// @throws InputError as read_survey(), naming "points" and the line of the point
+[[nodiscard]] TAUT_IO_EXPORT Survey read_survey(const CableNet& net,
+                                                std::vector<SurveyPoint> points,
                                                 const ReadSurveyOptions& options = {});
 
 /// The same, or where the file names nodes alone, their survey as planned: without places.
