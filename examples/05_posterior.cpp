@@ -51,12 +51,19 @@ int main() {
         inside += found.edges[i].lower <= truth && truth <= found.edges[i].upper ? 1 : 0;
     }
     const Eigen::MatrixXd& covariance = found.length_covariance->covariance;
+    // What no interval tells is counted over the draws.
+    const Eigen::MatrixXd& drawn = found.draws->length_deviations;
+    const auto first = drawn.row(net.interior_index(options.covariance_of[0])).array();
+    const auto second = drawn.row(net.interior_index(options.covariance_of[1])).array();
+    const auto both = (first > 0.0 && second > 0.0).count();
     const taut::DrawnTension& tension = found.drawn.tensions[options.covariance_of[0]];
     std::cout << inside << " of " << found.edges.size() << " lengths are in their intervals\n"
               << "edges " << options.covariance_of[0] << " and " << options.covariance_of[1]
               << ": std " << 1e3 * std::sqrt(covariance(0, 0)) << " and "
               << 1e3 * std::sqrt(covariance(1, 1)) << " mm, correlation "
               << covariance(0, 1) / std::sqrt(covariance(0, 0) * covariance(1, 1)) << '\n'
+              << "both are too long with "
+              << 100.0 * static_cast<double>(both) / static_cast<double>(drawn.cols()) << " %\n"
               << "tension of edge " << tension.edge << ": " << 1e-3 * tension.tension.lower
               << " to " << 1e-3 * tension.tension.upper << " kN, slack with "
               << 100.0 * tension.slack_probability << " %\n";

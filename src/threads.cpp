@@ -3,8 +3,10 @@
 #include "taut/threads.hpp"
 
 #include <fmt/core.h>
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace taut {
@@ -13,7 +15,8 @@ void with_threads(int threads, const std::function<void()>& work) {
     if (threads < 1) {
         throw std::invalid_argument(fmt::format("{} threads, expected at least 1", threads));
     }
-    tbb::task_arena(threads).execute(work);
+    // An arena takes memory for as many as it is told, and oneTBB fails where these are very many.
+    tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
 }
 
 }  // namespace taut

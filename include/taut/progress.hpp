@@ -33,12 +33,17 @@ struct Progress {
     /// Whether a stop was requested.
     [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
 
-    /// Tells of a step, unless a stop was requested.
-    /// @throws Interrupted where it was; and what the two functions throw
-    void operator()(std::string_view stage, int done, int total) const {
+    /// @throws Interrupted where a stop was requested
+    void throw_if_stopped() const {
         if (stopped()) {
             throw Interrupted();
         }
+    }
+
+    /// Tells of a step, unless a stop was requested.
+    /// @throws Interrupted where it was; and what the two functions throw
+    void operator()(std::string_view stage, int done, int total) const {
+        throw_if_stopped();
         if (tell) {
             tell(stage, done, total);
         }

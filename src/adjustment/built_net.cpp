@@ -71,6 +71,7 @@ BuiltNet built_net_of(const CableNet& net, const Identification& identification)
                    .length_draws = {},
                    .no_draws_since = "none were made"};
     if (identification.draws) {
+        built.no_draws_since.clear();
         add_draws(built, turned, *identification.draws, identification.unknowns);
     }
     return built;

@@ -11,8 +11,10 @@
 #include <span>
 #include <stdexcept>
 
+#include "adjustment/check_plan.hpp"
 #include "adjustment/force_ranges.hpp"
 #include "adjustment/stroke_search.hpp"
+#include "statics/arguments.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
 namespace taut {
@@ -99,13 +101,17 @@ public:
                 giving_way.push_back(set.edges[static_cast<size_t>(k)]);
             }
         }
-        const Eigen::MatrixXd theirs = weighted_columns(giving_way);
-        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(theirs);
+        Eigen::MatrixXd theirs;
+        std::optional<Eigen::ColPivHouseholderQR<Eigen::MatrixXd>> factor;
+        if (!giving_way.empty()) {
+            theirs = weighted_columns(giving_way);
+            factor.emplace(theirs);
+        }
         const auto without_theirs = [&](const auto& columns) -> Eigen::MatrixXd {
-            if (giving_way.empty()) {
+            if (!factor) {
                 return columns;
             }
-            return columns - theirs * factor.solve(columns);
+            return columns - theirs * factor->solve(columns);
         };
         std::vector<int> others;
         for (int edge = 0; edge < m_net->edge_count(); ++edge) {
@@ -200,6 +206,15 @@ std::vector<FurtherEdge> further_edges(const BuiltNet& built, const FormTarget& 
     const std::vector<int>& edges =
         options.edges.empty() ? built.net.adjustable_edges() : options.edges;
     check_limits(built.net, edges, limits);
+    check_plan(built.net, limits, plan);
+    check_form("plan", built.net.node_count(), plan.form);
+    for (const PlannedStroke& stroke : plan.strokes) {
+        if (std::ranges::find(edges, stroke.edge) == edges.end()) {
+            throw std::invalid_argument(
+                fmt::format("the plan turns edge '{}', which may not be turned",
+                            built.net.edge_id(stroke.edge)));
+        }
+    }
     FurtherSearch search(built, target, limits, plan);
     TurnedSet set = search.planned(edges);
     std::vector<FurtherEdge> result;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "adjustment/check_plan.hpp"
 #include "statics/arguments.hpp"
 
 namespace taut {
@@ -76,6 +77,10 @@ Limits limits_of_stroke(const CableNet& net, size_t edges, double stroke) {
 
 void check_limits(const CableNet& net, const std::vector<int>& edges, const Limits& limits) {
     check_strokes(net, edges, limits);
+    check_force_limits(net, limits);
+}
+
+void check_force_limits(const CableNet& net, const Limits& limits) {
     check_tension_limits(net, limits.tension);
     for (const ReactionLimit& limit : limits.reactions) {
         if (!(limit.upper > 0.0)) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "adjustment/check_plan.hpp"
 #include "adjustment/force_ranges.hpp"
 #include "adjustment/station_tour.hpp"
 #include "adjustment/stroke_search.hpp"
@@ -36,13 +37,11 @@ Eigen::Vector3d station_of(const CableNet& net, int edge) {
 }
 
 ForceRange range_on_the_way(ForceRange told, const Plan& plan) {
-    if (!plan.held.empty()) {
-        const auto between = [](double from, double to) {
-            return std::isinf(from) ? from : from + margin_on_the_way * (to - from);
-        };
-        told.lower = told.lower.binaryExpr(plan.held.front().lower, between).eval();
-        told.upper = told.upper.binaryExpr(plan.held.front().upper, between).eval();
-    }
+    const auto between = [](double from, double to) {
+        return std::isinf(from) ? from : from + margin_on_the_way * (to - from);
+    };
+    told.lower = told.lower.binaryExpr(plan.held.front().lower, between).eval();
+    told.upper = told.upper.binaryExpr(plan.held.front().upper, between).eval();
     return told;
 }
 
@@ -264,6 +263,8 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
         throw std::invalid_argument(
             fmt::format("a step of {:g} m, expected at least 0", options.step));
     }
+    check_force_limits(built.net, limits);
+    check_plan(built.net, limits, plan);
     if (plan.strokes.empty()) {
         return {.turnings = {}, .is_safe = true, .worst = {}};
     }

@@ -97,7 +97,8 @@ std::optional<Iterate> balanced(LinearisedStatics& statics, const Observations& 
 }  // namespace
 
 GaussNewtonResult feasible_descent(LinearisedStatics& statics, const Observations& observations,
-                                   Iterate start, double small_decrement, int max_iterations) {
+                                   Iterate start, double small_decrement, int max_iterations,
+                                   const Progress& progress) {
     GaussNewtonResult result{.iterate = std::move(start)};
     const auto linearise = [&](const Observations& observed) {
         result.has_factor = statics.linearise(result.iterate, observed);
@@ -112,6 +113,7 @@ GaussNewtonResult feasible_descent(LinearisedStatics& statics, const Observation
     double F = statics.objective(observations, result.iterate);
     double damping = first_damping;
     while (result.iterations < max_iterations && damping < most_damping) {
+        progress.throw_if_stopped();
         ++result.iterations;
         const Observations here = damped(observations, result.iterate, damping);
         if (!linearise(here)) {

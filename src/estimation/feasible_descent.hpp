@@ -19,8 +19,11 @@ namespace taut {
 /// result.
 /// @param start near its equilibrium under the statics; it need not be in it
 /// @param max_iterations linearisations
+/// @param progress asked before each step whether to go on; nothing is told
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] GaussNewtonResult feasible_descent(LinearisedStatics& statics,
                                                  const Observations& observations, Iterate start,
-                                                 double small_decrement, int max_iterations);
+                                                 double small_decrement, int max_iterations,
+                                                 const Progress& progress = {});
 
 }  // namespace taut

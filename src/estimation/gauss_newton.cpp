@@ -51,7 +51,8 @@ bool leads_astray(const LinearisedStatics& statics, const Trial& trial, const It
 }  // namespace
 
 GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& observations,
-                               Iterate start, double tolerance, int max_iterations) {
+                               Iterate start, double tolerance, int max_iterations,
+                               const Progress& progress) {
     GaussNewtonResult result{.iterate = std::move(start)};
     Iterate step = linearised_step(statics, observations, result.iterate);  // (normal)
     bool is_linearised_here = true;
@@ -60,6 +61,7 @@ GaussNewtonResult gauss_newton(LinearisedStatics& statics, const Observations& o
         is_linearised_here = true;
     };
     while (result.iterations < max_iterations && std::isfinite(statics.size_of(step))) {
+        progress.throw_if_stopped();
         if (statics.size_of(step) <= tolerance) {
             // The covariance is to be that of the result.
             if (is_linearised_here) {

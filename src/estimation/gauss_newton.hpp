@@ -3,6 +3,7 @@
 #pragma once
 
 #include "estimation/linearised_statics.hpp"
+#include "taut/progress.hpp"
 
 namespace taut {
 
@@ -18,8 +19,11 @@ struct GaussNewtonResult {
 /// and no length by more than the tolerance [m]. Each step solves the normal equations (normal);
 /// the natural monotonicity test (monotonicity) damps it. Where it converges the statics are left
 /// linearised at the result, to the tolerance. Where no factor is found it has not converged.
+/// @param progress asked before each step whether to go on; nothing is told
+/// @throws Interrupted where a stop was requested
 [[nodiscard]] GaussNewtonResult gauss_newton(LinearisedStatics& statics,
                                              const Observations& observations, Iterate start,
-                                             double tolerance, int max_iterations);
+                                             double tolerance, int max_iterations,
+                                             const Progress& progress = {});
 
 }  // namespace taut

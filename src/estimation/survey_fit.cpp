@@ -228,7 +228,7 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
     for (int round = 0; round < most_slack_sets; ++round) {
         m_statics.set_slack(slack);
         fitted = gauss_newton(m_statics, observed, std::move(from), inflation * m_tolerance,
-                              m_settings.max_iterations);
+                              m_settings.max_iterations, m_settings.progress);
         follow_laws(fitted, observed, inflation);
         const std::vector<bool> shown = shown_slack(fitted.iterate);
         for (size_t e = 0; e < slack.size(); ++e) {
@@ -256,7 +256,7 @@ void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& obser
     const auto refit = [&](const LawBlur& blur) {
         m_statics.set_blur(blur);
         return gauss_newton(m_statics, observed, fitted.iterate, inflation * m_tolerance,
-                            m_settings.max_iterations);
+                            m_settings.max_iterations, m_settings.progress);
     };
     for (int round = 0; !m_statics.blur().empty() && round < most_blurs && fitted.converged;
          ++round) {
@@ -289,7 +289,8 @@ GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation)
         const bool is_last = m_corner_width == last;
         m_statics.round_corners(m_corner_width);
         fitted = feasible_descent(m_statics, observed, std::move(fitted.iterate),
-                                  is_last ? small_decrement : decrement_on_the_way, most_descents);
+                                  is_last ? small_decrement : decrement_on_the_way, most_descents,
+                                  m_settings.progress);
         if (is_last || !fitted.has_factor) {
             break;
         }

@@ -20,6 +20,7 @@ struct SurveyFitSettings {
     /// Standard deviation of the normal prior of the lengths, in those of the law. 1: maximum a
     /// posteriori; much more: all but the maximum of the likelihood.
     double prior_width = 1.0;
+    Progress progress = {};  ///< asked before each step whether to go on; nothing is told
 };
 
 /// Fits form and lengths to a survey under the statics: the maximum a posteriori estimate (map) of
@@ -41,6 +42,7 @@ public:
     /// Once. After it, the parts below are those of the result.
     /// @return the result; not converged where lengths and form still moved
     /// @throws std::runtime_error where the statics are singular at what the search ended with
+    /// @throws Interrupted where a stop was requested
     [[nodiscard]] GaussNewtonResult run();
 
     /// Of the result: twice the objective of (map), and for what was rejected as much as it takes

@@ -67,6 +67,9 @@ void check_arguments(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
         throw std::invalid_argument(fmt::format(
             "{} inputs, but {} rows of outputs: expected as many", inputs.cols(), outputs.rows()));
     }
+    if (inputs.rows() < 1) {
+        throw std::invalid_argument("training inputs without dimensions, expected one at least");
+    }
     if (inputs.cols() < 2) {
         throw std::invalid_argument(
             fmt::format("{} training inputs, expected at least 2", inputs.cols()));

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <nlopt.hpp>
 #include <stdexcept>
@@ -44,8 +45,10 @@ int group_count(const std::vector<int>& groups, Eigen::Index dimensions) {
                         "a dimension",
                         groups.size(), dimensions));
     }
-    if (groups.empty() || std::ranges::min(groups) < 0) {
-        throw std::invalid_argument("a group is negative, or there is none");
+    // No group is empty: there are no more of them than dimensions.
+    if (groups.empty() || std::ranges::min(groups) < 0 ||
+        std::ranges::max(groups) >= std::ssize(groups)) {
+        throw std::invalid_argument("a group is negative or too large, or there is none");
     }
     return std::ranges::max(groups) + 1;
 }

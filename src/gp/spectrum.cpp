@@ -19,6 +19,11 @@ KernelSpectrum kernel_spectrum(const Eigen::Ref<const Eigen::MatrixXd>& squared_
             fmt::format("inverse length scale is {}, expected a positive and finite number",
                         inverse_length_scale));
     }
+    if (squared_distances.rows() != squared_distances.cols() || squared_distances.rows() == 0) {
+        throw std::invalid_argument(
+            fmt::format("squared distances of {} x {} pairs, expected a square matrix",
+                        squared_distances.rows(), squared_distances.cols()));
+    }
     if (!squared_distances.allFinite()) {
         throw std::invalid_argument("the training inputs hold a number that is not finite");
     }

@@ -153,13 +153,14 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
 /// own.
 /// @return empty where the survey is exact, or the fit does not settle
 std::optional<Identification> audit(const CableNet& net, const Survey& survey, const LengthLaw& law,
-                                    const std::vector<Unknown>& unknowns) {
+                                    const std::vector<Unknown>& unknowns,
+                                    const Progress& progress) {
     if (!survey.is_noisy()) {
         return std::nullopt;
     }
     Told told(law);
     told.unknowns = unknowns;
-    Identification fit = identify_by_maximum_a_posteriori(net, survey, told);
+    Identification fit = identify_by_maximum_a_posteriori(net, survey, told, {}, {}, progress);
     if (fit.status != IdentificationStatus::converged) {
         return std::nullopt;
     }
@@ -200,7 +201,7 @@ void take_over(Identification& result, const Identification& fit, const CableNet
 
 /// By which the noise of a survey fits what it shows, gross errors left out, (components).
 double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw& law,
-                      const IdentifyOptions& options) {
+                      const IdentifyOptions& options, const Progress& progress) {
     if (!survey.is_noisy()) {
         throw std::invalid_argument("--noise estimate is for a survey that is not exact");
     }
@@ -213,7 +214,8 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw
     Survey scaled = survey;
     double scale = 1.0;
     for (int round = 0; round < most_rounds; ++round) {
-        const Identification fit = identify_by_maximum_a_posteriori(net, scaled, told);
+        const Identification fit =
+            identify_by_maximum_a_posteriori(net, scaled, told, {}, {}, progress);
         if (fit.status != IdentificationStatus::converged) {
             return scale;  // what comes of it says so
         }
@@ -238,7 +240,7 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
     Identification result;
     const bool is_map = method == IdentificationMethod::map;
     const std::optional<Identification> fit =
-        is_map ? std::nullopt : audit(net, survey, law, options.unknowns);
+        is_map ? std::nullopt : audit(net, survey, law, options.unknowns, progress);
     const Survey in_frame = brought_into_frame(survey, fit);
     switch (method) {
         case IdentificationMethod::balance:
@@ -350,12 +352,27 @@ void check_draws(const CableNet& net, std::int64_t draws) {
 void check_model(const CableNet& net, const LengthModel& model,
                  const std::optional<LengthLaw>& law) {
     if (model.net_fingerprint != net.fingerprint()) {
-        throw std::invalid_argument(fmt::format("was trained for the net {}, expected {} ('{}')",
-                                                model.net_fingerprint, net.fingerprint(),
-                                                net.name()));
+        throw std::invalid_argument(
+            fmt::format("the model was trained for the net {}, expected {} ('{}')",
+                        model.net_fingerprint, net.fingerprint(), net.name()));
+    }
+    const Eigen::Index coordinates = Eigen::Index{3} * net.free_node_count();
+    const gp::FittedProcesses& learnt = model.processes;
+    if (model.nominal_form.size() != coordinates || model.input_scales.size() != coordinates ||
+        learnt.inputs.rows() != coordinates ||
+        std::ssize(learnt.processes) != net.interior_edge_count() ||
+        learnt.weights.rows() != learnt.inputs.cols() ||
+        learnt.weights.cols() != net.interior_edge_count() ||
+        model.length_deviations.rows() != net.interior_edge_count() ||
+        model.length_deviations.cols() != learnt.inputs.cols()) {
+        throw std::invalid_argument(
+            fmt::format("the model's parts are of {} coordinates, {} processes and {} samples, "
+                        "expected {} and {} in each",
+                        learnt.inputs.rows(), learnt.processes.size(), learnt.inputs.cols(),
+                        coordinates, net.interior_edge_count()));
     }
     if (law && model.law != *law) {
-        throw std::invalid_argument(fmt::format("was trained for the law {}, expected {}",
+        throw std::invalid_argument(fmt::format("the model was trained for the law {}, expected {}",
                                                 model.law.to_string(), law->to_string()));
     }
 }
@@ -377,7 +394,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         check_model(net, *options.model, options.law);
     }
     if (options.estimate_noise) {
-        const double noise_scale = noise_scale_of(net, survey, law, options);
+        const double noise_scale = noise_scale_of(net, survey, law, options, progress);
         const Survey scaled = with_noise_times(survey, noise_scale);
         IdentifyOptions with_noise = options;
         with_noise.estimate_noise = false;

@@ -2,12 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "taut/identification/length_estimates.hpp"
 
+#include <fmt/core.h>
+
+#include <stdexcept>
+
 #include "identification/mean_function.hpp"
 
 namespace taut {
 
 LengthEstimates estimate_lengths(const CableNet& net, const LengthModel& model,
                                  const Eigen::Ref<const Eigen::MatrixXd>& form_deviations) {
+    if (form_deviations.rows() != model.input_scales.size()) {
+        throw std::invalid_argument(fmt::format("form deviations of {} coordinates, expected {}",
+                                                form_deviations.rows(), model.input_scales.size()));
+    }
     gp::Prediction prediction =
         model.processes.predict(model.input_scales.asDiagonal() * form_deviations);
     const Eigen::MatrixXd means = mean_values(net, model.mean, model.nominal_form, form_deviations);

@@ -209,10 +209,12 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     PriorKnowledge unseen = all;
     unseen.forces.taut.clear();
     unseen.forces.slack.clear();
-    SurveySearch found = search_fit(fit_net, survey, all, settings);
+    SurveyFitSettings fitting = settings;
+    fitting.progress = {.tell = {}, .stop_requested = progress.stop_requested};
+    SurveySearch found = search_fit(fit_net, survey, all, fitting);
     Identification verdict;
     if (!told.forces.taut.empty() || !told.forces.slack.empty()) {
-        SurveySearch without = search_fit(fit_net, survey, unseen, settings);
+        SurveySearch without = search_fit(fit_net, survey, unseen, fitting);
         if (!is_believable(found, without, told.forces)) {
             tell_contradicted(verdict, without, told.forces);
             found = std::move(without);
@@ -257,14 +259,15 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     }
     result.unknowns =
         unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
-    if (!wanted.covariance_of.empty() && fitted.converged) {
-        result.length_covariance = covariance_of(wanted.covariance_of, fit.statics(), result);
-    }
     if (!fit_net.is_linear()) {
         fit.statics().hold_laws(fitted.iterate);  // (drawn-law)
     }
     draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
                    fitted.iterate, wanted, progress);
+    if (!wanted.covariance_of.empty() && fitted.converged) {
+        // Behind the draws, which may widen what the fit tells.
+        result.length_covariance = covariance_of(wanted.covariance_of, fit.statics(), result);
+    }
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";
     return result;

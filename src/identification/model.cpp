@@ -18,6 +18,16 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
                                                 data.net_fingerprint, net.fingerprint(),
                                                 net.name()));
     }
+    const Eigen::Index coordinates = Eigen::Index{3} * net.free_node_count();
+    if (data.nominal_form.size() != coordinates || data.form_deviations.rows() != coordinates ||
+        data.length_deviations.rows() != net.interior_edge_count() ||
+        data.length_deviations.cols() != data.form_deviations.cols()) {
+        throw std::invalid_argument(fmt::format(
+            "the data set holds {} x {} form and {} x {} length deviations, expected "
+            "{} and {} rows, and as many columns",
+            data.form_deviations.rows(), data.form_deviations.cols(), data.length_deviations.rows(),
+            data.length_deviations.cols(), coordinates, net.interior_edge_count()));
+    }
     for (const int k : samples) {
         if (k < 0 || k >= data.size()) {
             throw std::invalid_argument(

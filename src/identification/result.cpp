@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "taut/identification/result.hpp"
 
-#include <Eigen/Geometry>
+#include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
+#include <stdexcept>
 
 namespace taut {
 
@@ -33,6 +36,10 @@ Points FrameOffset::motion_of(const Points& places) const {
 }
 
 Eigen::VectorXd residuals_in_use(const Identification& result, const Survey& survey) {
+    if (result.residuals.size() != 0 && result.residuals.size() != std::ssize(survey.surveyed)) {
+        throw std::invalid_argument(fmt::format("{} residuals of a survey of {} targets",
+                                                result.residuals.size(), survey.surveyed.size()));
+    }
     std::vector<int> in_use;
     for (int i = 0; i < static_cast<int>(result.residuals.size()); ++i) {
         if (std::ranges::find(result.outliers, survey.surveyed[i], &Outlier::node) ==

@@ -11,6 +11,7 @@
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"
 #include "io/edge_column.hpp"
+#include "net/check_index.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -118,6 +119,7 @@ std::string force_unit_warning(const CableNet& net, const std::vector<ForceReadi
     const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
     std::vector<double> ratios;
     for (const ForceReading& reading : readings) {
+        check_index("edge", reading.edge, net.edge_count());
         if (designed(reading.edge) > 0.0 && reading.tension > 0.0) {
             ratios.push_back(reading.tension / designed(reading.edge));
         }

@@ -122,6 +122,14 @@ void CableNet::refuse_index(const char* what, int index, std::size_t count) {
                                         static_cast<std::ptrdiff_t>(count) - 1));
 }
 
+int CableNet::interior_index(int edge) const {
+    check_index("edge", edge, m_data.edges.size());
+    const auto found = std::ranges::lower_bound(m_interior, edge);
+    return found != m_interior.end() && *found == edge
+               ? static_cast<int>(found - m_interior.begin())
+               : -1;
+}
+
 std::string CableNet::node_id(int node) const {
     check_index("node", node, m_free_index.size());
     return m_data.node_ids.empty() ? std::to_string(node) : m_data.node_ids[node];

@@ -134,7 +134,8 @@ double TensionLaw::strain_at(double tension_there) const {
     while (part + 2 < tension.size() && tension_there > tension(part + 1)) {
         ++part;
     }
-    return strain(part) + (tension_there - tension(part)) / slope_of(part);
+    const double slope = slope_of(part);  // looks at the sizes first
+    return strain(part) + (tension_there - tension(part)) / slope;
 }
 
 std::pair<double, double> TensionLaw::strains_at(double tension_there) const {

@@ -49,8 +49,9 @@ double parse_quantity(std::string_view text, const std::array<Unit, Count>& unit
             name.remove_prefix(1);
         }
         for (const Unit& unit : units) {
-            if (name == unit.name) {
-                return value / unit.per_base * unit.bases;
+            const double in_base = value / unit.per_base * unit.bases;
+            if (name == unit.name && std::isfinite(in_base)) {
+                return in_base;
             }
         }
     }

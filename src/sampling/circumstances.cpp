@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "taut/sampling/circumstances.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "numerics/random_numbers.hpp"
@@ -88,6 +91,10 @@ Circumstances draw_circumstances(const CableNet& net, const std::vector<Unknown>
 
 CableNet net_under(const CableNet& net, const Circumstances& circumstances,
                    const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths) {
+    if (unstressed_lengths.size() != net.edge_count()) {
+        throw std::invalid_argument(fmt::format("{} unstressed lengths, expected {}",
+                                                unstressed_lengths.size(), net.edge_count()));
+    }
     CableNetData data = net.data();
     data.nodes += circumstances.supports;
     data.axial_stiffness.array() *= circumstances.stiffness.array().exp();

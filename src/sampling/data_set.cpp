@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <random>
 #include <stdexcept>
 
@@ -19,6 +20,10 @@ int DataSet::not_converged() const {
 }
 
 std::vector<int> DataSet::converged_in(int first, int last) const {
+    if (first < 0 || last > std::ssize(statuses)) {
+        throw std::out_of_range(fmt::format("samples {} to {}, expected of 0 to {}", first, last,
+                                            std::ssize(statuses)));
+    }
     std::vector<int> result;
     for (int k = first; k < last; ++k) {
         if (statuses[k] != EquilibriumStatus::iteration_limit) {
@@ -52,6 +57,9 @@ void check_law(const CableNet& net, const LengthLaw& law) {
 Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
                                        std::uint64_t sample, Eigen::Index count) {
     law.check();
+    if (count < 0) {
+        throw std::invalid_argument(fmt::format("{} deviations, expected 0 at least", count));
+    }
     // The standard fixes what the engine and the seed sequence give, to the bit, but not what its
     // distributions do: so the law draws from 52 random bits, at the middle of their cell. With 53
     // the middle would be rounded, of the last cell to 1.

@@ -256,6 +256,13 @@ int count_with_slack(const DataSet& data, const std::vector<int>& samples) {
         samples, [&data](int sample) { return data.slack_counts[sample] > 0; }));
 }
 
+void refuse_empty(const ComparisonSettings& settings) {
+    if (settings.noises.empty() || settings.training_samples.empty()) {
+        throw std::invalid_argument(
+            "no noise or no number of training samples, expected at least one of both");
+    }
+}
+
 }  // namespace
 
 std::string_view to_string(ModelErrors errors) {
@@ -271,6 +278,7 @@ std::string_view to_string(ModelErrors errors) {
 }
 
 int ComparisonSettings::common_training() const {
+    refuse_empty(*this);
     constexpr int as_in_paper = 950;
     return std::ranges::find(training_samples, as_in_paper) != training_samples.end()
                ? as_in_paper
@@ -278,6 +286,7 @@ int ComparisonSettings::common_training() const {
 }
 
 double ComparisonSettings::common_noise() const {
+    refuse_empty(*this);
     constexpr double of_a_total_station = 0.5e-3;
     constexpr double rounding = 1e-9;
     const auto found = std::ranges::find_if(
@@ -287,11 +296,7 @@ double ComparisonSettings::common_noise() const {
 
 void ComparisonSettings::check() const {
     law.check();
-    if (noises.empty() || training_samples.empty()) {
-        throw std::invalid_argument(
-            "no noise or no number of training samples, expected at least "
-            "one of both");
-    }
+    refuse_empty(*this);
     for (const double noise : noises) {
         if (!(noise >= 0.0) || !std::isfinite(noise)) {
             throw std::invalid_argument(

@@ -34,14 +34,18 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
             "the noise is to be above 0, and", settings.noise_std);
     require(settings.hidden_part >= 0.0 && settings.hidden_part < 1.0,
             "the hidden part is to lie in [0, 1), and", settings.hidden_part);
+    require(settings.actuator_std >= 0.0 && std::isfinite(settings.actuator_std),
+            "the play of what is turned is to be at least 0, and", settings.actuator_std);
     require(settings.stroke > 0.0 && std::isfinite(settings.stroke),
             "the stroke is to be above 0, and", settings.stroke);
     require(settings.rounds >= 1 && settings.rounds <= 100, "rounds are to be 1 to 100, and",
             settings.rounds);
     require(settings.trials >= 1 && settings.trials <= 100000, "trials are to be 1 to 100,000, and",
             settings.trials);
-    require(settings.least_tension >= 0.0 &&
-                (settings.most_tension == 0.0 || settings.most_tension > settings.least_tension),
+    require(settings.least_tension >= 0.0 && std::isfinite(settings.least_tension),
+            "the least tension is to be at least 0, and", settings.least_tension);
+    require(settings.most_tension == 0.0 || (settings.most_tension > settings.least_tension &&
+                                             std::isfinite(settings.most_tension)),
             "the largest tension is to be above the least, and", settings.most_tension);
     require(settings.confidence > 0.0 && settings.confidence < 1.0,
             "the confidence is to lie above 0 and below 1, and", settings.confidence);
@@ -49,6 +53,7 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
         settings.draws == 0 || settings.draws * (1.0 - settings.confidence) > 1.0 - 1e-9,
         "draws are to be 0, or so many that one may break the confidence, and the number of them",
         settings.draws);
+    check_draws(net, settings.draws);
     const auto count = net.adjustable_edges().size();
     check_limits(net, net.adjustable_edges(), limits_of_stroke(net, count, settings.stroke));
 }

@@ -18,23 +18,59 @@ void check_size(const char* name, Eigen::Index found, int expected) {
     }
 }
 
-void check_target(const CableNet& net, const Survey& survey, int node) {
+/// Where something was measured, and how well.
+struct MeasuredPlace {
+    Eigen::Vector3d place;
+    Eigen::Vector3d noise_std;
+    Eigen::Vector3d correlations;
+};
+
+void check_place(const CableNet& net, int node, const MeasuredPlace& measured) {
+    constexpr double furthest = 1e9;  // [m]
     const auto refuse = [&](const std::string& what) {
         throw SurveyError(0, fmt::format("the survey's node '{}' {}", net.node_id(node), what));
     };
-    if (!survey.form.col(node).allFinite()) {
+    if (!measured.place.allFinite()) {
         refuse("has a coordinate that is not finite");
     }
-    if (survey.noise_std.cols() != 0 &&
-        !(survey.noise_std.col(node).allFinite() && survey.noise_std.col(node).minCoeff() >= 0.0)) {
-        refuse(fmt::format("has a standard deviation of {}, expected 0 or more",
-                           survey.noise_std.col(node).minCoeff()));
+    if (const double largest = measured.place.cwiseAbs().maxCoeff(); largest > furthest) {
+        refuse(fmt::format("has a coordinate of {:g} m, expected at most {:g}", largest, furthest));
     }
-    if (const Eigen::Vector3d r = survey.correlations_of(node); !are_possible_correlations(r)) {
+    const Eigen::Vector3d& std = measured.noise_std;
+    if (!(std.allFinite() && std.minCoeff() >= 0.0)) {
+        refuse(fmt::format("has standard deviations of {}, {} and {}, expected 0 or more", std.x(),
+                           std.y(), std.z()));
+    }
+    if (const Eigen::Vector3d& r = measured.correlations; !are_possible_correlations(r)) {
         refuse(
             fmt::format("has noise with the correlations {}, {} and {}, expected a positive "
                         "definite matrix",
                         r.x(), r.y(), r.z()));
+    }
+}
+
+void check_supports(const CableNet& net, const std::vector<SurveyedSupport>& supports) {
+    int last = -1;
+    for (const SurveyedSupport& support : supports) {
+        const int node = support.node;
+        if (node <= last || node >= net.node_count() || net.free_index(node) >= 0) {
+            throw SurveyError(0, fmt::format("the survey names node {} among the supports, after "
+                                             "{}, expected supports in ascending order",
+                                             node, last));
+        }
+        check_place(net, node,
+                    {.place = support.position,
+                     .noise_std = support.noise_std,
+                     .correlations = support.noise_correlations});
+        last = node;
+    }
+}
+
+void check_std(const char* name, double std) {
+    if (!(std >= 0.0 && std::isfinite(std))) {
+        throw SurveyError(
+            0, fmt::format("the survey's {} is {}, expected a standard deviation of 0 or more",
+                           name, std));
     }
 }
 
@@ -87,9 +123,9 @@ void check_survey(const CableNet& net, const Survey& survey) {
         for (const int node : *nodes) {
             if (node <= last || node >= net.node_count() || net.free_index(node) < 0) {
                 throw SurveyError(
-                    0, fmt::format("the survey names node {} after {}, expected free nodes in "
-                                   "ascending order",
-                                   node, last));
+                    0, fmt::format("the survey names node {} after {}, expected free nodes of the "
+                                   "{} nodes of the net in ascending order",
+                                   node, last, net.node_count()));
             }
             if (is_named[node]) {
                 throw SurveyError(0, fmt::format("the survey's node '{}' is surveyed and missing, "
@@ -108,8 +144,16 @@ void check_survey(const CableNet& net, const Survey& survey) {
                            survey.surveyed.size(), survey.missing.size(), net.free_node_count()));
     }
     for (const int node : survey.surveyed) {
-        check_target(net, survey, node);
+        check_place(net, node,
+                    {.place = survey.form.col(node),
+                     .noise_std = survey.noise_std.cols() == 0
+                                      ? Eigen::Vector3d::Zero()
+                                      : Eigen::Vector3d(survey.noise_std.col(node)),
+                     .correlations = survey.correlations_of(node)});
     }
+    check_supports(net, survey.supports);
+    check_std("scale_std", survey.scale_std);
+    check_std("rounding_std", survey.rounding_std);
 }
 
 void require_whole(const CableNet& net, const Survey& survey, std::string_view expected) {

@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "survey/match_by_place.hpp"
 #include "survey/mean_edge_length.hpp"
@@ -188,6 +190,10 @@ std::string_view to_string(UnmatchedReason reason) {
 
 Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& points,
                       double noise_std) {
+    if (!(noise_std >= 0.0) || !std::isfinite(noise_std)) {
+        throw std::invalid_argument(
+            fmt::format("the noise is {} m, expected at least 0 and finite", noise_std));
+    }
     std::vector<SurveyPoint> named;
     std::vector<SurveyPoint> unnamed;
     for (const SurveyPoint& point : points) {
@@ -211,6 +217,10 @@ Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& point
 }
 
 Survey with_noise_times(Survey survey, double factor) {
+    if (!(factor > 0.0) || !std::isfinite(factor)) {
+        throw std::invalid_argument(fmt::format(
+            "the noise is to be taken {} times, expected more than 0 and finite", factor));
+    }
     survey.noise_std *= factor;
     for (SurveyedSupport& support : survey.supports) {
         support.noise_std *= factor;

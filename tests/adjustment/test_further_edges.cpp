@@ -97,5 +97,16 @@ TEST(FurtherEdges, AreNoneWhereNothingIsWrong) {
     }
 }
 
+TEST(FurtherEdges, RefuseAPlanThatTurnsOtherEdges) {
+    const CableNet net = hypar(4, 4);
+    const BuiltNet built = built_of(net, Eigen::VectorXd::Zero(net.interior_edge_count()));
+    const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
+    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    Plan plan = plan_strokes(built, target, limits);
+    plan.strokes = {{.edge = net.interior_edges().front(), .stroke = 1e-3}};
+    EXPECT_THAT([&] { static_cast<void>(further_edges(built, target, limits, {}, plan, 1)); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("may not be turned")));
+}
+
 }  // namespace
 }  // namespace taut

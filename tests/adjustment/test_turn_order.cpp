@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "support/random_nets.hpp"
@@ -86,10 +87,10 @@ TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
     // Limits that the way cannot keep, though the net keeps them before and after.
     const Eigen::VectorXd before =
         tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
-    plan.held.clear();
     plan.strokes.resize(20);  // each is tried at most moments, which takes long
     limits.tension.lower = 0.999 * before.cwiseMin(plan.tensions);
     limits.tension.upper = 1.001 * before.cwiseMax(plan.tensions);
+    plan.held = {{.lower = limits.tension.lower, .upper = limits.tension.upper}};
     const TurnOrder order = order_turns(built, limits, plan);
     EXPECT_FALSE(order.is_safe);
     EXPECT_GE(order.worst.moment, 0);
@@ -101,6 +102,21 @@ TEST_F(TurnOrderOfHilo, RefusesCrewsAndStepsThatCannotBeMeant) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("0 crews")));
     EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.step = -1.0})); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("step")));
+}
+
+TEST_F(TurnOrderOfHilo, RefusesAPlanOfAnotherNetOrOtherLimits) {
+    const auto expect_refused = [&](auto change, const char* text) {
+        Plan other = plan;
+        change(other);
+        EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, other)); },
+                    ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+    };
+    const int edges = built.net.edge_count();
+    expect_refused([&](Plan& p) { p.strokes[0].edge = edges; }, "expected 0 to");
+    expect_refused([](Plan& p) { p.strokes[1].edge = p.strokes[0].edge; }, "twice");
+    expect_refused([](Plan& p) { p.strokes[0].stroke = std::nan(""); }, "by nan m");
+    expect_refused([](Plan& p) { p.held.clear(); }, "0 states of loads, expected 1");
+    expect_refused([](Plan& p) { p.held[0].lower.conservativeResize(3); }, "limits of 3 and");
 }
 
 }  // namespace

@@ -416,5 +416,10 @@ TEST(FitStatus, IsToldInWords) {
     EXPECT_EQ(to_string(FitStatus::non_finite_output), "non-finite output");
 }
 
+TEST(Fit, RefusesInputsWithoutDimensions) {
+    EXPECT_THROW((void)fit(Eigen::MatrixXd(0, 5), Eigen::MatrixXd::Ones(5, 1)),
+                 std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace taut::gp

@@ -134,8 +134,10 @@ TEST(EstimateInputScales, RefusesGroupsThatAreNotOneADimension) {
     const Eigen::MatrixXd inputs = normal_matrix(4, 30, 1);
     const Eigen::MatrixXd outputs = outputs_of(inputs);
     EXPECT_THROW((void)estimate_input_scales(inputs, outputs, {0, 1}), std::invalid_argument);
-    EXPECT_THROW((void)estimate_input_scales(inputs, outputs, {0, 1, 2, -1}),
-                 std::invalid_argument);
+    for (const int group : {-1, 4, 2'000'000'000}) {
+        EXPECT_THROW((void)estimate_input_scales(inputs, outputs, {0, 1, 2, group}),
+                     std::invalid_argument);
+    }
     EXPECT_THROW((void)estimate_input_scales(inputs, outputs.topRows(10), {0, 1, 2, 3}),
                  std::invalid_argument);
 }

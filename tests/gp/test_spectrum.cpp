@@ -59,5 +59,10 @@ TEST(KernelSpectrum, RefusesDistancesThatAreNotFinite) {
     }
 }
 
+TEST(KernelSpectrum, RefusesDistancesThatAreNoPairs) {
+    EXPECT_THROW((void)kernel_spectrum(Eigen::MatrixXd::Zero(3, 2), 1.0), std::invalid_argument);
+    EXPECT_THROW((void)kernel_spectrum(Eigen::MatrixXd(), 1.0), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace taut::gp

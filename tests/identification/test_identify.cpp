@@ -14,6 +14,7 @@
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
+#include "taut/identification/length_estimates.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/sampling/sampler.hpp"
 
@@ -108,6 +109,11 @@ TEST_F(Identify, RefusesAModelThatIsNotForThis) {
                   "was trained for the law uniform:2mm, expected uniform:3mm");
     expect_misuse(survey, {.method = IdentificationMethod::map, .model = &model}, "not for map");
     EXPECT_THROW((void)identify(hypar(5, 6), survey, {.model = &model}), std::invalid_argument);
+    LengthModel part = model;
+    part.processes.processes.pop_back();
+    expect_misuse(survey, {.model = &part}, "the model's parts");
+    EXPECT_THROW((void)estimate_lengths(m_net, model, Eigen::MatrixXd::Zero(2, 1)),
+                 std::invalid_argument);
 }
 
 TEST_F(Identify, TrainsAModelWhereNoneIsGivenAndStopsWhereAsked) {
@@ -119,6 +125,14 @@ TEST_F(Identify, TrainsAModelWhereNoneIsGivenAndStopsWhereAsked) {
     EXPECT_THAT(found.how, HasSubstr("trained on 60 samples of uniform:2mm"));
     EXPECT_THROW((void)identify(m_net, survey, options, {.stop_requested = [] { return true; }}),
                  Interrupted);
+}
+
+TEST_F(Identify, StopsAmidTheFitWhereAsked) {
+    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    int asked = 0;
+    const Progress progress{.stop_requested = [&] { return ++asked > 3; }};
+    EXPECT_THROW((void)identify(m_net, survey, {.law = law}, progress), Interrupted);
+    EXPECT_EQ(asked, 4);
 }
 
 // A target 26 mm off, told to a method that looked at no residual.

@@ -235,7 +235,7 @@ TEST(Methods, RefuseSurveysThatMakeNoSense) {
     expect_refused(bad, "noise_std has 2 columns");
     bad = good;
     bad.noise_std(1, node) = -0.001;
-    expect_refused(bad, "standard deviation of -0.001");
+    expect_refused(bad, "standard deviations of 0.0005, -0.001 and 0.0005");
     bad = good;
     bad.form(2, node) = NAN;
     expect_refused(bad, "not finite");

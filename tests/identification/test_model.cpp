@@ -84,4 +84,10 @@ TEST(Train, RefusesFewerThanTwoSamples) {
     EXPECT_NO_THROW((void)train(net(), data, {2, 3}));
 }
 
+TEST(Train, RefusesADataSetWithPartsMissing) {
+    DataSet data = samples(10);
+    data.form_deviations.conservativeResize(2, 10);
+    EXPECT_THROW((void)train(net(), data, {0, 1, 2, 3}), std::invalid_argument);
+}
+
 }  // namespace

@@ -152,5 +152,25 @@ TEST(WithLengthDeviations, RefusesAWrongSize) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("5 entries, expected 3")));
 }
 
+TEST(InteriorIndex, IsThePlaceAmongTheUncertainEdges) {
+    const CableNet net(test::two_node_net_data());
+    for (int k = 0; k < net.interior_edge_count(); ++k) {
+        EXPECT_EQ(net.interior_index(net.interior_edges()[k]), k);
+    }
+    for (const int edge : net.adjustable_edges()) {
+        EXPECT_EQ(net.interior_index(edge), -1);
+    }
+    EXPECT_THROW((void)net.interior_index(-1), std::out_of_range);
+    EXPECT_THROW((void)net.interior_index(net.edge_count()), std::out_of_range);
+}
+
+// A net is valid by construction: one that is empty would be a crash later.
+TEST(CableNet, IsANetAlsoAfterItWasMovedFrom) {
+    CableNet net(test::two_node_net_data());
+    const CableNet other = std::move(net);
+    EXPECT_EQ(net.fingerprint(), other.fingerprint());  // NOLINT(bugprone-use-after-move)
+    EXPECT_EQ(net.node_count(), other.node_count());
+}
+
 }  // namespace
 }  // namespace taut

@@ -157,4 +157,9 @@ TEST(ParseForceAndStress, RefuseAnythingElseAndNameIt) {
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("'5 bar'")));
 }
 
+TEST(ParseForce, RefusesWhatNoDoubleHolds) {
+    EXPECT_THROW((void)parse_force("1e308kN"), std::invalid_argument);
+    EXPECT_EQ(parse_force("1e305kN"), 1e308);
+}
+
 }  // namespace

@@ -105,4 +105,11 @@ TEST(DataSet, ListsTheConvergedSamplesOfARange) {
     EXPECT_THAT(five_samples().converged_in(4, 5), testing::IsEmpty());
 }
 
+TEST(DataSet, RefusesSamplesThatAreNotThere) {
+    const DataSet data;
+    EXPECT_THROW((void)data.converged_in(0, 1), std::out_of_range);
+    EXPECT_THROW((void)data.converged_in(-1, 0), std::out_of_range);
+    EXPECT_THROW((void)draw_length_deviations(LengthLaw{}, 1, 0, -1), std::invalid_argument);
+}
+
 }  // namespace

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "taut/design/builtin_nets.hpp"
 
 namespace taut {
@@ -77,6 +79,15 @@ TEST(Control, RefusesSettingsThatCannotBeMeant) {
             s.most_tension = 4.0;
         },
         "largest tension");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double value : {nan, infinite, -1.0}) {
+        expect_refused([&](ControlSettings& s) { s.noise_std = value; }, "noise");
+        expect_refused([&](ControlSettings& s) { s.actuator_std = value; }, "play");
+        expect_refused([&](ControlSettings& s) { s.least_tension = value; }, "least tension");
+        expect_refused([&](ControlSettings& s) { s.most_tension = value; }, "largest tension");
+    }
+    expect_refused([](ControlSettings& s) { s.draws = -1; }, "draws");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -231,6 +232,66 @@ TEST(Survey, RefusesCorrelationsOfANodeThatIsNotThere) {
     EXPECT_EQ(survey.correlations_of(3).x(), 0.1);
     EXPECT_THROW(static_cast<void>(survey.correlations_of(4)), std::out_of_range);
     EXPECT_THROW(static_cast<void>(survey.correlations_of(-1)), std::out_of_range);
+}
+
+TEST_F(MatchToNodes, RefusesNoiseThatIsNone) {
+    for (const double noise : {-1e-3, std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW((void)match_to_nodes(hypar(3, 3), {}, noise), std::invalid_argument);
+    }
+}
+
+/// A survey as a program would fill it in.
+class SurveyByHand : public testing::Test {
+protected:
+    SurveyByHand() {
+        const int support = m_net.supports().front();
+        m_survey.supports = {{.node = support, .position = m_net.nodes().col(support)}};
+        m_survey.supports.front().noise_std.setConstant(1e-3);
+    }
+
+    /// @return what check_survey() says of the survey changed so
+    template <class Change>
+    std::string refusal(const Change& change) const {
+        Survey survey = m_survey;
+        change(survey);
+        try {
+            check_survey(m_net, survey);
+        } catch (const SurveyError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    CableNet m_net = hypar(3, 3);
+    Survey m_survey = match_to_nodes(m_net, survey_of(m_net), 1e-3);
+};
+
+TEST_F(SurveyByHand, IsCheckedInAllItsParts) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const int target = m_survey.surveyed.front();
+    EXPECT_EQ(refusal([](Survey&) {}), "");
+    EXPECT_THAT(refusal([&](Survey& s) { s.form(0, target) = 1e300; }), HasSubstr("1e+300 m"));
+    EXPECT_THAT(refusal([](Survey& s) { s.supports[0].node = 100'000; }), HasSubstr("100000"));
+    EXPECT_THAT(refusal([](Survey& s) { s.supports[0].node = -1; }), HasSubstr("-1"));
+    EXPECT_THAT(refusal([&](Survey& s) { s.supports[0].node = target; }),
+                HasSubstr("among the supports"));
+    EXPECT_THAT(refusal([](Survey& s) { s.supports.push_back(s.supports[0]); }),
+                HasSubstr("ascending"));
+    EXPECT_THAT(refusal([&](Survey& s) { s.supports[0].position.x() = nan; }),
+                HasSubstr("not finite"));
+    EXPECT_THAT(refusal([&](Survey& s) { s.supports[0].noise_std.y() = nan; }),
+                HasSubstr("standard deviations"));
+    EXPECT_THAT(refusal([](Survey& s) { s.supports[0].noise_correlations.setConstant(2.0); }),
+                HasSubstr("correlations"));
+    EXPECT_THAT(refusal([&](Survey& s) { s.scale_std = nan; }), HasSubstr("scale_std"));
+    EXPECT_THAT(refusal([](Survey& s) { s.rounding_std = -1.0; }), HasSubstr("rounding_std"));
+}
+
+TEST_F(SurveyByHand, IsScaledInItsNoiseByPositiveFactorsAlone) {
+    EXPECT_EQ(with_noise_times(m_survey, 2.0).noise_std, 2.0 * m_survey.noise_std);
+    EXPECT_THROW((void)with_noise_times(m_survey, 0.0), std::invalid_argument);
+    EXPECT_THROW((void)with_noise_times(m_survey, std::nan("")), std::invalid_argument);
 }
 
 }  // namespace

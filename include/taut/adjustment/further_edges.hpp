@@ -24,7 +24,8 @@ struct FurtherEdge {
 /// @param plan of this net; strokes of further edges go as far as the longest of those that may be
 ///   turned
 /// @param count how many at most; fewer where no other edge would help, by 0.1 % of the cost
-/// @throws std::invalid_argument for a count below 1, and what plan_strokes() refuses
+/// @throws std::invalid_argument for a count below 1, what plan_strokes() refuses, and a plan of
+///   another net, other limits or other edges
 /// @param progress told of the stage "further edges" before each and at the end
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<FurtherEdge> further_edges(

@@ -26,16 +26,17 @@ struct TurnSize {
 
 /// Which edges may be turned, and how surely limits are to hold.
 struct PlanOptions {
-    std::vector<int> edges;    ///< that may be turned, ascending; empty: the net's adjustable edges
+    std::vector<int> edges =
+        {};                    ///< that may be turned, ascending; empty: the net's adjustable edges
     double confidence = 0.95;  ///< that all limits are kept together, over the draws
-    double actuator_std = 0.0;     ///< of what is turned, from what was told [m]
-    std::optional<TurnSize> turn;  ///< empty: any stroke can be turned
+    double actuator_std = 0.0;          ///< of what is turned, from what was told [m]
+    std::optional<TurnSize> turn = {};  ///< empty: any stroke can be turned
     /// The fewest edges are turned with which the form comes so near: the root of the mean square
     /// of its deviations along the normal, or the largest of them, as the target's objective [m].
-    std::optional<double> tolerance;
+    std::optional<double> tolerance = {};
     /// Noise of targets that might be surveyed before turning: which ones tell most of the planned
     /// form is told, where there are draws [m].
-    std::optional<double> survey_noise;
+    std::optional<double> survey_noise = {};
     std::uint64_t seed = 1;  ///< of the play of the turnbuckles
 };
 

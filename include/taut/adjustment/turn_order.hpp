@@ -45,12 +45,12 @@ struct TurnOrderOptions {
 /// Looks for passes over the net in which no cable leaves its limits at any moment: neighbouring
 /// stations together, in one pass if that can be, else in two, four or eight, each with its part of
 /// every stroke. Exact equilibrium after every moment. docs/theory.md (turn-order).
-/// @param built, limits as the plan was made with, which is not checked
+/// @param built, limits as the plan was made with
 /// @param plan of this net; its limits hold for the estimate, narrowed by nine tenths of what the
 ///   plan's were
 /// @param progress told of the stage "ordering", 0 of 0
 /// @throws std::invalid_argument for crews below 1 or above 100, a step that is negative, and what
-///   plan_strokes() refuses of limits
+///   plan_strokes() refuses of limits; for a plan of another net or other limits
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT TurnOrder order_turns(const BuiltNet& built,
                                                            const Limits& limits, const Plan& plan,

@@ -22,7 +22,8 @@ struct KernelSpectrum {
 /// @param squared_distances of all pairs of training inputs (n x n), symmetric, which is not
 ///   checked
 /// @param inverse_length_scale lambda, in 1 / unit of the inputs
-/// @throws std::invalid_argument where lambda is not positive and finite, or a distance not finite
+/// @throws std::invalid_argument where lambda is not positive and finite, or a distance not finite,
+///   and for a matrix that is not square or empty
 [[nodiscard]] TAUT_CORE_EXPORT KernelSpectrum kernel_spectrum(
     const Eigen::Ref<const Eigen::MatrixXd>& squared_distances, double inverse_length_scale);
 

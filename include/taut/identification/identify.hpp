@@ -39,25 +39,25 @@ parse_identification_method(std::string_view name);
 struct IdentifyOptions {
     /// Empty: gp where a model is given; map where the survey has noise or misses nodes, forces are
     /// told or more than lengths is unknown; balance else.
-    std::optional<IdentificationMethod> method;
+    std::optional<IdentificationMethod> method = {};
     /// Of the length deviations. Empty: the model's, or uniform:5mm.
-    std::optional<LengthLaw> law;
+    std::optional<LengthLaw> law = {};
     /// What was read and seen of the forces besides the form; for map.
-    Forces forces;
+    Forces forces = {};
     /// What else is not known: map estimates it with the lengths; the samples of gp are drawn with
     /// it. A model has its own.
-    std::vector<Unknown> unknowns;
+    std::vector<Unknown> unknowns = {};
     /// For gp; not copied: it must live until identify() has ended. Null: one is trained now, on
     /// `training_samples` samples of the law, and forgotten.
     const LengthModel* model = nullptr;
     int training_samples = 1000;  ///< at least 2
-    /// Draws of the posterior, for map; 0: none, and which edges are slack is told by the
-    /// linearised fit alone: not to be relied on where cables stretch by less than their lengths
-    /// are known to.
+    /// Draws of the posterior, for map (the other methods make none); 0: none, and which edges are
+    /// slack is told by the linearised fit alone: not to be relied on where cables stretch by less
+    /// than their lengths are known to.
     int draws = 0;
     /// Interior edges whose lengths' covariances are wanted: Identification::length_covariance. For
     /// map; each takes the time of one more step of the fit.
-    std::vector<int> covariance_of;
+    std::vector<int> covariance_of = {};
     /// The noise of the survey is known but for a common factor, which is found with the lengths.
     bool estimate_noise = false;
     std::uint64_t seed = 1;  ///< of the draws
@@ -80,8 +80,9 @@ TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
 /// lengths of the law give its form to rounding errors, the status is `survey_not_exact`.
 ///
 /// @param survey of the net's free nodes: read_survey(), match_to_nodes(), or made by hand
-/// @param progress told of "sampling" and "training" where a model has to be trained; draws ask it
-///   whether to go on, the fit itself does not
+/// @param progress told of "sampling" and "training" where a model has to be trained; the fit of
+/// map
+///   tells it nothing, but asks it at each step, as draws do, whether to go on
 /// @return status and message tell whether it may be relied on; misuse throws
 /// @throws std::invalid_argument for draws as check_draws(), a law that the net does not bear
 ///   (check_law()), forces as check_forces(), or for another method than map; covariances of edges
@@ -99,7 +100,7 @@ TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
                                                        const Progress& progress = {});
 
 /// Whether a model may be used for a net and, where it is given, a law: by the fingerprint that it
-/// bears; that its parts have the sizes of the net is not checked.
+/// bears and the sizes of its parts.
 /// @throws std::invalid_argument as identify()
 TAUT_CORE_EXPORT void check_model(const CableNet& net, const LengthModel& model,
                                   const std::optional<LengthLaw>& law = {});

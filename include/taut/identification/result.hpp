@@ -169,7 +169,8 @@ struct Identification {
 };
 
 /// The residuals of the targets that were not left out.
-/// @param survey the one that was identified from; that it is, is not checked
+/// @param survey the one that was identified from; only the number of its targets is checked
+/// @throws std::invalid_argument for another number of them
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd residuals_in_use(const Identification& result,
                                                                 const Survey& survey);
 

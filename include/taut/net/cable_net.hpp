@@ -50,13 +50,15 @@ enum class Thread { right, left };
 
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
 struct CableNetData {
-    std::string name;                      ///< for people and files; may be empty
-    Points nodes;                          ///< 3 x n, the nominal form [m]
-    std::vector<int> supports;             ///< nodes on the rigid frame
-    std::vector<Edge> edges;               ///< m pairs of nodes
-    Eigen::VectorXd axial_stiffness;       ///< m, EA > 0; see CableNet::axial_stiffness() [N]
-    Eigen::VectorXd unstressed_lengths;    ///< m, l_0 > 0 [m]
-    std::vector<int> adjustable;           ///< edges with a turnbuckle: length known and set
+    std::string name;                    ///< for people and files; may be empty
+    Points nodes;                        ///< 3 x n, the nominal form [m]
+    std::vector<int> supports;           ///< nodes on the rigid frame
+    std::vector<Edge> edges;             ///< m pairs of nodes
+    Eigen::VectorXd axial_stiffness;     ///< m, EA > 0; see CableNet::axial_stiffness() [N]
+    Eigen::VectorXd unstressed_lengths;  ///< m, l_0 > 0 [m]
+    /// Edges with a turnbuckle: length known and set. None means that no edge has one, and every
+    /// length is uncertain; a net.json that does not tell them has edges_at_supports().
+    std::vector<int> adjustable;
     Points loads;                          ///< 3 x n external forces [N]; 3 x 0 means none
     std::vector<std::string> node_ids;     ///< n names, or none
     std::vector<std::string> edge_ids;     ///< m names, or none
@@ -69,15 +71,15 @@ struct CableNetData {
     std::vector<Thread> thread;     ///< one an entry of `adjustable`; or none
 };
 
-/// The edges with at least one support as an end: the default of CableNetData::adjustable.
+/// The edges with at least one support as an end: CableNetData::adjustable of most nets.
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
                                                                   const std::vector<int>& supports);
 
 /// A tensioned cable net: the graph G = (V, E) of the paper (section 3.1) with its parameters EA,
 /// l_0 and r_B. Immutable, and valid by construction.
 ///
-/// All that it gives by reference or pointer lives as long as the net, until that is assigned to or
-/// moved from. A copy costs memory as CableNetData does. Functions and objects of taut copy what
+/// All that it gives by reference or pointer lives as long as the net, until that is assigned to.
+/// A copy costs memory as CableNetData does. Functions and objects of taut copy what
 /// they need of a net; what refers to it (Method, PlanRecord) says so.
 class TAUT_CORE_EXPORT CableNet {
 public:
@@ -91,6 +93,11 @@ public:
     ///   group without name or edges; a mass that is negative, an expansion that is not finite, a
     ///   breaking load that is not positive and finite, other than one thread an adjustable edge.
     explicit CableNet(CableNetData data);
+    /// Nets are copied, not moved: what is left behind is a net still.
+    CableNet(const CableNet&) = default;
+    /// Likewise.
+    CableNet& operator=(const CableNet&) = default;
+    ~CableNet() = default;
 
     /// What it is called; may be empty.
     [[nodiscard]] const std::string& name() const { return m_data.name; }
@@ -145,6 +152,11 @@ public:
 
     /// Edges of uncertain unstressed length, ascending: the order of l_0,I (eq. l0I).
     [[nodiscard]] const std::vector<int>& interior_edges() const { return m_interior; }
+    /// Position of an edge in interior_edges(), or -1 for an adjustable one: the order of lengths
+    /// in results and draws.
+    /// @param edge 0 to edge_count() - 1
+    /// @throws std::out_of_range for another
+    [[nodiscard]] int interior_index(int edge) const;
     /// Edges whose unstressed length is known and set, ascending: the order of l_0,B.
     [[nodiscard]] const std::vector<int>& adjustable_edges() const { return m_data.adjustable; }
 

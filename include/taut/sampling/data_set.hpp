@@ -37,8 +37,7 @@ struct TAUT_CORE_EXPORT DataSet {
     /// Indices in [first, last) of the samples whose forces balance. Slack mechanisms are among
     /// them: their loose nodes' places are one choice of many, but always the one that the solver
     /// comes to from the linear prediction, and all other nodes tell as much as in any sample.
-    /// @param first 0 or more, not checked
-    /// @param last at most size(), not checked
+    /// @throws std::out_of_range for a first below 0, or a last beyond the samples
     [[nodiscard]] std::vector<int> converged_in(int first, int last) const;
 };
 
@@ -51,7 +50,7 @@ TAUT_CORE_EXPORT void check_law(const CableNet& net, const LengthLaw& law);
 /// The length deviations of one sample (m_I) [m]. They depend on the law, the seed and the sample's
 /// index alone, and so on no other sample, thread or run.
 /// @param count m_I, 0 or more
-/// @throws std::invalid_argument as LengthLaw::check()
+/// @throws std::invalid_argument as LengthLaw::check(), and for a negative count
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd draw_length_deviations(const LengthLaw& law,
                                                                       std::uint64_t seed,
                                                                       std::uint64_t sample,

@@ -27,10 +27,10 @@ struct TAUT_ADJUSTMENT_EXPORT ComparisonSettings {
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
     std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is there anyway
     int surveys = 50;        ///< of samples that no model was trained on; the same for all methods
-    LengthLaw law;           ///< of the length deviations; all methods are told
+    LengthLaw law = {};      ///< of the length deviations; all methods are told
     std::uint64_t seed = 1;  ///< of samples and surveys
-    std::vector<Unknown> unknowns;  ///< besides the lengths; empty: no such axis
-    int epochs = 1;                 ///< surveys of one net; 1: no such axis
+    std::vector<Unknown> unknowns = {};  ///< besides the lengths; empty: no such axis
+    int epochs = 1;                      ///< surveys of one net; 1: no such axis
 
     /// 950, as in the paper, where that is among the training samples; else the most.
     [[nodiscard]] int common_training() const;

@@ -21,6 +21,7 @@ struct PlannedTarget {
 /// @param noise_std of each coordinate [m]
 /// @throws SurveyError with the line of a target, for a name that is empty, not a node's or comes
 ///   twice
+/// @throws std::invalid_argument for noise that is negative or not finite
 [[nodiscard]] TAUT_CORE_EXPORT Survey planned_survey(const CableNet& net,
                                                      const std::vector<PlannedTarget>& targets,
                                                      double noise_std);

@@ -116,12 +116,13 @@ struct TAUT_CORE_EXPORT Survey {
 
 /// Whether a survey can be one of a net.
 /// @throws SurveyError for a survey of another size than the net, a node that is not free, out of
-///   order, comes twice or is neither surveyed nor missing, noise that is negative or not finite,
-///   correlations that no noise can have, a position that is not finite, and where no node was
-///   surveyed
+///   order, comes twice or is neither surveyed nor missing, a support that is none, out of order or
+///   comes twice, noise that is negative or not finite, correlations that no noise can have, a
+///   position that is not finite or beyond 1e9 m, and where no node was surveyed
 TAUT_CORE_EXPORT void check_survey(const CableNet& net, const Survey& survey);
 
 /// With the standard deviations of all that was surveyed times a factor.
+/// @throws std::invalid_argument for a factor that is not positive and finite
 [[nodiscard]] TAUT_CORE_EXPORT Survey with_noise_times(Survey survey, double factor);
 
 /// Refuses a survey that misses nodes.
@@ -153,6 +154,7 @@ private:
 ///   edge length, a named support further than a tenth of that, less than half of the unnamed
 ///   targets on a node; beside points with the names of nodes, targets with a label do not count
 ///   for that
+/// @throws std::invalid_argument for noise that is negative or not finite
 [[nodiscard]] TAUT_CORE_EXPORT Survey match_to_nodes(const CableNet& net,
                                                      const std::vector<SurveyPoint>& points,
                                                      double noise_std = 0.0);
