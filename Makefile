@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test examples bench reference lint format sanitize fuzz clean
+.PHONY: help build demo test wheel examples bench reference lint format sanitize fuzz clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -24,11 +24,16 @@ demo: build ## run the paper's experiment and plan a job on the built-in net, re
 	scripts/demo.sh
 
 test: ## install what is missing, build, run every test
-	scripts/install_dependencies.sh test
+	scripts/install_dependencies.sh test python
 	$(configure) --preset release -DTAUT_BUILD_TESTS=ON
 	cmake --build --preset release
 	ln -sfn release/apps/taut/taut build/taut
 	ctest --preset release
+	scripts/python.sh test
+
+wheel: ## build the Python package's wheel, with all libraries in it, in build/python/wheels
+	scripts/install_dependencies.sh build python
+	scripts/python.sh wheel
 
 examples: ## build and run the examples
 	scripts/install_dependencies.sh build

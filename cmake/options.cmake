@@ -2,9 +2,14 @@
 # SPDX-License-Identifier: MIT
 
 # A project that adds taut as a subdirectory wants the library and nothing else.
+# pip, too, unless it builds where more was asked for before.
+set(TAUT_WITH_MORE ${PROJECT_IS_TOP_LEVEL})
+if(SKBUILD)
+    set(TAUT_WITH_MORE OFF)
+endif()
 find_package(benchmark QUIET)
 set(TAUT_WITH_BENCHMARKS OFF)
-if(PROJECT_IS_TOP_LEVEL AND benchmark_FOUND)
+if(TAUT_WITH_MORE AND benchmark_FOUND)
     set(TAUT_WITH_BENCHMARKS ON)
 endif()
 
@@ -25,13 +30,13 @@ endif()
 option(TAUT_INSTALL "Install the library, and the program where it is built" ${PROJECT_IS_TOP_LEVEL})
 option(TAUT_BUILD_APP "Build the command line program" ${PROJECT_IS_TOP_LEVEL})
 # The tests link what a shared library does not show.
-set(TAUT_WITH_TESTS ${PROJECT_IS_TOP_LEVEL})
+set(TAUT_WITH_TESTS ${TAUT_WITH_MORE})
 if(BUILD_SHARED_LIBS)
     set(TAUT_WITH_TESTS OFF)
 endif()
 option(TAUT_BUILD_TESTS "Build the tests (default: at top level, of static libraries)" ${TAUT_WITH_TESTS})
 option(TAUT_TESTS_BY_PROGRAM "Give ctest the tests of a room as one test: with the sanitizers most of the time goes into starting processes" OFF)
-option(TAUT_BUILD_EXAMPLES "Build the examples" ${PROJECT_IS_TOP_LEVEL})
+option(TAUT_BUILD_EXAMPLES "Build the examples" ${TAUT_WITH_MORE})
 option(TAUT_BUILD_BENCHMARKS "Build the benchmarks (default: where Google Benchmark is found)" ${TAUT_WITH_BENCHMARKS})
 set(TAUT_CLARABEL_DEFAULT OFF)
 if(PROJECT_IS_TOP_LEVEL)
@@ -39,6 +44,7 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 set(TAUT_WITH_CLARABEL ${TAUT_CLARABEL_DEFAULT} CACHE STRING
     "Build the conic solver for the paper's SOCP: ON, OFF, or AUTO (where cargo is recent enough)")
+option(TAUT_BUILD_PYTHON "Build the Python package's module; pip does (pyproject.toml)" OFF)
 option(TAUT_BUILD_FUZZERS "Build the fuzzers of the readers (needs Clang)" OFF)
 option(TAUT_BUILD_VIEWER "Build the viewer of reports into the library (default: where Node.js and npm are found)" ${TAUT_WITH_VIEWER})
 if(PROJECT_IS_TOP_LEVEL AND NOT TAUT_BUILD_VIEWER)

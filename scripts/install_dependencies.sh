@@ -7,7 +7,7 @@
 # cargo builds the conic solver Clarabel: Debian's cargo-web, kept up to date for browsers, is recent
 # enough, its cargo is not. A cargo that is there, from rustup say, is left alone; where it is too old,
 # CMake says so and builds without the solver.
-# Usage: scripts/install_dependencies.sh [build|test|bench|lint|fuzz|compilers|reference]...
+# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|compilers|reference]...
 set -euo pipefail
 
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
@@ -16,10 +16,12 @@ build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-de
     libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libfast-float-dev libboost-dev libpugixml-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy)
-lint=(clang-format-19 clang-tidy-19)
+lint=(clang-format-19 clang-tidy-19 python3-venv)
 # libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they tell.
 fuzz=(clang-19 libclang-rt-19-dev llvm-19)
 reference=(doxygen)
+# Of the rest pip takes care: pyproject.toml.
+python=(python3-dev python3-venv python3-pip)
 # Compilers that scripts/check_compilers.sh builds with.
 compilers=(clang-14 clang-16 clang-19 libc++-19-dev libc++abi-19-dev)
 cargo=cargo-web
@@ -69,13 +71,13 @@ fuzz=("${build[@]}" "${fuzz[@]}")
 packages=()
 for group in "${@:-build}"; do
     case "$group" in
-        build | test | bench | lint | fuzz | compilers | reference)
+        build | test | python | bench | lint | fuzz | compilers | reference)
             declare -n members="$group"
             packages+=("${members[@]}")
             ;;
         *)
             echo "install_dependencies.sh: unknown group '$group'," \
-                "expected build, test, bench, lint, fuzz, compilers or reference" >&2
+                "expected build, test, python, bench, lint, fuzz, compilers or reference" >&2
             exit 2
             ;;
     esac

@@ -5,4 +5,4 @@
 # Lists our own C++ files, one a line.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-find include src apps tests examples benchmarks \( -name '*.hpp' -o -name '*.cpp' \) -type f | sort
+find include src apps tests examples benchmarks python \( -name '*.hpp' -o -name '*.cpp' \) -type f | sort

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/tuple.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "taut/gp/fit.hpp"
+
+namespace taut::python {
+namespace {
+
+/// A number of each process.
+template <class Get>
+auto of_processes(Get get) {
+    return [get](const gp::FittedProcesses& self) {
+        Eigen::VectorXd values(std::ssize(self.processes));
+        for (Eigen::Index i = 0; i < values.size(); ++i) {
+            values(i) = get(self.processes[static_cast<size_t>(i)]);
+        }
+        return array_of(std::move(values));
+    };
+}
+
+/// Of the latent function of one output.
+/// @throws nb::index_error, nb::value_error
+Eigen::MatrixXd covariance(const gp::FittedProcesses& fitted, int output,
+                           const Eigen::MatrixXd& at) {
+    if (output < 0 || std::cmp_greater_equal(output, fitted.processes.size())) {
+        throw std::out_of_range(fmt::format("output: got {}, expected 0 to {}", output,
+                                            std::ssize(fitted.processes) - 1));
+    }
+    if (at.rows() != fitted.inputs.rows()) {
+        throw std::invalid_argument(
+            fmt::format("inputs: got {} dimensions, expected {}", at.rows(), fitted.inputs.rows()));
+    }
+    const gp::Process& process = fitted.processes[static_cast<size_t>(output)];
+    if (process.status != gp::FitStatus::fitted) {
+        return Eigen::MatrixXd::Zero(at.cols(), at.cols());
+    }
+    // sigma_f^2 (R** - R*' Q (D + eta)^-1 Q' R*), with R = Q D Q'
+    const auto& [lambda, signal, noise] = process.hyperparameters;
+    const gp::KernelSpectrum& spectrum = fitted.spectra[static_cast<size_t>(process.spectrum)];
+    const Eigen::VectorXd shrunk =
+        (spectrum.eigenvalues.array() + std::pow(noise / signal, 2)).rsqrt();
+    const Eigen::MatrixXd seen =
+        shrunk.asDiagonal() * (spectrum.eigenvectors.transpose() *
+                               gp::correlation(gp::squared_distances(fitted.inputs, at), lambda));
+    return signal * signal *
+           (gp::correlation(gp::squared_distances(at, at), lambda) - seen.transpose() * seen);
+}
+
+using SpectrumState = std::tuple<double, Array, Array>;
+using ProcessState = std::tuple<int, double, double, double, double, double, int>;
+using State = std::tuple<Array, std::vector<SpectrumState>, std::vector<ProcessState>, Array>;
+
+State state_of(const gp::FittedProcesses& fitted) {
+    std::vector<SpectrumState> spectra;
+    for (const gp::KernelSpectrum& of : fitted.spectra) {
+        spectra.emplace_back(of.inverse_length_scale, array_of(of.eigenvalues),
+                             array_of_columns(of.eigenvectors));
+    }
+    std::vector<ProcessState> processes;
+    for (const gp::Process& of : fitted.processes) {
+        const auto& [lambda, signal, noise] = of.hyperparameters;
+        processes.emplace_back(static_cast<int>(of.status), lambda, signal, noise,
+                               of.negative_log_likelihood, of.leave_one_out_rmse, of.spectrum);
+    }
+    return {array_of_columns(fitted.inputs), std::move(spectra), std::move(processes),
+            array_of_columns(fitted.weights)};
+}
+
+gp::FittedProcesses of_state(const State& state) {
+    const auto& [inputs, spectra, processes, weights] = state;
+    gp::FittedProcesses fitted{.inputs = columns_argument(inputs, "inputs"),
+                               .spectra = {},
+                               .processes = {},
+                               .weights = columns_argument(weights, "weights")};
+    for (const auto& [lambda, values, vectors] : spectra) {
+        fitted.spectra.push_back({.inverse_length_scale = lambda,
+                                  .eigenvalues = vector_argument(values, "eigenvalues", -1),
+                                  .eigenvectors = columns_argument(vectors, "eigenvectors")});
+    }
+    for (const auto& [status, lambda, signal, noise, likelihood, rmse, spectrum] : processes) {
+        fitted.processes.push_back({.status = static_cast<gp::FitStatus>(status),
+                                    .hyperparameters = {lambda, signal, noise},
+                                    .negative_log_likelihood = likelihood,
+                                    .leave_one_out_rmse = rmse,
+                                    .spectrum = spectrum});
+    }
+    return fitted;
+}
+
+}  // namespace
+
+void bind_gp(nb::module_& module) {
+    nb::class_<gp::FittedProcesses>(module, "FittedProcesses",
+                                    "m processes with zero mean and an isotropic squared "
+                                    "exponential kernel each, trained on the same inputs.")
+        .def_prop_ro("inverse_length_scale", of_processes([](const gp::Process& of) {
+                         return of.hyperparameters.inverse_length_scale;
+                     }),
+                     "lambda (m,).")
+        .def_prop_ro("signal_std", of_processes([](const gp::Process& of) {
+                         return of.hyperparameters.signal_std;
+                     }),
+                     "sigma_f (m,).")
+        .def_prop_ro("noise_std", of_processes([](const gp::Process& of) {
+                         return of.hyperparameters.noise_std;
+                     }),
+                     "sigma_w (m,).")
+        .def_prop_ro("negative_log_likelihood",
+                     of_processes([](const gp::Process& of) { return of.negative_log_likelihood; }),
+                     "(m,).")
+        .def_prop_ro("leave_one_out_rmse",
+                     of_processes([](const gp::Process& of) { return of.leave_one_out_rmse; }),
+                     "Of the mean at each training input, trained without it (m,).")
+        .def_prop_ro(
+            "status",
+            [](const gp::FittedProcesses& self) {
+                nb::list list;
+                for (const gp::Process& of : self.processes) {
+                    list.append(to_string(of.status));
+                }
+                return list;
+            },
+            "'fitted', 'constant output' or 'non-finite output' of each.")
+        .def(
+            "predict",
+            [](const gp::FittedProcesses& self, const ArrayLike& inputs) {
+                const Eigen::MatrixXd at = columns_argument(inputs, "inputs");
+                gp::Prediction made = without_lock([&] { return self.predict(at); });
+                return nb::make_tuple(array_of_columns(std::move(made.mean)),
+                                      array_of_columns(std::move(made.std)));
+            },
+            nb::arg("inputs"),
+            "Mean and standard deviation of the latent functions at inputs (k, d): (k, m) each.")
+        .def(
+            "covariance",
+            [](const gp::FittedProcesses& self, int output, const ArrayLike& inputs) {
+                const Eigen::MatrixXd at = columns_argument(inputs, "inputs");
+                return array_of_columns(without_lock([&] { return covariance(self, output, at); }));
+            },
+            nb::arg("output"), nb::arg("inputs"),
+            "Posterior covariance of one latent function between inputs (k, d): (k, k).")
+        .def("__getstate__", &state_of)
+        .def("__setstate__",
+             [](gp::FittedProcesses& self, const State& state) {
+                 new (&self) gp::FittedProcesses(of_state(state));
+             })
+        .def("__repr__", [](const gp::FittedProcesses& self) {
+            return fmt::format("FittedProcesses({} outputs, {} training inputs of {} dimensions)",
+                               self.processes.size(), self.inputs.cols(), self.inputs.rows());
+        });
+    module.def(
+        "_fit_processes",
+        [](const ArrayLike& inputs, const ArrayLike& outputs, double relative_tolerance,
+           int max_spectra, const nb::object& progress) {
+            const Eigen::MatrixXd x = columns_argument(inputs, "inputs");
+            const Eigen::MatrixXd y = columns_argument(outputs, "outputs").transpose();
+            gp::FitSettings settings;
+            settings.relative_tolerance = relative_tolerance;
+            settings.max_spectra = max_spectra;
+            return interruptible(
+                progress, [&](const Progress& told) { return gp::fit(x, y, settings, told); });
+        },
+        nb::arg("inputs"), nb::arg("outputs"), nb::kw_only(),
+        nb::arg("relative_tolerance") = gp::FitSettings().relative_tolerance,
+        nb::arg("max_spectra") = gp::FitSettings().max_spectra, nb::arg("progress") = nb::none(),
+        R"(Estimates each output's hyperparameters by maximum marginal likelihood.
+
+Args:
+    inputs: (n, d).
+    outputs: (n, m).
+    max_spectra: decompositions that all outputs share, at most.)");
+}
+
+}  // namespace taut::python

@@ -1,0 +1,391 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/tuple.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "documents.hpp"
+#include "identified.hpp"
+#include "taut/adjustment/built_net.hpp"
+#include "taut/files/file.hpp"
+#include "taut/identification/epochs.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/identification/survey_prospect.hpp"
+#include "taut/results/draws_h5.hpp"
+#include "taut/results/results_json.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "told.hpp"
+
+namespace taut::python {
+namespace {
+
+using Readings = std::vector<std::tuple<int, double, double>>;
+
+Forces forces_told(const CableNet& net, const Readings& readings,
+                   const std::optional<ArrayLike>& taut_edges,
+                   const std::optional<ArrayLike>& slack_edges) {
+    Forces forces;
+    for (const auto& [edge, tension, std] : readings) {
+        forces.readings.push_back({.edge = edge, .tension = tension, .std = std});
+    }
+    if (taut_edges) {
+        forces.taut = indices_argument(*taut_edges, "taut");
+    }
+    if (slack_edges) {
+        forces.slack = indices_argument(*slack_edges, "slack");
+    }
+    check_forces(net, forces);
+    return forces;
+}
+
+/// One number of each interior edge.
+template <class Number>
+auto of_edges(Number IdentifiedEdge::* member) {
+    return [member](const Identified& self) {
+        Eigen::VectorXd values(std::ssize(self.found.edges));
+        for (Eigen::Index i = 0; i < values.size(); ++i) {
+            values(i) = self.found.edges[static_cast<size_t>(i)].*member;
+        }
+        return array_of(std::move(values));
+    };
+}
+
+/// A column of the draws' summary over all edges; empty without draws.
+template <class Get>
+auto of_drawn_edges(Get get) {
+    return [get](const Identified& self) {
+        Eigen::VectorXd values(std::ssize(self.found.drawn.tensions));
+        for (Eigen::Index i = 0; i < values.size(); ++i) {
+            values(i) = get(self.found.drawn.tensions[static_cast<size_t>(i)]);
+        }
+        return array_of(std::move(values));
+    };
+}
+
+std::string repr(const Identified& self) {
+    const Identification& found = self.found;
+    if (found.status != IdentificationStatus::converged) {
+        return fmt::format("Identification({}: {})", to_string(found.status), found.message);
+    }
+    int slack = 0;
+    int unobserved = 0;
+    for (const IdentifiedEdge& edge : found.edges) {
+        slack += edge.status == EdgeStatus::slack ? 1 : 0;
+        unobserved += edge.status == EdgeStatus::unobserved ? 1 : 0;
+    }
+    return fmt::format("Identification({}; {} edges by {}, {} slack, {} unobserved; {})",
+                       to_string(found.trust.verdict()), found.edges.size(), found.method, slack,
+                       unobserved,
+                       found.trust.findings.empty() ? "no test speaks against it"
+                                                    : found.trust.findings.front().reason);
+}
+
+void bind_numbers(nb::class_<Identified>& result) {
+    result
+        .def_prop_ro("edge", of_edges(&IdentifiedEdge::edge),
+                     "Interior edges (m_I,), the order of all arrays of lengths below.")
+        .def_prop_ro("nominal", of_edges(&IdentifiedEdge::nominal),
+                     "Unstressed lengths as designed (m_I,) [m].")
+        .def_prop_ro("length_deviation", of_edges(&IdentifiedEdge::length_deviation),
+                     "Estimate of true minus nominal (m_I,) [m].")
+        .def_prop_ro("std", of_edges(&IdentifiedEdge::std),
+                     "Standard deviation of the estimate (m_I,) [m].")
+        .def_prop_ro("lower", of_edges(&IdentifiedEdge::lower),
+                     "Lower end of the 95 % interval of the deviation (m_I,) [m].")
+        .def_prop_ro("upper", of_edges(&IdentifiedEdge::upper),
+                     "Upper end of the 95 % interval of the deviation (m_I,) [m].")
+        .def_prop_ro(
+            "edge_status",
+            [](const Identified& self) {
+                nb::list list;
+                for (const IdentifiedEdge& edge : self.found.edges) {
+                    list.append(to_string(edge.status));
+                }
+                return list;
+            },
+            "'identified', 'slack' (only a lower bound is known) or 'unobserved' of each "
+            "interior edge.")
+        .def_prop_ro(
+            "tension",
+            [](nb::handle_t<Identified> self) {
+                return view_of(nb::cast<const Identified&>(self).found.tensions, self);
+            },
+            "Of all edges in the predicted form (m,) [N].")
+        .def_prop_ro("tension_lower",
+                     of_drawn_edges([](const DrawnTension& of) { return of.tension.lower; }),
+                     "95 % interval over the draws (m,); empty without [N].")
+        .def_prop_ro("tension_upper",
+                     of_drawn_edges([](const DrawnTension& of) { return of.tension.upper; }),
+                     "95 % interval over the draws (m,); empty without [N].")
+        .def_prop_ro("slack_probability",
+                     of_drawn_edges([](const DrawnTension& of) { return of.slack_probability; }),
+                     "Part of the draws in which an edge carries nothing (m,); empty without.")
+        .def_prop_ro(
+            "form",
+            [](nb::handle_t<Identified> self) {
+                return view_of(nb::cast<const Identified&>(self).found.predicted.form, self);
+            },
+            "Predicted, supports included (n, 3) [m].")
+        .def_prop_ro(
+            "length_draws",
+            [](nb::handle_t<Identified> self) -> std::optional<Array> {
+                const auto& found = nb::cast<const Identified&>(self).found;
+                return found.draws
+                           ? std::optional(rows_of_columns(found.draws->length_deviations, self))
+                           : std::nullopt;
+            },
+            "Draws of the posterior of length_deviation (draws, m_I) [m]; None without.")
+        .def_prop_ro(
+            "length_covariance",
+            [](nb::handle_t<Identified> self) -> std::optional<Array> {
+                const auto& found = nb::cast<const Identified&>(self).found;
+                return found.length_covariance ? std::optional(rows_of_columns(
+                                                     found.length_covariance->covariance, self))
+                                               : std::nullopt;
+            },
+            "Between the edges of covariance_of, in their order (k, k) [m2]; None where "
+            "none were asked for.");
+}
+
+void bind_result(nb::module_& module) {
+    nb::class_<Identified> result(
+        module, "Identification",
+        "How long each cable is, how tight, how sure, and whether that may be relied on.");
+    result.def_ro("net", &Identified::net, "As designed.")
+        .def_ro("survey", &Identified::survey)
+        .def_prop_ro(
+            "status", [](const Identified& self) { return to_string(self.found.status); },
+            "'converged'; anything else, and its numbers are not to be used: message.")
+        .def_prop_ro("message", [](const Identified& self) { return self.found.message; })
+        .def_prop_ro(
+            "trust", [](const Identified& self) { return to_string(self.found.trust.verdict()); },
+            "'passed', 'doubtful' or 'failed': whether it may be acted on.")
+        .def_prop_ro(
+            "findings",
+            [](const Identified& self) {
+                nb::list list;
+                for (const Trust::Finding& finding : self.found.trust.findings) {
+                    nb::dict one;
+                    one["verdict"] = to_string(finding.verdict);
+                    one["reason"] = finding.reason;
+                    one["next"] = finding.next;
+                    list.append(one);
+                }
+                return list;
+            },
+            "What tests found, the worst first: verdict, reason, and what to do next.")
+        .def_prop_ro("method", [](const Identified& self) { return self.found.method; })
+        .def_prop_ro("how", [](const Identified& self) { return self.found.how; })
+        .def_prop_ro(
+            "law", [](const Identified& self) { return self.found.law.to_string(); },
+            "Of the length deviations, as reckoned with.")
+        .def_prop_ro(
+            "built", [](const Identified& self) { return built_net_of(self.net, self.found).net; },
+            "The net as it stands: its lengths as identified, its nodes in equilibrium.")
+        .def(
+            "to_json",
+            [](const Identified& self) {
+                return identification_to_json(self.net, self.survey, self.found);
+            },
+            "What result.json holds.")
+        .def(
+            "to_dict",
+            [](const Identified& self) {
+                return dict_of(identification_to_json(self.net, self.survey, self.found));
+            },
+            "What result.json holds, as a dict.")
+        .def(
+            "save",
+            [](const Identified& self, const std::filesystem::path& path) {
+                std::vector<std::pair<std::filesystem::path, std::string>> files;
+                if (self.found.draws) {
+                    files.emplace_back(draws_path(path), draws_bytes(self.net, self.found));
+                }
+                files.emplace_back(path, identification_to_json(self.net, self.survey, self.found));
+                write_files(files);
+            },
+            nb::arg("path"),
+            "Writes result.json, and the draws beside it, as taut identify does: for taut plan and "
+            "taut report.")
+        .def(
+            "to_dataframe",
+            [](nb::handle_t<Identified> self) {
+                return of_package("taut.tables", "identification_frame")(self);
+            },
+            nb::sig("def to_dataframe(self) -> object"),
+            "All edges as a pandas.DataFrame, SI units; lengths of adjustable edges are known.")
+        .def("_repr_html_",
+             [](nb::handle_t<Identified> self) {
+                 return of_package("taut.notebook", "result_html")(self);
+             })
+        .def("__repr__", &repr);
+    bind_numbers(result);
+}
+
+Identified identified(const CableNet& net, const Survey& survey, const IdentifyOptions& options,
+                      const std::vector<std::pair<Survey, Readings>>& epochs,
+                      const nb::object& progress) {
+    if (epochs.empty()) {
+        Identification found = interruptible(
+            progress, [&](const Progress& told) { return identify(net, survey, options, told); });
+        return {.net = net, .survey = survey, .found = std::move(found)};
+    }
+    std::vector<Epoch> all{{.survey = survey, .turned = {}}};
+    for (const auto& [later, turned] : epochs) {
+        Epoch epoch{.survey = later, .turned = {}};
+        for (const auto& [edge, stroke, std] : turned) {
+            epoch.turned.push_back({.edge = edge, .stroke = stroke, .std = std});
+        }
+        all.push_back(std::move(epoch));
+    }
+    Identification found = interruptible(
+        progress, [&](const Progress& told) { return identify_epochs(net, all, options, told); });
+    return {.net = net, .survey = all.back().survey, .found = std::move(found)};
+}
+
+void bind_prospect(nb::module_& module) {
+    nb::class_<SurveyProspect>(module, "SurveyProspect",
+                               "What a survey can tell of lengths and tensions, before it is made.")
+        .def_ro("prior_std", &SurveyProspect::prior_std,
+                "Of each length deviation, before the survey [m].")
+        .def_prop_ro(
+            "std",
+            [](const SurveyProspect& self) {
+                Eigen::VectorXd values(std::ssize(self.edges));
+                for (Eigen::Index i = 0; i < values.size(); ++i) {
+                    values(i) = self.edges[static_cast<size_t>(i)].std;
+                }
+                return array_of(std::move(values));
+            },
+            "Of each interior edge's length deviation, after the survey (m_I,) [m].")
+        .def_prop_ro("edge_status",
+                     [](const SurveyProspect& self) {
+                         nb::list list;
+                         for (const EdgeProspect& edge : self.edges) {
+                             list.append(to_string(edge.status));
+                         }
+                         return list;
+                     })
+        .def_ro("mean_tension", &SurveyProspect::mean_tension, "Over all edges [N].")
+        .def_ro("mean_tension_std", &SurveyProspect::mean_tension_std, "After the survey [N].")
+        .def("__repr__", [](const SurveyProspect& self) {
+            return fmt::format(
+                "SurveyProspect({} edges: {} identified, {} slack, {} unobserved; "
+                "RMS std {:.3g} mm, {:.3g} mm before)",
+                self.edges.size(), self.count(EdgeStatus::identified),
+                self.count(EdgeStatus::slack), self.count(EdgeStatus::unobserved),
+                1e3 * self.rms_std(), 1e3 * self.prior_std);
+        });
+    module.def(
+        "inspect",
+        [](const CableNet& net, const std::optional<ArrayLike>& targets, double noise,
+           const std::string& law, const std::vector<std::string>& unknowns) {
+            const Equilibrium nominal = solve_equilibrium(net);
+            if (!nominal.balanced()) {
+                throw std::runtime_error("the net as designed finds no equilibrium");
+            }
+            Survey survey;
+            survey.form = nominal.form;
+            survey.surveyed = targets ? indices_argument(*targets, "targets") : net.free_nodes();
+            survey.noise_std = Points::Constant(3, net.node_count(), noise);
+            for (const int node : net.free_nodes()) {
+                if (!std::ranges::binary_search(survey.surveyed, node)) {
+                    survey.missing.push_back(node);
+                }
+            }
+            return without_lock([&] {
+                return survey_prospect(net, nominal.form, survey, parse_length_law(law), {},
+                                       unknowns_told(net, unknowns));
+            });
+        },
+        nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
+        nb::arg("law") = "uniform:5mm", nb::arg("unknowns") = std::vector<std::string>(),
+        R"(What a survey can tell, before it is made.
+
+Args:
+    targets: free nodes that are to be surveyed, ascending; all unless told.
+    noise: standard deviation of each coordinate [m].
+    law: of the length deviations.
+    unknowns: what else is not known, as in 'stiffness:5%'.)");
+}
+
+}  // namespace
+
+void bind_identification(nb::module_& module) {
+    bind_result(module);
+    bind_prospect(module);
+    module.def(
+        "identify",
+        [](const CableNet& net, const Survey& survey, const std::optional<std::string>& method,
+           const std::optional<std::string>& law, const LengthModel* model,
+           const Readings& readings, const std::optional<ArrayLike>& taut_edges,
+           const std::optional<ArrayLike>& slack_edges, const std::vector<std::string>& unknowns,
+           const std::optional<std::int64_t>& draws, const std::optional<ArrayLike>& covariance_of,
+           bool estimate_noise, const std::vector<std::pair<Survey, Readings>>& epochs,
+           std::uint64_t seed, const nb::object& progress) {
+            const std::int64_t count = draws.value_or(default_draws(net));
+            check_draws(net, count);
+            IdentifyOptions options{.law = law_told(law),
+                                    .forces = forces_told(net, readings, taut_edges, slack_edges),
+                                    .unknowns = unknowns_told(net, unknowns),
+                                    .model = model,
+                                    .draws = static_cast<int>(count),
+                                    .estimate_noise = estimate_noise,
+                                    .seed = seed};
+            if (method) {
+                options.method = parse_identification_method(*method);
+            }
+            if (covariance_of) {
+                options.covariance_of = indices_argument(*covariance_of, "covariance_of");
+            }
+            return identified(net, survey, options, epochs, progress);
+        },
+        nb::arg("net"), nb::arg("survey"), nb::kw_only(), nb::arg("method") = nb::none(),
+        nb::arg("law") = nb::none(), nb::arg("model") = nb::none(),
+        nb::arg("readings") = Readings(), nb::arg("taut") = nb::none(),
+        nb::arg("slack") = nb::none(), nb::arg("unknowns") = std::vector<std::string>(),
+        nb::arg("draws") = nb::none(), nb::arg("covariance_of") = nb::none(),
+        nb::arg("estimate_noise") = false,
+        nb::arg("epochs") = std::vector<std::pair<Survey, Readings>>(), nb::arg("seed") = 1,
+        nb::arg("progress") = nb::none(),
+        R"(From one survey of the form to all interior edges' unstressed lengths.
+
+Args:
+    method: 'map', 'balance' or 'gp'; by what is there unless told.
+    law: of the length deviations, 'uniform:5mm'; found from the survey where it contradicts.
+    model: of train(), for 'gp'.
+    readings: tensions read, (edge, tension [N], std [N]) each.
+    taut, slack: edges seen to carry tension, or none.
+    unknowns: what else is not known, as in 'stiffness:5%', 'supports:1mm'.
+    draws: of the posterior, by which tensions get their intervals; 200 unless told.
+    covariance_of: interior edges whose lengths' covariances are wanted.
+    estimate_noise: the survey's noise is known but for a factor.
+    epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke [m], std
+        [m]), ...]).
+    progress: called with stage, done, total.
+
+Returns:
+    Lengths, tensions and form; status and trust tell whether they may be relied on.
+
+Raises:
+    SurveyError: for a survey that cannot be one of the net.
+    ValueError: for what does not go together.)");
+    module.def("default_draws", &default_draws, nb::arg("net"),
+               "Draws that identify() makes unless told otherwise.");
+}
+
+}  // namespace taut::python

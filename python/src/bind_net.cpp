@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "documents.hpp"
+#include "taut/files/file.hpp"
+#include "taut/io/net_json.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/net/tension_law.hpp"
+#include "taut/statics/plausibility.hpp"
+
+namespace taut::python {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Thread thread_named(const std::string& name) {
+    if (name != "right" && name != "left") {
+        throw nb::value_error(
+            fmt::format("thread: got '{}', expected 'right' or 'left'", name).c_str());
+    }
+    return name == "right" ? Thread::right : Thread::left;
+}
+
+void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
+              const ArrayLike& edges, const ArrayLike& axial_stiffness,
+              const ArrayLike& unstressed_lengths, const std::optional<ArrayLike>& adjustable,
+              const std::optional<ArrayLike>& loads, const std::string& name, const Names& node_ids,
+              const Names& edge_ids, const std::vector<TensionLaw>& tension_laws,
+              const std::optional<ArrayLike>& tension_law,
+              const std::map<std::string, ArrayLike>& groups, const std::optional<ArrayLike>& mass,
+              const std::optional<ArrayLike>& expansion,
+              const std::optional<ArrayLike>& breaking_load, const Names& thread) {
+    CableNetData data;
+    data.name = name;
+    data.nodes = points_argument(nodes, "nodes", -1);
+    data.supports = indices_argument(supports, "supports");
+    data.edges = edges_argument(edges, "edges");
+    const auto count = static_cast<Eigen::Index>(data.edges.size());
+    data.axial_stiffness = vector_or_number(axial_stiffness, "axial_stiffness", count);
+    data.unstressed_lengths = vector_argument(unstressed_lengths, "unstressed_lengths", count);
+    data.adjustable = adjustable ? indices_argument(*adjustable, "adjustable")
+                                 : edges_at_supports(data.edges, data.supports);
+    if (loads) {
+        data.loads = points_argument(*loads, "loads", data.nodes.cols());
+    }
+    data.node_ids = node_ids;
+    data.edge_ids = edge_ids;
+    data.tension_laws = tension_laws;
+    if (tension_law) {
+        data.tension_law = indices_argument(*tension_law, "tension_law");
+    }
+    for (const auto& [group, members] : groups) {
+        data.groups[group] = indices_argument(members, fmt::format("groups['{}']", group));
+    }
+    const auto of_edges = [&](const std::optional<ArrayLike>& values, const char* which) {
+        return values ? vector_or_number(*values, which, count) : Eigen::VectorXd();
+    };
+    data.mass = of_edges(mass, "mass");
+    data.expansion = of_edges(expansion, "expansion");
+    data.breaking_load = of_edges(breaking_load, "breaking_load");
+    for (const std::string& one : thread) {
+        data.thread.push_back(thread_named(one));
+    }
+    new (self) CableNet(std::move(data));
+}
+
+void bind_tension_law(nb::module_& module) {
+    nb::class_<TensionLaw>(
+        module, "TensionLaw",
+        "Tension over strain, straight between points, the first of which is (0, 0).")
+        .def(
+            "__init__",
+            [](TensionLaw* self, const ArrayLike& strain, const ArrayLike& tension,
+               const std::string& name) {
+                TensionLaw law{.name = name,
+                               .strain = vector_argument(strain, "strain", -1),
+                               .tension = vector_argument(tension, "tension", -1)};
+                if (const std::string problem = problem_of(law); !problem.empty()) {
+                    throw nb::value_error(("a tension law " + problem).c_str());
+                }
+                new (self) TensionLaw(std::move(law));
+            },
+            nb::arg("strain"), nb::arg("tension"), nb::arg("name") = "",
+            "strain (k,) ascending from 0 [-]; tension (k,) from 0 [N].")
+        .def_ro("name", &TensionLaw::name)
+        .def_prop_ro("strain",
+                     [](nb::handle_t<TensionLaw> self) {
+                         return view_of(nb::cast<TensionLaw&>(self).strain, self);
+                     })
+        .def_prop_ro("tension",
+                     [](nb::handle_t<TensionLaw> self) {
+                         return view_of(nb::cast<TensionLaw&>(self).tension, self);
+                     })
+        .def("__repr__", [](const TensionLaw& law) {
+            return fmt::format("TensionLaw({} points, up to {:.4g} N)", law.strain.size(),
+                               law.tension.maxCoeff());
+        });
+}
+
+/// A property that is a view of what the net holds.
+template <auto Get>
+auto view() {
+    return [](nb::handle_t<CableNet> self) {
+        return view_of((nb::cast<const CableNet&>(self).*Get)(), self);
+    };
+}
+
+}  // namespace
+
+void bind_net(nb::module_& module) {
+    bind_tension_law(module);
+    nb::class_<CableNet> net(
+        module, "CableNet",
+        "A tensioned cable net: nodes, of which some are supports, and edges with their axial "
+        "stiffness and unstressed lengths. Immutable, and valid by construction.");
+    net.def("__init__", &make_net, nb::arg("nodes"), nb::arg("supports"), nb::arg("edges"),
+            nb::arg("axial_stiffness"), nb::arg("unstressed_lengths"), nb::kw_only(),
+            nb::arg("adjustable") = nb::none(), nb::arg("loads") = nb::none(), nb::arg("name") = "",
+            nb::arg("node_ids") = Names(), nb::arg("edge_ids") = Names(),
+            nb::arg("tension_laws") = std::vector<TensionLaw>(),
+            nb::arg("tension_law") = nb::none(),
+            nb::arg("groups") = std::map<std::string, ArrayLike>(), nb::arg("mass") = nb::none(),
+            nb::arg("expansion") = nb::none(), nb::arg("breaking_load") = nb::none(),
+            nb::arg("thread") = Names(),
+            R"(Checks every rule of a net.
+
+Args:
+    nodes: (n, 3) nominal form [m].
+    supports: nodes on the rigid frame.
+    edges: (m, 2) pairs of nodes.
+    axial_stiffness: EA (m,), or one number for all [N].
+    unstressed_lengths: (m,) [m].
+    adjustable: edges with a turnbuckle; those at supports unless told.
+    loads: (n, 3) external forces [N].
+    name, node_ids, edge_ids: names, for messages and files.
+    tension_laws: piecewise linear laws, and with tension_law (m,) which edge has which, -1: none.
+    groups: named lists of edges.
+    mass: of a metre of edge (m,), or one number [kg/m].
+    expansion: thermal strain by temperature (m,), or one number [1/K].
+    breaking_load: (m,), or one number [N].
+    thread: 'right' or 'left' of each turnbuckle, in the order of adjustable.
+
+Raises:
+    NetError: naming the place, the value and the rule.
+    ValueError, TypeError: for a wrong shape or dtype.)");
+    net.def_static(
+        "from_json", [](const std::string& text) { return parse_net(text, "net").net; },
+        nb::arg("text"),
+        "A net in taut's own JSON format.\n\nRaises:\n    InputError: at a line and column, or a "
+        "JSON pointer.");
+    net.def_static(
+        "load", [](const std::filesystem::path& path) { return read_net(path).net; },
+        nb::arg("path"),
+        "Reads net.json.\n\nRaises:\n    InputError: naming file, place and rule.");
+    net.def(
+        "to_json", [](const CableNet& self) { return net_to_json(self); },
+        "The net as net.json holds it, numbers to the last bit.");
+    net.def(
+        "save",
+        [](const CableNet& self, const std::filesystem::path& path) {
+            write_file(path, net_to_json(self));
+        },
+        nb::arg("path"), "Writes net.json, whole or not at all.");
+    net.def(
+        "to_dict", [](const CableNet& self) { return dict_of(net_to_json(self)); },
+        "What net.json holds, as a dict.");
+    net.def_prop_ro("name", &CableNet::name);
+    net.def_prop_ro("nodes", view<&CableNet::nodes>(), "Nominal form (n, 3) [m].");
+    net.def_prop_ro("edges", view<&CableNet::edges>(), "Both nodes of each edge (m, 2).");
+    net.def_prop_ro("axial_stiffness", view<&CableNet::axial_stiffness>(), "EA (m,) [N].");
+    net.def_prop_ro("unstressed_lengths", view<&CableNet::unstressed_lengths>(),
+                    "l_0 of all edges (m,) [m].");
+    net.def_prop_ro("loads", view<&CableNet::loads>(),
+                    "External forces, self-weight included (n, 3) [N].");
+    net.def_prop_ro("supports", view<&CableNet::supports>(), "Nodes on the rigid frame.");
+    net.def_prop_ro("free_nodes", view<&CableNet::free_nodes>(), "Free nodes, ascending.");
+    net.def_prop_ro("interior_edges", view<&CableNet::interior_edges>(),
+                    "Edges of uncertain length, ascending.");
+    net.def_prop_ro("adjustable_edges", view<&CableNet::adjustable_edges>(),
+                    "Edges whose length is known and set, ascending.");
+    net.def_prop_ro(
+        "groups", [](const CableNet& self) { return self.data().groups; }, "Named lists of edges.");
+    net.def("node_id", &CableNet::node_id, nb::arg("node"),
+            "The node's name, or its index as text.");
+    net.def("edge_id", &CableNet::edge_id, nb::arg("edge"),
+            "The edge's name, or its index as text.");
+    net.def_prop_ro("fingerprint", &CableNet::fingerprint,
+                    "16 digits over all that makes the net behave as it does.");
+    net.def(
+        "with_lengths",
+        [](const CableNet& self, const ArrayLike& unstressed_lengths) {
+            CableNetData data = self.data();
+            data.unstressed_lengths =
+                vector_argument(unstressed_lengths, "unstressed_lengths", self.edge_count());
+            return CableNet(std::move(data));
+        },
+        nb::arg("unstressed_lengths"), "The same net with other lengths (m,) [m].");
+    net.def_static(
+        "from_compas",
+        [](const nb::args& args, const nb::kwargs& settings) {
+            return of_package("taut.compas", "net_of_compas")(*args, **settings);
+        },
+        nb::sig("def from_compas(structure: object, *, name: str | None = None, "
+                "axial_stiffness: float | None = None, young: float | None = None, "
+                "diameter: float | None = None, diameter_attribute: str = '', "
+                "force_unit: float | None = None, supports: Sequence[object] | None = None, "
+                "boundary: bool = False, loads: str = 'file') -> CableNet"),
+        R"(A net from a COMPAS 2 Mesh or Graph (Network): its edges' forces or force densities, and how
+stiff cables are, make their unstressed lengths.
+
+Args:
+    axial_stiffness: EA of edges that do not tell their own [N]; or young [Pa] with diameter [m],
+        or the name of the edges' attribute that holds their diameter.
+    force_unit: of the structure's forces [N]; 1000 where they are in kN.
+    supports: keys of its supports, where its nodes do not tell.
+    boundary: the nodes of a mesh's boundary are supports.
+    loads: those that the structure tells ('file'), 'none', or those that 'balance' its forces.
+
+Raises:
+    InputError: for what is missing or contradicts itself, at its place in the structure.
+    ImportError: without COMPAS 2.
+
+Warns:
+    of what does not fit together, and what was assumed.)");
+    net.def_static(
+        "from_jax_fdm",
+        [](const nb::args& args, const nb::kwargs& settings) {
+            return of_package("taut.compas", "net_of_jax_fdm")(*args, **settings);
+        },
+        nb::sig("def from_jax_fdm(structure: object, q: numpy.typing.ArrayLike, *, "
+                "xyz_fixed: numpy.typing.ArrayLike, axial_stiffness: numpy.typing.ArrayLike, "
+                "loads: numpy.typing.ArrayLike | None = None, name: str = 'jax-fdm') -> CableNet"),
+        R"(A net from a structure of JAX FDM and its force densities.
+
+Args:
+    structure: EquilibriumStructure.
+    q: force densities (m,) [N/m].
+    xyz_fixed: places of its fixed nodes, in their order (f, 3) [m].
+    axial_stiffness: EA (m,), or one number for all [N].
+    loads: (n, 3) [N].)");
+    net.def(
+        "to_compas",
+        [](nb::handle_t<CableNet> self, const nb::object& form) {
+            return of_package("taut.compas", "compas_of_net")(self, form);
+        },
+        nb::arg("form") = nb::none(),
+        nb::sig("def to_compas(self, form: numpy.typing.ArrayLike | None = None) -> object"),
+        "A COMPAS 2 Graph of a form (n, 3), the nominal one unless told [m]: with forces, force "
+        "densities and unstressed lengths.");
+    net.def(
+        "to_dataframe",
+        [](nb::handle_t<CableNet> self) { return of_package("taut.tables", "net_frame")(self); },
+        nb::sig("def to_dataframe(self) -> object"), "Its edges as a pandas.DataFrame, SI units.");
+    net.def("_repr_html_", [](nb::handle_t<CableNet> self) {
+        return of_package("taut.notebook", "net_html")(self);
+    });
+    net.def("__eq__", [](const CableNet& self, const CableNet& other) {
+        return net_to_json(self) == net_to_json(other);
+    });
+    net.def("__hash__", [](const CableNet& self) {
+        return static_cast<nb::ssize_t>(std::hash<std::string>()(self.fingerprint()));
+    });
+    net.def("__getstate__", [](const CableNet& self) { return net_to_json(self); });
+    net.def("__setstate__", [](CableNet& self, const std::string& text) {
+        new (&self) CableNet(parse_net(text, "net").net);
+    });
+    net.def("__repr__", [](const CableNet& self) {
+        return fmt::format(
+            "CableNet('{}': {} free nodes, {} supports, {} interior and {} "
+            "adjustable edges)",
+            self.name(), self.free_node_count(), self.supports().size(), self.interior_edge_count(),
+            self.adjustable_edges().size());
+    });
+}
+
+}  // namespace taut::python

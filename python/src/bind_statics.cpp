@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <nanobind/nanobind.h>
+
+#include <optional>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "taut/statics/equilibrium.hpp"
+#include "taut/statics/form_sensitivity.hpp"
+#include "taut/statics/tensions.hpp"
+
+namespace taut::python {
+namespace {
+
+EquilibriumSettings settings_of(int max_iterations, double relative_tolerance) {
+    return {.max_iterations = max_iterations, .relative_tolerance = relative_tolerance};
+}
+
+/// A solver with the net that its starts are checked against.
+struct Solver {
+    Solver(const CableNet& net_, const EquilibriumSettings& settings)
+        : net(net_), solver(net_, settings) {}
+    CableNet net;
+    EquilibriumSolver solver;
+};
+
+void bind_equilibrium(nb::module_& module) {
+    nb::class_<Equilibrium>(module, "Equilibrium",
+                            "The form a net takes: the minimiser of its energy.")
+        .def_prop_ro(
+            "form",
+            [](nb::handle_t<Equilibrium> self) {
+                return view_of(nb::cast<const Equilibrium&>(self).form, self);
+            },
+            "Supports included (n, 3) [m].")
+        .def_prop_ro(
+            "status", [](const Equilibrium& self) { return to_string(self.status); },
+            "'converged', 'slack mechanism' (some nodes are loose) or 'iteration limit' "
+            "(forces do not balance).")
+        .def_prop_ro("is_balanced", &Equilibrium::balanced, "Whether forces balance.")
+        .def_ro("iterations", &Equilibrium::iterations)
+        .def_ro("out_of_balance", &Equilibrium::out_of_balance,
+                "Largest norm of a nodal force [N].")
+        .def_ro("mean_tension", &Equilibrium::mean_tension, "Over the taut edges [N].")
+        .def_prop_ro(
+            "slack_edges",
+            [](nb::handle_t<Equilibrium> self) {
+                return view_of(nb::cast<const Equilibrium&>(self).slack_edges, self);
+            },
+            "Ascending.")
+        .def("__repr__", [](const Equilibrium& self) {
+            return fmt::format(
+                "Equilibrium({}: {} iterations, out of balance {:.2g} N, {} slack "
+                "edges)",
+                to_string(self.status), self.iterations, self.out_of_balance,
+                self.slack_edges.size());
+        });
+}
+
+}  // namespace
+
+void bind_statics(nb::module_& module) {
+    bind_equilibrium(module);
+    module.def(
+        "solve_equilibrium",
+        [](const CableNet& net, const std::optional<ArrayLike>& unstressed_lengths,
+           int max_iterations, double relative_tolerance) {
+            const EquilibriumSettings settings = settings_of(max_iterations, relative_tolerance);
+            const Eigen::VectorXd lengths =
+                unstressed_lengths
+                    ? vector_argument(*unstressed_lengths, "unstressed_lengths", net.edge_count())
+                    : net.unstressed_lengths();
+            return without_lock(
+                [&] { return EquilibriumSolver(net, settings).solve(lengths, net.nodes()); });
+        },
+        nb::arg("net"), nb::arg("unstressed_lengths") = nb::none(), nb::kw_only(),
+        nb::arg("max_iterations") = EquilibriumSettings().max_iterations,
+        nb::arg("relative_tolerance") = EquilibriumSettings().relative_tolerance,
+        R"(Equilibrium of a net, from its own nodes.
+
+Args:
+    unstressed_lengths: in place of the net's (m,) [m].
+    relative_tolerance: largest out-of-balance force that counts as balanced, in mean tensions.
+
+Returns:
+    The form with its status: forces that do not balance raise nothing.)");
+    nb::class_<Solver>(module, "EquilibriumSolver",
+                       "Solves one net for many sets of unstressed lengths. One a thread.")
+        .def(
+            "__init__",
+            [](Solver* self, const CableNet& net, int max_iterations, double relative_tolerance) {
+                new (self) Solver(net, settings_of(max_iterations, relative_tolerance));
+            },
+            nb::arg("net"), nb::kw_only(),
+            nb::arg("max_iterations") = EquilibriumSettings().max_iterations,
+            nb::arg("relative_tolerance") = EquilibriumSettings().relative_tolerance)
+        .def(
+            "solve",
+            [](Solver& self, const ArrayLike& unstressed_lengths,
+               const std::optional<ArrayLike>& start) {
+                const Eigen::VectorXd lengths = vector_argument(
+                    unstressed_lengths, "unstressed_lengths", self.net.edge_count());
+                const Points from = start ? points_argument(*start, "start", self.net.node_count())
+                                          : self.net.nodes();
+                return without_lock([&] { return self.solver.solve(lengths, from); });
+            },
+            nb::arg("unstressed_lengths"), nb::arg("start") = nb::none(), nb::lock_self(),
+            R"(The form for these lengths.
+
+Args:
+    unstressed_lengths: (m,) [m].
+    start: where to begin (n, 3); the net's nodes unless told [m].)");
+    nb::class_<FormSensitivity>(module, "FormSensitivity",
+                                "First derivative of the equilibrium form with respect to "
+                                "unstressed lengths; factorised once.")
+        .def(
+            "__init__",
+            [](FormSensitivity* self, const CableNet& net, const ArrayLike& unstressed_lengths,
+               const ArrayLike& form) {
+                const Eigen::VectorXd lengths =
+                    vector_argument(unstressed_lengths, "unstressed_lengths", net.edge_count());
+                const Points places = points_argument(form, "form", net.node_count());
+                new (self) FormSensitivity(net, lengths, places);
+            },
+            nb::arg("net"), nb::arg("unstressed_lengths"), nb::arg("form"))
+        .def(
+            "apply",
+            [](const FormSensitivity& self, const ArrayLike& length_changes) {
+                const Eigen::VectorXd changes =
+                    vector_argument(length_changes, "length_changes", -1);
+                return array_of(without_lock([&] { return self.apply(changes); }));
+            },
+            nb::arg("length_changes"),
+            "Change of the free coordinates x1, y1, z1, x2, ... to first order (3 n_I,) [m], for "
+            "changes of all unstressed lengths (m,) [m].")
+        .def(
+            "apply_transposed",
+            [](const FormSensitivity& self, const ArrayLike& gradient) {
+                const Eigen::VectorXd of_form = vector_argument(gradient, "gradient", -1);
+                return array_of(without_lock([&] { return self.apply_transposed(of_form); }));
+            },
+            nb::arg("gradient"),
+            "Gradient with respect to all unstressed lengths (m,) of a function whose gradient "
+            "with respect to the free coordinates is this (3 n_I,).")
+        .def(
+            "columns",
+            [](const FormSensitivity& self, const ArrayLike& edges) {
+                const std::vector<int> wanted = indices_argument(edges, "edges");
+                return array_of_columns(without_lock([&] { return self.columns(wanted); }));
+            },
+            nb::arg("edges"),
+            "Of each edge, a row each: change of the free coordinates by its length "
+            "(edges, 3 n_I) [m/m].");
+    module.def(
+        "tensions",
+        [](const CableNet& net, const ArrayLike& unstressed_lengths, const ArrayLike& form) {
+            return array_of(tensions(
+                net, vector_argument(unstressed_lengths, "unstressed_lengths", net.edge_count()),
+                points_argument(form, "form", net.node_count())));
+        },
+        nb::arg("net"), nb::arg("unstressed_lengths"), nb::arg("form"),
+        "Tensions of all edges (m,) [N] at a form (n, 3) [m].");
+    module.def(
+        "edge_lengths",
+        [](const CableNet& net, const ArrayLike& form) {
+            return array_of(edge_lengths(net, points_argument(form, "form", net.node_count())));
+        },
+        nb::arg("net"), nb::arg("form"), "Lengths of all edges (m,) at a form (n, 3) [m].");
+}
+
+}  // namespace taut::python

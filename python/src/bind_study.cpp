@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/vector.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "documents.hpp"
+#include "taut/results/comparison_files.hpp"
+#include "taut/results/results_json.hpp"
+#include "taut/study/comparison.hpp"
+#include "taut/study/study.hpp"
+#include "told.hpp"
+
+namespace taut::python {
+
+void bind_study(nb::module_& module) {
+    module.def(
+        "compare",
+        [](const CableNet& net, const std::vector<double>& noises,
+           const std::vector<int>& training_samples, const std::vector<double>& hidden_parts,
+           int surveys, const std::string& law, const std::vector<std::string>& unknowns,
+           std::uint64_t seed, const nb::object& progress) {
+            const ComparisonSettings settings{.noises = noises,
+                                              .training_samples = training_samples,
+                                              .hidden_parts = hidden_parts,
+                                              .surveys = surveys,
+                                              .law = parse_length_law(law),
+                                              .seed = seed,
+                                              .unknowns = unknowns_told(net, unknowns)};
+            return dict_of(comparison_to_json(interruptible(progress, [&](const Progress& told) {
+                return compare_methods(net, settings, told);
+            })));
+        },
+        nb::arg("net"), nb::kw_only(), nb::arg("noises") = ComparisonSettings().noises,
+        nb::arg("training_samples") = ComparisonSettings().training_samples,
+        nb::arg("hidden_parts") = ComparisonSettings().hidden_parts,
+        nb::arg("surveys") = ComparisonSettings().surveys, nb::arg("law") = "uniform:5mm",
+        nb::arg("unknowns") = std::vector<std::string>(), nb::arg("seed") = 1,
+        nb::arg("progress") = nb::none(),
+        R"(All methods of identification on simulated surveys of a net: what comparison.json holds.
+
+Args:
+    noises: standard deviations of surveyed coordinates [m].
+    hidden_parts: of the free nodes, that no target stands on.
+    surveys: of each kind.)");
+    module.def(
+        "reproduce",
+        [](const CableNet& net, int samples, int validation, const std::string& law,
+           std::uint64_t seed, const nb::object& progress) {
+            const StudySettings settings{.samples = samples,
+                                         .validation = validation,
+                                         .law = parse_length_law(law),
+                                         .seed = seed};
+            return dict_of(study_to_json(interruptible(
+                progress, [&](const Progress& told) { return run_study(net, settings, told); })));
+        },
+        nb::arg("net"), nb::kw_only(), nb::arg("samples") = StudySettings().samples,
+        nb::arg("validation") = StudySettings().validation, nb::arg("law") = "uniform:5mm",
+        nb::arg("seed") = 1, nb::arg("progress") = nb::none(),
+        "The paper's numerical experiment on a net: what results.json holds.");
+}
+
+}  // namespace taut::python

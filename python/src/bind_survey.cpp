@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "taut/io/read_survey.hpp"
+#include "taut/survey/simulation.hpp"
+#include "taut/survey/survey.hpp"
+
+namespace taut::python {
+namespace {
+
+SurveyFrame frame_named(const std::string& name) {
+    if (name == "auto") {
+        return SurveyFrame::automatic;
+    }
+    if (name == "net" || name == "supports") {
+        return name == "net" ? SurveyFrame::net : SurveyFrame::supports;
+    }
+    throw nb::value_error(
+        fmt::format("frame: got '{}', expected 'auto', 'net' or 'supports'", name).c_str());
+}
+
+PointMatching matching_named(const std::string& name) {
+    if (name == "auto") {
+        return PointMatching::automatic;
+    }
+    if (name == "name" || name == "place") {
+        return name == "name" ? PointMatching::name : PointMatching::place;
+    }
+    throw nb::value_error(
+        fmt::format("match: got '{}', expected 'auto', 'name' or 'place'", name).c_str());
+}
+
+std::optional<double> unit_named(const std::optional<std::string>& name) {
+    if (!name) {
+        return std::nullopt;
+    }
+    const std::optional<double> unit = length_of_unit(*name);
+    if (!unit) {
+        throw nb::value_error(
+            fmt::format("unit: got '{}', expected 'mm', 'cm', 'm', 'in', 'ft' or 'us-ft'", *name)
+                .c_str());
+    }
+    return unit;
+}
+
+/// Points out of arrays.
+std::vector<SurveyPoint> points_of(const ArrayLike& positions,
+                                   const std::optional<std::vector<std::string>>& ids,
+                                   const std::optional<ArrayLike>& noise) {
+    const Points places = points_argument(positions, "positions", -1);
+    const Eigen::Index count = places.cols();
+    if (ids && std::cmp_not_equal(ids->size(), count)) {
+        throw nb::value_error(
+            fmt::format("ids: got {} names, expected {}", ids->size(), count).c_str());
+    }
+    std::optional<Points> stds;
+    if (noise) {
+        stds = points_argument(*noise, "noise", count);
+    }
+    std::vector<SurveyPoint> points(static_cast<size_t>(count));
+    for (Eigen::Index i = 0; i < count; ++i) {
+        SurveyPoint& point = points[static_cast<size_t>(i)];
+        point.position = places.col(i);
+        point.line = static_cast<int>(i) + 1;
+        if (ids) {
+            point.id = (*ids)[static_cast<size_t>(i)];
+        }
+        if (stds) {
+            point.noise_std = stds->col(i);
+        }
+    }
+    return points;
+}
+
+/// Points as columns, which read_survey() takes, and pandas makes a table of.
+nb::dict columns_of(const std::vector<SurveyPoint>& points) {
+    const auto count = static_cast<Eigen::Index>(points.size());
+    nb::list ids;
+    Eigen::MatrixXd values(count, 6);
+    bool has_noise = false;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const SurveyPoint& point = points[static_cast<size_t>(i)];
+        ids.append(point.id);
+        has_noise = has_noise || point.noise_std.has_value();
+        values.row(i) << point.position.transpose(),
+            point.noise_std.value_or(Eigen::Vector3d::Zero()).transpose();
+    }
+    nb::dict columns;
+    columns["id"] = ids;
+    const char* const names[] = {"x", "y", "z", "sx", "sy", "sz"};
+    for (int k = 0; k < (has_noise ? 6 : 3); ++k) {
+        columns[names[k]] = array_of(Eigen::VectorXd(values.col(k)));
+    }
+    return columns;
+}
+
+void bind_survey_class(nb::module_& module) {
+    nb::class_<Survey>(module, "Survey", "A survey brought to the nodes of a net: read_survey().")
+        .def_prop_ro(
+            "form",
+            [](nb::handle_t<Survey> self) {
+                return view_of(nb::cast<const Survey&>(self).form, self);
+            },
+            "Surveyed where it was, nominal elsewhere (n, 3) [m].")
+        .def_prop_ro(
+            "noise_std",
+            [](nb::handle_t<Survey> self) {
+                return view_of(nb::cast<const Survey&>(self).noise_std, self);
+            },
+            "Standard deviation of each coordinate (n, 3), or (0, 3): all exact [m].")
+        .def_prop_ro(
+            "surveyed",
+            [](nb::handle_t<Survey> self) {
+                return view_of(nb::cast<const Survey&>(self).surveyed, self);
+            },
+            "Free nodes that were measured, ascending.")
+        .def_prop_ro(
+            "missing",
+            [](nb::handle_t<Survey> self) {
+                return view_of(nb::cast<const Survey&>(self).missing, self);
+            },
+            "Free nodes that were not, ascending.")
+        .def_ro("warnings", &Survey::warnings, "What is most likely told wrong, a line each.")
+        .def_ro("notes", &Survey::notes, "How it was understood, a line each.")
+        .def_prop_ro("is_exact", &Survey::is_exact, "Whether no surveyed coordinate has noise.")
+        .def(
+            "to_dataframe",
+            [](nb::handle_t<Survey> self, const CableNet& net) {
+                return of_package("taut.tables", "survey_frame")(self, net);
+            },
+            nb::arg("net"), nb::sig("def to_dataframe(self, net: CableNet) -> object"),
+            "The surveyed nodes as a pandas.DataFrame, SI units.")
+        .def("__repr__", [](const Survey& self) {
+            return fmt::format(
+                "Survey({} free nodes, {} not surveyed, noise {:.4g} mm{})", self.surveyed.size(),
+                self.missing.size(), 1e3 * self.rms_noise_std(),
+                self.warnings.empty() ? "" : fmt::format(", {} warnings", self.warnings.size()));
+        });
+}
+
+}  // namespace
+
+void bind_survey(nb::module_& module) {
+    bind_survey_class(module);
+    module.def(
+        "_read_survey_file",
+        [](const CableNet& net, const std::filesystem::path& path, std::optional<double> noise,
+           const std::string& frame, const std::filesystem::path& control,
+           const std::optional<std::string>& unit, const std::string& match) {
+            return read_survey(net, path,
+                               {.noise_std = noise,
+                                .frame = frame_named(frame),
+                                .control = control,
+                                .unit = unit_named(unit),
+                                .matching = matching_named(match)});
+        },
+        nb::arg("net"), nb::arg("path"), nb::arg("noise"), nb::arg("frame"), nb::arg("control"),
+        nb::arg("unit"), nb::arg("match"));
+    module.def(
+        "_survey_of_points",
+        [](const CableNet& net, const ArrayLike& positions,
+           const std::optional<std::vector<std::string>>& ids, const std::optional<ArrayLike>& stds,
+           std::optional<double> noise, const std::string& frame,
+           const std::filesystem::path& control, const std::optional<std::string>& unit,
+           const std::string& match) {
+            return read_survey(net, points_of(positions, ids, stds),
+                               {.noise_std = noise,
+                                .frame = frame_named(frame),
+                                .control = control,
+                                .unit = unit_named(unit),
+                                .matching = matching_named(match)});
+        },
+        nb::arg("net"), nb::arg("positions"), nb::arg("ids").none(), nb::arg("stds").none(),
+        nb::arg("noise").none(), nb::arg("frame"), nb::arg("control"), nb::arg("unit").none(),
+        nb::arg("match"));
+    module.def(
+        "simulate_survey",
+        [](const CableNet& net, const ArrayLike& form, double noise, double hidden_part,
+           bool shuffled, bool random_frame, std::uint64_t seed) {
+            return columns_of(simulate_survey(net, points_argument(form, "form", net.node_count()),
+                                              {.noise_std = noise,
+                                               .dropped_part = hidden_part,
+                                               .shuffled = shuffled,
+                                               .random_frame = random_frame,
+                                               .seed = seed}));
+        },
+        nb::arg("net"), nb::arg("form"), nb::kw_only(), nb::arg("noise") = 0.0,
+        nb::arg("hidden_part") = 0.0, nb::arg("shuffled") = false, nb::arg("random_frame") = false,
+        nb::arg("seed") = 1,
+        R"(What an instrument would read of a form, for trials and teaching.
+
+Args:
+    form: (n, 3), supports included [m].
+    noise: standard deviation of each coordinate [m].
+    hidden_part: of the free nodes, not seen.
+    shuffled: targets have no names, and any order.
+    random_frame: in a frame of the instrument's own.
+
+Returns:
+    Columns id, x, y, z and, where there is noise, sx, sy, sz [m], as read_survey() takes them.)");
+}
+
+}  // namespace taut::python

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "calls.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "taut/threads.hpp"
+
+namespace taut::python {
+namespace {
+
+std::atomic<int> told_threads = 0;
+
+/// One process has one handler of a signal.
+std::atomic<bool> was_interrupted = false;
+PyOS_sighandler_t pythons_handler = nullptr;
+
+void on_interrupt(int signal) {
+    was_interrupted = true;
+    pythons_handler(signal);  // it notes the signal, and Python raises it when it runs again
+}
+
+bool is_main_thread() {
+    const nb::object threading = nb::module_::import_("threading");
+    return threading.attr("current_thread")().is(threading.attr("main_thread")());
+}
+
+}  // namespace
+
+void set_threads(int threads) {
+    if (threads < 0) {
+        throw nb::value_error(
+            ("threads: got " + std::to_string(threads) + ", expected 0 (all) or more").c_str());
+    }
+    told_threads = threads;
+}
+
+int threads() {
+    return told_threads;
+}
+
+InterruptScope::InterruptScope() {
+    // Only there does Python take signals.
+    if (!is_main_thread()) {
+        return;
+    }
+    was_interrupted = false;
+    const PyOS_sighandler_t before = PyOS_getsig(SIGINT);
+    if (before == SIG_IGN || before == SIG_DFL || before == SIG_ERR || before == on_interrupt) {
+        return;
+    }
+    pythons_handler = before;
+    PyOS_setsig(SIGINT, on_interrupt);
+    m_is_installed = true;
+}
+
+InterruptScope::~InterruptScope() {
+    if (m_is_installed) {
+        PyOS_setsig(SIGINT, pythons_handler);
+        was_interrupted = false;
+    }
+}
+
+bool InterruptScope::stop_requested() {
+    return was_interrupted;
+}
+
+Progress progress_to(nb::object tell) {
+    Progress progress{.tell = {}, .stop_requested = InterruptScope::stop_requested};
+    if (tell.is_none()) {
+        return progress;
+    }
+    // Copies of a std::function are made and destroyed without the interpreter's lock.
+    const std::shared_ptr<nb::object> shared(new nb::object(std::move(tell)), [](nb::object* held) {
+        const nb::gil_scoped_acquire locked;
+        delete held;
+    });
+    progress.tell = [shared](std::string_view stage, int done, int total) {
+        const nb::gil_scoped_acquire locked;
+        (*shared)(std::string(stage), done, total);
+    };
+    return progress;
+}
+
+void raise_pending_signals() {
+    if (PyErr_CheckSignals() != 0) {
+        throw nb::python_error();
+    }
+}
+
+void with_told_threads(const std::function<void()>& work) {
+    if (told_threads > 0) {
+        with_threads(told_threads, work);
+    } else {
+        work();
+    }
+}
+
+}  // namespace taut::python

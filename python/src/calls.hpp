@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// How work of taut is called: without the interpreter's lock, with as many threads as were told,
+// and so that Ctrl-C ends it.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "taut/progress.hpp"
+
+namespace taut::python {
+
+namespace nb = nanobind;
+
+/// That each call uses; 0: all of the machine.
+/// @throws nb::value_error below 0
+void set_threads(int threads);
+[[nodiscard]] int threads();
+
+/// While one lives in the main thread, Ctrl-C is noticed by stop_requested(), and raised as
+/// KeyboardInterrupt by whoever asks Python for signals afterwards.
+class InterruptScope {
+public:
+    InterruptScope();
+    ~InterruptScope();
+    InterruptScope(const InterruptScope&) = delete;
+    InterruptScope& operator=(const InterruptScope&) = delete;
+
+    [[nodiscard]] static bool stop_requested();
+
+private:
+    bool m_is_installed = false;
+};
+
+/// Calls a function of Python with the interpreter's lock.
+/// @param tell called with stage, done and total; None: nothing is told
+[[nodiscard]] Progress progress_to(nb::object tell);
+
+/// @throws nb::python_error of KeyboardInterrupt where that was why the work was given up
+void raise_pending_signals();
+
+/// Does short work without the interpreter's lock.
+template <class Work>
+auto without_lock(Work&& work) {
+    const nb::gil_scoped_release unlocked;
+    return work();
+}
+
+void with_told_threads(const std::function<void()>& work);
+
+/// Does long work, which takes a Progress: as above, with the threads told, ended by Ctrl-C.
+template <class Work>
+auto interruptible(const nb::object& tell, Work&& work) -> std::invoke_result_t<Work, Progress> {
+    using Result = std::invoke_result_t<Work, Progress>;
+    const Progress progress = progress_to(tell);
+    std::optional<Result> result;
+    try {
+        const InterruptScope interrupts;
+        const nb::gil_scoped_release unlocked;
+        with_told_threads([&] { result.emplace(work(progress)); });
+    } catch (const Interrupted&) {
+        raise_pending_signals();
+        throw;
+    }
+    raise_pending_signals();
+    return *std::move(result);
+}
+
+}  // namespace taut::python

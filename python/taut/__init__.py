@@ -1,0 +1,28 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""How long each cable of a tensioned net really is, how tight, and how sure, from one survey.
+
+    net = taut.CableNet.load("net.json")
+    survey = taut.read_survey(net, "survey.csv")
+    found = taut.identify(net, survey)
+    print(found, found.to_dataframe())
+    plan = taut.plan(found, stroke=0.02)
+
+All numbers are SI: m, N, rad, K. Nodes and edges are numbered from 0.
+"""
+
+from importlib import import_module
+
+from taut._taut import *  # noqa: F403
+from taut._taut import __version__
+from taut.surveys import read_survey  # noqa: F401
+
+__all__ = [name for name in dir() if not name.startswith("_") and name != "import_module"]
+__all__ += ["__version__", "gp", "gradients", "plot"]  # noqa: F405
+
+
+def __getattr__(name):
+    """Modules that import more than NumPy, when they are first used."""
+    if name in ("gp", "gradients", "plot"):
+        return import_module(f"taut.{name}")
+    raise AttributeError(f"module 'taut' has no attribute {name!r}")

@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Nets from and to COMPAS 2 and JAX FDM. Neither is imported but by what needs it."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from taut import _taut
+
+
+def _json_of(structure) -> str:
+    """A COMPAS structure as the JSON that compas.json_dump() writes."""
+    try:
+        import compas
+    except ImportError as error:
+        raise ImportError("from_compas needs COMPAS 2: pip install 'compas>=2'") from error
+    if int(compas.__version__.split(".")[0]) < 2:
+        raise ImportError(f"from_compas needs COMPAS 2, this is {compas.__version__}")
+    from compas.data import json_dumps
+
+    if not hasattr(structure, "edges") or not hasattr(structure, "__data__"):
+        raise TypeError(
+            f"structure: got {type(structure).__name__}, expected a COMPAS Mesh or Graph"
+        )
+    return json_dumps(structure)
+
+
+def net_of_compas(
+    structure,
+    *,
+    name=None,
+    axial_stiffness=None,
+    young=None,
+    diameter=None,
+    diameter_attribute="",
+    force_unit=None,
+    supports=None,
+    boundary=False,
+    loads="file",
+):
+    """CableNet.from_compas()."""
+    return _net_of_json(
+        _json_of(structure),
+        name or getattr(structure, "name", None) or "compas",
+        "",
+        axial_stiffness=axial_stiffness,
+        young=young,
+        diameter=diameter,
+        diameter_attribute=diameter_attribute,
+        force_unit=force_unit,
+        supports=supports,
+        boundary=boundary,
+        loads=loads,
+    )
+
+
+def _net_of_json(text, name, select, *, supports, loads, **settings):
+    if loads not in ("file", "balance", "none"):
+        raise ValueError(f"loads: got {loads!r}, expected 'file', 'balance' or 'none'")
+    if supports is not None:
+        supports = [str(one) for one in supports]
+    net, told = _taut._net_of_compas(
+        text=text, name=name, select=select, supports=supports, loads=loads, **settings
+    )
+    for warning in told["warnings"]:
+        warnings.warn(warning, stacklevel=4)
+    return net
+
+
+def compas_of_net(net, form=None):
+    """CableNet.to_compas()."""
+    try:
+        from compas.data import json_loads
+    except ImportError as error:
+        raise ImportError("to_compas needs COMPAS 2: pip install 'compas>=2'") from error
+    return json_loads(_taut._compas_of_form(net, form))
+
+
+def net_of_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, name="jax-fdm"):
+    """CableNet.from_jax_fdm()."""
+    nodes = getattr(structure, "num_nodes", None)
+    edges = getattr(structure, "edges", None)
+    fixed = getattr(structure, "indices_fixed", None)
+    if fixed is None:
+        fixed = getattr(structure, "nodes_fixed", None)
+    if nodes is None or edges is None or fixed is None or callable(edges):
+        raise TypeError(
+            f"structure: got {type(structure).__name__}, expected an EquilibriumStructure of "
+            "JAX FDM"
+        )
+    edges = np.asarray(edges, dtype=int)
+    fixed = np.flatnonzero(fixed) if np.asarray(fixed).dtype == bool else np.asarray(fixed, int)
+    q = np.asarray(q, dtype=float)
+    if q.shape != (len(edges),):
+        raise ValueError(f"q: got the shape {q.shape}, expected ({len(edges)},)")
+    if xyz_fixed is None:
+        raise ValueError("xyz_fixed: not told, expected the places of the fixed nodes (f, 3)")
+    xyz_fixed = np.asarray(xyz_fixed, dtype=float)
+    if xyz_fixed.shape != (len(fixed), 3):
+        raise ValueError(f"xyz_fixed: got the shape {xyz_fixed.shape}, expected ({len(fixed)}, 3)")
+    places = np.zeros((int(nodes), 3))
+    places[fixed] = xyz_fixed
+    form = _taut.form_from_force_densities(places, fixed, edges, q, loads)
+    lengths = np.linalg.norm(form[edges[:, 0]] - form[edges[:, 1]], axis=1)
+    return _taut.CableNet(
+        form,
+        fixed,
+        edges,
+        axial_stiffness,
+        _taut.unstressed_lengths_for(lengths, q * lengths, axial_stiffness),
+        loads=loads,
+        name=name,
+    )

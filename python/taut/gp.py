@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Gaussian processes for many outputs over the same inputs, as a scikit-learn regressor.
+
+Hundreds of outputs, each with hyperparameters of its own, at the cost of a dozen decompositions of
+the kernel matrix that all share: the best noise and signal of an output follow from one, whatever
+they are, so only the length scales that are tried cost one each.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
+from sklearn.utils import check_random_state
+from sklearn.utils.validation import check_is_fitted, validate_data
+
+from taut import _taut
+
+FittedProcesses = _taut.FittedProcesses
+fit = _taut._fit_processes
+
+__all__ = ["FittedProcesses", "MultiOutputGP", "fit"]
+
+
+class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
+    """One process an output, with an isotropic squared exponential kernel and noise.
+
+    Inputs are taken as they are: scale features that are not of one kind first, by a StandardScaler
+    say. The mean of each output is taken off before it is learnt.
+
+    Args:
+        relative_tolerance: the search for length scales ends when no output is expected to gain
+            more than this, relative to its log likelihood.
+        max_spectra: decompositions that all outputs share, at most. Each takes O(n^3).
+
+    Attributes:
+        length_scale_, signal_std_, noise_std_: hyperparameters of each output (m,); 0 where an
+            output is constant. The kernel is signal_std^2 exp(-|x - x'|^2 / (2 length_scale^2)).
+        log_marginal_likelihood_: of each output (m,).
+        leave_one_out_rmse_: of each output (m,), of predictions at each input, trained without it.
+    """
+
+    def __init__(self, relative_tolerance=1e-7, max_spectra=12):
+        self.relative_tolerance = relative_tolerance
+        self.max_spectra = max_spectra
+
+    def fit(self, X, y):
+        """Estimates hyperparameters by maximum marginal likelihood: X (n, d), y (n,) or (n, m)."""
+        X, y = validate_data(
+            self, X, y, multi_output=True, y_numeric=True, dtype=np.float64, ensure_min_samples=2
+        )
+        self._is_flat = y.ndim == 1
+        outputs = np.asarray(y, dtype=np.float64).reshape(len(X), -1)
+        self._mean = outputs.mean(axis=0)
+        self._processes = fit(
+            X,
+            outputs - self._mean,
+            relative_tolerance=self.relative_tolerance,
+            max_spectra=self.max_spectra,
+        )
+        with np.errstate(divide="ignore"):
+            scale = 1.0 / self._processes.inverse_length_scale
+        self.length_scale_ = np.where(np.isfinite(scale), scale, 0.0)
+        self.signal_std_ = self._processes.signal_std
+        self.noise_std_ = self._processes.noise_std
+        self.log_marginal_likelihood_ = -self._processes.negative_log_likelihood
+        self.leave_one_out_rmse_ = self._processes.leave_one_out_rmse
+        return self
+
+    def _inputs(self, X):
+        check_is_fitted(self)
+        return validate_data(self, X, reset=False, dtype=np.float64)
+
+    def _shaped(self, values):
+        return values[:, 0] if self._is_flat else values
+
+    def predict(self, X, return_std=False):
+        """Mean at X (k, d): (k,) or (k, m); and the standard deviation of the latent function."""
+        mean, std = self._processes_of(X)
+        mean = self._shaped(mean + self._mean)
+        return (mean, self._shaped(std)) if return_std else mean
+
+    def _processes_of(self, X):
+        inputs = self._inputs(X)
+        return self._processes.predict(inputs)
+
+    def sample_y(self, X, n_samples=1, random_state=0):
+        """Draws of the latent functions: (k, n_samples), or (k, m, n_samples)."""
+        inputs = self._inputs(X)
+        random = check_random_state(random_state)
+        mean, _ = self._processes.predict(inputs)
+        draws = np.empty((*mean.shape, n_samples))
+        for output in range(mean.shape[1]):
+            covariance = self._processes.covariance(output, inputs)
+            values, vectors = np.linalg.eigh(covariance)
+            root = vectors * np.sqrt(np.clip(values, 0.0, None))
+            draws[:, output] = (mean[:, output] + self._mean[output])[:, None] + root @ (
+                random.standard_normal((len(values), n_samples))
+            )
+        return draws[:, 0] if self._is_flat else draws

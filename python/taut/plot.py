@@ -1,0 +1,302 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""The figures of a saved result, for print: python -m taut.plot result.json -o figures/
+
+Of a study (taut reproduce) those of the paper's section 5; of an identification lengths, tensions
+and residuals; of a plan the form before and after, strokes and tensions. In mm and kN.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+__all__ = ["figures", "save_figures"]
+
+#: One column of a journal, and serif numbers as in its text.
+STYLE = {
+    "font.size": 8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.6,
+    "lines.linewidth": 0.9,
+    "legend.frameon": False,
+    "legend.handlelength": 1.2,
+    "legend.columnspacing": 1.0,
+    "legend.handletextpad": 0.4,
+    "figure.constrained_layout.use": True,
+    "savefig.dpi": 300,
+    "pdf.fonttype": 42,
+}
+COLUMN = 3.5  # inches
+BLUE, ORANGE, GREY = "#2563a8", "#d9480f", "#8a94a0"
+
+
+def _new(height=2.3, width=COLUMN):
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, figure.add_subplot()
+
+
+def _plan_lines(net, nodes):
+    return np.asarray(nodes)[np.asarray(net["edges"])][:, :, :2]
+
+
+def _net_in_plan(axes, net, nodes):
+    adjustable = np.zeros(len(net["edges"]), dtype=bool)
+    adjustable[net.get("adjustable", [])] = True
+    lines = _plan_lines(net, nodes)
+    axes.add_collection(LineCollection(lines[~adjustable], colors=GREY, linewidths=0.5))
+    axes.add_collection(LineCollection(lines[adjustable], colors=ORANGE, linewidths=0.7))
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+
+
+def _net(net, nodes):
+    figure, axes = _new(3.0)
+    _net_in_plan(axes, net, nodes)
+    places = np.asarray(nodes)[net["supports"]]
+    axes.plot(*places[:, :2].T, "o", color="black", markersize=1.6, label="support")
+    axes.plot([], [], color=ORANGE, label="adjustable edge")
+    figure.legend(loc="outside upper right", ncols=2)
+    return figure
+
+
+def _map(net, nodes, which, values, label, most=None):
+    """Numbers of nodes over the net in plan [mm]."""
+    figure, axes = _new(3.0)
+    axes.add_collection(
+        LineCollection(_plan_lines(net, nodes), colors="#c8ced4", linewidths=0.4, zorder=0)
+    )
+    places = np.asarray(nodes)[which]
+    dots = axes.scatter(
+        *places[:, :2].T, c=1e3 * np.asarray(values), s=9, cmap="viridis", vmin=0.0, vmax=most
+    )
+    figure.colorbar(dots, ax=axes, label=f"{label} [mm]", location="top", shrink=0.8, aspect=40)
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+    return figure
+
+
+def _study(result):
+    net, sample, errors = result["cable_net"], result["sample"], result["errors"]
+    free = np.setdiff1d(np.arange(len(net["nodes"])), net["supports"])
+    true, identified = np.array(sample["true"]), np.array(sample["identified"])
+    yield "net_plan", _net(net, result["nominal_form"])
+
+    figure, axes = _new()
+    index = np.arange(1, len(true) + 1)
+    axes.plot(index, 1e3 * true, color=GREY, label=r"true $\Delta l_0$")
+    axes.plot(index, 1e3 * identified, ":", color=BLUE, label=r"identified $\Delta l_0$")
+    axes.plot(index, 1e3 * (identified - true), color=ORANGE, label="error")
+    axes.set_xlabel("interior edge")
+    axes.set_ylabel("length deviation [mm]")
+    figure.legend(loc="outside upper center", ncols=3)
+    yield "length_deviations", figure
+
+    figure, axes = _new()
+    mean, std = 1e3 * np.array(errors["mean"]), 1e3 * np.array(errors["std"])
+    if errors.get("all"):
+        every = 1e3 * np.array(errors["all"])
+        axes.plot(
+            np.broadcast_to(index[:, None], every.shape).ravel(),
+            every.ravel(),
+            ".",
+            color="#c8ced4",
+            markersize=0.8,
+            rasterized=True,
+        )
+    axes.plot(index, mean, color=BLUE, label="mean")
+    axes.plot(index, mean + std, color=ORANGE, linewidth=0.6, label="mean ± standard deviation")
+    axes.plot(index, mean - std, color=ORANGE, linewidth=0.6)
+    axes.set_xlabel("interior edge")
+    axes.set_ylabel("error of the identified length [mm]")
+    figure.legend(loc="outside upper center", ncols=2)
+    yield "length_errors", figure
+
+    most = 1e3 * max(sample["form_error"]["nominal"])
+    for which in ("nominal", "identified"):
+        yield (
+            f"form_error_{which}",
+            _map(
+                net,
+                result["nominal_form"],
+                free,
+                sample["form_error"][which],
+                f"form error, {which} lengths",
+                most,
+            ),
+        )
+
+
+def _intervals(axes, values, lower, upper, wrong=None):
+    index = np.arange(1, len(values) + 1)
+    order = np.argsort(values, kind="stable")
+    axes.vlines(index, lower[order], upper[order], color=BLUE, linewidth=0.5, label="95 % interval")
+    axes.plot(index, values[order], ".", color="black", markersize=1.5, label="estimate")
+    if wrong is not None and wrong.any():
+        axes.plot(
+            index[wrong[order]], values[order][wrong[order]], "x", color=ORANGE, label="in doubt"
+        )
+
+
+def _identification(result):
+    net, edges = result["cable_net"], result["edges"]
+    yield "net_plan", _net(net, result["form"])
+
+    def column(name, of=edges):
+        return np.array([np.nan if edge[name] is None else edge[name] for edge in of], dtype=float)
+
+    doubted = {one["edge"] for one in (result.get("doubt") or {}).get("lengths_beyond_law", [])}
+    wrong = np.array([edge["edge"] in doubted for edge in edges])
+    figure, axes = _new()
+    _intervals(
+        axes,
+        *(1e3 * column(name) for name in ("length_deviation", "lower", "upper")),
+        wrong,
+    )
+    axes.axhline(0.0, color=GREY, linewidth=0.5)
+    axes.set_xlabel("interior edge, by its deviation")
+    axes.set_ylabel("length deviation [mm]")
+    figure.legend(loc="outside upper center", ncols=3)
+    yield "length_intervals", figure
+
+    every = sorted(edges + result.get("adjustable_edges", []), key=lambda edge: edge["edge"])
+    if every and all(edge.get("tension_lower") is not None for edge in every):
+        figure, axes = _new()
+        _intervals(
+            axes,
+            *(1e-3 * column(name, every) for name in ("tension", "tension_lower", "tension_upper")),
+        )
+        axes.axhline(0.0, color=GREY, linewidth=0.5)
+        axes.set_xlabel("edge, by its tension")
+        axes.set_ylabel("tension [kN]")
+        figure.legend(loc="outside upper center", ncols=2)
+        yield "tension_intervals", figure
+
+    residuals = result["survey"]["residuals"]
+    if residuals:
+        sizes = [np.hypot(np.hypot(one["dx"], one["dy"]), one["dz"]) for one in residuals]
+        nodes = [one["node"] for one in residuals]
+        yield (
+            "residual_map",
+            _map(net, result["form"], nodes, sizes, "surveyed from predicted"),
+        )
+
+
+def _plan(result):
+    net = result["cable_net"]
+    free = np.setdiff1d(np.arange(len(net["nodes"])), net["supports"])
+    target, normals = np.array(result["target_form"]), np.array(result["target_normals"])
+    distances = {}
+    for which in ("built", "planned"):
+        off = np.array(result[f"{which}_form"]) - target
+        distances[which] = np.abs(np.sum(off * normals, axis=1))[free]
+    most = 1e3 * max(values.max() for values in distances.values())
+    for which, values in distances.items():
+        yield (
+            f"plan_normal_{which}",
+            _map(net, target, free, values, f"from the target along its normal, {which}", most),
+        )
+
+    turns = sorted(result["turns"], key=lambda turn: turn["stroke"])
+    figure, axes = _new()
+    axes.bar(range(1, len(turns) + 1), [1e3 * turn["stroke"] for turn in turns], color=BLUE)
+    axes.axhline(0.0, color="black", linewidth=0.5)
+    axes.set_xlabel("turned edge, by its stroke")
+    axes.set_ylabel("stroke, + lengthens [mm]")
+    yield "plan_strokes", figure
+
+    edges = sorted(result["tension"]["edges"], key=lambda edge: edge["planned"])
+    figure, axes = _new()
+    index = np.arange(1, len(edges) + 1)
+    if all(edge["lower"] is not None for edge in edges):
+        axes.vlines(
+            index,
+            [1e-3 * edge["lower"] for edge in edges],
+            [1e-3 * edge["upper"] for edge in edges],
+            color=BLUE,
+            linewidth=0.5,
+            label="95 % interval",
+        )
+    for name, label, style in (
+        ("as_built", "as built", {"color": GREY, "marker": ".", "markersize": 1.5}),
+        ("planned", "planned", {"color": "black", "marker": ".", "markersize": 1.5}),
+    ):
+        axes.plot(index, [1e-3 * edge[name] for edge in edges], linestyle="", label=label, **style)
+    for name in ("limit_lower", "limit_upper"):
+        limits = [np.nan if edge[name] is None else 1e-3 * edge[name] for edge in edges]
+        if np.isfinite(limits).any():
+            axes.plot(index, limits, color=ORANGE, linewidth=0.7, label="limit")
+    handles, labels = axes.get_legend_handles_labels()
+    once = dict(zip(labels, handles, strict=True))
+    figure.legend(once.values(), once.keys(), loc="outside upper center", ncols=4)
+    axes.set_xlabel("edge, by its planned tension")
+    axes.set_ylabel("tension [kN]")
+    yield "plan_tensions", figure
+
+
+_OF = {"taut-study": _study, "taut-identification": _identification, "taut-plan": _plan}
+
+
+def figures(result):
+    """The figures of a result: {name: matplotlib.figure.Figure}.
+
+    Args:
+        result: of to_dict(), or what json.load() gives of results.json, result.json or plan.json.
+
+    Raises:
+        ValueError: for what is none of these.
+    """
+    form = result.get("format") if isinstance(result, dict) else None
+    if form not in _OF:
+        raise ValueError(f"result: has the format {form!r}, expected one of {', '.join(_OF)}")
+    if form == "taut-identification" and result["status"] != "converged":
+        raise ValueError(f"result: has found no lengths, its status is {result['status']!r}")
+    with mpl.rc_context(STYLE):
+        return dict(_OF[form](result))
+
+
+def save_figures(result, folder, *, file_format="pdf"):
+    """Writes the figures of a result into a folder, and gives their paths."""
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = []
+    for name, figure in figures(result).items():
+        paths.append(folder / f"{name}.{file_format}")
+        with mpl.rc_context(STYLE):
+            figure.savefig(paths[-1])
+    return paths
+
+
+def main(arguments=None):
+    """python -m taut.plot"""
+    parser = argparse.ArgumentParser(prog="python -m taut.plot", description=__doc__)
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.add_argument("result", type=Path, help="result.json, results.json or plan.json")
+    parser.add_argument("-o", "--output", type=Path, required=True, help="folder of the figures")
+    parser.add_argument("--format", choices=["pdf", "svg", "png"], default="pdf")
+    told = parser.parse_args(arguments)
+    try:
+        result = json.loads(told.result.read_text(encoding="utf-8"))
+        paths = save_figures(result, told.output, file_format=told.format)
+    except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
+        what = f"is no whole result: {error!r}" if isinstance(error, LookupError) else error
+        print(f"taut.plot: {told.result}: {what}", file=sys.stderr)
+        return 2
+    for path in paths:
+        print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Surveys from files, arrays and tables."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+import numpy as np
+
+from taut import _taut
+
+
+def _column(table, name):
+    """A column of a data frame or mapping as an array, None where there is none."""
+    return np.asarray(table[name]) if name in table else None
+
+
+def _of_table(table, ids):
+    """Positions, names and standard deviations out of columns x, y, z, id, sx, sy, sz."""
+    missing = [name for name in "xyz" if name not in table]
+    if missing:
+        raise ValueError(
+            f"source: has the columns {', '.join(map(str, table))}, expected x, y and z, "
+            "and where there are any id, sx, sy, sz"
+        )
+    positions = np.column_stack([_column(table, name) for name in "xyz"])
+    if ids is None:
+        ids = _column(table, "id")
+    stds = [_column(table, name) for name in ("sx", "sy", "sz")]
+    told = [std for std in stds if std is not None]
+    if told and len(told) < 3:
+        raise ValueError("source: has some of the columns sx, sy, sz, expected all or none")
+    return positions, ids, np.column_stack(told) if told else None
+
+
+def _names(ids):
+    """Names as text; a column of whole numbers that went through floats keeps none of the '.0'."""
+    if ids is None:
+        return None
+    names = []
+    for one in ids:
+        if isinstance(one, (float, np.floating)):
+            one = "" if np.isnan(one) else int(one) if one == int(one) else one
+        names.append("" if one is None else str(one))
+    return names
+
+
+def _noise(noise, count):
+    """One number for all, or one of each coordinate (count, 3): the number, the array."""
+    if noise is None or np.ndim(noise) == 0:
+        return None if noise is None else float(noise), None
+    array = np.asarray(noise, dtype=float)
+    if array.shape == (3,):
+        array = np.tile(array, (count, 1))
+    return None, array
+
+
+def read_survey(
+    net,
+    source,
+    *,
+    ids=None,
+    noise=None,
+    frame="auto",
+    control=None,
+    unit=None,
+    match="auto",
+):
+    """A survey of the net's form, from whatever holds one.
+
+    Args:
+        net: that was surveyed.
+        source: the path of a file (CSV, TXT, LandXML, JobXML, GSI, DXF, PTS, XYZ, readings of
+            angles and distances); or points: an array (k, 3), or a table with columns x, y, z and,
+            where there are any, id, sx, sy, sz, as a pandas.DataFrame or a mapping of arrays [m].
+        ids: names of the points of an array (k,), those of the net's nodes; without, points are put
+            on nodes by their place.
+        noise: standard deviation of each coordinate, one number, or of points (3,) or (k, 3), where
+            the source tells none [m], whatever the unit of the coordinates.
+        frame: 'net', 'supports' (fitted to those that are named), or 'auto'.
+        control: path of control points id, x, y, z in the net's frame, to fit the frame to.
+        unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft'; of points 'm' unless told.
+        match: what tells a point's node: its 'name', its 'place', or 'auto'.
+
+    Returns:
+        Survey: read its warnings and notes, which tell how the source was understood.
+
+    Raises:
+        InputError: naming the file, the place in it and the rule.
+            Rows of arrays and tables are counted from 1 there.
+        ValueError, TypeError: for arrays of a wrong shape or dtype.
+    """
+    control = "" if control is None else control
+    if isinstance(source, (str, os.PathLike)):
+        if ids is not None:
+            raise ValueError("ids: are for an array of points, and source is a file")
+        if noise is not None and np.ndim(noise) != 0:
+            raise ValueError("noise: got an array, expected one number for a file")
+        noise = None if noise is None else float(noise)
+        return _taut._read_survey_file(net, source, noise, frame, control, unit, match)
+    if isinstance(source, Mapping) or hasattr(source, "columns"):
+        positions, ids, stds = _of_table(source, ids)
+    else:
+        positions, stds = source, None
+    if stds is not None and noise is not None:
+        raise ValueError("noise: is told by the columns sx, sy, sz of source, too: leave out one")
+    if stds is None:
+        noise, stds = _noise(noise, np.shape(positions)[0] if np.ndim(positions) else 0)
+    return _taut._survey_of_points(
+        net, positions, _names(ids), stds, noise, frame, control, unit, match
+    )

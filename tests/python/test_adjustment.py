@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against turns that do not lead to the form that was planned."""
+
+import json
+
+import numpy as np
+import pytest
+import taut
+
+
+def test_a_plan_leads_where_it_says(found):
+    plan = taut.plan(found, stroke=0.02)
+    assert plan.is_feasible
+    assert plan.planned["normal_rmse"] < plan.as_built["normal_rmse"]
+    lengths = np.array(found.built.unstressed_lengths)
+    lengths[plan.edges] += plan.strokes
+    form = taut.solve_equilibrium(found.built, lengths).form
+    assert np.abs(form - plan.form).max() < 1e-6
+    assert np.abs(plan.strokes).max() <= 0.02 + 1e-12
+    assert "limits are kept" in repr(plan)
+
+
+def test_whole_steps_limits_and_crews(found, tmp_path):
+    plan = taut.plan(found, stroke=0.02, turn=2e-3, step=0.25, crews=2, tension=(100.0, None))
+    steps = plan.strokes / 0.5e-3
+    assert np.abs(steps - np.round(steps)).max() < 1e-6
+    plan.save(tmp_path / "plan.json", csv=tmp_path / "turns.csv")
+    assert json.loads((tmp_path / "plan.json").read_text()) == plan.to_dict()
+    assert (tmp_path / "turns.csv").read_text() == plan.to_csv()
+    assert len(plan.to_csv().splitlines()) > len(plan.edges)
+
+
+def test_a_table_of_strokes(found):
+    pytest.importorskip("pandas")
+    plan = taut.plan(found)
+    table = plan.to_dataframe()
+    assert table.index.tolist() == plan.edges.tolist()
+    assert table.stroke.to_numpy() == pytest.approx(plan.strokes)
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"stroke": -1.0}, "stroke"),
+        ({"stroke": float("nan")}, "stroke"),
+        ({"target": np.zeros((2, 3))}, "target"),
+        ({"edges": [10**6]}, "edge"),
+        ({"step": 0.25}, "step"),
+        ({"crews": 0}, "crew"),
+        ({"thread": "up"}, "thread"),
+        ({"confidence": 2.0}, "confidence"),
+        ({"tolerance": -1.0}, "tolerance"),
+    ],
+)
+def test_what_cannot_be_planned_is_refused(found, settings, words):
+    with pytest.raises(ValueError, match=words):
+        taut.plan(found, **settings)

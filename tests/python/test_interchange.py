@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against a net from COMPAS or JAX FDM that is not in equilibrium where it was there."""
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+import taut
+
+REAL = Path(os.environ.get("TAUT_REAL_DATA", Path(__file__).parents[3] / "shared" / "data"))
+
+
+compas = pytest.importorskip("compas")
+
+from compas.datastructures import Mesh
+
+
+def grid():
+    """A mesh whose edges all have one force density, its boundary fixed."""
+    mesh = Mesh.from_meshgrid(dx=6.0, nx=6)
+    mesh.update_default_edge_attributes(q=2.0e3)
+    for key in mesh.vertices_on_boundary():
+        mesh.vertex_attribute(key, "is_anchor", True)
+    for key in mesh.vertices():
+        x, y, _ = mesh.vertex_coordinates(key)
+        mesh.vertex_attribute(key, "z", 0.05 * (x - 3.0) * (y - 3.0))
+    return mesh
+
+
+def test_a_mesh_becomes_a_net_and_goes_back():
+    net = taut.CableNet.from_compas(grid(), axial_stiffness=200e3)
+    assert len(net.nodes) == 45, "an edge between supports is none, and a corner has no other"
+    form = taut.solve_equilibrium(net).form
+    assert np.abs(form - net.nodes).max() < 1e-6, "the form it was found in is its own"
+    graph = net.to_compas(form)
+    assert graph.number_of_nodes() == 45
+    assert graph.number_of_edges() == len(net.edges)
+    back = taut.CableNet.from_compas(graph)
+    assert np.abs(back.unstressed_lengths - net.unstressed_lengths).max() < 1e-9
+
+
+def test_an_edge_force_in_kilonewtons():
+    mesh = grid()
+    mesh.update_default_edge_attributes(q=2.0)
+    net = taut.CableNet.from_compas(mesh, axial_stiffness=200e3, force_unit=1e3)
+    same = taut.CableNet.from_compas(grid(), axial_stiffness=200e3)
+    assert net.unstressed_lengths == pytest.approx(same.unstressed_lengths, abs=1e-12)
+
+
+def test_a_mesh_without_forces_is_refused():
+    mesh = Mesh.from_meshgrid(dx=6.0, nx=6)
+    with pytest.raises(ValueError, match=r"force|q|support"):
+        taut.CableNet.from_compas(mesh, axial_stiffness=200e3)
+    with pytest.raises(ValueError, match="stiffness"):
+        taut.CableNet.from_compas(grid())
+    with pytest.raises(TypeError, match="structure: got int"):
+        taut.CableNet.from_compas(7)
+    with pytest.raises(ValueError, match="loads: got 'some'"):
+        taut.CableNet.from_compas(grid(), axial_stiffness=1e5, loads="some")
+
+
+def test_an_old_compas_is_told(monkeypatch):
+    monkeypatch.setattr(compas, "__version__", "1.17.5")
+    with pytest.raises(ImportError, match=r"COMPAS 2, this is 1\.17\.5"):
+        taut.CableNet.from_compas(object())
+
+
+def test_a_real_net_of_compas():
+    path = REAL / "texas" / "texas.fofin"
+    if not path.exists():
+        pytest.skip(f"{path} is not there (TAUT_REAL_DATA)")
+    data = json.loads(path.read_text())["cablenet"]
+    # Files of COMPAS 1: vertices, faces and attributes by name.
+    keys = {key: k for k, key in enumerate(data["vertex"])}
+    mesh = Mesh.from_vertices_and_faces(
+        [[v["x"], v["y"], v["z"]] for v in data["vertex"].values()],
+        [[keys[str(key)] for key in cycle] for cycle in data["face"].values()],
+    )
+    mesh.update_default_edge_attributes(q=1.0)
+    for key, attributes in data["vertex"].items():
+        if attributes.get("is_anchor"):
+            mesh.vertex_attribute(keys[key], "is_anchor", True)
+    with pytest.warns(UserWarning, match="hardly any tension"):
+        net = taut.CableNet.from_compas(mesh, axial_stiffness=200e3)
+    assert taut.solve_equilibrium(net).is_balanced
+
+
+class Structure:
+    """What an EquilibriumStructure of JAX FDM tells."""
+
+    num_nodes = 5
+    edges = np.array([(0, 1), (0, 2), (0, 3), (0, 4)])
+    indices_fixed = np.array([1, 2, 3, 4])
+
+
+def test_a_structure_of_jax_fdm():
+    fixed = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0.5], [0, -1, 0.5]], dtype=float)
+    q = np.array([1e3, 1e3, 2e3, 2e3])
+    net = taut.CableNet.from_jax_fdm(Structure(), q, xyz_fixed=fixed, axial_stiffness=100e3)
+    form = taut.solve_equilibrium(net).form
+    assert form[0] == pytest.approx((q[:, None] * fixed).sum(axis=0) / q.sum(), abs=1e-9)
+    tension = taut.tensions(net, net.unstressed_lengths, form)
+    assert tension == pytest.approx(q * taut.edge_lengths(net, form), rel=1e-9)
+    with pytest.raises(ValueError, match="q: got the shape"):
+        taut.CableNet.from_jax_fdm(Structure(), q[:2], xyz_fixed=fixed, axial_stiffness=1e5)
+    with pytest.raises(ValueError, match="xyz_fixed"):
+        taut.CableNet.from_jax_fdm(Structure(), q, xyz_fixed=fixed[:2], axial_stiffness=1e5)
+    with pytest.raises(TypeError, match="structure: got int"):
+        taut.CableNet.from_jax_fdm(7, q, xyz_fixed=fixed, axial_stiffness=1e5)
+
+
+def test_a_notebook_shows_net_identification_and_plan(net, found):
+    drawing = net._repr_html_()
+    assert drawing.count("M") >= len(net.edges)
+    for result in (found, taut.plan(found)):
+        shown = result._repr_html_()
+        if taut.has_report_viewer():
+            assert shown.startswith("<iframe srcdoc=")
+            assert "http://" not in shown.replace("http://www.w3.org", "")
+        else:
+            assert shown.startswith("<pre>")
+
+
+def test_a_report_and_a_drawing(found, tmp_path):
+    if not taut.has_report_viewer():
+        pytest.skip("this build has no viewer of reports")
+    found.save(tmp_path / "result.json")
+    taut.write_report(tmp_path / "result.json", tmp_path / "report.html")
+    assert "<html" in (tmp_path / "report.html").read_text()
+    assert taut.form_to_obj(found.net).count("\nl ") == len(found.net.edges)
+    with pytest.raises(taut.InputError, match="absent"):
+        taut.write_report(tmp_path / "absent.json", tmp_path / "report.html")

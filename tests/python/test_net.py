@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against a net that is not the one whose arrays went in."""
+
+import copy
+import gc
+import pickle
+
+import numpy as np
+import pytest
+import taut
+
+
+def arrays():
+    """A node in the middle of four supports."""
+    nodes = np.array([[0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]], dtype=float)
+    return {
+        "nodes": nodes,
+        "supports": [1, 2, 3, 4],
+        "edges": [(0, 1), (0, 2), (0, 3), (0, 4)],
+        "axial_stiffness": 100e3,
+        "unstressed_lengths": np.full(4, 0.99),
+        "adjustable": [3],
+    }
+
+
+def test_a_net_is_made_of_arrays_and_gives_them_back():
+    data = arrays()
+    net = taut.CableNet(**data, name="cross", node_ids=list("abcde"))
+    assert np.array_equal(net.nodes, data["nodes"])
+    assert np.array_equal(net.edges, data["edges"])
+    assert net.interior_edges.tolist() == [0, 1, 2]
+    assert net.adjustable_edges.tolist() == [3]
+    assert net.node_id(4) == "e"
+    assert np.array_equal(net.axial_stiffness, np.full(4, 100e3))
+    assert repr(net) == (
+        "CableNet('cross': 1 free nodes, 4 supports, 3 interior and 1 adjustable edges)"
+    )
+
+
+def test_a_net_goes_through_json_pickle_and_copy_to_the_last_bit(net, tmp_path):
+    assert taut.CableNet.from_json(net.to_json()) == net
+    assert pickle.loads(pickle.dumps(net)) == net
+    assert copy.deepcopy(net) == net
+    net.save(tmp_path / "net.json")
+    loaded = taut.CableNet.load(tmp_path / "net.json")
+    assert loaded == net
+    assert hash(loaded) == hash(net)
+    assert np.array_equal(loaded.unstressed_lengths, net.unstressed_lengths)
+    assert net.to_dict()["format"] == "taut-net"
+
+
+def test_what_a_net_shows_is_read_only_and_outlives_it():
+    net = taut.CableNet(**arrays())
+    nodes = net.nodes
+    with pytest.raises(ValueError, match="read-only"):
+        nodes[0, 0] = 1.0
+    del net
+    gc.collect()
+    assert nodes[1, 0] == 1.0
+
+
+def test_a_net_keeps_its_numbers_when_the_arrays_change():
+    data = arrays()
+    net = taut.CableNet(**data)
+    data["nodes"][:] = 0.0
+    assert net.nodes[1, 0] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "words"),
+    [
+        ({"nodes": np.zeros((5, 2))}, ValueError, r"nodes.*\(5, 2\)"),
+        ({"nodes": "abc"}, TypeError, "nodes"),
+        ({"nodes": None}, TypeError, "nodes"),
+        ({"nodes": np.full((5, 3), np.nan)}, taut.NetError, "nodes"),
+        ({"edges": [(0, 1, 2)]}, ValueError, "edges"),
+        ({"edges": [(0.5, 1.0)] * 4}, TypeError, "edges"),
+        ({"edges": [(0, 1), (0, 2), (0, 3), (0, 2**40)]}, ValueError, "edges"),
+        ({"edges": [(0, 0), (0, 2), (0, 3), (0, 4)]}, taut.NetError, r"edges\[0\]"),
+        ({"supports": [9]}, taut.NetError, "supports"),
+        ({"axial_stiffness": -1.0}, taut.NetError, "axial_stiffness"),
+        ({"axial_stiffness": [1.0, 2.0]}, ValueError, r"axial_stiffness.*\(2,\)"),
+        ({"unstressed_lengths": [0.99] * 3}, ValueError, "unstressed_lengths"),
+        ({"unstressed_lengths": [1j] * 4}, TypeError, "unstressed_lengths"),
+    ],
+)
+def test_wrong_arrays_are_told_by_name(change, error, words):
+    with pytest.raises(error, match=words):
+        taut.CableNet(**(arrays() | change))
+
+
+def test_errors_are_value_errors_with_the_words_of_the_program(tmp_path):
+    path = tmp_path / "net.json"
+    path.write_text('{"format": "taut-net", "version": 1, ')
+    with pytest.raises(taut.InputError, match=r"net\.json:1:"):
+        taut.CableNet.load(path)
+    assert issubclass(taut.InputError, ValueError)
+    assert issubclass(taut.NetError, ValueError)
+    with pytest.raises(taut.InputError, match="absent"):
+        taut.CableNet.load(tmp_path / "absent.json")
+    with pytest.raises(OSError, match="folder"):
+        taut.hypar(2, 2).save(tmp_path / "no folder" / "net.json")
+
+
+def test_a_table_of_its_edges(net):
+    pytest.importorskip("pandas")
+    table = net.to_dataframe()
+    assert len(table) == len(net.edges)
+    assert table.is_adjustable.sum() == len(net.adjustable_edges)
+    assert table.unstressed_length.iloc[7] == net.unstressed_lengths[7]
+
+
+def test_tension_laws_are_checked():
+    law = taut.TensionLaw([0.0, 0.001, 0.01], [0.0, 50.0, 1000.0], name="strand")
+    net = taut.CableNet(**arrays(), tension_laws=[law], tension_law=[0, -1, -1, -1])
+    assert net.to_dict()["tension_laws"][0]["name"] == "strand"
+    with pytest.raises(ValueError, match="ascend"):
+        taut.TensionLaw([0.0, 0.0], [0.0, 1.0])

@@ -1,0 +1,204 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against a package that stalls, leaks, crashes or cannot be stopped."""
+
+import contextlib
+import gc
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import taut
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+
+def test_the_version_is_the_programs():
+    program = shutil.which("taut", path=Path(sys.executable).parent)
+    assert program, "the program comes with the package"
+    said = subprocess.run([program, "--version"], capture_output=True, text=True, check=True)
+    assert taut.__version__ in said.stdout
+
+
+def test_importing_brings_nothing_but_numpy():
+    code = "import sys, taut; print([m for m in sys.modules])"
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    for module in ("pandas", "sklearn", "matplotlib", "compas", "jax", "torch", "scipy"):
+        assert f"'{module}'" not in said.stdout
+
+
+def test_all_names_are_there_and_told_of():
+    for name in taut.__all__:
+        assert hasattr(taut, name), name
+    undocumented = [
+        name
+        for name in taut.__all__
+        if callable(getattr(taut, name)) and not getattr(taut, name).__doc__
+    ]
+    assert not undocumented
+
+
+def test_stubs_tell_of_all_names():
+    stub = (Path(taut.__file__).parent / "_taut.pyi").read_text()
+    told = set(re.findall(r"^(?:class|def) (\w+)", stub, re.MULTILINE))
+    missing = {
+        name
+        for name in dir(taut._taut)
+        if not name.startswith("__") and callable(getattr(taut._taut, name))
+    } - told
+    assert not missing
+    assert (Path(taut.__file__).parent / "py.typed").exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_ctrl_c_ends_long_work():
+    code = (
+        "import sys, taut\n"
+        "net = taut.hilo_quarter()\n"
+        "print('begun', flush=True)\n"
+        "try:\n"
+        "    taut.Sampler(net).draw(1_000_000)\n"
+        "except KeyboardInterrupt:\n"
+        "    print('stopped')\n"
+        "print(len(taut.Sampler(net).draw(1)))\n"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", code], stdout=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout.readline() == "begun\n"
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        rest, _ = process.communicate(timeout=30)
+    assert rest == "stopped\n1\n"
+
+
+def resident():
+    """Memory of this process [bytes]."""
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE")
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory as Linux tells it")
+def test_nothing_is_left_behind():
+    net = taut.hypar(12, 12)
+    columns = taut.simulate_survey(net, net.nodes, noise=1e-3, seed=1)
+
+    def round_trip():
+        copy = taut.CableNet.from_json(net.to_json())
+        survey = taut.read_survey(copy, columns)
+        found = taut.identify(copy, survey, draws=20)
+        views = [found.tension, found.form, copy.nodes, found.length_draws]
+        with pytest.raises(ValueError, match="law"):
+            taut.identify(copy, survey, law="no law")
+        return views
+
+    for _ in range(5):
+        round_trip()
+    gc.collect()
+    before = resident()
+    for _ in range(40):
+        round_trip()
+    gc.collect()
+    # One survey's result is some 0.2 MB, of which 40 would be left behind.
+    assert resident() - before < 4e6
+
+
+def test_views_outlive_what_they_are_of(found):
+    tension = found.built.nodes
+    gc.collect()
+    assert np.isfinite(tension).all()
+
+
+anything = st.one_of(
+    st.none(),
+    st.booleans(),
+    st.integers(),
+    st.floats(),
+    st.text(max_size=5),
+    st.binary(max_size=5),
+    st.lists(st.one_of(st.integers(), st.floats(), st.text(max_size=3)), max_size=6),
+    st.lists(st.lists(st.floats(), min_size=3, max_size=3), max_size=6),
+    st.lists(st.lists(st.integers(-2, 6), min_size=2, max_size=2), max_size=6),
+    st.dictionaries(st.text(max_size=2), st.lists(st.floats(), max_size=3), max_size=3),
+    st.just(np.array(["a"])),
+    st.just(np.array([object()])),
+    st.just(np.zeros((2, 3, 4))),
+    st.just(np.array([[1, 2]], dtype=">i2")),
+    st.just(np.ma.masked_array([1.0], mask=[True])),
+    st.just(float),
+)
+refused = (ValueError, TypeError, OverflowError, OSError, IndexError, MemoryError)
+without_deadline = settings(
+    deadline=None, max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+@without_deadline
+@given(anything, anything, anything, anything, anything)
+def test_whatever_a_net_is_made_of_it_is_one_or_refused(nodes, supports, edges, stiffness, lengths):
+    try:
+        net = taut.CableNet(nodes, supports, edges, stiffness, lengths)
+    except refused:
+        return
+    assert np.isfinite(net.nodes).all()
+
+
+calls = [
+    lambda net, a, b: taut.solve_equilibrium(net, a),
+    lambda net, a, b: taut.EquilibriumSolver(net).solve(net.unstressed_lengths, a),
+    lambda net, a, b: taut.FormSensitivity(net, a, b),
+    lambda net, a, b: taut.FormSensitivity(net, net.unstressed_lengths, net.nodes).columns(a),
+    lambda net, a, b: taut.tensions(net, a, b),
+    lambda net, a, b: taut.read_survey(net, a, ids=b),
+    lambda net, a, b: taut.read_survey(net, {"x": a, "y": a, "z": b}),
+    lambda net, a, b: taut.read_survey(net, a, noise=b),
+    lambda net, a, b: taut.inspect(net, targets=a),
+    lambda net, a, b: taut.Sampler(net, a, b),
+    lambda net, a, b: taut.CableNet.from_json(a),
+    lambda net, a, b: taut._taut._fit_processes(a, b),
+    lambda net, a, b: taut.form_from_force_densities(a, [0], b, 1.0),
+    lambda net, a, b: taut.unstressed_lengths_for(a, b, 1.0),
+    lambda net, a, b: taut.simulate_survey(net, a, noise=b),
+    lambda net, a, b: net.with_lengths(a),
+    lambda net, a, b: net.node_id(a) + net.edge_id(b),
+]
+
+
+@without_deadline
+@given(st.sampled_from(calls), anything, anything)
+def test_whatever_is_handed_over_the_interpreter_lives(call, first, second):
+    net = taut.hypar(2, 2)
+    with contextlib.suppress(refused):
+        call(net, first, second)
+
+
+def test_an_array_that_changes_during_a_call_changes_nothing_of_it(net):
+    lengths = np.array(net.unstressed_lengths)
+    expected = taut.solve_equilibrium(net, lengths).form
+    done = threading.Event()
+
+    def change():
+        while not done.is_set():
+            lengths[:] = np.nan
+            lengths[:] = net.unstressed_lengths
+
+    thread = threading.Thread(target=change)
+    thread.start()
+    try:
+        for _ in range(50):
+            try:
+                form = taut.solve_equilibrium(net, lengths).form
+            except ValueError:
+                continue
+            assert np.array_equal(form, expected)
+    finally:
+        done.set()
+        thread.join()

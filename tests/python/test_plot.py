@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against figures of other numbers than the result's."""
+
+import json
+
+import numpy as np
+import pytest
+import taut
+
+pytest.importorskip("matplotlib")
+
+from taut import plot
+
+
+@pytest.fixture(scope="module")
+def study(net):
+    return taut.reproduce(net, samples=40, validation=5)
+
+
+def line(figure, label):
+    (found,) = [one for one in figure.axes[0].get_lines() if one.get_label() == label]
+    return found.get_ydata()
+
+
+def test_the_papers_figures(study):
+    figures = plot.figures(study)
+    assert set(figures) == {
+        "net_plan",
+        "length_deviations",
+        "length_errors",
+        "form_error_nominal",
+        "form_error_identified",
+    }
+    sample = study["sample"]
+    error = np.array(sample["identified"]) - np.array(sample["true"])
+    assert line(figures["length_deviations"], "error") == pytest.approx(1e3 * error)
+    scales = [figures[f"form_error_{k}"].axes[1].get_xlim() for k in ("nominal", "identified")]
+    assert scales[0] == scales[1], "both forms are on one colour scale"
+
+
+def test_figures_of_an_identification_and_a_plan(found):
+    figures = plot.figures(found.to_dict())
+    assert {"length_intervals", "tension_intervals", "residual_map"} <= set(figures)
+    shown = line(figures["length_intervals"], "estimate")
+    assert shown == pytest.approx(np.sort(1e3 * found.length_deviation))
+    figures = plot.figures(taut.plan(found).to_dict())
+    assert {"plan_normal_built", "plan_strokes", "plan_tensions"} <= set(figures)
+
+
+def test_the_command_writes_files(study, tmp_path, capsys):
+    path = tmp_path / "results.json"
+    path.write_text(json.dumps(study))
+    assert plot.main([str(path), "-o", str(tmp_path / "figures"), "--format", "svg"]) == 0
+    told = capsys.readouterr().out.split()
+    assert len(told) == 5
+    assert (tmp_path / "figures" / "length_errors.svg").read_text().startswith("<?xml")
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"format": "taut-study"}', "null"])
+def test_what_is_no_result_is_refused_in_a_line(text, tmp_path, capsys):
+    path = tmp_path / "results.json"
+    path.write_text(text)
+    assert plot.main([str(path), "-o", str(tmp_path / "figures")]) == 2
+    assert "results.json" in capsys.readouterr().err

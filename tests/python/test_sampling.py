@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against samples that depend on anything but law, seed and number."""
+
+import numpy as np
+import pytest
+import taut
+
+
+def test_samples_are_the_forms_of_their_lengths(net):
+    data = taut.Sampler(net, "uniform:5mm", seed=3).draw(20)
+    assert data.length_deviations.shape == (20, len(net.interior_edges))
+    assert data.form_deviations.shape == (20, 3 * len(net.free_nodes))
+    assert np.abs(data.length_deviations).max() <= 5e-3
+    lengths = np.array(net.unstressed_lengths)
+    lengths[net.interior_edges] += data.length_deviations[7]
+    form = taut.solve_equilibrium(net, lengths).form
+    moved = form[net.free_nodes].ravel() - data.nominal_form
+    assert moved == pytest.approx(data.form_deviations[7], abs=1e-9)
+
+
+def test_more_samples_begin_with_those_that_were_drawn(net, tmp_path):
+    sampler = taut.Sampler(net, seed=4)
+    few = sampler.draw(10)
+    more = sampler.extend(few, 25)
+    assert len(few) == 10
+    assert len(more) == 25
+    assert np.array_equal(more.length_deviations[:10], few.length_deviations)
+    assert np.array_equal(more.form_deviations, sampler.draw(25).form_deviations)
+    more.save(tmp_path / "data.h5", net)
+    loaded, of_net = taut.DataSet.load(tmp_path / "data.h5")
+    assert of_net == net
+    assert np.array_equal(loaded.form_deviations, more.form_deviations)
+
+
+def test_threads_change_nothing(net):
+    expected = taut.Sampler(net, seed=5).draw(30).form_deviations
+    before = taut.threads()
+    try:
+        taut.set_threads(1)
+        assert np.array_equal(taut.Sampler(net, seed=5).draw(30).form_deviations, expected)
+    finally:
+        taut.set_threads(before)
+    with pytest.raises(ValueError, match="threads"):
+        taut.set_threads(-1)
+
+
+def test_wrong_laws_and_counts_are_refused(net):
+    with pytest.raises(ValueError, match="5 miles"):
+        taut.Sampler(net, "uniform:5 miles")
+    with pytest.raises(ValueError, match="count"):
+        taut.Sampler(net).draw(-1)
+    with pytest.raises(ValueError, match="training sample 99"):
+        taut.train(net, taut.Sampler(net).draw(5), samples=[99])

@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against studies that are not those of the program."""
+
+import json
+import subprocess
+
+import pytest
+import taut
+
+
+def test_the_papers_experiment_is_that_of_the_program(net, tmp_path):
+    net.save(tmp_path / "net.json")
+    command = [
+        "taut",
+        "reproduce",
+        "--net",
+        tmp_path / "net.json",
+        "--samples",
+        "40",
+        "--validation",
+        "5",
+    ]
+    subprocess.run([*command, "-o", tmp_path / "out"], check=True, capture_output=True)
+    theirs = json.loads((tmp_path / "out" / "results.json").read_text())
+    loaded = taut.CableNet.load(tmp_path / "net.json")
+    ours = taut.reproduce(loaded, samples=40, validation=5)
+    assert ours["errors"] == theirs["errors"]
+    assert ours["methods"]["gp"]["mse"] == theirs["methods"]["gp"]["mse"]
+
+
+def test_methods_beside_each_other(net):
+    made = taut.compare(
+        net, noises=[5e-4], training_samples=[50], hidden_parts=[], surveys=3, seed=2
+    )
+    methods = {row["method"] for row in made["rows"]}
+    assert {"gp", "map"} <= methods
+    with pytest.raises(ValueError, match="surveys"):
+        taut.compare(net, surveys=0)
+    with pytest.raises(ValueError, match="noise"):
+        taut.compare(net, noises=[])

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against a survey on the wrong nodes, or of other noise than was told."""
+
+import numpy as np
+import pytest
+import taut
+
+
+def rows(columns):
+    """The columns as taut's own CSV."""
+    names = list(columns)
+    lines = [",".join(names).replace("id", "node")]
+    for row in zip(*columns.values(), strict=True):
+        lines.append(",".join(str(one) for one in row))
+    return "\n".join(lines) + "\n"
+
+
+def test_a_mapping_a_frame_and_a_file_are_one_survey(net, columns, tmp_path):
+    pandas = pytest.importorskip("pandas")
+    of_mapping = taut.read_survey(net, columns)
+    of_frame = taut.read_survey(net, pandas.DataFrame(columns))
+    path = tmp_path / "survey.csv"
+    path.write_text(rows(columns))
+    of_file = taut.read_survey(net, path)
+    for survey in (of_frame, of_file):
+        assert np.array_equal(survey.form, of_mapping.form)
+        assert np.array_equal(survey.noise_std, of_mapping.noise_std)
+        assert survey.surveyed.tolist() == net.free_nodes.tolist()
+    table = of_mapping.to_dataframe(net)
+    assert table.x.to_numpy() == pytest.approx(of_mapping.form[of_mapping.surveyed, 0])
+
+
+def test_an_array_is_put_on_nodes_by_names_or_by_place(net, positions):
+    names = [net.node_id(int(k)) for k in net.free_nodes]
+    by_name = taut.read_survey(net, positions, ids=names, noise=1e-3)
+    by_number = taut.read_survey(net, positions, ids=net.free_nodes, noise=1e-3)
+    by_place = taut.read_survey(net, positions[::-1], noise=1e-3)
+    assert np.array_equal(by_name.form, by_place.form)
+    assert np.array_equal(by_name.form, by_number.form)
+    assert np.all(by_name.noise_std[net.free_nodes] == 1e-3)
+    assert "noise 1 mm" in repr(by_name)
+
+
+def test_what_was_not_measured_is_missing(net, positions):
+    survey = taut.read_survey(net, positions[1:], noise=1e-3)
+    assert survey.missing.tolist() == [net.free_nodes[0]]
+
+
+def test_noise_of_each_point(net, positions):
+    noise = np.full_like(positions, 1e-3)
+    noise[:, 2] = 2e-3
+    survey = taut.read_survey(net, positions, ids=net.free_nodes, noise=noise)
+    assert np.array_equal(survey.noise_std[net.free_nodes], noise)
+    same = taut.read_survey(net, positions, ids=net.free_nodes, noise=(1e-3, 1e-3, 2e-3))
+    assert np.array_equal(same.noise_std, survey.noise_std)
+
+
+def test_millimetres_are_told(net, positions):
+    survey = taut.read_survey(net, positions * 1e3, ids=net.free_nodes, noise=1e-3, unit="mm")
+    assert survey.form[net.free_nodes] == pytest.approx(positions)
+
+
+@pytest.mark.parametrize(
+    ("source", "settings", "error", "words"),
+    [
+        (np.zeros((3, 2)), {}, ValueError, r"positions.*\(3, 2\)"),
+        ({"x": [1.0], "y": [1.0]}, {}, ValueError, "expected x, y and z"),
+        ({"x": [1.0], "y": [1.0], "z": [1.0], "sx": [1.0]}, {}, ValueError, "sx, sy, sz"),
+        (np.zeros((3, 3)), {"ids": ["1"]}, ValueError, "ids: got 1 names, expected 3"),
+        (np.zeros((3, 3)), {"ids": ["a", "b", "c"]}, ValueError, "0 of 3 targets"),
+        (np.zeros((0, 3)), {}, ValueError, "none"),
+        (np.full((2, 3), np.nan), {}, ValueError, "not finite"),
+        (np.zeros((2, 3)), {"noise": -1.0}, ValueError, "-1"),
+        (np.zeros((2, 3)), {"noise": np.nan}, ValueError, "nan"),
+        (np.zeros((2, 3)), {"frame": "mine"}, ValueError, "frame: got 'mine'"),
+        (np.zeros((2, 3)), {"unit": "ell"}, ValueError, "unit: got 'ell'"),
+        (np.zeros((2, 3)), {"match": "luck"}, ValueError, "match: got 'luck'"),
+        (7, {}, ValueError, "positions"),
+        (None, {}, TypeError, "positions"),
+        ("absent.csv", {}, ValueError, "absent.csv"),
+        ("absent.csv", {"ids": ["1"]}, ValueError, "ids"),
+    ],
+)
+def test_what_cannot_be_a_survey_is_refused_by_name(net, source, settings, error, words):
+    with pytest.raises(error, match=words):
+        taut.read_survey(net, source, **settings)
