@@ -163,7 +163,7 @@ ImportedNet import_net(const ImportedStructure& structure, const ImportSettings&
         net = make_net(selected, std::move(data));
     }
     describe(net, report);
-    return {.net = std::move(net), .report = std::move(report)};
+    return {.net = net, .report = std::move(report)};
 }
 
 }  // namespace taut

@@ -184,7 +184,7 @@ std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& contr
 
 /// What was read, brought to the nodes of the net.
 /// @param file for messages
-Survey put_on_nodes(const CableNet& net, SurveyFile found, const std::filesystem::path& file,
+Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesystem::path& file,
                     const ReadSurveyOptions& options) {
     const std::vector<SurveyPoint> as_read = found.points;
     const RoundedNoise noise = with_rounding(net, options, found);

@@ -38,9 +38,9 @@ struct Sampler::State {
     FormSensitivity sensitivity;
     mutable tbb::enumerable_thread_specific<EquilibriumSolver> solvers;
 
-    State(CableNet cable_net, const LengthLaw& with_law, std::uint64_t with_seed,
+    State(const CableNet& cable_net, const LengthLaw& with_law, std::uint64_t with_seed,
           const std::vector<Unknown>& with_unknowns)
-        : net(std::move(cable_net)),
+        : net(cable_net),
           law(with_law),
           seed(with_seed),
           unknowns(with_unknowns),
