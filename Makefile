@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test wheel examples bench reference lint format sanitize fuzz clean
+.PHONY: help build demo test wheel examples bench reference docs lint format sanitize fuzz clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -48,6 +48,10 @@ bench: ## run the benchmarks
 reference: ## build the API reference in build/reference
 	scripts/install_dependencies.sh reference
 	scripts/reference.sh
+
+docs: build reference ## build the site of docs/ in build/site
+	scripts/install_dependencies.sh build python reference
+	scripts/docs.sh
 
 lint: ## check format, names, rooms and licence lines
 	scripts/install_dependencies.sh lint

@@ -25,16 +25,65 @@ MAY_INCLUDE = {
     "survey": ["net"],
     "sampling": ["numerics", "net", "statics"],
     "estimation": ["numerics", "net", "statics", "survey", "sampling"],
-    "identification": ["platform", "numerics", "net", "gp", "statics", "survey", "sampling", "estimation"],
-    "adjustment": ["numerics", "net", "statics", "survey", "sampling", "estimation", "identification"],
-    "study": ["numerics", "net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification",
-              "adjustment"],
+    "identification": [
+        "platform",
+        "numerics",
+        "net",
+        "gp",
+        "statics",
+        "survey",
+        "sampling",
+        "estimation",
+    ],
+    "adjustment": [
+        "numerics",
+        "net",
+        "statics",
+        "survey",
+        "sampling",
+        "estimation",
+        "identification",
+    ],
+    "study": [
+        "numerics",
+        "net",
+        "gp",
+        "statics",
+        "design",
+        "survey",
+        "sampling",
+        "estimation",
+        "identification",
+        "adjustment",
+    ],
     "files": ["platform"],
     "interchange": ["net", "statics", "design", "survey", "files"],
-    "io": ["net", "gp", "statics", "design", "survey", "sampling", "identification", "files",
-           "interchange"],
-    "results": ["net", "gp", "statics", "design", "survey", "sampling", "estimation", "identification",
-                "adjustment", "study", "files", "interchange", "io"],
+    "io": [
+        "net",
+        "gp",
+        "statics",
+        "design",
+        "survey",
+        "sampling",
+        "identification",
+        "files",
+        "interchange",
+    ],
+    "results": [
+        "net",
+        "gp",
+        "statics",
+        "design",
+        "survey",
+        "sampling",
+        "estimation",
+        "identification",
+        "adjustment",
+        "study",
+        "files",
+        "interchange",
+        "io",
+    ],
     "report": ["files", "results"],
 }
 
@@ -45,7 +94,7 @@ def room_of(path):
     """The room of a repository path, None for what stands outside of all rooms (version, apps)."""
     for root in ("include/taut/", "src/"):
         if path.startswith(root):
-            parts = path[len(root):].split("/")
+            parts = path[len(root) :].split("/")
             return parts[0] if len(parts) > 1 else None
     return None
 
@@ -68,8 +117,14 @@ def problem_with(path, quote, name):
     room = room_of(path)
     is_public = path.startswith("include/")
     if target is None:
-        if is_public and ("/" in name or name.endswith(".h")) and not name.startswith(("Eigen/", "taut/export/")):
-            return f"public header includes <{name}>, allowed are the standard library, Eigen and taut"
+        if (
+            is_public
+            and ("/" in name or name.endswith(".h"))
+            and not name.startswith(("Eigen/", "taut/export/"))
+        ):
+            return (
+                f"public header includes <{name}>, allowed are the standard library, Eigen and taut"
+            )
         return None
     if is_public and not target.startswith("include/"):
         return f"public header includes the private '{name}'"
@@ -108,17 +163,27 @@ def check_table(root):
     """Whether docs/architecture.md shows the same rooms in the same order, each with what it may
     include, and whether each includes only rooms above it."""
     problems = []
-    rows = re.findall(r"^\| `(\w+)` \|.*\| ([\w, ]*)\|$",
-                      (root / "docs/architecture.md").read_text(encoding="utf-8"), re.MULTILINE)
-    shown = {room: [name.strip() for name in names.split(",") if name.strip()] for room, names in rows}
+    rows = re.findall(
+        r"^\| `(\w+)` \|.*\| ([\w, ]*)\|$",
+        (root / "docs/architecture.md").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+    shown = {
+        room: [name.strip() for name in names.split(",") if name.strip()] for room, names in rows
+    }
     if list(shown) != list(MAY_INCLUDE):
         problems.append(f"docs/architecture.md: rooms {list(shown)}, expected {list(MAY_INCLUDE)}")
     for room, names in MAY_INCLUDE.items():
         if shown.get(room, names) != names:
-            problems.append(f"docs/architecture.md: '{room}' includes {shown[room]}, expected {names}")
-        above = list(MAY_INCLUDE)[:list(MAY_INCLUDE).index(room)]
-        problems += [f"check_rooms.py: '{room}' may include '{name}', which is not above it"
-                     for name in names if name not in above]
+            problems.append(
+                f"docs/architecture.md: '{room}' includes {shown[room]}, expected {names}"
+            )
+        above = list(MAY_INCLUDE)[: list(MAY_INCLUDE).index(room)]
+        problems += [
+            f"check_rooms.py: '{room}' may include '{name}', which is not above it"
+            for name in names
+            if name not in above
+        ]
     return problems
 
 
@@ -155,8 +220,10 @@ def self_test():
             (root / path).write_text(f"#include {include}\n", encoding="utf-8")
         named = {problem.split(":")[0] for problem in check(root)}
     wrong = [case for case in cases if (case[0] in named) != case[2]]
-    return [f"self-test: {path} with #include {include}: expected {'an error' if bad else 'none'}"
-            for path, include, bad in wrong]
+    return [
+        f"self-test: {path} with #include {include}: expected {'an error' if bad else 'none'}"
+        for path, include, bad in wrong
+    ]
 
 
 def main():

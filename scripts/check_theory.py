@@ -15,8 +15,12 @@ ROOMS = ("adjustment", "estimation", "identification", "numerics", "survey")
 def main():
     page = (ROOT / "docs/theory.md").read_text(encoding="utf-8")
     tags = re.findall(r"\\tag\{([^}]+)\}", page)
-    problems = [f"docs/theory.md: (({tag})) is there twice" for tag in set(tags) if tags.count(tag) > 1]
-    problems += [f"docs/theory.md: **({tag})** tells no place" for tag in tags if f"**({tag})**" not in page]
+    problems = [
+        f"docs/theory.md: (({tag})) is there twice" for tag in set(tags) if tags.count(tag) > 1
+    ]
+    problems += [
+        f"docs/theory.md: **({tag})** tells no place" for tag in tags if f"**({tag})**" not in page
+    ]
     for file in re.findall(r"`((?:src|include|scripts)/[\w/.]+)`", page):
         if not (ROOT / file).exists():
             problems.append(f"docs/theory.md: {file} is not there")
@@ -29,9 +33,13 @@ def main():
                 for tag in tags:
                     if f"({tag})" in comments:
                         named.setdefault(tag, file)
-                for other in re.findall(r"docs/theory\.md[,:]? \(([a-z -]+)\)", re.sub(r"\s*\n\s*///?\s*", " ", text)):
+                for other in re.findall(
+                    r"docs/theory\.md[,:]? \(([a-z -]+)\)", re.sub(r"\s*\n\s*///?\s*", " ", text)
+                ):
                     if other not in tags:
-                        problems.append(f"{file.relative_to(ROOT)}: ({other}) is not in docs/theory.md")
+                        problems.append(
+                            f"{file.relative_to(ROOT)}: ({other}) is not in docs/theory.md"
+                        )
     problems += [f"docs/theory.md: no source names ({tag})" for tag in tags if tag not in named]
     print("\n".join(problems), end="\n" if problems else "")
     return 1 if problems else 0

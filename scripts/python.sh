@@ -4,16 +4,17 @@
 #
 # The Python package. Everything is built in build/release, where `make build` and `make test` have
 # built the libraries, and goes into build/python.
+#   build   a wheel for this machine, in build/python/dist
 #   wheel   a wheel that brings all libraries along, in build/python/wheels
 #   test    a wheel for this machine, installed into a fresh environment, and its tests there
 #   lint    format and names of all Python sources, by ruff
-# Usage: scripts/python.sh wheel|test|lint [argument of pytest]...
+# Usage: scripts/python.sh build|wheel|test|lint [argument of pytest]...
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 task="${1:-}"
-if [[ ! "$task" =~ ^(wheel|test|lint)$ ]]; then
-    echo "python.sh: got '$task', expected wheel, test or lint" >&2
+if [[ ! "$task" =~ ^(build|wheel|test|lint)$ ]]; then
+    echo "python.sh: got '$task', expected build, wheel, test or lint" >&2
     exit 2
 fi
 shift
@@ -36,6 +37,9 @@ fi
 rm -rf "$into/dist"
 "$tools/pip" wheel . --no-deps --no-build-isolation --wheel-dir "$into/dist" -C build-dir=build/release
 
+if [[ "$task" == build ]]; then
+    exit 0
+fi
 if [[ "$task" == wheel ]]; then
     rm -rf "$into/wheels"
     PATH="$PWD/$tools:$PATH" "$tools/auditwheel" repair --strip --wheel-dir "$into/wheels" \

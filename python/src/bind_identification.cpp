@@ -369,7 +369,8 @@ Args:
     law: of the length deviations, 'uniform:5mm'; found from the survey where it contradicts.
     model: of train(), for 'gp'.
     readings: tensions read, (edge, tension [N], std [N]) each.
-    taut, slack: edges seen to carry tension, or none.
+    taut: edges seen to carry tension.
+    slack: edges seen to carry none.
     unknowns: what else is not known, as in 'stiffness:5%', 'supports:1mm'.
     draws: of the posterior, by which tensions get their intervals; 200 unless told.
     covariance_of: interior edges whose lengths' covariances are wanted.

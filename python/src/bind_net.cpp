@@ -145,8 +145,11 @@ Args:
     unstressed_lengths: (m,) [m].
     adjustable: edges with a turnbuckle; those at supports unless told.
     loads: (n, 3) external forces [N].
-    name, node_ids, edge_ids: names, for messages and files.
-    tension_laws: piecewise linear laws, and with tension_law (m,) which edge has which, -1: none.
+    name: of the net.
+    node_ids: names of nodes (n,), for messages and files.
+    edge_ids: names of edges (m,).
+    tension_laws: piecewise linear laws.
+    tension_law: which of them each edge has (m,), -1: none.
     groups: named lists of edges.
     mass: of a metre of edge (m,), or one number [kg/m].
     expansion: thermal strain by temperature (m,), or one number [1/K].
@@ -213,15 +216,16 @@ Raises:
         [](const nb::args& args, const nb::kwargs& settings) {
             return of_package("taut.compas", "net_of_compas")(*args, **settings);
         },
-        nb::sig("def from_compas(structure: object, *, name: str | None = None, "
+        nb::sig("def from_compas(structure: object, *, name: str | None = None, select: str = '', "
                 "axial_stiffness: float | None = None, young: float | None = None, "
                 "diameter: float | None = None, diameter_attribute: str = '', "
                 "force_unit: float | None = None, supports: Sequence[object] | None = None, "
                 "boundary: bool = False, loads: str = 'file') -> CableNet"),
-        R"(A net from a COMPAS 2 Mesh or Graph (Network): its edges' forces or force densities, and how
-stiff cables are, make their unstressed lengths.
+        R"(A net from a COMPAS 2 Mesh or Graph (Network), or from the path of a file of COMPAS 1 or 2: its
+edges' forces or force densities, and how stiff cables are, make their unstressed lengths.
 
 Args:
+    select: key of the structure, where a file holds several.
     axial_stiffness: EA of edges that do not tell their own [N]; or young [Pa] with diameter [m],
         or the name of the edges' attribute that holds their diameter.
     force_unit: of the structure's forces [N]; 1000 where they are in kN.
@@ -234,7 +238,7 @@ Raises:
     ImportError: without COMPAS 2.
 
 Warns:
-    of what does not fit together, and what was assumed.)");
+    UserWarning: of what does not fit together.)");
     net.def_static(
         "from_jax_fdm",
         [](const nb::args& args, const nb::kwargs& settings) {

@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+import os
 import warnings
+from pathlib import Path
 
 import numpy as np
 
@@ -32,6 +34,7 @@ def net_of_compas(
     structure,
     *,
     name=None,
+    select="",
     axial_stiffness=None,
     young=None,
     diameter=None,
@@ -42,10 +45,22 @@ def net_of_compas(
     loads="file",
 ):
     """CableNet.from_compas()."""
+    if isinstance(structure, (str, os.PathLike)):
+        path = Path(structure)
+        try:
+            text = path.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise _taut.InputError(f"{path}: cannot be read: {error}") from error
+        name = name or str(path)
+    else:
+        if select:
+            raise ValueError("select: is for a file, and structure is none")
+        text = _json_of(structure)
+        name = name or getattr(structure, "name", None) or "compas"
     return _net_of_json(
-        _json_of(structure),
-        name or getattr(structure, "name", None) or "compas",
-        "",
+        text,
+        name,
+        select,
         axial_stiffness=axial_stiffness,
         young=young,
         diameter=diameter,

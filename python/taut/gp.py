@@ -40,7 +40,7 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         leave_one_out_rmse_: of each output (m,), of predictions at each input, trained without it.
     """
 
-    def __init__(self, relative_tolerance=1e-7, max_spectra=12):
+    def __init__(self, relative_tolerance: float = 1e-7, max_spectra: int = 12):
         self.relative_tolerance = relative_tolerance
         self.max_spectra = max_spectra
 

@@ -12,14 +12,19 @@ form has a kink, and the gradient is that of one side.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from taut import _taut
 
 __all__ = ["form_vjp", "jax_form", "torch_form"]
 
 
-def form_vjp(net, unstressed_lengths, *, start=None):
+def form_vjp(
+    net: _taut.CableNet, unstressed_lengths: ArrayLike, *, start: ArrayLike | None = None
+) -> tuple[NDArray[np.float64], Callable[[ArrayLike], NDArray[np.float64]]]:
     """The form for some lengths, and its vector-Jacobian product.
 
     Args:
@@ -28,8 +33,8 @@ def form_vjp(net, unstressed_lengths, *, start=None):
         start: form to begin from (n, 3); the net's nodes unless told [m].
 
     Returns:
-        form (n, 3) [m], and a function of a cotangent (n, 3) that gives the gradient with respect
-        to unstressed_lengths (m,).
+        The form (n, 3) [m], and a function of a cotangent (n, 3) that gives the gradient with
+            respect to unstressed_lengths (m,).
 
     Raises:
         ArithmeticError: where forces do not balance: there is no form to derive.
@@ -52,7 +57,7 @@ def form_vjp(net, unstressed_lengths, *, start=None):
     return found.form, pullback
 
 
-def jax_form(net):
+def jax_form(net: _taut.CableNet) -> Callable:
     """form(lengths) for jax.grad and jax.jit: (m,) to (n, 3), by reverse mode.
 
     JAX computes in single precision unless told: jax.config.update("jax_enable_x64", True).
@@ -92,7 +97,7 @@ def jax_form(net):
     return form
 
 
-def torch_form(net):
+def torch_form(net: _taut.CableNet) -> Callable:
     """form(lengths) for torch.autograd: (m,) to (n, 3), on the CPU."""
     try:
         import torch

@@ -50,8 +50,8 @@ def net_html(net) -> str:
         '<circle cx="{:.1f}" cy="{:.1f}" r="3"/>'.format(*places[k]) for k in net.supports
     )
     return (
-        f"<figure style='margin:0'><svg width='{width:.0f}' height='{height:.0f}' "
-        "xmlns='http://www.w3.org/2000/svg'>"
+        f"<figure style='margin:0'><svg viewBox='0 0 {width:.0f} {height:.0f}' "
+        f"style='max-width:{width:.0f}px;width:100%' xmlns='http://www.w3.org/2000/svg'>"
         f"<path d='{path(net.interior_edges)}' stroke='#5b6b7b' fill='none'/>"
         f"<path d='{path(net.adjustable_edges)}' stroke='#d9480f' stroke-width='1.5' fill='none'/>"
         f"<g fill='#1f2933'>{dots}</g></svg>"

@@ -248,7 +248,7 @@ def _plan(result):
 _OF = {"taut-study": _study, "taut-identification": _identification, "taut-plan": _plan}
 
 
-def figures(result):
+def figures(result: dict) -> dict[str, Figure]:
     """The figures of a result: {name: matplotlib.figure.Figure}.
 
     Args:
@@ -266,7 +266,7 @@ def figures(result):
         return dict(_OF[form](result))
 
 
-def save_figures(result, folder, *, file_format="pdf"):
+def save_figures(result: dict, folder: str | Path, *, file_format: str = "pdf") -> list[Path]:
     """Writes the figures of a result into a folder, and gives their paths."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)

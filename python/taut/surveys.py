@@ -5,9 +5,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from taut import _taut
 
@@ -58,16 +59,16 @@ def _noise(noise, count):
 
 
 def read_survey(
-    net,
-    source,
+    net: _taut.CableNet,
+    source: str | os.PathLike[str] | ArrayLike | Mapping[str, ArrayLike],
     *,
-    ids=None,
-    noise=None,
-    frame="auto",
-    control=None,
-    unit=None,
-    match="auto",
-):
+    ids: Iterable[object] | None = None,
+    noise: ArrayLike | None = None,
+    frame: str = "auto",
+    control: str | os.PathLike[str] | None = None,
+    unit: str | None = None,
+    match: str = "auto",
+) -> _taut.Survey:
     """A survey of the net's form, from whatever holds one.
 
     Args:
@@ -85,7 +86,7 @@ def read_survey(
         match: what tells a point's node: its 'name', its 'place', or 'auto'.
 
     Returns:
-        Survey: read its warnings and notes, which tell how the source was understood.
+        The survey: read its warnings and notes, which tell how the source was understood.
 
     Raises:
         InputError: naming the file, the place in it and the rule.

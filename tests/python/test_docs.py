@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Runs what docs/python.md and README.md show, as it stands."""
+"""Runs the Python that README.md and docs/ show, as it stands."""
 
 import re
 import warnings
@@ -40,6 +40,15 @@ def test_the_page_of_python(tmp_path, monkeypatch, capsys):
     assert names["best"].fun < 0.1 * names["distance"](names["start"])[0]
     assert (tmp_path / "turns.csv").exists()
     assert np.array_equal(names["again"].form, names["named"].form)
+
+
+def test_the_page_by_task(tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for block in blocks("docs/howto.md"):
+        exec(block, names)
+    assert (tmp_path / "figures" / "length_intervals.pdf").exists()
 
 
 def test_the_lines_of_the_readme(tmp_path, monkeypatch, capsys):

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Guards against a net from COMPAS or JAX FDM that is not in equilibrium where it was there."""
 
-import json
 import os
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -72,20 +72,23 @@ def test_a_real_net_of_compas():
     path = REAL / "texas" / "texas.fofin"
     if not path.exists():
         pytest.skip(f"{path} is not there (TAUT_REAL_DATA)")
-    data = json.loads(path.read_text())["cablenet"]
-    # Files of COMPAS 1: vertices, faces and attributes by name.
-    keys = {key: k for k, key in enumerate(data["vertex"])}
-    mesh = Mesh.from_vertices_and_faces(
-        [[v["x"], v["y"], v["z"]] for v in data["vertex"].values()],
-        [[keys[str(key)] for key in cycle] for cycle in data["face"].values()],
-    )
-    mesh.update_default_edge_attributes(q=1.0)
-    for key, attributes in data["vertex"].items():
-        if attributes.get("is_anchor"):
-            mesh.vertex_attribute(keys[key], "is_anchor", True)
-    with pytest.warns(UserWarning, match="hardly any tension"):
-        net = taut.CableNet.from_compas(mesh, axial_stiffness=200e3)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        net = taut.CableNet.from_compas(path, select="cablenet", axial_stiffness=200e3)
+    assert any("l0 does not agree" in str(one.message) for one in told)
+    assert len(net.free_nodes) == 144
     assert taut.solve_equilibrium(net).is_balanced
+
+
+def test_a_file_of_compas(tmp_path):
+    compas.json_dump(grid(), tmp_path / "grid.json")
+    net = taut.CableNet.from_compas(tmp_path / "grid.json", axial_stiffness=200e3)
+    same = taut.CableNet.from_compas(grid(), axial_stiffness=200e3)
+    assert np.array_equal(net.unstressed_lengths, same.unstressed_lengths)
+    with pytest.raises(taut.InputError, match=r"absent\.json"):
+        taut.CableNet.from_compas(tmp_path / "absent.json")
+    with pytest.raises(ValueError, match="select"):
+        taut.CableNet.from_compas(grid(), select="net")
 
 
 class Structure:

@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""A hook of MkDocs: pages that are made of what is elsewhere in the repository."""
+
+import re
+import subprocess
+from pathlib import Path
+
+from mkdocs.structure.files import File
+
+ROOT = Path(__file__).parents[1]
+PROGRAM = ROOT / "build" / "taut"
+KATEX = ROOT / "build" / "docs" / "node_modules" / "katex" / "dist"
+RENDER = """
+document.addEventListener("DOMContentLoaded", () => renderMathInElement(document.body, {
+  delimiters: [
+    {left: "$", right: "$", display: false},
+    {left: "\\\\(", right: "\\\\)", display: false},
+    {left: "\\\\[", right: "\\\\]", display: true},
+  ],
+}));
+"""
+
+
+def help_of(*command):
+    told = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, check=True)
+    return told.stdout.strip()
+
+
+def program_page():
+    """Each command with its help."""
+    overview = help_of()
+    names = re.findall(r"^  ([a-z]+) ", overview.split("Subcommands:")[1], re.MULTILINE)
+    page = ["# The program", "```", overview, "```"]
+    for name in names:
+        page += [f"## taut {name}", "```", help_of(name), "```"]
+    return "\n\n".join(page).replace("```\n\n", "```\n").replace("\n\n```", "\n```") + "\n"
+
+
+def on_files(files, config):
+    pages = {
+        "program.md": program_page(),
+        "changelog.md": re.sub(
+            r"\]\(docs/", "](", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+        ),
+        "katex/render.js": RENDER,
+        "katex/page.css": ".katex-display {font-size: 0.8em; overflow: auto hidden}",
+    }
+    for name, content in pages.items():
+        files.append(File.generated(config, name, content=content))
+    for path in [KATEX / "katex.min.css", KATEX / "katex.min.js"]:
+        files.append(File.generated(config, f"katex/{path.name}", abs_src_path=str(path)))
+    path = KATEX / "contrib" / "auto-render.min.js"
+    files.append(File.generated(config, f"katex/{path.name}", abs_src_path=str(path)))
+    for path in sorted((KATEX / "fonts").glob("*.woff2")):
+        files.append(File.generated(config, f"katex/fonts/{path.name}", abs_src_path=str(path)))
+    return files
