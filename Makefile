@@ -38,6 +38,7 @@ wheel: ## build the Python package's wheel, with all libraries in it, in build/p
 examples: ## build and run the examples
 	scripts/install_dependencies.sh build
 	test -f build/release/build.ninja || $(configure) --preset release -DTAUT_BUILD_TESTS=OFF
+	$(configure) --preset release -DTAUT_BUILD_EXAMPLES=ON
 	cmake --build --preset release --target taut_examples
 	ctest --preset examples
 

@@ -34,6 +34,9 @@ if [[ "$task" == lint ]]; then
     exit
 fi
 
+# As `make build` does, so that what pip builds there need not be built again.
+[[ -f build/release/build.ninja ]] ||
+    cmake --log-level=WARNING --preset release -DTAUT_BUILD_TESTS=OFF
 rm -rf "$into/dist"
 "$tools/pip" wheel . --no-deps --no-build-isolation --wheel-dir "$into/dist" -C build-dir=build/release
 
