@@ -137,7 +137,11 @@ anything = st.one_of(
 )
 refused = (ValueError, TypeError, OverflowError, OSError, IndexError, MemoryError)
 without_deadline = settings(
-    deadline=None, max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    database=None,
+    deadline=None,
+    derandomize=True,
+    max_examples=300,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
 
 
