@@ -96,27 +96,30 @@ def compas_of_net(net, form=None):
 
 def net_of_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, name="jax-fdm"):
     """CableNet.from_jax_fdm()."""
-    nodes = getattr(structure, "num_nodes", None)
-    edges = getattr(structure, "edges", None)
-    fixed = getattr(structure, "indices_fixed", None)
-    if fixed is None:
-        fixed = getattr(structure, "nodes_fixed", None)
-    if nodes is None or edges is None or fixed is None or callable(edges):
+    told = [getattr(structure, name, None) for name in ("nodes", "edges", "indices_fixed")]
+    if any(one is None or callable(one) for one in told):
         raise TypeError(
             f"structure: got {type(structure).__name__}, expected an EquilibriumStructure of "
             "JAX FDM"
         )
-    edges = np.asarray(edges, dtype=int)
-    fixed = np.flatnonzero(fixed) if np.asarray(fixed).dtype == bool else np.asarray(fixed, int)
+    keys, edges, fixed = (np.asarray(one, dtype=int) for one in told)
+    # Edges name nodes by their keys, which need be neither from 0 nor without gaps.
+    index = {int(key): k for k, key in enumerate(keys)}
+    edges = np.array([(index[int(s)], index[int(t)]) for s, t in edges], dtype=int)
     q = np.asarray(q, dtype=float)
     if q.shape != (len(edges),):
         raise ValueError(f"q: got the shape {q.shape}, expected ({len(edges)},)")
+    if not (q > 0.0).all():
+        worst = int(np.argmin(np.where(np.isnan(q), -np.inf, q)))
+        raise ValueError(
+            f"q: got {q[worst]} at edge {worst}, expected above 0: cables carry tension"
+        )
     if xyz_fixed is None:
         raise ValueError("xyz_fixed: not told, expected the places of the fixed nodes (f, 3)")
     xyz_fixed = np.asarray(xyz_fixed, dtype=float)
     if xyz_fixed.shape != (len(fixed), 3):
         raise ValueError(f"xyz_fixed: got the shape {xyz_fixed.shape}, expected ({len(fixed)}, 3)")
-    places = np.zeros((int(nodes), 3))
+    places = np.zeros((len(keys), 3))
     places[fixed] = xyz_fixed
     form = _taut.form_from_force_densities(places, fixed, edges, q, loads)
     lengths = np.linalg.norm(form[edges[:, 0]] - form[edges[:, 1]], axis=1)
@@ -128,4 +131,5 @@ def net_of_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None,
         _taut.unstressed_lengths_for(lengths, q * lengths, axial_stiffness),
         loads=loads,
         name=name,
+        node_ids=[str(key) for key in keys],
     )

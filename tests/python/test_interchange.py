@@ -92,10 +92,10 @@ def test_a_file_of_compas(tmp_path):
 
 
 class Structure:
-    """What an EquilibriumStructure of JAX FDM tells."""
+    """What an EquilibriumStructure of JAX FDM tells; its nodes have keys with gaps."""
 
-    num_nodes = 5
-    edges = np.array([(0, 1), (0, 2), (0, 3), (0, 4)])
+    nodes = np.array([7, 10, 20, 30, 40])
+    edges = np.array([(7, 10), (7, 20), (7, 30), (7, 40)])
     indices_fixed = np.array([1, 2, 3, 4])
 
 
@@ -103,12 +103,17 @@ def test_a_structure_of_jax_fdm():
     fixed = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0.5], [0, -1, 0.5]], dtype=float)
     q = np.array([1e3, 1e3, 2e3, 2e3])
     net = taut.CableNet.from_jax_fdm(Structure(), q, xyz_fixed=fixed, axial_stiffness=100e3)
+    assert net.node_id(4) == "40"
     form = taut.solve_equilibrium(net).form
     assert form[0] == pytest.approx((q[:, None] * fixed).sum(axis=0) / q.sum(), abs=1e-9)
     tension = taut.tensions(net, net.unstressed_lengths, form)
     assert tension == pytest.approx(q * taut.edge_lengths(net, form), rel=1e-9)
     with pytest.raises(ValueError, match="q: got the shape"):
         taut.CableNet.from_jax_fdm(Structure(), q[:2], xyz_fixed=fixed, axial_stiffness=1e5)
+    with pytest.raises(ValueError, match=r"q: got -1000\.0 at edge 2"):
+        taut.CableNet.from_jax_fdm(
+            Structure(), q * [1, 1, -0.5, 1], xyz_fixed=fixed, axial_stiffness=1e5
+        )
     with pytest.raises(ValueError, match="xyz_fixed"):
         taut.CableNet.from_jax_fdm(Structure(), q, xyz_fixed=fixed[:2], axial_stiffness=1e5)
     with pytest.raises(TypeError, match="structure: got int"):
