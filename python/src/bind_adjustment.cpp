@@ -5,6 +5,7 @@
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/pair.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -80,6 +81,7 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
                         .confidence = confidence,
                         .actuator_std = actuator_std,
                         .tolerance = tolerance};
+    std::ranges::sort(options.edges);
     if (turn) {
         options.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
     } else if (step) {
@@ -178,6 +180,9 @@ void bind_plan(nb::module_& module) {
             },
             "Planned (m,) [N].")
         .def_ro("net", &Planned::net, "As designed.")
+        .def_prop_ro(
+            "trust", [](const Planned& self) { return to_string(self.trust.verdict()); },
+            "Of the identification that it stands on: 'passed', 'doubtful' or 'failed'.")
         .def(
             "to_dataframe",
             [](nb::handle_t<Planned> self) {
@@ -215,11 +220,14 @@ void bind_plan(nb::module_& module) {
         .def("__repr__", [](const Planned& self) {
             return fmt::format(
                 "Plan({} of {} edges, by at most {:.2f} mm; {}; along the normal "
-                "{:.2f} mm RMS, {:.2f} mm as built)",
+                "{:.2f} mm RMS, {:.2f} mm as built{})",
                 self.plan.strokes.size(), self.options.edges.size(),
                 1e3 * self.plan.largest_stroke(),
                 self.plan.is_feasible ? "limits are kept" : "LIMITS ARE BROKEN",
-                1e3 * self.plan.planned.normal_rmse, 1e3 * self.plan.as_built.normal_rmse);
+                1e3 * self.plan.planned.normal_rmse, 1e3 * self.plan.as_built.normal_rmse,
+                self.trust.verdict() == Trust::Verdict::passed
+                    ? ""
+                    : fmt::format("; the identification is {}", to_string(self.trust.verdict())));
         });
 }
 

@@ -6,6 +6,7 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -301,6 +302,7 @@ void bind_prospect(nb::module_& module) {
             Survey survey;
             survey.form = nominal.form;
             survey.surveyed = targets ? indices_argument(*targets, "targets") : net.free_nodes();
+            std::ranges::sort(survey.surveyed);
             survey.noise_std = Points::Constant(3, net.node_count(), noise);
             for (const int node : net.free_nodes()) {
                 if (!std::ranges::binary_search(survey.surveyed, node)) {
@@ -317,7 +319,7 @@ void bind_prospect(nb::module_& module) {
         R"(What a survey can tell, before it is made.
 
 Args:
-    targets: free nodes that are to be surveyed, ascending; all unless told.
+    targets: free nodes that are to be surveyed; all unless told.
     noise: standard deviation of each coordinate [m].
     law: of the length deviations.
     unknowns: what else is not known, as in 'stiffness:5%'.)");

@@ -31,6 +31,19 @@ def test_whole_steps_limits_and_crews(found, tmp_path):
     assert len(plan.to_csv().splitlines()) > len(plan.edges)
 
 
+def test_edges_come_in_any_order(found):
+    edges = found.net.adjustable_edges
+    assert np.array_equal(taut.plan(found, edges=edges[::-1]).strokes, taut.plan(found).strokes)
+
+
+def test_a_plan_on_a_doubtful_identification_says_so(found, survey):
+    assert taut.plan(found).trust == found.trust == "passed"
+    few = taut.identify(found.net, survey, law="uniform:0.2mm", draws=0)
+    assert few.trust != "passed"
+    plan = taut.plan(few)
+    assert f"the identification is {few.trust}" in repr(plan)
+
+
 def test_a_table_of_strokes(found):
     pytest.importorskip("pandas")
     plan = taut.plan(found)

@@ -106,6 +106,8 @@ def test_the_prospect_of_a_survey(net):
     all_targets = taut.inspect(net, noise=0.5e-3)
     some = taut.inspect(net, targets=net.free_nodes[::2], noise=0.5e-3)
     assert np.all(some.std >= all_targets.std - 1e-12)
+    turned_round = taut.inspect(net, targets=net.free_nodes[::2][::-1], noise=0.5e-3)
+    assert np.array_equal(turned_round.std, some.std)
     with pytest.raises(ValueError, match="node"):
         taut.inspect(net, targets=[10**6])
 
