@@ -11,13 +11,10 @@ set(viewer_dir ${PROJECT_SOURCE_DIR}/viewer)
 
 if(TAUT_BUILD_VIEWER)
     set(viewer_page ${PROJECT_BINARY_DIR}/viewer/page.html)
-    set(viewer_sources build.mjs page.html style.css package.json
-        src/charts.ts src/colours.ts src/csv.ts src/details.ts src/dom.ts src/edge_lines.ts
-        src/format.ts src/inspector.ts src/legend.ts src/main.ts src/model.ts src/net_camera.ts
-        src/net_controls.ts src/net_section.ts src/node_dots.ts src/picking.ts src/plan_model.ts
-        src/plan_sections.ts src/plan_summary.ts src/result.ts src/result_schema.ts src/selection.ts
-        src/stroke_arrows.ts src/summary.ts src/table.ts src/tables.ts src/view.ts)
-    list(TRANSFORM viewer_sources PREPEND ${viewer_dir}/)
+    file(GLOB viewer_sources CONFIGURE_DEPENDS ${viewer_dir}/src/*.ts)
+    foreach(file build.mjs page.html style.css package.json)
+        list(APPEND viewer_sources ${viewer_dir}/${file})
+    endforeach()
     # What only type checks and tests need is left out, unless there are tests.
     set(omit --omit=dev)
     set(viewer_packages ${viewer_dir}/node_modules/.package-lock.json)

@@ -6,35 +6,12 @@
 
 #include <stdexcept>
 
-#include "report/figure_style.hpp"
-#include "report/figures.hpp"
 #include "report/markup.hpp"
 #include "report/viewer_page.hpp"
 
 namespace taut {
 namespace report {
 namespace {
-
-std::string html(const Figure& figure) {
-    std::string drawings;
-    for (const Drawing& drawing : figure.drawings) {
-        drawings += fmt::format("<div class=\"{}\" data-figure=\"{}\">{}</div>\n",
-                                drawing.width == full_width ? "wide" : "half", drawing.name,
-                                inline_svg(drawing));
-    }
-    return fmt::format(
-        "<figure>\n<h3>{}</h3>\n<div class=\"drawings\">\n{}</div>\n<figcaption>{}</figcaption>\n"
-        "</figure>\n",
-        escape(figure.heading), drawings, escape(figure.caption));
-}
-
-std::string all_html(const std::vector<Figure>& figures) {
-    std::string text;
-    for (const Figure& figure : figures) {
-        text += html(figure);
-    }
-    return text;
-}
 
 /// A result's own title: its net's name.
 std::string title(const ResultFile& result) {
@@ -77,10 +54,6 @@ std::string report_html(const ResultFile& result) {
     }
     const std::pair<std::string_view, std::string> parts[] = {
         {"<!--taut:title-->", escape(title(result))},
-        {"<!--taut:style-->",
-         fmt::format("{}@media screen and (prefers-color-scheme:dark){{\n{}}}\n", figure_style(),
-                     dark_figure_style())},
-        {"<!--taut:figures-->", all_html(result_figures(result))},
         {"<!--taut:result-->", in_script(result.json)},
     };
     std::string page;

@@ -365,19 +365,18 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Report, Refused,
     testing::Values(
-        Request{"missing_result", "report nothing.json --svg new", "nothing.json"},
-        Request{"truncated_result", "report truncated_result.json --svg new",
+        Request{"missing_result", "report nothing.json -o new.html", "nothing.json"},
+        Request{"truncated_result", "report truncated_result.json -o new.html",
                 "truncated_result.json:1:61"},
-        Request{"later_version", "report later_result.json --svg new",
+        Request{"later_version", "report later_result.json -o new.html",
                 "later_result.json:/version: is 2, expected 1"},
-        Request{"not_a_number", "report nan_result.json --svg new", "nan_result.json:1:"},
-        Request{"net_for_a_result", "report net.json --svg new", "net.json:/format"},
-        Request{"data_for_a_result", "report data.h5 --svg new", "is an HDF5 file"},
-        Request{"empty_result", "report empty --svg new", "empty:"},
-        Request{"nothing_to_write", "report result.json", "--svg"},
+        Request{"not_a_number", "report nan_result.json -o new.html", "nan_result.json:1:"},
+        Request{"net_for_a_result", "report net.json -o new.html", "net.json:/format"},
+        Request{"data_for_a_result", "report data.h5 -o new.html", "is an HDF5 file"},
+        Request{"empty_result", "report empty -o new.html", "empty:"},
+        Request{"nothing_to_write", "report result.json", "--output"},
         Request{"into_no_directory", "report result.json -o nowhere/report.html", "report"},
-        Request{"into_a_directory", "report result.json -o directory", "directory"},
-        Request{"svg_into_a_file", "report result.json --svg text", "text"}),
+        Request{"into_a_directory", "report result.json -o directory", "directory"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -139,11 +139,6 @@ TEST_F(Reproduce, TellsHowItCameAbout) {
 
 TEST_F(Reproduce, TheReportCanBeMadeAgainFromTheResultAlone) {
     reproduce("study");
-    must_run({"report", "study/results.json", "--svg", "figures"});
-    for (const std::string name : {"net_view", "net_plan", "length_deviations", "length_errors",
-                                   "form_error_nominal", "form_error_identified"}) {
-        EXPECT_THAT(read("figures/" + name + ".svg"), testing::StartsWith("<svg")) << name;
-    }
     const std::vector<std::string> report{"report", "study/results.json", "-o", "again.html"};
     if (has_report_viewer()) {
         must_run(report);

@@ -61,7 +61,7 @@ TEST_F(ReportHtml, HoldsTheWholeResult) {
 TEST_F(ReportHtml, ShowsMarkupInNamesAsText) {
     for (const std::string name :
          {"</script><script>alert(1)</script>", "<img src=x onerror=alert(1)>", "<!--<script>",
-          "<!--taut:figures-->"}) {
+          "<!--taut:result-->"}) {
         const std::string page = report_html(test::made_up_identification(net_named(name)));
         const std::string plain = report_html(test::made_up_identification(net_named("plain")));
         EXPECT_EQ(result_in(page)["net"]["name"], name);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-import { linkCharts } from "./charts";
 import { roundsSection } from "./control_sections";
 import { comparisonSection, frameSection, listsSection, paperSection, settingsSection } from "./details";
 import { byId, h } from "./dom";
+import { figuresSection } from "./figures";
 import { type Model, modelOfIdentification, modelOfStudy } from "./model";
 import { netSection } from "./net_section";
 import { modelOfPlan } from "./plan_model";
@@ -30,12 +30,13 @@ const firstShown = {
 /** After the page was drawn once. */
 const drawn = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
-/** Puts the page together around the figures, which stand in it already; the view comes last. */
+/** Puts the page together; the view comes last. */
 async function show(result: Result): Promise<void> {
   const main = byId("report");
-  const figures = byId("figures");
   const selection = new Selection();
   const model = modelOf(result);
+  const figures = figuresSection(result, model, selection);
+  main.append(figures);
   let start = (): void => {};
   main.before(summary(result));
   if (model) {
@@ -43,7 +44,6 @@ async function show(result: Result): Promise<void> {
     const net = netSection(model, selection, first.edge);
     start = net.start;
     figures.before(net.element);
-    linkCharts(model, selection);
     if (result.format === "taut-study") main.append(paperSection(result));
     if (result.format === "taut-identification") {
       const frame = frameSection(result);

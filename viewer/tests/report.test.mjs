@@ -92,7 +92,7 @@ test("a click on an edge in the view selects it in charts and table too", async 
   }, result.cable_net.edges[edge]);
   await page.click(".canvas canvas", { position: place });
   assert.equal(await inspected(page), `Edge ${edge}`);
-  assert.equal(await page.locator("#figures svg[data-chart] .mark.selected").count(), 4);
+  assert.equal(await page.locator("#figures .mark.selected").count(), 6);
   assert.equal(await page.textContent("#tables tr[aria-selected=true] td"), String(edge));
   await close(page);
 });
@@ -109,20 +109,73 @@ test("a click on a node in the view tells its place and values", async () => {
   await close(page);
 });
 
+/** Where edge i = index + 1 stands in a chart, told by two of its marks, and the chart's height. */
+function placeOfEdge(chart, index) {
+  return chart.evaluate((drawing, index) => {
+    const marks = [...drawing.querySelectorAll("[aria-label='x-axis tick label'] text")].filter((text) => text.textContent)
+      .map((text) => [Number(text.textContent), Number(/translate\(([\d.]+)/.exec(text.getAttribute("transform"))[1])]);
+    const [[a, atA], [b, atB]] = [marks[0], marks.at(-1)];
+    const frame = drawing.getBoundingClientRect();
+    const scale = frame.width / drawing.viewBox.baseVal.width;
+    return [scale * (atA + ((index + 1 - a) / (b - a)) * (atB - atA)), frame.height];
+  }, index);
+}
+
 test("a click in a chart selects the edge that stands there", async () => {
   const page = await open(reports.study.page);
   const chart = page.locator("[data-figure=length_deviations] svg");
   await chart.scrollIntoViewIfNeeded();
-  const { from, edge, box } = await chart.evaluate((svg) => {
-    const [low, high, from, to] = svg.dataset.x.split(" ").map(Number);
-    const frame = svg.getBoundingClientRect();
-    return { from: ((from + ((10 - low) / (high - low)) * (to - from)) * frame.width) / svg.viewBox.baseVal.width, edge: 9, box: frame.height };
-  });
-  await chart.click({ position: { x: from, y: box / 2 } });
+  const edge = 9;
+  const [x, height] = await placeOfEdge(chart, edge);
+  await chart.click({ position: { x, y: height / 2 } });
   const { adjustable, edges } = reports.study.result.cable_net;
   const interior = edges.map((_, e) => e).filter((e) => !adjustable.includes(e));
   assert.equal(await inspected(page), `Edge ${interior[edge]}`);
   await close(page);
+});
+
+test("a box drawn over a chart zooms to it, and the whole comes back", async () => {
+  const page = await open(reports.study.page);
+  const chart = page.locator("[data-figure=length_deviations] svg");
+  const labels = () => page.locator("[data-figure=length_deviations] [aria-label='x-axis tick label'] text").allTextContents();
+  const whole = await labels();
+  await chart.scrollIntoViewIfNeeded();
+  const [from, height] = await placeOfEdge(chart, 9);
+  const [to] = await placeOfEdge(chart, 19);
+  const box = await chart.boundingBox();
+  await page.mouse.move(box.x + from, box.y + 0.4 * height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + to, box.y + 0.6 * height, { steps: 4 });
+  await page.mouse.up();
+  const shown = (await labels()).filter(Boolean).map(Number);
+  assert.ok(Math.min(...shown) >= 10 && Math.max(...shown) <= 20 && shown.length >= 5, String(shown));
+  assert.equal(await page.locator("#figures .mark.selected").count(), 0);
+  await page.click("[data-figure=length_deviations] button:has-text('Whole')");
+  assert.deepEqual(await labels(), whole);
+  await page.click("[data-figure=length_deviations] button[title='Zoom in']");
+  assert.notDeepEqual(await labels(), whole);
+  await chart.dblclick({ position: { x: 200, y: 100 } });
+  assert.deepEqual(await labels(), whole);
+  await close(page);
+});
+
+test("each chart is saved as an SVG that stands alone, on white, from the dark page too", async () => {
+  for (const [name, { page: path }] of Object.entries(reports)) {
+    const page = await open(path, { colorScheme: "dark" });
+    for (const figure of await page.locator("#figures [data-figure]:visible").all()) {
+      const [download] = await Promise.all([page.waitForEvent("download"), figure.locator("button:has-text('Save as SVG')").click()]);
+      const file = join(folder, `${name}_${download.suggestedFilename()}`);
+      await download.saveAs(file);
+      assert.equal(download.suggestedFilename(), `${await figure.getAttribute("data-figure")}.svg`);
+      const text = readFileSync(file, "utf8");
+      assert.match(text, /<svg [^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
+      assert.doesNotMatch(text, /var\(|currentColor|NaN|undefined|<script|href|url\((?!#)/);
+      const opened = await page.evaluate((text) => new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ?? "", text);
+      assert.equal(opened, "", file);
+      assert.ok(text.includes('fill="white"') && text.includes("<text"), file);
+    }
+    await close(page);
+  }
 });
 
 test("the arrows go through the table, and turn the view", async () => {

@@ -13,8 +13,8 @@ namespace taut {
 [[nodiscard]] TAUT_REPORT_EXPORT bool has_report_viewer();
 
 /// A result as one HTML page that needs nothing else and asks for nothing over the network: the
-/// viewer (viewer/), the figures of figures_svg(), and the result itself, from which the viewer
-/// makes summary, 3D view, tables and lists. Text of the result, the names in it say, is never
+/// viewer (viewer/) and the result itself, from which the viewer makes summary, 3D view, charts,
+/// tables and lists. Text of the result, the names in it say, is never
 /// taken for markup, and the page's content security policy lets no script run but the viewer.
 /// @return the page in UTF-8
 /// @throws std::runtime_error where has_report_viewer() is false
