@@ -42,7 +42,7 @@ void add_report(CLI::App& program) {
         .add_option("RESULT", options->result,
                     "Result of reproduce, identify, compare, plan or control")
         ->required();
-    command.add_option("-o,--output", options->output, "HTML file to write")->required();
+    add_output_option(command, options->output, "HTML file to write");
     set_action(command, options, run);
 }
 

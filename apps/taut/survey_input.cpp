@@ -61,16 +61,11 @@ void add_file_options(CLI::App& command, SurveyOptions& options, std::vector<CLI
     add("--names", options.names, "Table to write of which point is on which node (CSV)");
 }
 
-std::optional<char> told_separator(const std::string& name) {
-    return name == "comma"       ? std::optional(',')
-           : name == "semicolon" ? std::optional(';')
-           : name == "tab"       ? std::optional('\t')
-           : name == "blank"     ? std::optional(' ')
-                                 : std::nullopt;
-}
-
 SurveyFileOptions told_of_file(const SurveyOptions& options) {
-    SurveyFileOptions told{.separator = told_separator(options.separator)};
+    SurveyFileOptions told;
+    if (!options.separator.empty()) {
+        told.separator = parse_sign(options.separator);
+    }
     if (!options.format.empty()) {
         told.format = parse_survey_format(options.format);
     }
@@ -78,12 +73,10 @@ SurveyFileOptions told_of_file(const SurveyOptions& options) {
         told.columns = parse_survey_columns(options.columns);
     }
     if (!options.decimal.empty()) {
-        told.decimal = options.decimal == "comma" ? ',' : '.';
+        told.decimal = parse_sign(options.decimal);
     }
     if (!options.encoding.empty()) {
-        told.encoding = options.encoding == "utf-8"    ? TextEncoding::utf_8
-                        : options.encoding == "utf-16" ? TextEncoding::utf_16
-                                                       : TextEncoding::latin_1;
+        told.encoding = parse_text_encoding(options.encoding);
     }
     return told;
 }

@@ -30,6 +30,7 @@
 #include "taut/results/results_json.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "told.hpp"
+#include "words.hpp"
 
 namespace taut::python {
 namespace {
@@ -88,11 +89,11 @@ std::string repr(const Identified& self) {
         slack += edge.status == EdgeStatus::slack ? 1 : 0;
         unobserved += edge.status == EdgeStatus::unobserved ? 1 : 0;
     }
-    return fmt::format("Identification({}; {} edges by {}, {} slack, {} unobserved; {})",
-                       to_string(found.trust.verdict()), found.edges.size(), found.method, slack,
-                       unobserved,
-                       found.trust.findings.empty() ? "no test speaks against it"
-                                                    : found.trust.findings.front().reason);
+    return fmt::format(
+        "Identification({}; {} edges by {}, {} slack, {} unobserved; {})",
+        to_string(found.trust.verdict()), found.edges.size(), found.method, slack, unobserved,
+        found.trust.findings.empty() ? "no test speaks against it"
+                                     : in_python(found.trust.findings.front().reason));
 }
 
 void bind_numbers(nb::class_<Identified>& result) {
@@ -182,8 +183,8 @@ void bind_result(nb::module_& module) {
                 for (const Trust::Finding& finding : self.found.trust.findings) {
                     nb::dict one;
                     one["verdict"] = to_string(finding.verdict);
-                    one["reason"] = finding.reason;
-                    one["next"] = finding.next;
+                    one["reason"] = in_python(finding.reason);
+                    one["next"] = in_python(finding.next);
                     list.append(one);
                 }
                 return list;

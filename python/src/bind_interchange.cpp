@@ -18,6 +18,7 @@
 #include "taut/interchange/obj.hpp"
 #include "taut/report/report_html.hpp"
 #include "taut/results/result_file.hpp"
+#include "words.hpp"
 
 namespace taut::python {
 namespace {
@@ -53,8 +54,8 @@ nb::tuple net_of_compas(const std::string& text, const std::string& name, const 
     nb::dict told;
     told["read"] = report.read;
     told["left_out"] = report.left_out;
-    told["assumed"] = report.assumed;
-    told["warnings"] = report.warnings;
+    told["assumed"] = in_python(report.assumed);
+    told["warnings"] = in_python(report.warnings);
     told["out_of_balance"] = report.largest_out_of_balance;
     told["mean_tension"] = report.mean_tension;
     return nb::make_tuple(std::move(imported.net), told);

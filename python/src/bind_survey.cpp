@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,9 +15,13 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "taut/files/file.hpp"
+#include "taut/io/polar_csv.hpp"
 #include "taut/io/read_survey.hpp"
+#include "taut/io/target_offsets_csv.hpp"
 #include "taut/survey/simulation.hpp"
 #include "taut/survey/survey.hpp"
+#include "words.hpp"
 
 namespace taut::python {
 namespace {
@@ -42,17 +48,56 @@ PointMatching matching_named(const std::string& name) {
         fmt::format("match: got '{}', expected 'auto', 'name' or 'place'", name).c_str());
 }
 
-std::optional<double> unit_named(const std::optional<std::string>& name) {
-    if (!name) {
-        return std::nullopt;
-    }
-    const std::optional<double> unit = length_of_unit(*name);
+double unit_named(const std::string& name) {
+    const std::optional<double> unit = length_of_unit(name);
     if (!unit) {
         throw nb::value_error(
-            fmt::format("unit: got '{}', expected 'mm', 'cm', 'm', 'in', 'ft' or 'us-ft'", *name)
+            fmt::format("unit: got '{}', expected 'mm', 'cm', 'm', 'in', 'ft' or 'us-ft'", name)
                 .c_str());
     }
-    return unit;
+    return *unit;
+}
+
+/// Keyword arguments of read_survey() that were given, by their names.
+using Told = std::map<std::string, std::string>;
+
+ReadSurveyOptions reading(std::optional<double> noise, const Told& told) {
+    ReadSurveyOptions options{.noise_std = noise};
+    const auto take = [&told](const char* name, const auto& use) {
+        if (const auto found = told.find(name); found != told.end()) {
+            use(found->second);
+        }
+    };
+    take("frame", [&](const std::string& text) { options.frame = frame_named(text); });
+    take("control", [&](const std::string& text) { options.control = text; });
+    take("unit", [&](const std::string& text) { options.unit = unit_named(text); });
+    take("match", [&](const std::string& text) { options.matching = matching_named(text); });
+    take("format", [&](const std::string& t) { options.file.format = parse_survey_format(t); });
+    take("columns", [&](const std::string& t) { options.file.columns = parse_survey_columns(t); });
+    take("separator", [&](const std::string& t) { options.file.separator = parse_sign(t); });
+    take("decimal", [&](const std::string& t) { options.file.decimal = parse_sign(t); });
+    take("encoding", [&](const std::string& t) { options.file.encoding = parse_text_encoding(t); });
+    take("angle", [&](const std::string& text) {
+        const AngleText angle = parse_angle(text);
+        if (!(angle.angle > 0.0)) {
+            throw nb::value_error(
+                fmt::format("angle: got '{}', expected a standard deviation above 0", text)
+                    .c_str());
+        }
+        options.angle_std = angle.angle;
+        options.file.angle_unit = angle.full_unit;
+        options.file.takes_readings = true;
+    });
+    take("range", [&](const std::string& text) {
+        options.distance = parse_distance_precision(text);
+        options.file.takes_readings = true;
+    });
+    take("offsets", [&](const std::string& file) {
+        options.offsets.of = parse_target_offsets(read_file(file), file);
+    });
+    take("offset",
+         [&](const std::string& text) { options.offsets.all = parse_target_offset(text); });
+    return options;
 }
 
 /// Points out of arrays.
@@ -132,8 +177,12 @@ void bind_survey_class(nb::module_& module) {
                 return view_of(nb::cast<const Survey&>(self).missing, self);
             },
             "Free nodes that were not, ascending.")
-        .def_ro("warnings", &Survey::warnings, "What is most likely told wrong, a line each.")
-        .def_ro("notes", &Survey::notes, "How it was understood, a line each.")
+        .def_prop_ro(
+            "warnings", [](const Survey& self) { return in_python(self.warnings); },
+            "What is most likely told wrong, a line each.")
+        .def_prop_ro(
+            "notes", [](const Survey& self) { return in_python(self.notes); },
+            "How it was understood, a line each.")
         .def_prop_ro("is_exact", &Survey::is_exact, "Whether no surveyed coordinate has noise.")
         .def(
             "to_dataframe",
@@ -157,34 +206,17 @@ void bind_survey(nb::module_& module) {
     module.def(
         "_read_survey_file",
         [](const CableNet& net, const std::filesystem::path& path, std::optional<double> noise,
-           const std::string& frame, const std::filesystem::path& control,
-           const std::optional<std::string>& unit, const std::string& match) {
-            return read_survey(net, path,
-                               {.noise_std = noise,
-                                .frame = frame_named(frame),
-                                .control = control,
-                                .unit = unit_named(unit),
-                                .matching = matching_named(match)});
-        },
-        nb::arg("net"), nb::arg("path"), nb::arg("noise"), nb::arg("frame"), nb::arg("control"),
-        nb::arg("unit"), nb::arg("match"));
+           const Told& told) { return read_survey(net, path, reading(noise, told)); },
+        nb::arg("net"), nb::arg("path"), nb::arg("noise").none(), nb::arg("told"));
     module.def(
         "_survey_of_points",
         [](const CableNet& net, const ArrayLike& positions,
            const std::optional<std::vector<std::string>>& ids, const std::optional<ArrayLike>& stds,
-           std::optional<double> noise, const std::string& frame,
-           const std::filesystem::path& control, const std::optional<std::string>& unit,
-           const std::string& match) {
-            return read_survey(net, points_of(positions, ids, stds),
-                               {.noise_std = noise,
-                                .frame = frame_named(frame),
-                                .control = control,
-                                .unit = unit_named(unit),
-                                .matching = matching_named(match)});
+           std::optional<double> noise, const Told& told) {
+            return read_survey(net, points_of(positions, ids, stds), reading(noise, told));
         },
         nb::arg("net"), nb::arg("positions"), nb::arg("ids").none(), nb::arg("stds").none(),
-        nb::arg("noise").none(), nb::arg("frame"), nb::arg("control"), nb::arg("unit").none(),
-        nb::arg("match"));
+        nb::arg("noise").none(), nb::arg("told"));
     module.def(
         "simulate_survey",
         [](const CableNet& net, const ArrayLike& form, double noise, double hidden_part,

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
+#include <fmt/core.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "bindings.hpp"
@@ -14,25 +16,46 @@
 #include "taut/progress.hpp"
 #include "taut/survey/survey.hpp"
 #include "taut/version.hpp"
+#include "words.hpp"
 
 namespace taut::python {
 namespace {
 
-/// Exceptions of taut as those of Python: the same words.
+/// Exceptions of taut as those of Python: the same words, but for options, which are arguments
+/// here.
 void bind_exceptions(nb::module_& module) {
-    nb::exception<InputError>(module, "InputError", PyExc_ValueError).doc() =
-        "A file that cannot be read as what it should be: 'file:place: what is wrong'.";
-    nb::exception<NetError>(module, "NetError", PyExc_ValueError).doc() =
-        "A rule of a cable net that is broken: 'edges[3]: connects node 7 to itself'.";
-    nb::exception<SurveyError>(module, "SurveyError", PyExc_ValueError).doc() =
-        "A survey that cannot be one of the net.";
+    static PyObject* input_error = nullptr;
+    static PyObject* net_error = nullptr;
+    static PyObject* survey_error = nullptr;
+    const auto bind = [&module](PyObject*& type, const char* name, const char* doc) {
+        const std::string full =
+            fmt::format("{}.{}", nb::cast<std::string>(module.attr("__name__")), name);
+        type = PyErr_NewExceptionWithDoc(full.c_str(), doc, PyExc_ValueError, nullptr);
+        module.attr(name) = nb::handle(type);
+    };
+    bind(input_error, "InputError",
+         "A file that cannot be read as what it should be: 'file:place: what is wrong'.");
+    bind(net_error, "NetError",
+         "A rule of a cable net that is broken: 'edges[3]: connects node 7 to itself'.");
+    bind(survey_error, "SurveyError", "A survey that cannot be one of the net.");
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+        const auto raise = [](PyObject* type, const std::exception& error) {
+            PyErr_SetString(type, in_python(error.what()).c_str());
+        };
         try {
             std::rethrow_exception(thrown);
         } catch (const Interrupted&) {
             PyErr_SetNone(PyExc_KeyboardInterrupt);
         } catch (const OutputError& error) {
-            PyErr_SetString(PyExc_OSError, error.what());
+            raise(PyExc_OSError, error);
+        } catch (const InputError& error) {
+            raise(input_error, error);
+        } catch (const NetError& error) {
+            raise(net_error, error);
+        } catch (const SurveyError& error) {
+            raise(survey_error, error);
+        } catch (const std::invalid_argument& error) {
+            raise(PyExc_ValueError, error);
         }
     });
 }

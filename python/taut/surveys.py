@@ -58,6 +58,12 @@ def _noise(noise, count):
     return None, array
 
 
+def _text(name, value):
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{name}: got {type(value).__name__}, expected text")
+    return os.fspath(value)
+
+
 def read_survey(
     net: _taut.CableNet,
     source: str | os.PathLike[str] | ArrayLike | Mapping[str, ArrayLike],
@@ -68,6 +74,15 @@ def read_survey(
     control: str | os.PathLike[str] | None = None,
     unit: str | None = None,
     match: str = "auto",
+    offset: str | None = None,
+    offsets: str | os.PathLike[str] | None = None,
+    angle: str | None = None,
+    range: str | None = None,
+    format: str | None = None,
+    columns: str | None = None,
+    separator: str | None = None,
+    decimal: str | None = None,
+    encoding: str | None = None,
 ) -> _taut.Survey:
     """A survey of the net's form, from whatever holds one.
 
@@ -84,6 +99,19 @@ def read_survey(
         control: path of control points id, x, y, z in the net's frame, to fit the frame to.
         unit: of the coordinates, 'mm', 'cm', 'm', 'in', 'ft', 'us-ft'; of points 'm' unless told.
         match: what tells a point's node: its 'name', its 'place', or 'auto'.
+        offset: of targets from the axis of the cable along the net's normal, and how sure that is:
+            '3mm:0.2mm'.
+        offsets: path of a table target, offset, std of offsets by a target's name or code.
+
+    The rest is of files alone, where these do not tell it:
+
+        angle: standard deviation of each direction and zenith angle, '0.3mgon'.
+        range: standard deviation of each distance, '1mm+1.5ppm'.
+        format: 'table', 'xyz', 'pts', 'gsi', 'landxml', 'jobxml', 'gama', 'dxf'.
+        columns: of a table, 'id,x,y,z,sx,sy,sz' in their order, '-' for one to leave out.
+        separator: of a table, 'comma', 'semicolon', 'tab', 'blank'.
+        decimal: sign of a table, 'point' or 'comma'.
+        encoding: 'utf-8', 'utf-16', 'latin-1'.
 
     Returns:
         The survey: read its warnings and notes, which tell how the source was understood.
@@ -93,14 +121,24 @@ def read_survey(
             Rows of arrays and tables are counted from 1 there.
         ValueError, TypeError: for arrays of a wrong shape or dtype.
     """
-    control = "" if control is None else control
+    of_file = {
+        "angle": angle, "range": range, "format": format, "columns": columns,
+        "separator": separator, "decimal": decimal, "encoding": encoding,
+    }  # fmt: skip
+    told = {
+        "frame": frame, "control": control, "unit": unit, "match": match,
+        "offset": offset, "offsets": offsets, **of_file,
+    }  # fmt: skip
+    told = {name: _text(name, value) for name, value in told.items() if value is not None}
     if isinstance(source, (str, os.PathLike)):
         if ids is not None:
             raise ValueError("ids: are for an array of points, and source is a file")
         if noise is not None and np.ndim(noise) != 0:
             raise ValueError("noise: got an array, expected one number for a file")
         noise = None if noise is None else float(noise)
-        return _taut._read_survey_file(net, source, noise, frame, control, unit, match)
+        return _taut._read_survey_file(net, source, noise, told)
+    for name in of_file.keys() & told.keys():
+        raise ValueError(f"{name}: is for a file, and source holds points")
     if isinstance(source, Mapping) or hasattr(source, "columns"):
         positions, ids, stds = _of_table(source, ids)
     else:
@@ -109,6 +147,4 @@ def read_survey(
         raise ValueError("noise: is told by the columns sx, sy, sz of source, too: leave out one")
     if stds is None:
         noise, stds = _noise(noise, np.shape(positions)[0] if np.ndim(positions) else 0)
-    return _taut._survey_of_points(
-        net, positions, _names(ids), stds, noise, frame, control, unit, match
-    )
+    return _taut._survey_of_points(net, positions, _names(ids), stds, noise, told)

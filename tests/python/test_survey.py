@@ -85,3 +85,49 @@ def test_millimetres_are_told(net, positions):
 def test_what_cannot_be_a_survey_is_refused_by_name(net, source, settings, error, words):
     with pytest.raises(error, match=words):
         taut.read_survey(net, source, **settings)
+
+
+def test_what_is_told_of_a_file(net, columns, tmp_path):
+    path = tmp_path / "points.txt"
+    lines = [
+        ";".join([str(name), *(str(1e3 * value).replace(".", ",") for value in place)])
+        for name, *place in zip(columns["id"], *(columns[k] for k in "yxz"), strict=True)
+    ]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-16")
+    told = {"unit": "mm", "separator": "semicolon", "decimal": "comma", "encoding": "utf-16"}
+    survey = taut.read_survey(net, path, columns="id,y,x,z", format="table", noise=1e-3, **told)
+    expected = taut.read_survey(net, columns, noise=None)
+    assert survey.form == pytest.approx(expected.form, abs=1e-9)
+    with pytest.raises(ValueError, match="encoding: got 'ebcdic', expected 'utf-8'"):
+        taut.read_survey(net, path, encoding="ebcdic")
+    with pytest.raises(ValueError, match="is no sign, expected 'comma'"):
+        taut.read_survey(net, path, separator="dash")
+    with pytest.raises(ValueError, match="decimal: is for a file, and source holds points"):
+        taut.read_survey(net, columns, decimal="comma")
+    with pytest.raises(TypeError, match="unit: got float, expected text"):
+        taut.read_survey(net, path, unit=1e-3)
+
+
+def test_targets_stand_off_the_cables(net, positions, tmp_path):
+    bare = taut.read_survey(net, positions, ids=net.free_nodes, noise=1e-3)
+    off = taut.read_survey(net, positions, ids=net.free_nodes, noise=1e-3, offset="3mm:0.2mm")
+    moved = np.linalg.norm((off.form - bare.form)[net.free_nodes], axis=1)
+    assert moved == pytest.approx(3e-3, rel=1e-6)
+    table = tmp_path / "offsets.csv"
+    table.write_text(f"target,offset\n{net.free_nodes[0]},5mm\n")
+    one = taut.read_survey(net, positions, ids=net.free_nodes, noise=1e-3, offsets=table)
+    moved = np.linalg.norm((one.form - bare.form)[net.free_nodes], axis=1)
+    assert moved[0] == pytest.approx(5e-3) and np.all(moved[1:] == 0)
+
+
+def test_messages_name_arguments_not_options_of_the_program(net, columns):
+    with pytest.raises(ValueError, match="unit") as error:
+        taut.read_survey(net, {k: v if k == "id" else 1e3 * v for k, v in columns.items()})
+    assert "--" not in str(error.value)
+    survey = taut.read_survey(net, {k: columns[k] for k in ("id", "x", "y", "z")}, noise=1e-4)
+    with pytest.raises(ValueError, match="for method map") as error:
+        taut.identify(net, survey, method="gp", unknowns=["stiffness:5%"], taut=[0])
+    assert "--" not in str(error.value)
+    found = taut.identify(net, survey, law="uniform:5mm")
+    assert found.findings and all("--" not in f["next"] + f["reason"] for f in found.findings)
+    assert any("law " in f["next"] for f in found.findings)

@@ -38,6 +38,14 @@ enum class TextEncoding { utf_8, utf_16, latin_1 };
 /// "UTF-8", "UTF-16", "Latin-1".
 [[nodiscard]] TAUT_IO_EXPORT std::string_view to_string(TextEncoding encoding);
 
+/// The encoding of "utf-8", "utf-16", "latin-1".
+/// @throws std::invalid_argument for another name
+[[nodiscard]] TAUT_IO_EXPORT TextEncoding parse_text_encoding(std::string_view name);
+
+/// The sign of "comma", "semicolon", "tab", "blank", "point".
+/// @throws std::invalid_argument for another name
+[[nodiscard]] TAUT_IO_EXPORT char parse_sign(std::string_view name);
+
 /// What is told of a survey file; the rest is found in it.
 struct SurveyFileOptions {
     std::optional<SurveyFormat> format;  ///< empty: that of detect_survey_format()

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "files/message.hpp"
 #include "interchange/surveys/survey_format_names.hpp"
@@ -78,6 +79,29 @@ SurveyFormat parse_survey_format(std::string_view name) {
     }
     throw std::invalid_argument(
         fmt::format("there is no format {} of surveys: expected one of {}", quote(name), known));
+}
+
+TextEncoding parse_text_encoding(std::string_view name) {
+    if (name == "utf-8" || name == "utf-16") {
+        return name == "utf-8" ? TextEncoding::utf_8 : TextEncoding::utf_16;
+    }
+    if (name == "latin-1") {
+        return TextEncoding::latin_1;
+    }
+    throw std::invalid_argument(
+        fmt::format("encoding: got '{}', expected 'utf-8', 'utf-16' or 'latin-1'", name));
+}
+
+char parse_sign(std::string_view name) {
+    constexpr std::pair<std::string_view, char> signs[] = {
+        {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"blank", ' '}, {"point", '.'}};
+    for (const auto& [known, sign] : signs) {
+        if (known == name) {
+            return sign;
+        }
+    }
+    throw std::invalid_argument(fmt::format(
+        "'{}' is no sign, expected 'comma', 'semicolon', 'tab', 'blank' or 'point'", name));
 }
 
 std::string_view to_string(TextEncoding encoding) {
