@@ -77,8 +77,8 @@ def read_survey(
     offset: str | None = None,
     offsets: str | os.PathLike[str] | None = None,
     angle: str | None = None,
-    range: str | None = None,
-    format: str | None = None,
+    range: str | None = None,  # noqa: A002
+    format: str | None = None,  # noqa: A002
     columns: str | None = None,
     separator: str | None = None,
     decimal: str | None = None,

@@ -117,7 +117,8 @@ def test_targets_stand_off_the_cables(net, positions, tmp_path):
     table.write_text(f"target,offset\n{net.free_nodes[0]},5mm\n")
     one = taut.read_survey(net, positions, ids=net.free_nodes, noise=1e-3, offsets=table)
     moved = np.linalg.norm((one.form - bare.form)[net.free_nodes], axis=1)
-    assert moved[0] == pytest.approx(5e-3) and np.all(moved[1:] == 0)
+    assert moved[0] == pytest.approx(5e-3)
+    assert np.all(moved[1:] == 0)
 
 
 def test_messages_name_arguments_not_options_of_the_program(net, columns):
@@ -129,5 +130,6 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
         taut.identify(net, survey, method="gp", unknowns=["stiffness:5%"], taut=[0])
     assert "--" not in str(error.value)
     found = taut.identify(net, survey, law="uniform:5mm")
-    assert found.findings and all("--" not in f["next"] + f["reason"] for f in found.findings)
+    assert found.findings
+    assert all("--" not in f["next"] + f["reason"] for f in found.findings)
     assert any("law " in f["next"] for f in found.findings)
