@@ -33,6 +33,21 @@ std::string_view to_string(EquilibriumStatus status) {
     return "unknown";
 }
 
+namespace {
+
+/// What is left of the forces at the nodes may be rounding errors of the coordinates; where these
+/// are as large as the tensions themselves, nothing is known of these. Tensions below a billionth
+/// of EA are none.
+bool is_small_beside_tensions(double out_of_balance, const LocalNet& net, double mean_tension) {
+    constexpr double largest_share = 1e-4;
+    constexpr double least_strain = 1e-9;
+    const double loads = net.loads.reshaped(3, net.free_count).colwise().norm().mean();
+    const double scale = std::max({mean_tension, loads, least_strain * net.axial_stiffness.mean()});
+    return out_of_balance <= largest_share * scale;
+}
+
+}  // namespace
+
 struct EquilibriumSolver::Workspace {
     EquilibriumSettings settings;
     LocalNet net;
@@ -112,11 +127,17 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
         balanced = descend({.max_steps = limit - result.iterations});
     }
 
+    result.form = w.net.scatter(state.form());
+    if (!w.net.origin.isZero(0.0)) {
+        // The coordinates of a net that lies far from zero are rounded once more: what is told is
+        // of these.
+        w.net.gather(result.form, state.form());
+        state.update(w.net);
+    }
     result.out_of_balance = state.largest_force();
     result.mean_tension = state.mean_tension();
-    result.form = w.net.scatter(state.form());
     result.slack_edges = state.slack_edges();
-    if (balanced) {
+    if (balanced && is_small_beside_tensions(result.out_of_balance, w.net, result.mean_tension)) {
         result.status = is_mechanism(w.net, w.stiffness, state) ? EquilibriumStatus::slack_mechanism
                                                                 : EquilibriumStatus::converged;
     }

@@ -9,10 +9,28 @@
 namespace taut {
 namespace {
 
-Eigen::Vector3d origin_of(const CableNet& net) {
+/// How far from the middle of its supports a net's form can go: tenfold its length in cable, beyond
+/// the farthest support. Cables that are stretched more are no cables.
+double reach_of(const CableNet& net, const Eigen::Vector3d& middle) {
+    constexpr double stretched = 10.0;
+    const double supports =
+        (net.nodes()(Eigen::all, net.supports()).colwise() - middle).colwise().norm().maxCoeff();
+    return supports + stretched * net.unstressed_lengths().sum();
+}
+
+/// The place itself, or the one in its direction that is within reach.
+Eigen::Vector3d within_reach(const Eigen::Vector3d& from_middle, double reach) {
+    // Not norm() first: the square of a coordinate can be too large.
+    const double largest = from_middle.cwiseAbs().maxCoeff();
+    if (largest <= reach) {
+        return from_middle;
+    }
+    return reach * (from_middle / largest).normalized();
+}
+
+/// @param extent of the net about that middle
+Eigen::Vector3d origin_of(const Eigen::Vector3d& middle, double extent) {
     constexpr double far = 10.0;  // extents of the net
-    const Eigen::Vector3d middle = net.nodes()(Eigen::all, net.supports()).rowwise().mean();
-    const double extent = (net.nodes().colwise() - middle).cwiseAbs().maxCoeff();
     return middle.cwiseAbs().maxCoeff() > far * extent ? middle : Eigen::Vector3d::Zero();
 }
 
@@ -33,13 +51,23 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     local.axial_stiffness = net.axial_stiffness();
     local.laws = net.data().tension_laws;
     local.law_of_edge = net.data().tension_law;
-    local.origin = origin_of(net);
     local.supports = net.nodes()(Eigen::all, net.supports());
+    const Eigen::Vector3d middle = local.supports.rowwise().mean();
+    local.reach = reach_of(net, middle);
+    Eigen::Matrix3Xd from_middle = net.nodes().colwise() - middle;
+    for (const int node : net.free_nodes()) {
+        from_middle.col(node) = within_reach(from_middle.col(node), local.reach);
+    }
+    local.origin = origin_of(middle, from_middle.cwiseAbs().maxCoeff());
+    local.middle = middle - local.origin;
     local.nodes.resize(3, net.node_count());
     local.loads.resize(Eigen::Index{3} * local.free_count);
     for (int i = 0; i < net.node_count(); ++i) {
         const int node = local.node_of[i];
-        local.nodes.col(i) = net.nodes().col(node) - local.origin;
+        const bool is_near = (net.nodes().col(node) - middle).cwiseAbs().maxCoeff() <= local.reach;
+        local.nodes.col(i) = is_near || i >= local.free_count
+                                 ? Eigen::Vector3d(net.nodes().col(node) - local.origin)
+                                 : Eigen::Vector3d(from_middle.col(node) + local.middle);
         if (i < local.free_count) {
             local.loads.segment<3>(Eigen::Index{3} * i) = net.loads().col(node);
         }
@@ -74,6 +102,10 @@ void LocalNet::gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& lo
     local = nodes;
     for (int i = 0; i < free_count; ++i) {
         local.col(i) = form.col(node_of[i]) - origin;
+        const Eigen::Vector3d from_middle = local.col(i) - middle;
+        if (from_middle.cwiseAbs().maxCoeff() > reach) {
+            local.col(i) = middle + within_reach(from_middle, reach);
+        }
     }
 }
 

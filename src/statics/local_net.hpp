@@ -22,7 +22,11 @@ struct LocalNet {
     /// Subtracted from all coordinates: the middle of the supports, where the net lies so far from
     /// zero (a national grid) that its coordinates' rounding errors would be felt; else zero [m].
     Eigen::Vector3d origin;
-    Eigen::Matrix3Xd nodes;  ///< 3 x n, nominal coordinates less origin [m]
+    Eigen::Matrix3Xd nodes;  ///< 3 x n, nominal coordinates less origin, brought near [m]
+    /// No node of the net's form is farther from the origin of the supports: what is, as a nominal
+    /// place or a start, is brought that near, so that rounding errors are of the net's own size.
+    double reach = 0.0;
+    Eigen::Vector3d middle;  ///< of the supports, less origin [m]
     Points supports;         ///< 3 x n_B, the net's own coordinates of the supports [m]
 
     /// Null: linear.
@@ -30,7 +34,8 @@ struct LocalNet {
         return law_of_edge.empty() || law_of_edge[edge] < 0 ? nullptr : &laws[law_of_edge[edge]];
     }
 
-    /// Coordinates of all nodes from the net's numbering to this one; supports from the net.
+    /// Coordinates of all nodes from the net's numbering to this one, brought near; supports from
+    /// the net.
     void gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const;
     /// The way back.
     [[nodiscard]] Points scatter(const Eigen::Matrix3Xd& local) const;

@@ -17,6 +17,7 @@
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/energy.hpp"
+#include "taut/statics/imbalance.hpp"
 
 namespace taut {
 namespace {
@@ -211,16 +212,61 @@ TEST(EquilibriumSolver, BalancesANetInTheCoordinatesOfANationalGrid) {
     content.nodes.colwise() += grid;
     const Equilibrium far = solve_equilibrium(CableNet(content));
     ASSERT_EQ(far.status, EquilibriumStatus::converged);
-    EXPECT_LE(far.out_of_balance, 1e-10 * far.mean_tension);
-    // The grid's coordinates hold no more than 5e-10 m.
+    // The grid's coordinates hold no more than 5e-10 m, which changes the tensions of the four
+    // cables at a node; the form that is told has these coordinates.
+    const double change =
+        5e-10 * (content.axial_stiffness.array() / content.unstressed_lengths.array()).maxCoeff();
+    EXPECT_LE(far.out_of_balance, 4.0 * change);
+    EXPECT_LE(far.out_of_balance, 1e-6 * far.mean_tension);
+    EXPECT_NEAR(far.out_of_balance,
+                imbalance(CableNet(content), content.unstressed_lengths, far.form).largest,
+                4.0 * change);
     EXPECT_LT((far.form.colwise() - grid - near.form).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST(EquilibriumSolver, ClaimsNoBalanceThatTheCoordinatesOfAGridDoNotHold) {
+    // Tensions of some 0.1 N by a stretch of 1e-9: the grid's coordinates hold no such stretch.
+    CableNetData content = hypar(5, 5).data();
+    const CableNet net(content);
+    content.nodes = solve_equilibrium(net).form;
+    for (size_t e = 0; e < content.edges.size(); ++e) {
+        const auto [s, t] = content.edges[e];
+        content.unstressed_lengths(static_cast<Eigen::Index>(e)) =
+            (content.nodes.col(s) - content.nodes.col(t)).norm() * (1.0 - 1e-9);
+    }
+    EXPECT_TRUE(solve_equilibrium(CableNet(content)).balanced());
+    content.nodes.colwise() += Eigen::Vector3d(2.6e6, 1.2e6, 450.0);
+    const Equilibrium far = solve_equilibrium(CableNet(content));
+    EXPECT_EQ(far.status, EquilibriumStatus::iteration_limit);
+    EXPECT_GT(far.out_of_balance, 1e-4 * far.mean_tension);
+}
+
+TEST(EquilibriumSolver, FindsTheFormFromANodeGivenAbsurdlyFarOff) {
+    const CableNet net = hypar(5, 5);
+    const Equilibrium expected = solve_equilibrium(net);
+    for (const double far : {1e3, 1e6, 1e9, 1e12, 1e15}) {
+        CableNetData content = net.data();
+        content.nodes.col(net.free_nodes()[7]) = Eigen::Vector3d(far, -far, 0.3 * far);
+        const CableNet moved(content);
+        const Equilibrium found = solve_equilibrium(moved);
+        ASSERT_EQ(found.status, EquilibriumStatus::converged) << far;
+        EXPECT_LE(found.out_of_balance, 1e-10 * found.mean_tension) << far;
+        EXPECT_LT((found.form - expected.form).cwiseAbs().maxCoeff(), 1e-9) << far;
+        const Imbalance left = imbalance(moved, moved.unstressed_lengths(), found.form);
+        EXPECT_LE(left.share(), 1e-8) << far;
+        // And where it is the start that is far off.
+        EquilibriumSolver solver(net);
+        const Equilibrium from_far = solver.solve(net.unstressed_lengths(), moved.nodes());
+        EXPECT_EQ(from_far.status, EquilibriumStatus::converged) << far;
+        EXPECT_LT((from_far.form - expected.form).cwiseAbs().maxCoeff(), 1e-9) << far;
+    }
 }
 
 TEST(EquilibriumSolver, DoesNotTakeForcesThatAreNoNumbersForBalanced) {
     CableNetData content = hypar(2, 2).data();
-    content.loads.setConstant(3, content.nodes.cols(), 1e50);
-    content.axial_stiffness.setConstant(1e50);
-    content.unstressed_lengths.setConstant(1e-50);
+    content.loads.setConstant(3, content.nodes.cols(), 1e15);
+    content.axial_stiffness.setConstant(1e15);
+    content.unstressed_lengths.setConstant(1e-15);
     const Equilibrium e = solve_equilibrium(CableNet(content));
     EXPECT_TRUE(!e.balanced() || std::isfinite(e.out_of_balance));
 }

@@ -30,7 +30,8 @@ struct EquilibriumSettings {
     /// stop it or a hundredth is reached. Forces that are but the rounding error of the coordinates
     /// (some 1e-15 times the largest coordinate times EA/l_0) count as balanced, too: they exceed
     /// the tolerance in a net that is barely tense, or whose stiffnesses differ by orders of
-    /// magnitude.
+    /// magnitude. Where they exceed a ten thousandth of the mean tension, too, and of the mean load
+    /// and a billionth of EA, nothing balances.
     double relative_tolerance = 1e-10;
 };
 
@@ -73,7 +74,9 @@ public:
     /// slack or taut on the way, a primal-dual interior-point method first brings the net near its
     /// form.
     /// @param unstressed_lengths l_0 of all edges (m), positive [m]
-    /// @param start where to begin (3 x n); supports are taken from the net [m]
+    /// @param start where to begin (3 x n); supports are taken from the net, and a node farther
+    /// from
+    ///   these than tenfold the net's length in cable is brought that near [m]
     /// @throws std::invalid_argument for wrong sizes, a length that is not positive and
     ///   finite, or a start that is not finite. Forces that do not balance throw nothing: see
     ///   Equilibrium::status.
