@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "net/fingerprint.hpp"
 
-#include "net/fnv1a.hpp"
+#include "numerics/fnv1a.hpp"
 
 namespace taut {
 

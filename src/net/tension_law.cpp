@@ -15,7 +15,7 @@ namespace taut {
 namespace {
 
 /// So that no product in the energy overflows.
-constexpr double largest_entry = 1e50;
+constexpr double largest_entry = 1e15;
 
 /// A slope over less is rounding errors of the strain.
 constexpr double smallest_strain_step = 1e-12;

@@ -36,6 +36,9 @@ constexpr std::array stresses{Unit{.name = "Pa"},
 constexpr std::array parts{Unit{.name = "%", .per_base = 1e2}};
 constexpr std::array temperatures{Unit{.name = "K"}};
 
+/// Beyond anything that is built, in every unit of SI.
+constexpr double largest_quantity = 1e15;
+
 /// @param is_no what the text is not, and what was expected
 template <size_t Count>
 double parse_quantity(std::string_view text, const std::array<Unit, Count>& units,
@@ -50,7 +53,7 @@ double parse_quantity(std::string_view text, const std::array<Unit, Count>& unit
         }
         for (const Unit& unit : units) {
             const double in_base = value / unit.per_base * unit.bases;
-            if (name == unit.name && std::isfinite(in_base)) {
+            if (name == unit.name && std::abs(in_base) <= largest_quantity) {
                 return in_base;
             }
         }

@@ -16,8 +16,9 @@
 namespace taut {
 namespace {
 
-/// So that no product in the energy, EA l^2 / l_0, overflows.
-constexpr double largest_magnitude = 1e50;
+/// Beyond anything that is built, in every unit of SI; and no product in the energy, EA l^2 / l_0,
+/// overflows.
+constexpr double largest_magnitude = 1e15;
 
 void check_entry_count(const std::string& field, Eigen::Index size, Eigen::Index expected,
                        const std::string& of_what) {
@@ -48,8 +49,7 @@ void check_sizes(const CableNetData& data) {
     }
 }
 
-void check_finite(const std::string& field, const Points& points,
-                  double largest = std::numeric_limits<double>::max()) {
+void check_finite(const std::string& field, const Points& points, double largest) {
     for (int i = 0; i < points.cols(); ++i) {
         for (int k = 0; k < 3; ++k) {
             if (!std::isfinite(points(k, i))) {
@@ -244,7 +244,7 @@ void validate_tension_laws(const CableNetData& data) {
 void validate(const CableNetData& data) {
     check_sizes(data);
     check_finite("nodes", data.nodes, largest_magnitude);
-    check_finite("loads", data.loads);
+    check_finite("loads", data.loads, largest_magnitude);
     check_positive("axial_stiffness", data.axial_stiffness);
     check_positive("unstressed_lengths", data.unstressed_lengths);
     const auto is_support =

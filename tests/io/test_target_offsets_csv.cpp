@@ -34,7 +34,7 @@ TEST(TargetOffsetsCsv, RefuseWhatTheyCannotMean) {
     EXPECT_EQ(refusal("a,3mm,-1mm\n"),
               "o.csv:1: the offset is 0.003 +- -0.001 m, expected at most 0.5 m, and a standard "
               "deviation from 0 to 0.5 m: a number without unit is in metres");
-    EXPECT_THAT(refusal("a,1e308\n"), testing::HasSubstr("expected at most 0.5 m"));
+    EXPECT_THAT(refusal("a,1e3\n"), testing::HasSubstr("expected at most 0.5 m"));
     EXPECT_EQ(refusal("a,3mm\na,4mm\n"), "o.csv:2: tells the offset of 'a' a second time");
     EXPECT_THAT(refusal("target,offset\n"), HasSubstr("holds no offset"));
 }

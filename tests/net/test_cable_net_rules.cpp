@@ -79,11 +79,17 @@ TEST(CableNetRules, TakeTheNetThatTheOtherTestsBreak) {
 
 TEST(CableNetRules, RefuseMagnitudesWhoseProductsWouldOverflow) {
     expect_refused([](auto& d) { d.axial_stiffness(2) = 1e308; }, "axial_stiffness[2]",
-                   {"1e+308", "from 1e-50 to 1e+50"});
+                   {"1e+308", "from 1e-15 to 1e+15"});
     expect_refused([](auto& d) { d.unstressed_lengths(1) = 1e-310; }, "unstressed_lengths[1]",
-                   {"from 1e-50 to 1e+50"});
+                   {"from 1e-15 to 1e+15"});
     expect_refused([](auto& d) { d.nodes(1, 3) = -1e200; }, "nodes[3][1]",
-                   {"-1e+200", "no more than 1e+50"});
+                   {"-1e+200", "no more than 1e+15"});
+    expect_refused(
+        [](auto& d) {
+            d.loads = Points::Zero(3, d.nodes.cols());
+            d.loads(2, 0) = 1e160;
+        },
+        "loads[0][2]", {"1e+160", "no more than 1e+15"});
 }
 
 TEST(CableNetRules, RefuseANetWithoutNodes) {

@@ -25,12 +25,12 @@ using taut::parse_force;
 using taut::parse_length;
 using taut::parse_stress;
 
-/// Any double that is finite, whatever its size: all bit patterns are equally likely.
+/// Any double that a quantity may have: all bit patterns are equally likely.
 rc::Gen<double> finite_doubles() {
     return rc::gen::suchThat(
         rc::gen::map(rc::gen::resize(100, rc::gen::arbitrary<std::uint64_t>()),
                      [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
-        [](double x) { return std::isfinite(x); });
+        [](double x) { return std::abs(x) <= 1e15; });
 }
 
 TEST(ParseLength, TakesMillimetresCentimetresAndMetres) {
@@ -157,9 +157,11 @@ TEST(ParseForceAndStress, RefuseAnythingElseAndNameIt) {
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("'5 bar'")));
 }
 
-TEST(ParseForce, RefusesWhatNoDoubleHolds) {
+TEST(ParseForce, RefusesWhatNothingBuiltHas) {
     EXPECT_THROW((void)parse_force("1e308kN"), std::invalid_argument);
-    EXPECT_EQ(parse_force("1e305kN"), 1e308);
+    EXPECT_THROW((void)parse_length("1e308m"), std::invalid_argument);
+    EXPECT_THROW((void)parse_length("-1e16m"), std::invalid_argument);
+    EXPECT_EQ(parse_force("1e12kN"), 1e15);
 }
 
 }  // namespace
