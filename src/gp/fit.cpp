@@ -10,6 +10,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "gp/inputs_check.hpp"
 #include "gp/length_scale_search.hpp"
 #include "numerics/dense.hpp"
 
@@ -55,7 +56,7 @@ Spread spread_of(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& squared_d
 }
 
 FitStatus status_of(const Eigen::Ref<const Eigen::VectorXd>& output) {
-    if (!output.allFinite()) {
+    if (!is_usable(output)) {
         return FitStatus::non_finite_output;
     }
     return output.maxCoeff() == output.minCoeff() ? FitStatus::constant_output : FitStatus::fitted;
@@ -74,9 +75,7 @@ void check_arguments(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
         throw std::invalid_argument(
             fmt::format("{} training inputs, expected at least 2", inputs.cols()));
     }
-    if (!inputs.allFinite()) {
-        throw std::invalid_argument("the training inputs hold a number that is not finite");
-    }
+    require_usable("the training inputs", inputs);
 }
 
 void check_settings(const FitSettings& settings) {

@@ -13,6 +13,7 @@
 #include <nlopt.hpp>
 #include <stdexcept>
 
+#include "gp/inputs_check.hpp"
 #include "numerics/dense.hpp"
 #include "taut/gp/kernel.hpp"
 #include "taut/gp/likelihood.hpp"
@@ -184,7 +185,7 @@ Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& i
                                       const Eigen::Ref<const Eigen::MatrixXd>& outputs,
                                       const std::vector<int>& groups, const Progress& progress) {
     const int count = group_count(groups, inputs.rows());
-    if (outputs.rows() != inputs.cols() || inputs.cols() < 2 || !inputs.allFinite()) {
+    if (outputs.rows() != inputs.cols() || inputs.cols() < 2 || !is_usable(inputs)) {
         throw std::invalid_argument(
             fmt::format("{} inputs and {} rows of outputs, expected as many, finite, at least 2",
                         inputs.cols(), outputs.rows()));

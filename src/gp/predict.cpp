@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "gp/inputs_check.hpp"
 #include "numerics/dense.hpp"
 #include "taut/gp/fit.hpp"
 
@@ -26,9 +27,7 @@ void check_inputs(const FittedProcesses& fitted, const Eigen::Ref<const Eigen::M
         throw std::invalid_argument(fmt::format(
             "inputs of dimension {}, expected {} as in training", at.rows(), fitted.inputs.rows()));
     }
-    if (!at.allFinite()) {
-        throw std::invalid_argument("the inputs hold a number that is not finite");
-    }
+    require_usable("the inputs", at);
 }
 
 /// Adds the mean and std of the processes that use spectrum number s, by their rows in the result.
