@@ -32,6 +32,9 @@ private:
     Close m_close;
 };
 
+/// Of the root of a file that Writer made: its last line is a digest.
+inline constexpr const char* digest_attribute = "digest";
+
 /// Keeps HDF5 from printing errors of its own, from now on. The printing is not switched on again:
 /// where a damaged file was met, the exit handler of HDF5 1.10 would then find no end, and say so.
 inline void silence_errors() {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "files/digest.hpp"
 #include "files/message.hpp"
 #include "files/open_file.hpp"
 #include "taut/files/input_error.hpp"
@@ -38,6 +39,15 @@ std::string without_padding(std::string text) {
     return text;
 }
 
+/// Nothing between the numbers and the file but Fletcher's checksums.
+bool has_checksums_alone(const Handle& properties) {
+    unsigned flags = 0;
+    size_t values = 0;
+    return H5Pget_nfilters(properties.get()) == 1 &&
+           H5Pget_filter2(properties.get(), 0, &flags, &values, nullptr, 0, nullptr, nullptr) ==
+               H5Z_FILTER_FLETCHER32;
+}
+
 Handle open(const std::filesystem::path& path, const std::string& format) {
     const std::string name = path.string();
     static_cast<void>(open_file(path));  // throws in the system's words where it cannot be opened
@@ -55,7 +65,10 @@ Handle open(const std::filesystem::path& path, const std::string& format) {
 }  // namespace
 
 Reader::Reader(const std::filesystem::path& path, const std::string& format)
-    : m_file_name(path.string()), m_file(open(path, format)) {
+    : m_file_name(path.string()), m_has_digest(check_digest(path)), m_file(open(path, format)) {
+    if (!m_has_digest && has_attribute(digest_attribute)) {
+        fail("", "is damaged or cut short: its last line, the digest, is missing");
+    }
     m_file_size = std::filesystem::file_size(path);
 }
 
@@ -146,9 +159,10 @@ Handle Reader::open_dataset(const std::string& name, H5T_class_t type_class) con
     }
     const Handle properties(H5Dget_create_plist(dataset.get()), H5Pclose);
     const H5D_layout_t layout = H5Pget_layout(properties.get());
-    if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) ||
+    const bool is_in_one_piece = layout == H5D_CONTIGUOUS || layout == H5D_COMPACT;
+    if (!(is_in_one_piece || (layout == H5D_CHUNKED && has_checksums_alone(properties))) ||
         H5Pget_external_count(properties.get()) != 0) {
-        fail(name, "is stored in pieces or elsewhere, expected one piece in this file");
+        fail(name, "is stored compressed or elsewhere, expected its numbers in this file");
     }
     return dataset;
 }
@@ -172,7 +186,11 @@ Reader::Shape Reader::shape_of(const Handle& dataset, const std::string& name) c
     }
     H5D_space_status_t status = H5D_SPACE_STATUS_ERROR;
     H5Dget_space_status(dataset.get(), &status);
-    if (count != 0 && status != H5D_SPACE_STATUS_ALLOCATED) {
+    // With checksums the pieces take other room than their numbers: HDF5 then knows no more.
+    const Handle properties(H5Dget_create_plist(dataset.get()), H5Pclose);
+    const bool is_in_pieces = H5Pget_layout(properties.get()) == H5D_CHUNKED;
+    if (count != 0 && status != H5D_SPACE_STATUS_ALLOCATED &&
+        !(is_in_pieces && status == H5D_SPACE_STATUS_PART_ALLOCATED)) {
         fail(name, "was never written");
     }
     return {sizes.begin(), sizes.end()};

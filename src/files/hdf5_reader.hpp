@@ -13,14 +13,18 @@
 namespace taut::hdf5 {
 
 /// Reads what Writer wrote, and trusts nothing: an object is read only where it stands in the file
-/// itself, has the type and shape that were expected and is no larger than the file. All members
-/// throw InputError naming the file and the object.
+/// itself, has the type and shape that were expected and is no larger than the file; and where the
+/// file has a digest, nothing is read unless it is that of the content. All members throw
+/// InputError naming the file and the object.
 class Reader {
 public:
     /// @param format that the file should have, "taut-model": for messages
     Reader(const std::filesystem::path& path, const std::string& format);
 
     [[nodiscard]] const std::string& file_name() const { return m_file_name; }
+    /// Whether the file has a digest, which then is that of its content. Files of taut 0.2.0 and
+    /// before have none.
+    [[nodiscard]] bool has_digest() const { return m_has_digest; }
     [[noreturn]] void fail(const std::string& object, const std::string& what) const;
 
     /// Attributes of the root.
@@ -58,6 +62,7 @@ private:
                                           Eigen::Index rows, Eigen::Index cols) const;
 
     std::string m_file_name;
+    bool m_has_digest = false;
     std::uint64_t m_file_size = 0;
     Handle m_file;
 };

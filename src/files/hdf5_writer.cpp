@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "files/digest.hpp"
+
 namespace taut::hdf5 {
 namespace {
 
@@ -38,9 +40,23 @@ Handle make_space(const std::vector<hsize_t>& shape) {
                    H5Sclose);
 }
 
+/// Under checksums, in pieces of whole rows.
+void set_checksums(const Handle& properties, std::vector<hsize_t> shape, hid_t type) {
+    constexpr hsize_t piece = hsize_t{1} << 22U;  // bytes
+    hsize_t row = H5Tget_size(type);
+    for (size_t k = 1; k < shape.size(); ++k) {
+        row *= shape[k];
+    }
+    shape[0] = std::clamp<hsize_t>(piece / row, 1, shape[0]);
+    check(H5Pset_chunk(properties.get(), static_cast<int>(shape.size()), shape.data()));
+    check(H5Pset_fletcher32(properties.get()));
+}
+
 }  // namespace
 
-Writer::Writer() : m_file(group_properties(H5P_FILE_CREATE)) {}
+Writer::Writer() : m_file(group_properties(H5P_FILE_CREATE)) {
+    attribute(digest_attribute, "the last line of the file, of all before it");
+}
 
 void Writer::write_attribute(hid_t object, const std::string& name, const std::string& text) {
     const Handle type = text_type(text);
@@ -73,10 +89,14 @@ Handle Writer::dataset(const std::string& name, const std::vector<hsize_t>& shap
                        hid_t stored_type, hid_t memory_type, const void* data) {
     const Handle space = make_space(shape);
     const Handle properties = timeless(H5P_DATASET_CREATE);
+    const bool has_values = std::ranges::find(shape, 0U) == shape.end();
+    if (has_values && !shape.empty()) {
+        set_checksums(properties, shape, stored_type);
+    }
     Handle dataset = checked(H5Dcreate2(m_file.get(), name.c_str(), stored_type, space.get(),
                                         H5P_DEFAULT, properties.get(), H5P_DEFAULT),
                              H5Dclose);
-    if (std::ranges::find(shape, 0U) == shape.end()) {
+    if (has_values) {
         check(H5Dwrite(dataset.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
     }
     return dataset;
@@ -124,7 +144,8 @@ void Writer::codes(const std::string& name, const std::vector<std::uint8_t>& cod
 }
 
 std::string Writer::finish() {
-    return m_file.finish();
+    std::string bytes = m_file.finish();
+    return bytes + digest_line(bytes);
 }
 
 }  // namespace taut::hdf5

@@ -11,9 +11,11 @@
 
 namespace taut::hdf5 {
 
-/// Makes an HDF5 file in memory. The same calls give the same bytes: no times are stored. Metadata
-/// carry checksums (the format of HDF5 1.8), so that a reader notices damage. All members throw
-/// std::runtime_error where HDF5 fails, which leaves it to running out of memory.
+/// Makes an HDF5 file in memory. The same calls give the same bytes: no times are stored. Arrays
+/// carry checksums (Fletcher), which every reader of HDF5 looks at, and most metadata (the format
+/// of HDF5 1.8); a line behind the end of what HDF5 reads tells the digest of all before it, which
+/// Reader looks at. All members throw std::runtime_error where HDF5 fails, which leaves it to
+/// running out of memory.
 class Writer {
 public:
     Writer();

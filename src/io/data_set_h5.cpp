@@ -79,13 +79,21 @@ StoredDataSet read_data_set(const std::filesystem::path& path) {
         .length_deviations = reader.matrix("length_deviation", net.interior_edge_count(), n),
         .statuses = {},
         .slack_counts = reader.integers("slack_edges", n, 0, net.edge_count())};
+    constexpr double largest = 1e15;  // as of a net's coordinates [m]
+    for (const auto& [name, values] : {std::pair("form_deviation", &data.form_deviations),
+                                       std::pair("length_deviation", &data.length_deviations)}) {
+        if (values->size() > 0 && values->cwiseAbs().maxCoeff() > largest) {
+            reader.fail(name, fmt::format("holds {:g} m, expected no more than {:g} m",
+                                          values->cwiseAbs().maxCoeff(), largest));
+        }
+    }
     const int highest = static_cast<int>(equilibrium_statuses.size()) - 1;
     const std::vector<int> codes = reader.integers("status", n, 0, highest);
     data.statuses.reserve(codes.size());
     for (const int code : codes) {
         data.statuses.push_back(static_cast<EquilibriumStatus>(code));
     }
-    return {.data = std::move(data), .net = std::move(file)};
+    return {.data = std::move(data), .net = std::move(file), .has_digest = reader.has_digest()};
 }
 
 }  // namespace taut

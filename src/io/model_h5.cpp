@@ -251,7 +251,8 @@ StoredModel read_model(const std::filesystem::path& path) {
                       .input_scales = std::move(scales),
                       .length_deviations = reader.matrix("training_outputs", m, n),
                       .processes = std::move(fitted)},
-            .net = std::move(file)};
+            .net = std::move(file),
+            .has_digest = reader.has_digest()};
 }
 
 }  // namespace taut

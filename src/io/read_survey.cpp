@@ -126,6 +126,26 @@ struct RoundedNoise {
     double rounding_std = 0.0;  ///< 0 where it adds nothing [m]
 };
 
+/// Points that tell standard deviations of 0, where a noise was told beside the file, tell none.
+void take_told_noise(const ReadSurveyOptions& options, SurveyFile& found) {
+    if (options.noise_std.value_or(0.0) == 0.0) {
+        return;
+    }
+    int count = 0;
+    for (SurveyPoint& point : found.points) {
+        if (point.noise_std && point.noise_std->isZero(0.0)) {
+            point.noise_std.reset();
+            ++count;
+        }
+    }
+    if (count > 0) {
+        found.notes.push_back(
+            fmt::format("{} points tell standard deviations of 0, which no survey has: --noise {} "
+                        "holds for them",
+                        count, format_length(*options.noise_std)));
+    }
+}
+
 /// Takes the rounding of a file's coordinates into their noise, and says so.
 RoundedNoise with_rounding(const CableNet& net, const ReadSurveyOptions& options,
                            SurveyFile& found) {
@@ -186,6 +206,7 @@ std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& contr
 /// @param file for messages
 Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesystem::path& file,
                     const ReadSurveyOptions& options) {
+    take_told_noise(options, found);
     const std::vector<SurveyPoint> as_read = found.points;
     const RoundedNoise noise = with_rounding(net, options, found);
     bool frame_is_fitted = true;

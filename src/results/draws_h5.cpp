@@ -9,7 +9,7 @@
 #include "files/hdf5_reader.hpp"
 #include "files/hdf5_writer.hpp"
 #include "files/message.hpp"
-#include "net/fnv1a.hpp"
+#include "numerics/fnv1a.hpp"
 
 namespace taut {
 

@@ -138,6 +138,8 @@ TEST_P(BadH5, IsRefusedNamingTheObject) {
     {
         const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
         bad.change(file.get());
+        // As of a file of taut 0.2.0: else the digest would be all that is looked at.
+        H5Adelete(file.get(), "digest");
     }
     const std::string message = input_error_of([&] {
         return bad.is_model ? read_model(path).net.unknown_keys
@@ -221,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(
                             const std::array<hsize_t, 2> chunk{1, 18};
                             H5Pset_chunk(properties, 2, chunk.data());
                         }),
-                "form_deviation: is stored in pieces or elsewhere"},
+                "form_deviation: is stored compressed or elsewhere"},
         BadFile{"FormDeviationUnwritten", false,
                 replace("form_deviation", {30, 18}, H5T_NATIVE_DOUBLE, nullptr),
                 "form_deviation: was never written"},
@@ -231,13 +233,13 @@ INSTANTIATE_TEST_SUITE_P(
                             const std::array<hsize_t, 2> chunk{5, 18};
                             H5Pset_chunk(properties, 2, chunk.data());
                         }),
-                "form_deviation: is stored in pieces or elsewhere"},
+                "form_deviation: is stored compressed or elsewhere"},
         BadFile{"FormDeviationInAnotherFile", false,
                 replace("form_deviation", {30, 18}, H5T_NATIVE_DOUBLE, nullptr,
                         [](hid_t properties) {
                             H5Pset_external(properties, "/dev/zero", 0, H5F_UNLIMITED);
                         }),
-                "form_deviation: is stored in pieces or elsewhere"},
+                "form_deviation: is stored compressed or elsewhere"},
         BadFile{"FormDeviationLink", false,
                 [](hid_t file) {
                     remove("form_deviation")(file);
@@ -340,6 +342,32 @@ INSTANTIATE_TEST_SUITE_P(
                 replace_numbers("spectra/0/eigenvectors", {29, 30}, 0.0),
                 "spectra/0/eigenvectors: has the shape [29, 30], expected [30, 30]"}),
     [](const auto& param) { return param.param.name; });
+
+/// Every byte is under the digest: whatever is flipped or cut, nothing is read.
+TEST(H5Damage, OfAnyByteIsNoticed) {
+    const test::ScratchDirectory scratch;
+    const std::string path = (scratch / "file.h5").string();
+    std::mt19937 random(1);
+    for (const bool is_model : {false, true}) {
+        const std::string good = is_model ? good_files().second : good_files().first;
+        const auto refusal = [&](const std::string& bytes) {
+            test::put_bytes(path, bytes);
+            return input_error_of([&] {
+                return is_model ? read_model(path).net.unknown_keys
+                                : read_data_set(path).net.unknown_keys;
+            });
+        };
+        for (int i = 0; i < 300; ++i) {
+            std::string bad = good;
+            const size_t at = random() % bad.size();
+            bad[at] = static_cast<char>(bad[at] ^ (1 << random() % 8));
+            EXPECT_THAT(refusal(bad), StartsWith(path)) << "byte " << at << " of " << bad.size();
+            EXPECT_THAT(refusal(good.substr(0, at)), StartsWith(path)) << "cut at " << at;
+        }
+        test::put_bytes(path, good);
+        EXPECT_TRUE(is_model ? read_model(path).has_digest : read_data_set(path).has_digest);
+    }
+}
 
 }  // namespace
 }  // namespace taut

@@ -15,6 +15,9 @@ namespace taut {
 struct StoredModel {
     LengthModel model;  ///< trained for `net`
     NetFile net;        ///< with the keys that taut does not know
+    /// The file tells the digest of its content, which held. Files of taut 0.2.0 and before do not:
+    /// of these damage may go unnoticed.
+    bool has_digest = true;
 };
 
 /// Writes a model as HDF5, whole or not at all; the same model gives the same bytes. Attributes of
