@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <atomic>
+#include <charconv>
+#include <string>
 #include <system_error>
 
 #include "files/message.hpp"
+#include "files/output_places.hpp"
 #include "platform/platform.hpp"
 #include "taut/files/file.hpp"
+#include "taut/files/printable.hpp"
 
 namespace taut {
 namespace {
@@ -15,9 +20,11 @@ namespace {
 /// The file that a target stands for: where it is a symbolic link, what that leads to.
 std::filesystem::path resolve_target(const std::filesystem::path& target) {
     std::error_code error;
-    std::filesystem::path resolved =
-        is_symlink(target, error) ? weakly_canonical(target, error) : target;
+    std::filesystem::path resolved = follow_links(target);
     const std::filesystem::file_status status = std::filesystem::status(resolved, error);
+    if (is_symlink(resolved, error)) {
+        throw OutputError(target, "is a symbolic link that leads to itself");
+    }
     if (is_directory(status)) {
         throw OutputError(target, "is a directory, expected a file");
     }
@@ -30,21 +37,36 @@ std::filesystem::path resolve_target(const std::filesystem::path& target) {
     return resolved;
 }
 
-/// Makes a file of a name that no other process or thread uses. Its mode is what any new file gets.
-std::filesystem::path make_temporary(const std::filesystem::path& target) {
+std::filesystem::path directory_of(const std::filesystem::path& file) {
+    const std::filesystem::path directory = file.parent_path();
+    return directory.empty() ? "." : directory;
+}
+
+/// How the names of a target's temporary files begin. The name of a file has at most 255 bytes.
+std::string temporary_prefix(const std::filesystem::path& target) {
+    constexpr size_t longest = 200;
+    return fmt::format(".{}.", target.filename().string().substr(0, longest));
+}
+
+/// Makes a file beside the target, of a name that no other process or thread uses, which is removed
+/// with those of remember_temporary().
+/// @param make makes a file of a name, or tells why it cannot
+template <class Make>
+std::filesystem::path make_beside(const std::filesystem::path& target,
+                                  const std::filesystem::path& told, const Make& make) {
     static std::atomic<unsigned> counter{0};
-    constexpr size_t longest = 200;  // of the 255 bytes that a name may have
+    const auto lock = lock_output_places();
     for (;;) {
-        std::filesystem::path temporary = target;
-        temporary.replace_filename(fmt::format(".{}.{}-{}.tmp",
-                                               target.filename().string().substr(0, longest),
-                                               platform::process_id(), counter++));
-        const std::error_code error = platform::make_new_file(temporary);
+        std::filesystem::path name = target;
+        name.replace_filename(fmt::format("{}{}-{}.tmp", temporary_prefix(target),
+                                          platform::process_id(), counter++));
+        const std::error_code error = make(name);
         if (!error) {
-            return temporary;
+            remember_temporary(name);
+            return name;
         }
         if (error != std::errc::file_exists) {
-            throw OutputError(target, "cannot be written: " + error.message());
+            throw OutputError(told, "cannot be written: " + error.message());
         }
     }
 }
@@ -53,31 +75,93 @@ std::filesystem::path make_temporary(const std::filesystem::path& target) {
 
 OutputError::OutputError(const std::filesystem::path& file, const std::string& what)
     : std::runtime_error(printable(fmt::format("{}: {}", file.string(), what))) {}
+OutputError::OutputError(const OutputError& error, const std::string& note)
+    : std::runtime_error(printable(fmt::format("{}; {}", error.what(), note))) {}
+
+struct AtomicFile::State {
+    platform::NamelessFile nameless;
+    bool has_name = false;    ///< m_temporary is to be removed
+    bool is_flushed = false;  ///< and nothing was written since
+};
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
-    : m_target(resolve_target(target)), m_temporary(make_temporary(m_target)) {}
+    : m_told(target), m_target(resolve_target(target)) {
+    m_state.reset(new State{.nameless = platform::NamelessFile(directory_of(m_target))});
+    if (m_state->nameless.valid()) {
+        m_temporary = m_state->nameless.path();
+        return;
+    }
+    m_temporary = make_beside(m_target, m_told, platform::make_new_file);
+    m_state->has_name = true;
+}
 
 AtomicFile::~AtomicFile() {
-    if (!m_committed) {
+    if (m_state->has_name) {
+        const auto lock = lock_output_places();
         std::error_code ignored;
         std::filesystem::remove(m_temporary, ignored);
+        forget_temporary(m_temporary);
     }
 }
 
+void AtomicFile::flush() {
+    if (const std::error_code error = platform::flush_file(m_temporary)) {
+        throw OutputError(m_told, "cannot be flushed to the disk: " + error.message());
+    }
+    m_state->is_flushed = true;
+}
+
 void AtomicFile::commit() {
-    std::error_code error = platform::flush_file(m_temporary);
-    if (error) {
-        throw OutputError(m_target, "cannot be flushed to the disk: " + error.message());
+    if (!m_state->is_flushed) {
+        flush();
+    }
+    const auto lock = lock_output_places();
+    std::error_code error;
+    if (m_state->nameless.valid()) {
+        // A name that is not taken yet is given at once; what is there can be replaced by a file
+        // with a name alone.
+        const auto give = [this](const std::filesystem::path& name) {
+            return m_state->nameless.give_name(name);
+        };
+        if (!exists(symlink_status(m_target, error)) && !give(m_target)) {
+            error = platform::flush_directory(directory_of(m_target));
+            return;
+        }
+        m_temporary = make_beside(m_target, m_told, give);
+        m_state->has_name = true;
     }
     std::filesystem::rename(m_temporary, m_target, error);
     if (error) {
-        throw OutputError(m_target, "cannot be put in its place: " + error.message());
+        throw OutputError(m_told, "cannot be put in its place: " + error.message());
     }
-    m_committed = true;
+    forget_temporary(m_temporary);
+    m_state->has_name = false;
     // The file is whole and in its place by now. Some file systems cannot flush a directory; what
     // is at stake is only which of the two whole files a power cut leaves.
-    const std::filesystem::path directory = m_target.parent_path();
-    error = platform::flush_directory(directory.empty() ? "." : directory);
+    error = platform::flush_directory(directory_of(m_target));
+}
+
+std::vector<std::filesystem::path> left_temporary_files(const std::filesystem::path& target) {
+    const std::filesystem::path file = follow_links(target);
+    const std::string prefix = temporary_prefix(file);
+    std::vector<std::filesystem::path> left;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(directory_of(file), error), end;
+         !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(prefix) || !name.ends_with(".tmp")) {
+            continue;
+        }
+        // "PROCESS-NUMBER.tmp"
+        const char* const digits = name.data() + prefix.size();
+        long process = 0;
+        const auto [rest, failure] = std::from_chars(digits, name.data() + name.size(), process);
+        if (failure == std::errc() && *rest == '-' && !platform::process_runs(process)) {
+            left.push_back(entry->path());
+        }
+    }
+    std::ranges::sort(left);
+    return left;
 }
 
 }  // namespace taut

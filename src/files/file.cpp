@@ -2,28 +2,27 @@
 // SPDX-License-Identifier: MIT
 #include "taut/files/file.hpp"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <deque>
 #include <system_error>
 
 #include "files/message.hpp"
 #include "files/open_file.hpp"
-#include "platform/platform.hpp"
+#include "files/output_places.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut {
 namespace {
 
-void write_content(const AtomicFile& file, const std::filesystem::path& name,
-                   std::string_view content) {
+void write_content(AtomicFile& file, const std::filesystem::path& name, std::string_view content) {
     const File stream(std::fopen(file.temporary().c_str(), "wb"));
     if (!stream || std::fwrite(content.data(), 1, content.size(), stream.get()) < content.size() ||
         std::fflush(stream.get()) != 0) {
         throw OutputError(name, "cannot be written: " + error_text(errno));
     }
-    if (const std::error_code error = platform::flush_file(file.temporary())) {
-        throw OutputError(name, "cannot be written: " + error.message());
-    }
+    file.flush();
 }
 
 /// Makes a directory and those above it, and removes again those it made, as far as they are empty,
@@ -32,12 +31,14 @@ class NewDirectories {
 public:
     explicit NewDirectories(const std::filesystem::path& directory) {
         std::error_code error;
-        for (std::filesystem::path path = directory;
+        for (std::filesystem::path path = follow_links(directory);
              !path.empty() && !exists(path, error) && path != path.parent_path();
-             path = path.parent_path()) {
+             path = follow_links(path.parent_path())) {
             m_made.push_back(path);
         }
-        create_directories(directory, error);
+        for (auto path = m_made.rbegin(); path != m_made.rend() && !error; ++path) {
+            create_directory(*path, error);
+        }
         if (error || !is_directory(directory, error)) {
             remove();
             throw OutputError(directory, "cannot be made as a directory: " +
@@ -77,14 +78,14 @@ File open_file(const std::filesystem::path& path) {
 }
 
 std::string read_file(const std::filesystem::path& path) {
-    constexpr size_t largest = size_t{1} << 30U;
+    constexpr size_t largest = size_t{1} << 28U;
     const File file = open_file(path);
     std::string content;
     std::string buffer(size_t{1} << 16U, '\0');
     while (const size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
         content.append(buffer, 0, count);
         if (content.size() > largest) {
-            throw InputError(path.string(), "", "is larger than 1 GiB");
+            throw InputError(path.string(), "", "is larger than 256 MiB");
         }
     }
     if (std::ferror(file.get()) != 0) {
@@ -125,8 +126,16 @@ void write_files(const std::vector<std::pair<std::filesystem::path, std::string>
     for (const auto& [path, content] : files) {
         write_content(outputs.emplace_back(path), path, content);
     }
-    for (AtomicFile& output : outputs) {
-        output.commit();
+    const auto lock = lock_output_places();
+    for (size_t i = 0; i < outputs.size(); ++i) {
+        try {
+            outputs[i].commit();
+        } catch (const OutputError& error) {
+            if (i == 0) {
+                throw;
+            }
+            throw OutputError(error, fmt::format("{} of {} outputs are new", i, outputs.size()));
+        }
     }
 }
 

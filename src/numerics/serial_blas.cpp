@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/serial_blas.hpp"
 
+#include <oneapi/tbb/task_arena.h>
+
 #include <mutex>
+#include <new>
+
+#include "platform/platform.hpp"
 
 // The one that CMake found: cmake/dependencies.cmake.
 #if defined(TAUT_BLAS_IS_OPENBLAS)
@@ -19,6 +24,13 @@ namespace taut {
 #if defined(TAUT_BLAS_IS_OPENBLAS)
 namespace {
 
+/// OpenBLAS takes a buffer for each thread that calls it, and where it gets none it tries again for
+/// ever.
+bool has_room_for_buffers() {
+    constexpr double buffer = 128.0 * 1024.0 * 1024.0;  // bytes, of builds for x86-64
+    return platform::can_map(buffer * oneapi::tbb::this_task_arena::max_concurrency());
+}
+
 std::mutex mutex;
 int living = 0;
 int threads_before = 1;
@@ -26,6 +38,10 @@ int threads_before = 1;
 }  // namespace
 
 SerialBlas::SerialBlas() {
+    static const bool has_room = has_room_for_buffers();
+    if (!has_room) {
+        throw std::bad_alloc();
+    }
     const std::scoped_lock lock(mutex);
     if (living++ == 0) {
         threads_before = openblas_get_num_threads();

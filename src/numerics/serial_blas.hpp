@@ -11,6 +11,7 @@ namespace taut {
 /// known here.
 class SerialBlas {
 public:
+    /// @throws std::bad_alloc where a limit of the address space leaves OpenBLAS no room
     SerialBlas();
     ~SerialBlas();
     SerialBlas(const SerialBlas&) = delete;

@@ -14,11 +14,40 @@ namespace taut::platform {
 /// Of the machine [bytes].
 [[nodiscard]] TAUT_CORE_EXPORT double physical_memory();
 
+/// Whether so much more can be mapped, where the address space of the process is limited.
+[[nodiscard]] TAUT_CORE_EXPORT bool can_map(double bytes);
+
 [[nodiscard]] TAUT_CORE_EXPORT long process_id();
+
+/// Whether there is a process of that number on this machine.
+[[nodiscard]] TAUT_CORE_EXPORT bool process_runs(long process);
 
 /// Makes an empty file with the mode that any new file gets.
 /// @return std::errc::file_exists, say, where it cannot
 [[nodiscard]] TAUT_CORE_EXPORT std::error_code make_new_file(const std::filesystem::path& path);
+
+/// A file that stands in a directory's file system, but under no name until it is given one: a
+/// process that ends leaves nothing of it behind.
+class TAUT_CORE_EXPORT NamelessFile {
+public:
+    /// Makes one, where system and file system can: see valid(). Its mode is what any new file
+    /// gets.
+    explicit NamelessFile(const std::filesystem::path& directory);
+    ~NamelessFile();
+    NamelessFile(const NamelessFile&) = delete;
+    NamelessFile& operator=(const NamelessFile&) = delete;
+    NamelessFile(NamelessFile&&) = delete;
+    NamelessFile& operator=(NamelessFile&&) = delete;
+
+    [[nodiscard]] bool valid() const { return m_descriptor >= 0; }
+    /// By which it can be opened as long as this lives.
+    [[nodiscard]] std::filesystem::path path() const;
+    /// @param name in that directory, which no file has yet
+    [[nodiscard]] std::error_code give_name(const std::filesystem::path& name) const;
+
+private:
+    int m_descriptor = -1;
+};
 
 /// Waits until a file's content, or a directory's entries, are on the disk.
 [[nodiscard]] TAUT_CORE_EXPORT std::error_code flush_file(const std::filesystem::path& path);

@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
+#include <string>
+#include <utility>
 
 #include "platform/platform.hpp"
 
@@ -31,8 +36,27 @@ double physical_memory() {
            static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
+bool can_map(double bytes) {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
+        return true;
+    }
+    const auto size = static_cast<size_t>(bytes);
+    void* const place =
+        mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (place == MAP_FAILED) {
+        return false;
+    }
+    munmap(place, size);
+    return true;
+}
+
 long process_id() {
     return getpid();
+}
+
+bool process_runs(long process) {
+    return kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
 }
 
 std::error_code make_new_file(const std::filesystem::path& path) {
@@ -42,6 +66,34 @@ std::error_code make_new_file(const std::filesystem::path& path) {
     }
     close(file);
     return {};
+}
+
+#ifdef O_TMPFILE
+NamelessFile::NamelessFile(const std::filesystem::path& directory)
+    : m_descriptor(open(directory.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666)) {
+    // Without /proc it could be given no name.
+    if (valid() && access(path().c_str(), W_OK) != 0) {
+        close(std::exchange(m_descriptor, -1));
+    }
+}
+#else
+NamelessFile::NamelessFile(const std::filesystem::path& /*directory*/) {}
+#endif
+
+NamelessFile::~NamelessFile() {
+    if (valid()) {
+        close(m_descriptor);
+    }
+}
+
+std::filesystem::path NamelessFile::path() const {
+    return "/proc/self/fd/" + std::to_string(m_descriptor);
+}
+
+std::error_code NamelessFile::give_name(const std::filesystem::path& name) const {
+    return linkat(AT_FDCWD, path().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0
+               ? std::error_code()
+               : last_error();
 }
 
 std::error_code flush_file(const std::filesystem::path& path) {

@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -63,7 +65,7 @@ TEST(AtomicFile, LeavesAnExistingTargetAndNoTemporaryWhenItIsNotCommitted) {
     {
         const AtomicFile file(scratch / "out");
         put_bytes(file.temporary(), "after");
-        EXPECT_EQ(scratch.files().size(), 2U);
+        EXPECT_EQ(bytes_of(scratch / "out"), "before");
     }
     EXPECT_EQ(bytes_of(scratch / "out"), "before");
     EXPECT_THAT(scratch.files(), ElementsAre("out"));
@@ -85,7 +87,62 @@ TEST(AtomicFile, GivesTwoWritersOfOneTargetTemporariesOfTheirOwn) {
     const AtomicFile one(scratch / "out");
     const AtomicFile two(scratch / "out");
     EXPECT_NE(one.temporary(), two.temporary());
-    EXPECT_EQ(one.temporary().parent_path(), scratch.path());
+}
+
+TEST(AtomicFile, FollowsALinkToWhatIsNotThereYet) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directory(scratch / "inner");
+    std::filesystem::create_symlink("inner/file", scratch / "link");
+    write_file(scratch / "link", "content");
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "link"));
+    EXPECT_EQ(bytes_of(scratch / "inner/file"), "content");
+    write_file(scratch / "link", "again");
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "link"));
+    EXPECT_EQ(bytes_of(scratch / "inner/file"), "again");
+}
+
+TEST(AtomicFile, LeavesALinkThatLeadsNowhere) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_symlink("nowhere/file", scratch / "link");
+    std::filesystem::create_symlink("loop", scratch / "loop");
+    EXPECT_THROW(write_file(scratch / "link", "content"), OutputError);
+    EXPECT_THROW(write_file(scratch / "loop", "content"), OutputError);
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "link"));
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "loop"));
+}
+
+TEST(WriteFiles, MakesTheDirectoryThatALinkLeadsTo) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_symlink("there", scratch / "out");
+    write_files(scratch / "out", {{"a", "content"}});
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "out"));
+    EXPECT_EQ(bytes_of(scratch / "there/a"), "content");
+}
+
+TEST(WriteFiles, LeavesALinkWhoseDirectoryCannotBeMade) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "file", "");
+    std::filesystem::create_symlink("file/there", scratch / "out");
+    EXPECT_THROW(write_files(scratch / "out", {{"a", "content"}}), OutputError);
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "out"));
+}
+
+TEST(AtomicFile, TemporaryFilesOfProcessesThatAreNoLongerThereAreFound) {
+    const ScratchDirectory scratch;
+    const pid_t child = fork();
+    if (child == 0) {
+        _exit(0);
+    }
+    waitpid(child, nullptr, 0);  // a number that no process has
+    const std::string left = ".out.json." + std::to_string(child) + "-0.tmp";
+    put_bytes(scratch / left, "");
+    put_bytes(scratch / (".out.json." + std::to_string(getpid()) + "-0.tmp"), "");
+    put_bytes(scratch / (".other.json." + std::to_string(child) + "-0.tmp"), "");
+    put_bytes(scratch / ".out.json.notes.tmp", "");
+    EXPECT_THAT(left_temporary_files(scratch / "out.json"), ElementsAre(scratch / left));
+    std::filesystem::create_symlink("out.json", scratch / "link");
+    EXPECT_THAT(left_temporary_files(scratch / "link"), ElementsAre(scratch / left));
+    EXPECT_THAT(left_temporary_files(scratch / "nowhere/out.json"), IsEmpty());
 }
 
 TEST(AtomicFile, GivesANewFileTheModeThatAnyNewFileGets) {
