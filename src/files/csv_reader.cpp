@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "files/csv_reader.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -9,6 +11,11 @@
 
 namespace taut {
 namespace {
+
+/// More than any table here has, and more would take memory for nothing.
+constexpr size_t most_fields = 1000;
+constexpr size_t longest_field = size_t{1} << 16U;  // bytes
+constexpr int most_lines = 4'000'000;
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
@@ -130,9 +137,20 @@ std::optional<CsvRecord> CsvReader::next() {
         m_separator = detect_separator(first_line(m_rest));
     }
     CsvRecord record{.line = m_line, .fields = {}};
+    if (m_line > most_lines) {
+        throw InputError(m_file_name, "", fmt::format("has more than {} lines", most_lines));
+    }
     for (;;) {
         skip_blanks();
+        if (record.fields.size() == most_fields) {
+            throw InputError(m_file_name, std::to_string(record.line),
+                             fmt::format("has more than {} fields", most_fields));
+        }
         record.fields.push_back(m_rest.starts_with('"') ? quoted_field() : plain_field());
+        if (record.fields.back().size() > longest_field) {
+            throw InputError(m_file_name, std::to_string(record.line),
+                             fmt::format("has a field of more than {} bytes", longest_field));
+        }
         skip_blanks();
         if (at_line_end()) {
             skip_line_end();

@@ -18,6 +18,14 @@ using nlohmann::json;
 /// The destructor of a value, and whoever walks it, goes as deep as the value does.
 constexpr size_t deepest = 64;
 
+/// Memory that a value takes, however short its text: 16 bytes and the growth of its list; more for
+/// an entry of an object, a node of a tree; more for a list or an object. A net of 10^6 nodes takes
+/// some 0.6 GB.
+constexpr size_t bytes_of_value = 24;
+constexpr size_t bytes_of_member = 96;
+constexpr size_t bytes_of_container = 64;
+constexpr size_t most_bytes = 1'500'000'000;
+
 std::string line_and_column(std::string_view text, size_t offset) {
     const std::string_view before = text.substr(0, offset);
     const size_t line_start = before.rfind('\n') + 1;  // 0 where there is none
@@ -121,6 +129,15 @@ private:
     }
 
     json& place(json value) {
+        const bool is_member = !m_levels.empty() && m_levels.back().value->is_object();
+        m_bytes += is_member ? bytes_of_member : bytes_of_value;
+        m_bytes += value.is_structured() ? bytes_of_container : 0;
+        if (m_bytes > most_bytes) {
+            throw InputError(m_file_name, "",
+                             fmt::format("holds so many values that they take more than {} GB of "
+                                         "memory",
+                                         1e-9 * static_cast<double>(most_bytes)));
+        }
         if (m_levels.empty()) {
             m_root = std::move(value);
             return m_root;
@@ -149,6 +166,7 @@ private:
     std::string_view m_text;
     const std::string& m_file_name;
     json m_root;
+    size_t m_bytes = 0;  ///< of all values yet
     std::vector<Level> m_levels;
 };
 

@@ -10,9 +10,6 @@ namespace taut {
 /// Text out of a file for a message: in single quotes, cut after 40 bytes.
 [[nodiscard]] std::string quote(std::string_view text);
 
-/// The text on one line: control characters become question marks.
-[[nodiscard]] std::string printable(std::string text);
-
 /// What an errno stands for, "No space left on device".
 [[nodiscard]] std::string error_text(int code);
 

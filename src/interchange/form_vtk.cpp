@@ -6,6 +6,7 @@
 
 #include "files/message.hpp"
 #include "interchange/form_values.hpp"
+#include "taut/files/printable.hpp"
 
 namespace taut {
 namespace {

@@ -20,6 +20,10 @@ namespace {
 constexpr std::array<std::string_view, 7> ignored{"vn", "vt", "vp", "s", "mtllib", "usemtl", "o"};
 constexpr std::array<std::string_view, 5> known{"v", "l", "f", "g", "p"};
 
+/// More than any net has, and more would take memory for nothing.
+constexpr int most_lines = 4'000'000;
+constexpr size_t most_arguments = 100'000;
+
 }  // namespace
 
 void ObjStatement::fail(const std::string& what) const {
@@ -60,7 +64,9 @@ void for_each_obj_statement(std::string_view text, const std::string& file_name,
         const size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        ++statement.line;
+        if (++statement.line > most_lines) {
+            throw InputError(file_name, "", fmt::format("has more than {} lines", most_lines));
+        }
         std::istringstream words{std::string(line.substr(0, line.find('#')))};
         if (!(words >> statement.keyword) ||
             std::ranges::find(ignored, statement.keyword) != ignored.end()) {
@@ -72,6 +78,9 @@ void for_each_obj_statement(std::string_view text, const std::string& file_name,
         }
         statement.arguments.clear();
         for (std::string word; words >> word;) {
+            if (statement.arguments.size() == most_arguments) {
+                statement.fail(fmt::format("has more than {} words", most_arguments));
+            }
             statement.arguments.push_back(word);
         }
         take(statement);

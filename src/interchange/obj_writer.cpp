@@ -4,6 +4,7 @@
 
 #include "files/message.hpp"
 #include "interchange/form_values.hpp"
+#include "taut/files/printable.hpp"
 #include "taut/interchange/obj.hpp"
 
 namespace taut {

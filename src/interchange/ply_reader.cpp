@@ -18,6 +18,7 @@
 #include "files/parse_number.hpp"
 #include "interchange/polygon_triangles.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/printable.hpp"
 
 namespace taut {
 namespace {

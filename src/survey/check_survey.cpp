@@ -157,12 +157,19 @@ void check_survey(const CableNet& net, const Survey& survey) {
 }
 
 void require_whole(const CableNet& net, const Survey& survey, std::string_view expected) {
-    if (!survey.is_whole()) {
-        throw SurveyError(
-            0, fmt::format("holds {} of {} free nodes, expected {}: node '{}' is the first missing",
-                           survey.surveyed.size(), net.free_node_count(), expected,
-                           net.node_id(survey.missing.front())));
+    if (survey.is_whole()) {
+        return;
     }
+    const int first = survey.missing.front();
+    std::string message =
+        fmt::format("holds {} of {} free nodes, expected {}: node '{}' is the first missing",
+                    survey.surveyed.size(), net.free_node_count(), expected, net.node_id(first));
+    for (const UnmatchedPoint& point : survey.unmatched) {
+        if (point.nearest == first && point.reason == UnmatchedReason::far_from_its_node) {
+            message += fmt::format(", as its point lies {:.4g} m from it", point.distance);
+        }
+    }
+    throw SurveyError(0, message);
 }
 
 }  // namespace taut

@@ -22,7 +22,8 @@ TEST(InputError, LeavesOutAnEmptyPlace) {
 }
 
 TEST(InputError, KeepsItsMessageOnOneLine) {
-    EXPECT_STREQ(InputError("a\nb", "/c\r\x1b", "d\x7f\te").what(), "a?b:/c??: d??e");
+    EXPECT_STREQ(InputError("a\nb", "/c\r\x1b", "d\x7f\te").what(),
+                 R"(a\u000ab:/c\u000d\u001b: d\u007f\u0009e)");
 }
 
 TEST(InputError, CutsAPlaceThatIsAsLongAsTheFile) {

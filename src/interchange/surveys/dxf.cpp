@@ -17,6 +17,7 @@
 #include "files/parse_number.hpp"
 #include "interchange/surveys/survey_reader.hpp"
 #include "taut/files/input_error.hpp"
+#include "taut/files/printable.hpp"
 
 namespace taut {
 namespace {
