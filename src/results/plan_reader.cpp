@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <set>
+
 #include "results/result_values.hpp"
 
 namespace taut {
@@ -61,9 +63,11 @@ PlanResult read_plan(const JsonValue& root) {
     for (int e = 0; e < count; ++e) {
         plan.tensions.push_back(read_tension(edges.at(e), e));
     }
+    std::set<int> turned;
     for (const JsonValue& turn : entries(root, "turns")) {
-        static_cast<void>(read_edge_index(member(turn, "edge"), plan.net));
+        turned.insert(read_edge_index(member(turn, "edge"), plan.net));
     }
+    require_equal(root, "touched", static_cast<int>(turned.size()), "the edges among /turns");
     for (const JsonValue& breach : entries(root, "violations")) {
         check_breach(breach, plan.net);
     }

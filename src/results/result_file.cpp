@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -53,6 +54,11 @@ StudyResult read_study(const JsonValue& root) {
                                                       "least one of both",
                                                       study.validation, m));
     }
+
+    require_at_most(samples, "training", "total");
+    require_at_most(samples, "validation", "total");
+    require_at_most(samples, "with_slack", "total");
+    require_at_most(samples, "not_converged", "total");
 
     study.nominal_form = require_form(root, "nominal_form", study.net);
     const JsonValue sample = member(root, "sample");
@@ -109,6 +115,18 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
     if (!std::ranges::binary_search(net.interior_edges(), edge.edge)) {
         member(value, "edge")
             .fail(fmt::format("is {}, expected an interior edge of the net", edge.edge));
+    }
+    const Edge& nodes = net.edges()[edge.edge];
+    if (const auto told = value.find("nodes");
+        told && (told->at(0).integer() != nodes[0] || told->at(1).integer() != nodes[1])) {
+        told->fail(
+            fmt::format("expected [{}, {}], the ends of edge {}", nodes[0], nodes[1], edge.edge));
+    }
+    if (const double l0 = net.unstressed_lengths()(edge.edge);
+        std::abs(edge.nominal - l0) > 1e-9 * l0) {
+        member(value, "nominal")
+            .fail(fmt::format("is {}, expected {}, the unstressed length in /cable_net",
+                              edge.nominal, l0));
     }
     if (edge.lower > edge.upper) {
         value.fail(fmt::format("has the interval from {} to {}, expected lower before upper",
@@ -273,6 +291,9 @@ IdentificationResult read_identification(const JsonValue& root) {
         }
     }
     const JsonValue survey = member(root, "survey");
+    require_equal(survey, "missing",
+                  result.net.free_node_count() - member(survey, "used").integer(),
+                  "the free nodes that were not used");
     for (const JsonValue& node : entries(survey, "missing_nodes")) {
         static_cast<void>(read_node(node, result.net));
     }
@@ -283,6 +304,7 @@ IdentificationResult read_identification(const JsonValue& root) {
 ComparisonResult read_comparison(const JsonValue& root) {
     ComparisonResult result;
     for (const JsonValue& row : entries(root, "rows")) {
+        require_at_most(row, "failed", "surveys");
         result.rows.push_back(
             {.method = member(row, "method").text(),
              .noise = member(row, "noise").number(),

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "io/net_json_value.hpp"
 
 namespace taut {
@@ -83,7 +85,29 @@ CableNet require_net(const JsonValue& root) {
                                           fingerprint->text(), net.fingerprint()));
         }
     }
+    for (const auto& [key, count] :
+         {std::pair("free_nodes", net.free_node_count()),
+          std::pair("supports", static_cast<int>(net.supports().size())),
+          std::pair("interior_edges", net.interior_edge_count()),
+          std::pair("adjustable_edges", static_cast<int>(net.adjustable_edges().size()))}) {
+        require_equal(counts, key, count, "as /cable_net has");
+    }
     return net;
+}
+
+void require_equal(const JsonValue& parent, const char* key, int expected, std::string_view why) {
+    if (const auto value = parent.find(key); value && value->integer() != expected) {
+        value->fail(fmt::format("is {}, expected {}, {}", value->integer(), expected, why));
+    }
+}
+
+void require_at_most(const JsonValue& parent, const char* key, const char* whole) {
+    const auto part = optional_number(parent, key);
+    const auto all = optional_number(parent, whole);
+    if (part && all && *part > *all) {
+        member(parent, key)
+            .fail(fmt::format("is {}, expected at most {}, which is {}", *part, whole, *all));
+    }
 }
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "files/json_value.hpp"
@@ -40,7 +41,13 @@ namespace taut {
 /// An edge of the net.
 [[nodiscard]] int read_edge_index(const JsonValue& value, const CableNet& net);
 
-/// The net of a result, its fingerprint that of the counts beside it.
+/// The net of a result, its fingerprint and counts those that stand beside it.
 [[nodiscard]] CableNet require_net(const JsonValue& root);
+
+/// A count that may be missing. @param why it is expected, "as /cable_net has"
+void require_equal(const JsonValue& parent, const char* key, int expected, std::string_view why);
+
+/// Two numbers of an object, of which the one is a part of the other; each may be missing.
+void require_at_most(const JsonValue& parent, const char* key, const char* whole);
 
 }  // namespace taut

@@ -271,6 +271,10 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithANegativeCount", "study", "/samples/total", -1, "/samples/total: is -1"},
         Damage{"WithACountBeyondAllReason", "study", "/samples/total", 3'000'000'000,
                "/samples/total: is 3000000000, expected at most 2147483647"},
+        Damage{"WithMoreForTrainingThanThereAre", "study", "/samples/training", 100'000,
+               "/samples/training: is 100000, expected at most total"},
+        Damage{"OfFewerNodesThanItsNet", "study", "/net/free_nodes", 5,
+               "/net/free_nodes: is 5, expected 6, as /cable_net has"},
         Damage{"WithANumberForADate", "study", "/date", 5, "/date: is 5, expected text"}),
     name_of);
 
@@ -290,6 +294,12 @@ INSTANTIATE_TEST_SUITE_P(
                "/survey/used: is -1, expected at least 0"},
         Damage{"WithANegativeCountOfTheNet", "identification", "/net/free_nodes", -3,
                "/net/free_nodes: is -3, expected at least 0"},
+        Damage{"WithMoreTargetsThanNodes", "identification", "/survey/used", 100,
+               "/survey/missing: is 0, expected -94, the free nodes that were not used"},
+        Damage{"WithAnEdgeBetweenOtherNodes", "identification", "/edges/0/nodes", json{0, 1},
+               "/edges/0/nodes: expected ["},
+        Damage{"WithAnotherNominalLength", "identification", "/edges/0/nominal", 77.0,
+               "/edges/0/nominal: is 77, expected "},
         Damage{"WithAFlatRotation", "identification", "/frame",
                json::parse(R"({"rotation": [[1, 0, 0]], "from": [0, 0, 0], "to": [0, 0, 0],
                                "fit": {"rms": 0, "count": 0}, "control": []})"),
@@ -354,6 +364,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/tension/edges/1: has the interval of tension from"},
         Damage{"WithLimitsThatContradict", "plan", "/tension/edges/1/limit_lower", 1e9,
                "/tension/edges/1: has limits of tension from"},
+        Damage{"WithMoreTouchedThanTurned", "plan", "/touched", 100, "/touched: is 100, expected "},
         Damage{"ThatTurnsNoEdge", "plan", "/turns/0/edge", 999,
                "/turns/0/edge: is 999, expected an edge of the net"},
         Damage{"ThatTurnsSomehow", "plan", "/turns/0/sense", "tighten", "/turns/0/sense: is"},
@@ -399,6 +410,10 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithoutNoise", "comparison", "/rows/0/noise", gone, "/rows/0/noise: is missing"},
         Damage{"WithANumberForAMethod", "comparison", "/rows/0/method", 1,
                "/rows/0/method: is 1, expected text"},
+        Damage{"WithCoverageBeyondAll", "comparison", "/rows/0/coverage", 1.5,
+               "/rows/0/coverage: is 1.5, expected at most 1"},
+        Damage{"WithMoreFailedThanSurveys", "comparison", "/rows/0/failed", 1000,
+               "/rows/0/failed: is 1000, expected at most surveys"},
         Damage{"WithTextForAnError", "comparison", "/rows/0/mse", "small", "/rows/0/mse"}),
     name_of);
 

@@ -69,6 +69,7 @@ export type Indices1 = Index[];
  */
 export type Indices2 = Index[];
 export type CountOrNull = number | null;
+export type PartOrNull = number | null;
 /**
  * Of each coordinate, over the draws; 0 without.
  */
@@ -757,7 +758,7 @@ export interface ComparisonRow {
    * Standard deviation of a surveyed coordinate [m].
    */
   noise: number;
-  hidden_fraction?: SizeOrNull;
+  hidden_fraction?: PartOrNull;
   /**
    * Surveys of each net that are used at once.
    */
@@ -781,7 +782,7 @@ export interface ComparisonRow {
   mrse?: SizeOrNull;
   form_error?: SizeOrNull;
   forms_not_converged?: CountOrNull;
-  coverage?: SizeOrNull;
+  coverage?: PartOrNull;
   training_seconds?: SizeOrNull;
   seconds?: SizeOrNull;
 }

@@ -72,7 +72,7 @@ function troubled(identification) {
   result.survey.residuals.forEach((r, i) => (r.standardised = [Math.sin(i), Math.cos(3 * i), Math.sin(7 * i)]));
   Object.assign(result.survey, {
     outliers: [{ node: 8, id: "8", distance: 0.0512, statistic: 5.25 }], outlier_threshold: 4.5, noise_ratio: 1.47,
-    missing: 2, missing_nodes: [9, 10],
+    used: result.net.free_nodes - 2, missing: 2, missing_nodes: [9, 10],
     unmatched: [{ id: "T-900" }, { id: "<b>T-901</b>" }],
   });
   Object.assign(result.survey.residuals.find((r) => r.node === 8), { dx: 0, dy: 0.03, dz: 0.04 });
