@@ -51,6 +51,12 @@ Survey survey_of_kind(const CableNet& net, const Points& form, const SurveyKind&
     }
 }
 
+/// Seeds that differ in their upper half alone, which `shifted` loses, have other numbers, too.
+std::uint64_t with_upper_half(std::uint64_t shifted, std::uint64_t seed) {
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15ULL;
+    return shifted ^ ((seed >> 32U) * odd);
+}
+
 }  // namespace
 
 std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
@@ -63,8 +69,9 @@ std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
                     .form = with_free_coordinates(
                         net, data.nominal_form + data.form_deviations.col(sample))};
         trial.slack = slack_interior_edges(net, trial.deviations, trial.form);
-        trial.survey = survey_of_kind(net, trial.form, kind,
-                                      (seed << sample_bits) + static_cast<std::uint64_t>(sample));
+        trial.survey = survey_of_kind(
+            net, trial.form, kind,
+            with_upper_half((seed << sample_bits) + static_cast<std::uint64_t>(sample), seed));
         trials.push_back(std::move(trial));
     }
     return trials;
@@ -81,7 +88,8 @@ std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials
             trial.epochs.push_back({.survey = trial.survey, .turned = {}});
         }
         // No survey has noise or strokes in common with another.
-        const std::uint64_t own = ((seed + 1) << trial_bits) * (trial.epochs.size() + 1) + k;
+        const std::uint64_t own =
+            with_upper_half(((seed + 1) << trial_bits) * (trial.epochs.size() + 1) + k, seed);
         RandomNumbers random(own, 0);
         Epoch epoch;
         for (const int edge : is_turned ? net.adjustable_edges() : std::vector<int>()) {
