@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "taut/files/file.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 
@@ -53,7 +54,14 @@ void check_outputs(const std::vector<std::string>& outputs,
     for (const std::string& output : outputs) {
         if (!output.empty()) {
             AtomicFile{output};
+            note_left_files(output);
         }
+    }
+}
+
+void note_left_files(const std::filesystem::path& output) {
+    for (const std::filesystem::path& left : left_temporary_files(output)) {
+        tell("note", left.string() + ": was left by a run that was killed, and can be removed");
     }
 }
 
@@ -72,9 +80,16 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
 }
 
 void warn(const std::string& file, const std::vector<std::string>& warnings) {
-    for (std::string line : warnings) {
-        std::ranges::replace(line, '\n', ' ');  // of a name
-        fmt::print(stderr, "taut: warning: {}: {}\n", file, line);
+    for (const std::string& line : warnings) {
+        tell("warning", fmt::format("{}: {}", file, line));
+    }
+}
+
+void note_digest(const std::string& file, bool has_digest) {
+    if (!has_digest) {
+        tell("note", file +
+                         ": tells no digest of its content, as files of taut 0.2.0 and before: "
+                         "damage of it would not be noticed");
     }
 }
 

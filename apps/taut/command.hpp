@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -60,8 +61,14 @@ void check_outputs(const std::vector<std::string>& outputs, const std::vector<st
 /// --seed: a whole number from 0 to 2^64 - 1.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 
+/// Tells of temporary files beside an output that a run which was killed left there.
+void note_left_files(const std::filesystem::path& output);
+
 /// Each warning on a line of standard error, "taut: warning: net.json: ...".
 void warn(const std::string& file, const std::vector<std::string>& warnings);
+
+/// Tells of a file that damage would go unnoticed in.
+void note_digest(const std::string& file, bool has_digest);
 
 /// A document as it is printed; bytes that are no UTF-8, as a file's name may hold, are replaced.
 std::string to_text(const nlohmann::ordered_json& document);

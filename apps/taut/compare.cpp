@@ -19,6 +19,7 @@
 #include "taut/results/comparison_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/study/comparison.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -119,13 +120,13 @@ void run(const CompareOptions& given) {
     write_files(directory, files);
 
     if (options.json) {
-        fmt::print("{}", json);
+        say("{}", json);
         return;
     }
-    fmt::print("{}\n{}\n", counts_text(net), comparison_table(comparison));
-    fmt::print("written to {}: comparison.json, comparison.csv\nreport: {}\n", options.directory,
-               has_report_viewer() ? (directory / "report.html").string()
-                                   : "left out, this taut was built without Node.js");
+    say("{}\n{}\n", counts_text(net), comparison_table(comparison));
+    say("written to {}: comparison.json, comparison.csv\nreport: {}\n", options.directory,
+        has_report_viewer() ? (directory / "report.html").string()
+                            : "left out, this taut was built without Node.js");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "taut/results/control_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/study/control.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -68,8 +69,7 @@ void print_record(const ControlRecord& record, const ControlSettings& settings) 
     for (int round = record.strategy == ControlStrategy::truth ? 0 : 1;
          round <= (record.strategy == ControlStrategy::once ? 1 : settings.rounds); ++round) {
         const ControlRecord::Round after = record.after(round);
-        fmt::print(
-            "{:<16}{:>6}{:>10.2f}{:>8.1f}{:>12.2f}{:>8.1f}{:>9.2f}{:>12.2f}{:>8.2f}{:>10}"
+        say("{:<16}{:>6}{:>10.2f}{:>8.1f}{:>12.2f}{:>8.1f}{:>9.2f}{:>12.2f}{:>8.2f}{:>10}"
             "{:>10}{:>10}\n",
             round == 0 ? "as built" : to_string(record.strategy), round, 1e3 * after.mean,
             1e3 * after.max, 1e3 * after.normal_mean, 1e3 * after.normal_max,
@@ -96,20 +96,20 @@ void run(const ControlCommand& command) {
     }
     write_files(directory, files);
     if (command.json) {
-        fmt::print("{}", json);
+        say("{}", json);
         return;
     }
-    fmt::print("{:<16}{:>6}{:>18}{:>29}{:>20}{:>10}{:>10}{:>10}\n", "", "", "from target [mm]",
-               "along its normal [mm]", "tension [kN]", "limits", "by at", "not");
-    fmt::print("{:<16}{:>6}{:>10}{:>8}{:>12}{:>8}{:>9}{:>12}{:>8}{:>10}{:>10}{:>10}\n",
-               "planned on", "round", "mean", "max", "mean", "max", "RMS", "least", "most",
-               "broken", "most [%]", "planned");
+    say("{:<16}{:>6}{:>18}{:>29}{:>20}{:>10}{:>10}{:>10}\n", "", "", "from target [mm]",
+        "along its normal [mm]", "tension [kN]", "limits", "by at", "not");
+    say("{:<16}{:>6}{:>10}{:>8}{:>12}{:>8}{:>9}{:>12}{:>8}{:>10}{:>10}{:>10}\n", "planned on",
+        "round", "mean", "max", "mean", "max", "RMS", "least", "most", "broken", "most [%]",
+        "planned");
     for (const ControlRecord& record : records) {
         print_record(record, settings);
     }
-    fmt::print("written to {}: control.json, control.csv\nreport: {}\n", command.directory,
-               has_report_viewer() ? (directory / "report.html").string()
-                                   : "left out, this taut was built without Node.js");
+    say("written to {}: control.json, control.csv\nreport: {}\n", command.directory,
+        has_report_viewer() ? (directory / "report.html").string()
+                            : "left out, this taut was built without Node.js");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "taut/design/builtin_nets.hpp"
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -21,9 +22,9 @@ void run(const ExampleOptions& options) {
     check_outputs({options.output}, {});
     write_file(options.output, net_to_json(net));
     if (options.json) {
-        fmt::print("{}\n", to_text(counts_json(net)));
+        say("{}\n", to_text(counts_json(net)));
     } else {
-        fmt::print("{}\nwritten to {}\n", counts_text(net), options.output);
+        say("{}\nwritten to {}\n", counts_text(net), options.output);
     }
 }
 

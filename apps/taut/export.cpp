@@ -17,6 +17,7 @@
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/imbalance.hpp"
 #include "taut/statics/tensions.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -162,19 +163,18 @@ nlohmann::ordered_json to_json(const ExportOptions& options, const Exported& it,
 
 void print(const Exported& it, const std::vector<std::string>& files) {
     const CableNet& net = it.net();
-    fmt::print("{}\nlengths: {}\n", counts_text(net), it.lengths);
+    say("{}\nlengths: {}\n", counts_text(net), it.lengths);
     if (it.source.is_identified) {
-        fmt::print("  not known, the estimate stands for them: {} slack, {} unobserved of {}\n",
-                   it.source.slack.size(), it.source.unobserved.size(), net.interior_edge_count());
+        say("  not known, the estimate stands for them: {} slack, {} unobserved of {}\n",
+            it.source.slack.size(), it.source.unobserved.size(), net.interior_edge_count());
     }
-    fmt::print("form: {}\n  {}\nslack edges: {}\n",
-               it.form == "equilibrium" ? "equilibrium of the net"
-               : it.form == "predicted" ? "as the result predicts it"
-                                        : it.form,
-               balance_text(it.balance.largest, it.balance.mean_tension),
-               edges_text(net, it.slack));
+    say("form: {}\n  {}\nslack edges: {}\n",
+        it.form == "equilibrium" ? "equilibrium of the net"
+        : it.form == "predicted" ? "as the result predicts it"
+                                 : it.form,
+        balance_text(it.balance.largest, it.balance.mean_tension), edges_text(net, it.slack));
     for (const std::string& file : files) {
-        fmt::print("written to {}\n", file);
+        say("written to {}\n", file);
     }
 }
 
@@ -185,7 +185,7 @@ void run(const ExportOptions& options) {
     write(files, options.format, exported.source.file);
     warn(exported.form, exported.warnings);
     if (options.json) {
-        fmt::print("{}\n", to_text(to_json(options, exported, files)));
+        say("{}\n", to_text(to_json(options, exported, files)));
     } else {
         print(exported, files);
     }

@@ -16,6 +16,7 @@
 #include "taut/statics/imbalance.hpp"
 #include "taut/statics/plausibility.hpp"
 #include "taut/statics/tensions.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -158,14 +159,14 @@ void run(const FormOptions& options) {
     write_files(files);
     const double move = (found.form - net.nodes()).colwise().norm().maxCoeff();
     if (options.json) {
-        fmt::print("{}\n", to_text(to_json(options, net, found, move, warnings)));
+        say("{}\n", to_text(to_json(options, net, found, move, warnings)));
         return;
     }
-    fmt::print("{}\n{}\n{}\n", counts_text(net), found.text, certificate_text(found.certificate));
-    fmt::print("largest move of a node from its nominal place: {:.4g} mm\nslack edges: {}\n",
-               1e3 * move, edges_text(net, found.slack_edges));
+    say("{}\n{}\n{}\n", counts_text(net), found.text, certificate_text(found.certificate));
+    say("largest move of a node from its nominal place: {:.4g} mm\nslack edges: {}\n", 1e3 * move,
+        edges_text(net, found.slack_edges));
     for (const auto& [file, content] : files) {
-        fmt::print("written to {}\n", file.string());
+        say("written to {}\n", file.string());
     }
 }
 

@@ -31,6 +31,7 @@
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/sampling/data_set.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -93,7 +94,8 @@ std::optional<LengthModel> model_of(const CableNet& net, const Options& options,
     if (options.model.empty()) {
         return std::nullopt;
     }
-    LengthModel model = read_model(options.model).model;
+    auto [model, of_net, has_digest] = read_model(options.model);
+    note_digest(options.model, has_digest);
     try {
         check_model(net, model, law);
     } catch (const std::invalid_argument& error) {
@@ -115,16 +117,15 @@ std::string tension_text(const DrawnEstimate& tension) {
 /// What was told of forces, and what contradicts all else.
 void print_forces(const CableNet& net, const Identification& result) {
     if (result.readings > 0) {
-        fmt::print("forces: {} reading{}, {} left out\n", result.readings,
-                   result.readings == 1 ? "" : "s", result.reading_outliers.size());
+        say("forces: {} reading{}, {} left out\n", result.readings, result.readings == 1 ? "" : "s",
+            result.reading_outliers.size());
     }
     for (const ReadingOutlier& outlier : result.reading_outliers) {
-        fmt::print("  {:<12} read as {:.4g} kN, where all else tells {:.4g} kN\n",
-                   net.edge_id(outlier.edge), 1e-3 * outlier.read, 1e-3 * outlier.expected);
+        say("  {:<12} read as {:.4g} kN, where all else tells {:.4g} kN\n",
+            net.edge_id(outlier.edge), 1e-3 * outlier.read, 1e-3 * outlier.expected);
     }
     if (result.reading_bias) {
-        fmt::print(
-            "  together they contradict the survey, which asks for {:.2g} times what was read (std "
+        say("  together they contradict the survey, which asks for {:.2g} times what was read (std "
             "{:.2g}):\n  are unit, calibration and the net's stiffness right? All are left out\n",
             1.0 - result.reading_bias->part, result.reading_bias->std);
     }
@@ -133,14 +134,14 @@ void print_forces(const CableNet& net, const Identification& result) {
     if (!is_contradicted) {
         return;
     }
-    fmt::print("what was seen contradicts the survey, and is left out, all of it\n");
+    say("what was seen contradicts the survey, and is left out, all of it\n");
     if (!result.contradicted_taut.empty()) {
-        fmt::print("  taut, where the survey tells otherwise: {}\n",
-                   edges_text(net, result.contradicted_taut));
+        say("  taut, where the survey tells otherwise: {}\n",
+            edges_text(net, result.contradicted_taut));
     }
     if (!result.contradicted_slack.empty()) {
-        fmt::print("  slack, where the survey tells otherwise: {}\n",
-                   edges_text(net, result.contradicted_slack));
+        say("  slack, where the survey tells otherwise: {}\n",
+            edges_text(net, result.contradicted_slack));
     }
 }
 
@@ -178,17 +179,16 @@ void print_unknowns(const CableNet& net, const Identification& result) {
         const auto text = [&](double value) { return in_unit(unknown.kind, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
-            fmt::print("{}: {} from what was told, std {}{}\n", unknown.to_string(),
-                       text(first->mean), text(first->std).substr(1),
-                       first->is_observed() ? "" : ": nothing that was measured shows it");
+            say("{}: {} from what was told, std {}{}\n", unknown.to_string(), text(first->mean),
+                text(first->std).substr(1),
+                first->is_observed() ? "" : ": nothing that was measured shows it");
         } else {
             const auto shown = std::count_if(
                 first, last, [](const UnknownEstimate& one) { return one.is_observed(); });
             const auto farthest = std::max_element(first, last, [](const auto& a, const auto& b) {
                 return std::abs(a.mean) < std::abs(b.mean);
             });
-            fmt::print(
-                "{}: {} of {} better known than before; the farthest from what was told is "
+            say("{}: {} of {} better known than before; the farthest from what was told is "
                 "{}{} by {}, std {}\n",
                 unknown.to_string(), shown, count,
                 farthest->edge >= 0 ? net.edge_id(farthest->edge) : net.node_id(farthest->node),
@@ -222,34 +222,32 @@ std::string taken_as_told(const Identification& result) {
 
 void print_draws(const Identification& result) {
     if (!result.draws) {
-        fmt::print("tensions: no intervals, since no draws were made\n");
+        say("tensions: no intervals, since no draws were made\n");
         return;
     }
     const PosteriorDraws& draws = *result.draws;
     if (result.drawn.tensions.empty()) {
-        fmt::print("tensions: not known, since {}\n", draws.doubt);
+        say("tensions: not known, since {}\n", draws.doubt);
         return;
     }
-    fmt::print("mean tension: {}\n  by {} draws: {}{}\n", tension_text(result.drawn.mean_tension),
-               draws.count(), draws.how, taken_as_told(result));
+    say("mean tension: {}\n  by {} draws: {}{}\n", tension_text(result.drawn.mean_tension),
+        draws.count(), draws.how, taken_as_told(result));
 }
 
 /// What each survey told, where there are several.
 void print_epochs(const CableNet& net, const Identification& result) {
     for (size_t k = 0; k < result.epochs.size(); ++k) {
         const EpochResult& epoch = result.epochs[k];
-        fmt::print("survey {}: {} free nodes, {} left out", k + 1, epoch.surveyed,
-                   epoch.outliers.size());
+        say("survey {}: {} free nodes, {} left out", k + 1, epoch.surveyed, epoch.outliers.size());
         if (k > 0) {
-            fmt::print(
-                "; {} edges turned before it; lengths differ from those before by {:.2f} "
+            say("; {} edges turned before it; lengths differ from those before by {:.2f} "
                 "times what is expected (chance: up to {:.2f})",
                 epoch.turned.size(), epoch.change_ratio, epoch.change_limit);
         }
-        fmt::print("\n");
+        say("\n");
         for (const LengthChange& change : epoch.changes) {
-            fmt::print("  {:<12} changed by {:+.2f} +- {:.2f} mm\n", net.edge_id(change.edge),
-                       1e3 * change.change, 1e3 * change.std);
+            say("  {:<12} changed by {:+.2f} +- {:.2f} mm\n", net.edge_id(change.edge),
+                1e3 * change.change, 1e3 * change.std);
         }
     }
 }
@@ -264,9 +262,9 @@ void print_largest(const CableNet& net, const Identification& result) {
     std::ranges::sort(edges, std::greater{},
                       [](const IdentifiedEdge& e) { return std::abs(e.length_deviation); });
     const bool has_tensions = !result.drawn.tensions.empty();
-    fmt::print("largest length deviations [mm]{}\n  {:<12}{:>12}{:>10}{:>22}{}  status\n",
-               has_tensions ? ", tensions [kN]" : "", "edge", "deviation", "std", "95 % interval",
-               has_tensions ? fmt::format("{:>10}{:>18}", "tension", "95 % interval") : "");
+    say("largest length deviations [mm]{}\n  {:<12}{:>12}{:>10}{:>22}{}  status\n",
+        has_tensions ? ", tensions [kN]" : "", "edge", "deviation", "std", "95 % interval",
+        has_tensions ? fmt::format("{:>10}{:>18}", "tension", "95 % interval") : "");
     constexpr size_t shown = 8;
     for (size_t i = 0; i < std::min(shown, edges.size()); ++i) {
         const IdentifiedEdge& e = edges[i];
@@ -276,9 +274,9 @@ void print_largest(const CableNet& net, const Identification& result) {
             tension = fmt::format("{:>10.3f}{:>9.3f} {:>8.3f}", 1e-3 * t.mean, 1e-3 * t.lower,
                                   1e-3 * t.upper);
         }
-        fmt::print("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}{}  {}\n", net.edge_id(e.edge),
-                   1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper, tension,
-                   to_string(e.status));
+        say("  {:<12}{:>12.3f}{:>10.3f}{:>11.3f} {:>10.3f}{}  {}\n", net.edge_id(e.edge),
+            1e3 * e.length_deviation, 1e3 * e.std, 1e3 * e.lower, 1e3 * e.upper, tension,
+            to_string(e.status));
     }
 }
 
@@ -289,14 +287,14 @@ void print_slack(const CableNet& net, const Identification& result) {
         return;
     }
     std::ranges::sort(edges, std::greater{}, &IdentifiedEdge::lower);
-    fmt::print("slack edges: only a bound of the length deviation is known [mm]\n  {:<12}{:>12}\n",
-               "edge", "at least");
+    say("slack edges: only a bound of the length deviation is known [mm]\n  {:<12}{:>12}\n", "edge",
+        "at least");
     constexpr size_t shown = 8;
     for (size_t i = 0; i < std::min(shown, edges.size()); ++i) {
-        fmt::print("  {:<12}{:>12.3f}\n", net.edge_id(edges[i].edge), 1e3 * edges[i].lower);
+        say("  {:<12}{:>12.3f}\n", net.edge_id(edges[i].edge), 1e3 * edges[i].lower);
     }
     if (edges.size() > shown) {
-        fmt::print("  and {} more\n", edges.size() - shown);
+        say("  and {} more\n", edges.size() - shown);
     }
 }
 
@@ -309,60 +307,58 @@ void print_frame(const Identification& result) {
         return fmt::format("({:.2f}, {:.2f}, {:.2f}) +- ({:.2f}, {:.2f}, {:.2f})", v.x(), v.y(),
                            v.z(), std.x(), std.y(), std.z());
     };
-    fmt::print("frame: the supports are moved by {} mm and turned by {} mrad in the survey's\n",
-               text(1e3 * frame.translation, 1e3 * frame.translation_std),
-               text(1e3 * frame.rotation, 1e3 * frame.rotation_std));
+    say("frame: the supports are moved by {} mm and turned by {} mrad in the survey's\n",
+        text(1e3 * frame.translation, 1e3 * frame.translation_std),
+        text(1e3 * frame.rotation, 1e3 * frame.rotation_std));
 }
 
 /// May I act on this?
 void print_trust(const Trust& trust) {
-    fmt::print("trust: {}{}\n", to_string(trust.verdict()),
-               trust.findings.empty() ? ", no test speaks against it" : "");
+    say("trust: {}{}\n", to_string(trust.verdict()),
+        trust.findings.empty() ? ", no test speaks against it" : "");
     for (const Trust::Finding& finding : trust.findings) {
-        fmt::print("  {}: {}\n{}", to_string(finding.verdict), finding.reason,
-                   finding.next.empty() ? "" : fmt::format("    {}\n", finding.next));
+        say("  {}: {}\n{}", to_string(finding.verdict), finding.reason,
+            finding.next.empty() ? "" : fmt::format("    {}\n", finding.next));
     }
-    fmt::print("\n");
+    say("\n");
 }
 
 void print(const Options& options, const CableNet& net, const Survey& survey,
            const Identification& result) {
     print_trust(result.trust);
-    fmt::print("{}\n{}", counts_text(net), survey_text(net, options, survey));
-    fmt::print("method {}: {}\n  chosen because: {}\n\n", result.method, result.how,
-               result.method_reason);
+    say("{}\n{}", counts_text(net), survey_text(net, options, survey));
+    say("method {}: {}\n  chosen because: {}\n\n", result.method, result.how, result.method_reason);
     if (result.noise_ratio > 0.0) {
-        fmt::print("the survey's residuals are {:.2f} times what its noise lets expect\n",
-                   result.noise_ratio);
+        say("the survey's residuals are {:.2f} times what its noise lets expect\n",
+            result.noise_ratio);
     }
-    fmt::print("edges: {} identified, {} slack, {} unobserved\n",
-               count(result, EdgeStatus::identified), count(result, EdgeStatus::slack),
-               count(result, EdgeStatus::unobserved));
+    say("edges: {} identified, {} slack, {} unobserved\n", count(result, EdgeStatus::identified),
+        count(result, EdgeStatus::slack), count(result, EdgeStatus::unobserved));
     const auto slack_adjustable = std::ranges::count_if(
         result.predicted.slack_edges,
         [&](int edge) { return std::ranges::binary_search(net.adjustable_edges(), edge); });
     if (slack_adjustable > 0) {
-        fmt::print("  besides, {} adjustable edges are slack\n", slack_adjustable);
+        say("  besides, {} adjustable edges are slack\n", slack_adjustable);
     }
-    fmt::print("predicted form: {}\n", equilibrium_text(result.predicted));
+    say("predicted form: {}\n", equilibrium_text(result.predicted));
     const Eigen::VectorXd residuals = residuals_in_use(result, survey);
-    fmt::print("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n",
-               1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
-               1e3 * residuals.maxCoeff());
+    say("  distance from the surveyed form: {:.3g} mm RMS, {:.3g} mm at most\n",
+        1e3 * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size())),
+        1e3 * residuals.maxCoeff());
     print_frame(result);
     print_epochs(net, result);
     print_forces(net, result);
     print_unknowns(net, result);
     print_draws(result);
-    fmt::print("\n");
+    say("\n");
     print_largest(net, result);
     print_slack(net, result);
     if (!options.output.empty()) {
-        fmt::print("\nwritten to {}: all {} edges, and the predicted form\n", options.output,
-                   result.edges.size());
+        say("\nwritten to {}: all {} edges, and the predicted form\n", options.output,
+            result.edges.size());
         if (result.draws) {
-            fmt::print("written to {}: {} draws of lengths, forms and tensions\n",
-                       options.draws_file(), result.draws->count());
+            say("written to {}: {} draws of lengths, forms and tensions\n", options.draws_file(),
+                result.draws->count());
         }
     }
 }
@@ -497,7 +493,7 @@ void run(const Options& options) {
     }
     write_files(files);
     if (options.json) {
-        fmt::print("{}", document);
+        say("{}", document);
     } else {
         Options of_last = options;
         of_last.survey =

@@ -12,6 +12,7 @@
 #include "taut/interchange/obj.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/units.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -126,26 +127,26 @@ nlohmann::ordered_json to_json(const ImportOptions& options, const ImportedNet& 
 
 void print(const std::string& heading, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
-        fmt::print("{:<10}{}\n", heading, line);
+        say("{:<10}{}\n", heading, line);
     }
 }
 
 void print(const ImportOptions& options, const ImportedNet& imported) {
     const ImportReport& it = imported.report;
-    fmt::print("{}\n", counts_text(imported.net));
+    say("{}\n", counts_text(imported.net));
     print("read", it.read);
     print("left out", it.left_out);
     print("assumed", it.assumed);
-    fmt::print("loads     {}: sum {:.4g}, {:.4g}, {:.4g} N, largest horizontal part {:.3g} N\n",
-               options.loads, it.load_sum.x(), it.load_sum.y(), it.load_sum.z(),
-               it.largest_horizontal_load);
-    fmt::print("strains   {:.3g} to {:.3g} %, mean tension {:.4g} N\n", 100.0 * it.least_strain,
-               100.0 * it.largest_strain, it.mean_tension);
-    fmt::print("balance   {:.2g} N out of balance in the given form", it.largest_out_of_balance);
+    say("loads     {}: sum {:.4g}, {:.4g}, {:.4g} N, largest horizontal part {:.3g} N\n",
+        options.loads, it.load_sum.x(), it.load_sum.y(), it.load_sum.z(),
+        it.largest_horizontal_load);
+    say("strains   {:.3g} to {:.3g} %, mean tension {:.4g} N\n", 100.0 * it.least_strain,
+        100.0 * it.largest_strain, it.mean_tension);
+    say("balance   {:.2g} N out of balance in the given form", it.largest_out_of_balance);
     if (it.mean_tension > 0.0) {
-        fmt::print(" ({:.1g} of the mean tension)", it.largest_out_of_balance / it.mean_tension);
+        say(" ({:.1g} of the mean tension)", it.largest_out_of_balance / it.mean_tension);
     }
-    fmt::print("\nwritten to {}\n", options.output);
+    say("\nwritten to {}\n", options.output);
 }
 
 void run(const ImportOptions& options) {
@@ -162,7 +163,7 @@ void run(const ImportOptions& options) {
     write_file(options.output, net_to_json(imported.net));
     warn(options.file, imported.report.warnings);
     if (options.json) {
-        fmt::print("{}\n", to_text(to_json(options, imported)));
+        say("{}\n", to_text(to_json(options, imported)));
     } else {
         print(options, imported);
     }

@@ -8,14 +8,17 @@
 #include "net_summary.hpp"
 #include "prospect.hpp"
 #include "taut/files/file.hpp"
+#include "taut/files/input_error.hpp"
 #include "taut/identification/identifiability.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/equilibrium_matrix.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/imbalance.hpp"
 #include "taut/statics/plausibility.hpp"
 #include "taut/statics/tensions.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -183,58 +186,65 @@ nlohmann::ordered_json to_json(const CableNet& net, const Inspection& it) {
 
 void print(const CableNet& net, const Analysis& it) {
     if (it.stress) {
-        fmt::print("states of self-stress: {}; mechanisms: {}\n", it.stress->self_stress,
-                   it.stress->mechanisms);
+        say("states of self-stress: {}; mechanisms: {}\n", it.stress->self_stress,
+            it.stress->mechanisms);
     }
     if (it.identifiability) {
         const Identifiability& i = *it.identifiability;
-        fmt::print("lengths that follow from the form: {} of {} interior edges, condition {:.3g}\n",
-                   i.determined.size(), net.interior_edge_count(), i.condition());
-        fmt::print("  not, for {} free states of self-stress: {}\n", i.free_self_stress,
-                   edges_text(net, i.undetermined));
-        fmt::print("  not, since slack: {}\n", edges_text(net, i.slack));
+        say("lengths that follow from the form: {} of {} interior edges, condition {:.3g}\n",
+            i.determined.size(), net.interior_edge_count(), i.condition());
+        say("  not, for {} free states of self-stress: {}\n", i.free_self_stress,
+            edges_text(net, i.undetermined));
+        say("  not, since slack: {}\n", edges_text(net, i.slack));
     }
     if (!it.most_sensitive.empty()) {
-        fmt::print("a length 1 mm longer moves the form most at edge");
+        say("a length 1 mm longer moves the form most at edge");
         for (size_t k = 0; k < std::min<size_t>(5, it.most_sensitive.size()); ++k) {
-            fmt::print("{} {} ({:.3g} mm)", k > 0 ? "," : "",
-                       net.edge_id(it.most_sensitive[k].edge), it.most_sensitive[k].move);
+            say("{} {} ({:.3g} mm)", k > 0 ? "," : "", net.edge_id(it.most_sensitive[k].edge),
+                it.most_sensitive[k].move);
         }
-        fmt::print(", over all coordinates\n");
+        say(", over all coordinates\n");
     }
     if (!it.left_out.empty()) {
-        fmt::print("left out: {}\n", it.left_out);
+        say("left out: {}\n", it.left_out);
     }
 }
 
 void print(const CableNet& net, const Inspection& it) {
     const auto line = [](std::string_view name, std::string_view unit, const Range& r,
                          double scale) {
-        fmt::print("  {:<28}{:>12.4g}{:>12.4g}{:>12.4g}  {}\n", name, scale * r.min, scale * r.mean,
-                   scale * r.max, unit);
+        say("  {:<28}{:>12.4g}{:>12.4g}{:>12.4g}  {}\n", name, scale * r.min, scale * r.mean,
+            scale * r.max, unit);
     };
     const Eigen::Vector3d size = it.upper - it.lower;
-    fmt::print("{}\nfingerprint {}\n", counts_text(net), net.fingerprint());
-    fmt::print("bounding box {:.4g} x {:.4g} x {:.4g} m\n", size.x(), size.y(), size.z());
-    fmt::print("sum of loads {:.4g}, {:.4g}, {:.4g} N\n\n", it.load.x(), it.load.y(), it.load.z());
-    fmt::print("  {:<28}{:>12}{:>12}{:>12}\n", "as given", "least", "mean", "most");
+    say("{}\nfingerprint {}\n", counts_text(net), net.fingerprint());
+    say("bounding box {:.4g} x {:.4g} x {:.4g} m\n", size.x(), size.y(), size.z());
+    say("sum of loads {:.4g}, {:.4g}, {:.4g} N\n\n", it.load.x(), it.load.y(), it.load.z());
+    say("  {:<28}{:>12}{:>12}{:>12}\n", "as given", "least", "mean", "most");
     line("length", "m", it.lengths, 1.0);
     line("unstressed length", "m", it.unstressed_lengths, 1.0);
     line("tension", "kN", it.tensions, 1e-3);
     line("strain", "%", it.strains, 100.0);
-    fmt::print("  largest out-of-balance force: {:.4g} N\n", it.imbalance.largest);
-    fmt::print("  slack edges: {}\n", edges_text(net, it.slack_edges));
-    fmt::print("\n");
-    fmt::print("in equilibrium: {}\n", equilibrium_text(it.equilibrium));
-    fmt::print("  {}\n", certificate_text(it.certificate));
-    fmt::print("  largest move of a node from where it is given: {:.4g} mm\n", 1e3 * it.move);
-    fmt::print("  slack edges: {}\n\n", edges_text(net, it.equilibrium.slack_edges));
+    say("  largest out-of-balance force: {:.4g} N\n", it.imbalance.largest);
+    say("  slack edges: {}\n", edges_text(net, it.slack_edges));
+    say("\n");
+    say("in equilibrium: {}\n", equilibrium_text(it.equilibrium));
+    say("  {}\n", certificate_text(it.certificate));
+    say("  largest move of a node from where it is given: {:.4g} mm\n", 1e3 * it.move);
+    say("  slack edges: {}\n\n", edges_text(net, it.equilibrium.slack_edges));
     print(net, it.analysis);
 }
 
 void run(const InspectOptions& options) {
     const CableNet net = read_net(options.net).net;
     const LengthLaw law = parse_length_law(options.law);
+    if (!options.survey.empty()) {
+        try {
+            check_law(net, law);
+        } catch (const std::invalid_argument& error) {
+            throw InputError(options.net, "", error.what());
+        }
+    }
     const Inspection inspection = inspect(net);
     warn(options.net, inspection.warnings);
     std::optional<Prospect> prospect;
@@ -252,12 +262,12 @@ void run(const InspectOptions& options) {
         if (prospect) {
             document["survey"] = to_json(net, *prospect, options.survey);
         }
-        fmt::print("{}\n", to_text(document));
+        say("{}\n", to_text(document));
         return;
     }
     print(net, inspection);
     if (prospect) {
-        fmt::print("\n{}", prospect_text(net, *prospect, options));
+        say("\n{}", prospect_text(net, *prospect, options));
     }
 }
 

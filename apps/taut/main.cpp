@@ -3,11 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "command.hpp"
 #include "run_record.hpp"
@@ -19,13 +20,12 @@
 
 namespace {
 
-constexpr int wrong_input = 2;
-constexpr int numerical_failure = 1;
+using taut::app::numerical_failure;
+using taut::app::wrong_input;
 
 /// The one line that tells a failure.
-int fail(int code, std::string message) {
-    std::ranges::replace(message, '\n', ' ');
-    fmt::print(stderr, "taut: error: {}\n", message);
+int fail(int code, std::string_view message) noexcept {
+    taut::app::tell("error", message);
     return code;
 }
 
@@ -56,26 +56,38 @@ int run(int argc, char** argv) {
         return fail(wrong_input,
                     fmt::format("'{}' is no command; taut --help lists them", argv[1]));
     }
+    for (int i = 1; i < argc; ++i) {
+        // An option without a value would be taken for one that was not given.
+        const std::string_view word = argv[i];
+        if (word.empty() || (word.starts_with("--") && word.ends_with('='))) {
+            return fail(wrong_input, fmt::format("argument {} is empty: '{}'", i, word));
+        }
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {
-            return program.exit(error);  // --help, --version
+        if (error.get_exit_code() == 0) {  // --help, --version
+            std::ostringstream text;
+            program.exit(error, text);
+            taut::app::print(text.str());
+            return taut::app::standard_output_works()
+                       ? 0
+                       : fail(wrong_input, "standard output cannot be written");
         }
         return fail(wrong_input, error.what());
     }
-    if (std::fflush(stdout) != 0) {
-        return fail(wrong_input, "standard output cannot be written");
+    if (!taut::app::standard_output_works()) {
+        return fail(wrong_input,
+                    "the work is done and its files are written, but standard output cannot be");
     }
     return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    taut::app::Interruption::watch();
-    taut::app::remember_command_line(argc, argv);
+/// The exit code: what is thrown is told.
+int run_told(int argc, char** argv) noexcept {
     try {
+        taut::app::Interruption::watch();
+        taut::app::remember_command_line(argc, argv);
         return run(argc, argv);
     } catch (const taut::Interrupted&) {
         return fail(taut::app::interrupted, "interrupted, nothing was written");
@@ -94,4 +106,11 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         return fail(numerical_failure, error.what());
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    taut::app::prepare_streams();
+    taut::app::leave(run_told(argc, argv));
 }

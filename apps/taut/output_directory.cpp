@@ -23,6 +23,9 @@ void check_output_directory(const std::filesystem::path& directory,
         first_new = first_new.parent_path();
     }
     AtomicFile{first_new};
+    for (const std::string& name : names) {
+        note_left_files(directory / name);
+    }
 }
 
 }  // namespace taut::app

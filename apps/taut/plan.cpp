@@ -26,6 +26,7 @@
 #include "taut/results/built_net.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/plan_files.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -229,22 +230,22 @@ PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
 /// Whether one should rather look again before turning, and where.
 void print_survey_first(const CableNet& net, const Plan& plan, double noise) {
     if (plan.draws == 0) {
-        fmt::print("which targets to survey first is not known, since {}\n", plan.no_draws_since);
+        say("which targets to survey first is not known, since {}\n", plan.no_draws_since);
         return;
     }
     if (plan.further_targets.empty()) {
-        fmt::print("survey first: no single target seen with {} tells more of the planned form\n",
-                   format_length(noise));
+        say("survey first: no single target seen with {} tells more of the planned form\n",
+            format_length(noise));
         return;
     }
-    fmt::print("survey first: of these {:.2f} mm, targets seen with {} would leave\n",
-               1e3 * plan.normal_unknown, format_length(noise));
+    say("survey first: of these {:.2f} mm, targets seen with {} would leave\n",
+        1e3 * plan.normal_unknown, format_length(noise));
     for (const FurtherTarget& target : plan.further_targets) {
-        fmt::print("  {:<12} {:.3f} mm, with those above\n", net.node_id(target.node),
-                   1e3 * target.normal_unknown);
+        say("  {:<12} {:.3f} mm, with those above\n", net.node_id(target.node),
+            1e3 * target.normal_unknown);
     }
-    fmt::print("  turning as planned takes {:.2f} mm off the normal RMS\n",
-               1e3 * (plan.as_built.normal_rmse - plan.planned.normal_rmse));
+    say("  turning as planned takes {:.2f} mm off the normal RMS\n",
+        1e3 * (plan.as_built.normal_rmse - plan.planned.normal_rmse));
 }
 
 /// Empty where none is told: a wrong one would have crews turn the wrong way.
@@ -256,8 +257,8 @@ std::optional<Thread> thread_of(const std::string& text) {
 }
 
 void print_deviation(const char* what, const FormDeviation& d) {
-    fmt::print("{:<24}{:>9.2f}{:>9.2f}{:>15.2f}{:>9.2f}{:>9.2f}\n", what, 1e3 * d.mean, 1e3 * d.max,
-               1e3 * d.normal_mean, 1e3 * d.normal_max, 1e3 * d.normal_rmse);
+    say("{:<24}{:>9.2f}{:>9.2f}{:>15.2f}{:>9.2f}{:>9.2f}\n", what, 1e3 * d.mean, 1e3 * d.max,
+        1e3 * d.normal_mean, 1e3 * d.normal_max, 1e3 * d.normal_rmse);
 }
 
 std::string where_text(const CableNet& net, const LimitBreach& breach) {
@@ -283,13 +284,13 @@ void print_breaches(const CableNet& net, const Plan& plan) {
     constexpr size_t shown = 10;
     for (size_t i = 0; i < std::min(shown, plan.breaches.size()); ++i) {
         const LimitBreach& breach = plan.breaches[i];
-        fmt::print("  {}{}\n", where_text(net, breach),
-                   plan.draws > 0
-                       ? fmt::format(", kept in {:.0f} % of the draws", 100.0 * breach.probability)
-                       : "");
+        say("  {}{}\n", where_text(net, breach),
+            plan.draws > 0
+                ? fmt::format(", kept in {:.0f} % of the draws", 100.0 * breach.probability)
+                : "");
     }
     if (plan.breaches.size() > shown) {
-        fmt::print("  and {} more\n", plan.breaches.size() - shown);
+        say("  and {} more\n", plan.breaches.size() - shown);
     }
 }
 
@@ -297,80 +298,75 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     const CableNet& net = *record.net;
     const Plan& plan = *record.plan;
     if (!record.trust->findings.empty()) {
-        fmt::print("identification {}: {}\n", to_string(record.trust->verdict()),
-                   record.trust->findings.front().reason);
+        say("identification {}: {}\n", to_string(record.trust->verdict()),
+            record.trust->findings.front().reason);
     }
-    fmt::print("{:<24}{:>18}{:>33}\n", "distance from target", "all directions",
-               "along the normal");
-    fmt::print("{:<24}{:>9}{:>9}{:>15}{:>9}{:>9}\n", "[mm]", "mean", "max", "mean", "max", "RMS");
+    say("{:<24}{:>18}{:>33}\n", "distance from target", "all directions", "along the normal");
+    say("{:<24}{:>9}{:>9}{:>15}{:>9}{:>9}\n", "[mm]", "mean", "max", "mean", "max", "RMS");
     print_deviation("as built", plan.as_built);
     print_deviation("planned", plan.planned);
     print_deviation("no limits, no slack", plan.unavoidable);
     if (plan.draws > 0) {
-        fmt::print("not known of the planned form along the normal: {:.2f} mm RMS\n",
-                   1e3 * plan.normal_unknown);
+        say("not known of the planned form along the normal: {:.2f} mm RMS\n",
+            1e3 * plan.normal_unknown);
     }
     if (!plan.strokes.empty() && plan.draws > 0 && !record.options->tolerance &&
         plan.as_built.normal_rmse - plan.planned.normal_rmse < plan.normal_unknown) {
-        fmt::print(
-            "  turning gains less than that along the normal: --tolerance turns fewer edges, "
+        say("  turning gains less than that along the normal: --tolerance turns fewer edges, "
             "or none\n");
     }
     if (record.options->survey_noise) {
         print_survey_first(net, plan, *record.options->survey_noise);
     }
     if (record.options->turn && record.options->turn->step() > 0.0) {
-        fmt::print("whole steps of {}: normal RMS {:.3f} mm, with free strokes {:.3f} mm\n",
-                   format_length(record.options->turn->step()), 1e3 * plan.planned.normal_rmse,
-                   1e3 * plan.normal_rmse_of_free_strokes);
+        say("whole steps of {}: normal RMS {:.3f} mm, with free strokes {:.3f} mm\n",
+            format_length(record.options->turn->step()), 1e3 * plan.planned.normal_rmse,
+            1e3 * plan.normal_rmse_of_free_strokes);
     }
-    fmt::print("turn {} of {} edges, by at most {:.2f} mm\n", plan.strokes.size(),
-               record.options->edges.size(), 1e3 * plan.largest_stroke());
+    say("turn {} of {} edges, by at most {:.2f} mm\n", plan.strokes.size(),
+        record.options->edges.size(), 1e3 * plan.largest_stroke());
     if (record.options->tolerance) {
-        fmt::print("within {}: {}{}\n", format_length(*record.options->tolerance),
-                   *plan.is_within_tolerance ? "yes" : "no",
-                   plan.fewest_bound ? fmt::format("; to first order no fewer than {} edges can do",
-                                                   *plan.fewest_bound)
-                                     : "");
+        say("within {}: {}{}\n", format_length(*record.options->tolerance),
+            *plan.is_within_tolerance ? "yes" : "no",
+            plan.fewest_bound
+                ? fmt::format("; to first order no fewer than {} edges can do", *plan.fewest_bound)
+                : "");
     }
-    fmt::print("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
-               1e-3 * plan.tensions.maxCoeff());
+    say("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
+        1e-3 * plan.tensions.maxCoeff());
     if (plan.draws > 0) {
         const double kept = std::round(plan.limit_probability * plan.draws);
         const double needed = std::ceil(record.options->confidence * (plan.draws + 1.0));
-        fmt::print("all limits are kept in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n",
-                   kept, plan.draws, 100.0 * plan.limit_probability,
-                   100.0 * record.options->confidence, needed);
+        say("all limits are kept in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n", kept,
+            plan.draws, 100.0 * plan.limit_probability, 100.0 * record.options->confidence, needed);
         if (!plan.is_feasible && kept >= needed) {
-            fmt::print("  but the estimate itself breaks limits: do not rely on the draws here\n");
+            say("  but the estimate itself breaks limits: do not rely on the draws here\n");
         }
     } else {
-        fmt::print("limits are {} by the estimate; how surely is not known, since {}\n",
-                   plan.is_feasible ? "kept" : "broken", plan.no_draws_since);
+        say("limits are {} by the estimate; how surely is not known, since {}\n",
+            plan.is_feasible ? "kept" : "broken", plan.no_draws_since);
     }
     print_breaches(net, plan);
     const TurnOrder& order = *record.order;
-    fmt::print(
-        "order: {} pass{}, {} crew{}, {:.0f} m to walk in all; {}\n", order.passes,
+    say("order: {} pass{}, {} crew{}, {:.0f} m to walk in all; {}\n", order.passes,
         order.passes == 1 ? "" : "es", record.crews, record.crews == 1 ? "" : "s", order.walk,
         order.is_safe ? "at no moment is a limit broken that was kept before"
                       : fmt::format("no safe order was found: at moment {} {}{}",
                                     order.worst.moment + 1, where_text(net, order.worst.breach),
                                     plan.draws > 0 && plan.is_feasible ? " with its margin" : ""));
     if (record.further) {
-        fmt::print("{}\n", record.further->empty()
-                               ? "no further edge would help"
-                               : "further edges that would help most, each with those before it:");
+        say("{}\n", record.further->empty()
+                        ? "no further edge would help"
+                        : "further edges that would help most, each with those before it:");
         for (const FurtherEdge& further : *record.further) {
-            fmt::print("  edge {}: by {:.2f} mm, normal RMS {:.3f} mm then\n",
-                       net.edge_id(further.edge), 1e3 * further.stroke,
-                       1e3 * further.normal_rmse_after);
+            say("  edge {}: by {:.2f} mm, normal RMS {:.3f} mm then\n", net.edge_id(further.edge),
+                1e3 * further.stroke, 1e3 * further.normal_rmse_after);
         }
     }
-    fmt::print("written to {}\n", command.output);
+    say("written to {}\n", command.output);
     if (!command.csv.empty()) {
-        fmt::print("written to {}: the list for the crews{}\n", command.csv,
-                   plan.is_feasible ? "" : ", by which limits are broken");
+        say("written to {}: the list for the crews{}\n", command.csv,
+            plan.is_feasible ? "" : ", by which limits are broken");
     }
 }
 
@@ -420,7 +416,7 @@ void run(const PlanCommand& command) {
     files.emplace_back(command.output, document);
     write_files(files);
     if (command.json) {
-        fmt::print("{}", document);
+        say("{}", document);
     } else {
         print(command, record);
     }

@@ -4,8 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
-
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -14,8 +12,7 @@ ProgressLine::ProgressLine(bool quiet) : m_active(!quiet && is_watched()) {}
 
 ProgressLine::~ProgressLine() {
     if (m_shown) {
-        fmt::print(stderr, "\r\033[K");
-        std::fflush(stderr);
+        tell_in_place("");
     }
 }
 
@@ -44,8 +41,7 @@ void ProgressLine::show(std::string_view stage, int done, int total) {
         const double rate = (done - m_first) / seconds;
         line += fmt::format(", {:.4g} a second, {:.0f} s left", rate, (total - done) / rate);
     }
-    fmt::print(stderr, "\r\033[K{}", line);
-    std::fflush(stderr);
+    tell_in_place(line);
     m_shown = true;
 }
 

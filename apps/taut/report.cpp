@@ -8,6 +8,7 @@
 #include "taut/files/file.hpp"
 #include "taut/report/report_html.hpp"
 #include "taut/results/result_file.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -25,10 +26,10 @@ void run(const ReportOptions& options) {
     }
     write_file(options.output, report_html(result));
     if (options.json) {
-        fmt::print("{}\n", nlohmann::json{{"written", {options.output}}}.dump());
+        say("{}\n", nlohmann::json{{"written", {options.output}}}.dump());
         return;
     }
-    fmt::print("written to {}\n", options.output);
+    say("written to {}\n", options.output);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "taut/results/results_json.hpp"
 #include "taut/results/study_csv.hpp"
 #include "taut/study/study.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -80,14 +81,14 @@ void run(const ReproduceOptions& given) {
     write_files(directory, files);
 
     if (options.json) {
-        fmt::print("{}", results);
+        say("{}", results);
         return;
     }
-    fmt::print("{}\n{}\n", counts_text(file.net), paper_table(study));
-    fmt::print("written to {}: results.json, CSV files{}\nreport: {}\n", options.directory,
-               options.keep ? ", data.h5, model.h5" : "",
-               has_report_viewer() ? (directory / "report.html").string()
-                                   : "left out, this taut was built without Node.js");
+    say("{}\n{}\n", counts_text(file.net), paper_table(study));
+    say("written to {}: results.json, CSV files{}\nreport: {}\n", options.directory,
+        options.keep ? ", data.h5, model.h5" : "",
+        has_report_viewer() ? (directory / "report.html").string()
+                            : "left out, this taut was built without Node.js");
 }
 
 }  // namespace

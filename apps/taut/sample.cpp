@@ -47,7 +47,8 @@ std::optional<DataSet> earlier_samples(const SampleOptions& options, const DataS
         if (!std::filesystem::exists(file)) {
             continue;
         }
-        DataSet data = read_data_set(file).data;
+        auto [data, net, has_digest] = read_data_set(file);
+        note_digest(file, has_digest);
         const auto require = [&](bool same, std::string_view what, const std::string& has,
                                  const std::string& asked) {
             if (!same) {
@@ -119,19 +120,18 @@ void tell(const SampleOptions& options, const CableNet& net, const DataSet& data
                                               {"not_converged", data.not_converged()},
                                               {"warnings", warnings},
                                               {"output", options.output}};
-        fmt::print("{}\n", to_text(document));
+        say("{}\n", to_text(document));
         return;
     }
-    fmt::print("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n",
-               counts_text(net), data.size(), data.law.to_string(), data.seed, data.with_slack(),
-               data.not_converged());
+    say("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n", counts_text(net),
+        data.size(), data.law.to_string(), data.seed, data.with_slack(), data.not_converged());
     if (!data.unknowns.empty()) {
-        fmt::print("drawn besides the lengths: {}\n", to_string(data.unknowns));
+        say("drawn besides the lengths: {}\n", to_string(data.unknowns));
     }
     if (resumed_from > 0) {
-        fmt::print("the first {} were there already\n", resumed_from);
+        say("the first {} were there already\n", resumed_from);
     }
-    fmt::print("written to {}\n", options.output);
+    say("written to {}\n", options.output);
 }
 
 void run(const SampleOptions& options) {
@@ -155,7 +155,11 @@ void run(const SampleOptions& options) {
     warn(options.net, warnings);
     draw(options, net, sampler, data);
     write_data_set(options.output, data, net);
-    std::filesystem::remove(options.partial());
+    // What it holds stands in the output.
+    std::error_code error;
+    if (std::filesystem::remove(options.partial(), error); error) {
+        warn(options.partial(), {"is no longer needed, but cannot be removed: " + error.message()});
+    }
     tell(options, net.net, data, resumed_from, warnings);
 }
 

@@ -15,6 +15,7 @@
 #include "taut/survey/noise_check.hpp"
 #include "taut/survey/simulation.hpp"
 #include "taut/survey/target_offsets.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -72,22 +73,21 @@ void simulate_readings(const SurveySimulationOptions& options, const CableNet& n
     const double angle = 1e3 * simulation.angle_std / gon;
     const DistancePrecision& distance = simulation.distance;
     if (options.json) {
-        fmt::print("{}\n", to_text({{"format", "taut-survey-simulation"},
-                                    {"version", 1},
-                                    {"net", counts_json(net)},
-                                    {"surveyed_free_nodes", free_points},
-                                    {"surveyed_supports", net.supports().size()},
-                                    {"stations", survey.stations.size()},
-                                    {"angle", simulation.angle_std},
-                                    {"distance", distance.std},
-                                    {"distance_part", distance.part},
-                                    {"named", !simulation.shuffled},
-                                    {"seed", simulation.seed},
-                                    {"output", options.output}}));
+        say("{}\n", to_text({{"format", "taut-survey-simulation"},
+                             {"version", 1},
+                             {"net", counts_json(net)},
+                             {"surveyed_free_nodes", free_points},
+                             {"surveyed_supports", net.supports().size()},
+                             {"stations", survey.stations.size()},
+                             {"angle", simulation.angle_std},
+                             {"distance", distance.std},
+                             {"distance_part", distance.part},
+                             {"named", !simulation.shuffled},
+                             {"seed", simulation.seed},
+                             {"output", options.output}}));
         return;
     }
-    fmt::print(
-        "{}\n{} of {} free nodes and {} supports read from {} station{}{}; angles {:.3g} "
+    say("{}\n{} of {} free nodes and {} supports read from {} station{}{}; angles {:.3g} "
         "mgon, distances {:.3g} mm + {:.3g} ppm\nwritten to {}\n",
         counts_text(net), free_points, net.free_node_count(), net.supports().size(),
         survey.stations.size(), survey.stations.size() == 1 ? "" : "s",
@@ -133,23 +133,22 @@ void run(const SurveySimulationOptions& given) {
     warn("--noise", warnings);
     const auto free_points = points.size() - net.supports().size();
     if (options.json) {
-        fmt::print("{}\n", to_text({{"format", "taut-survey-simulation"},
-                                    {"version", 1},
-                                    {"net", counts_json(net)},
-                                    {"surveyed_free_nodes", free_points},
-                                    {"surveyed_supports", net.supports().size()},
-                                    {"noise", simulation.noise_std},
-                                    {"offset", simulation.offset},
-                                    {"offset_std", simulation.offset_std},
-                                    {"named", !simulation.shuffled},
-                                    {"frame", options.frame},
-                                    {"seed", simulation.seed},
-                                    {"warnings", warnings},
-                                    {"output", options.output}}));
+        say("{}\n", to_text({{"format", "taut-survey-simulation"},
+                             {"version", 1},
+                             {"net", counts_json(net)},
+                             {"surveyed_free_nodes", free_points},
+                             {"surveyed_supports", net.supports().size()},
+                             {"noise", simulation.noise_std},
+                             {"offset", simulation.offset},
+                             {"offset_std", simulation.offset_std},
+                             {"named", !simulation.shuffled},
+                             {"frame", options.frame},
+                             {"seed", simulation.seed},
+                             {"warnings", warnings},
+                             {"output", options.output}}));
         return;
     }
-    fmt::print(
-        "{}\n{} of {} free nodes surveyed{}, and {} supports by their names; noise {:.4g} mm"
+    say("{}\n{} of {} free nodes surveyed{}, and {} supports by their names; noise {:.4g} mm"
         "{}{}\nwritten to {}\n",
         counts_text(net), free_points, net.free_node_count(),
         simulation.shuffled ? ", without names and in any order" : "", net.supports().size(),

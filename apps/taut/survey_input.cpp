@@ -16,6 +16,7 @@
 #include "taut/io/target_offsets_csv.hpp"
 #include "taut/net/units.hpp"
 #include "taut/survey/registration.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 
@@ -169,7 +170,7 @@ ReadSurveyOptions SurveyOptions::reading() const {
 void tell_of_survey(const SurveyOptions& options, const Survey& survey, bool with_notes) {
     warn(options.survey, survey.warnings);
     for (const std::string& note : with_notes ? survey.notes : std::vector<std::string>()) {
-        fmt::print(stderr, "taut: note: {}: {}\n", options.survey, note);
+        tell("note", fmt::format("{}: {}", options.survey, note));
     }
 }
 

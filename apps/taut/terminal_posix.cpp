@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "terminal.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
 #include <string_view>
+#include <system_error>
 #include <thread>
+
+#include "taut/files/file.hpp"
 
 namespace taut::app {
 namespace {
@@ -23,13 +30,66 @@ void hand_over(int /*signal*/) {
     [[maybe_unused]] const auto written = ::write(arrived[1], "", 1);
 }
 
-[[noreturn]] void end_at_once() {
-    constexpr std::string_view line = "taut: error: interrupted\n";
+[[noreturn]] void end_at_once(std::string_view line, int code) {
+    remove_temporary_files();
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
-    _exit(interrupted);
+    _exit(code);
+}
+
+/// Of an exception that cannot be thrown on: where memory is short, what frees it may ask for more,
+/// destructors of libraries do, which must not throw.
+[[noreturn]] void end_unexpectedly() {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) {
+            std::rethrow_exception(thrown);
+        }
+    } catch (const std::bad_alloc&) {
+        end_without_memory();
+    } catch (const std::exception& error) {
+        tell("error", fmt::format("internal error: {}", error.what()));
+        end_at_once("", numerical_failure);
+    }
+    end_at_once("taut: error: internal error\n", numerical_failure);
+}
+
+/// What arrives through the pipe, for as long as the program runs.
+[[noreturn]] void hand_on_signals() {
+    while (true) {
+        char byte = 0;
+        if (::read(arrived[0], &byte, 1) == 1 && (!orderly || requested.exchange(true))) {
+            end_at_once("taut: error: interrupted\n", interrupted);
+        }
+    }
 }
 
 }  // namespace
+
+void prepare_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) == -1) {
+            // The lowest number that is free, which is this one. Not to be written to: whether a
+            // command could print is told.
+            [[maybe_unused]] const int opened = open("/dev/null", O_RDONLY);
+        }
+    }
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::set_terminate(end_unexpectedly);
+}
+
+void end_without_memory() {
+    static std::atomic<bool> is_ending{false};
+    constexpr std::string_view line = "taut: error: not enough memory\n";
+    if (is_ending.exchange(true)) {  // what ends in order asks for memory, too
+        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+        _exit(numerical_failure);
+    }
+    end_at_once(line, numerical_failure);
+}
+
+void leave(int code) {
+    std::fflush(nullptr);
+    _exit(code);
+}
 
 bool is_watched() {
     return isatty(STDERR_FILENO) == 1;
@@ -39,17 +99,11 @@ void Interruption::watch() {
     if (pipe(arrived.data()) != 0) {
         return;  // signals then end the program, as they do by default
     }
-    std::thread([] {
-        while (true) {
-            char byte = 0;
-            if (::read(arrived[0], &byte, 1) != 1) {
-                continue;
-            }
-            if (!orderly || requested.exchange(true)) {
-                end_at_once();
-            }
-        }
-    }).detach();
+    try {
+        std::thread(hand_on_signals).detach();
+    } catch (const std::system_error&) {
+        return;  // no thread is to be had: likewise
+    }
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action{};
         sigaction(signal, nullptr, &action);

@@ -17,6 +17,7 @@
 #include "taut/identification/model.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -75,16 +76,17 @@ std::vector<int> unfitted_edges(const CableNet& net, const LengthModel& model) {
 /// How much the kernel makes of each direction.
 void print_scales(const LengthModel& model) {
     if (model.metric == KernelMetric::direction) {
-        fmt::print("scales of the kernel: x {:.3g}, y {:.3g}, z {:.3g}\n", model.input_scales(0),
-                   model.input_scales(1), model.input_scales(2));
+        say("scales of the kernel: x {:.3g}, y {:.3g}, z {:.3g}\n", model.input_scales(0),
+            model.input_scales(1), model.input_scales(2));
     } else if (model.metric == KernelMetric::node) {
-        fmt::print("scales of the kernel: {:.3g} to {:.3g}\n", model.input_scales.minCoeff(),
-                   model.input_scales.maxCoeff());
+        say("scales of the kernel: {:.3g} to {:.3g}\n", model.input_scales.minCoeff(),
+            model.input_scales.maxCoeff());
     }
 }
 
 void run(const TrainOptions& options) {
     const StoredDataSet stored = read_data_set(options.data);
+    note_digest(options.data, stored.has_digest);
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
     if (samples.size() < 2) {
         throw InputError(
@@ -123,21 +125,21 @@ void run(const TrainOptions& options) {
             {"leave_one_out_rmse", std::sqrt(mean_square)},
             {"seconds", took.count()},
             {"output", options.output}};
-        fmt::print("{}\n", to_text(document));
+        say("{}\n", to_text(document));
         return;
     }
-    fmt::print("{}\n{} processes (mean: {}, kernel: {}) trained on {} samples in {:.1f} s\n",
-               counts_text(net), processes.size() - unfitted.size(), to_string(model.mean),
-               to_string(model.metric), samples.size(), took.count());
+    say("{}\n{} processes (mean: {}, kernel: {}) trained on {} samples in {:.1f} s\n",
+        counts_text(net), processes.size() - unfitted.size(), to_string(model.mean),
+        to_string(model.metric), samples.size(), took.count());
     print_scales(model);
     if (stored.data.not_converged() > 0) {
-        fmt::print("left out: {} samples that did not converge\n", stored.data.not_converged());
+        say("left out: {} samples that did not converge\n", stored.data.not_converged());
     }
     if (!unfitted.empty()) {
-        fmt::print("edges that could not be fitted: {}\n", edges_text(net, unfitted));
+        say("edges that could not be fitted: {}\n", edges_text(net, unfitted));
     }
-    fmt::print("leave-one-out error of the length deviations: {:.3g} mm RMS\nwritten to {}\n",
-               1e3 * std::sqrt(mean_square), options.output);
+    say("leave-one-out error of the length deviations: {:.3g} mm RMS\nwritten to {}\n",
+        1e3 * std::sqrt(mean_square), options.output);
 }
 
 }  // namespace

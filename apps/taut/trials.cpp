@@ -14,6 +14,7 @@
 #include "taut/results/settling_files.hpp"
 #include "taut/study/settling.hpp"
 #include "taut/study/settling_nets.hpp"
+#include "terminal.hpp"
 
 namespace taut::app {
 namespace {
@@ -122,11 +123,11 @@ void run(const TrialsOptions& options) {
     write_files(directory, {{"trials.json", json},
                             {"trials.csv", settling_to_csv(records, options.settings)}});
     if (options.json) {
-        fmt::print("{}", json);
+        say("{}", json);
         return;
     }
-    fmt::print("{}\n{}\n{}written to {}: trials.json, trials.csv\n", table(records),
-               reliability_table(records), failures(records), options.directory);
+    say("{}\n{}\n{}written to {}: trials.json, trials.csv\n", table(records),
+        reliability_table(records), failures(records), options.directory);
 }
 
 }  // namespace

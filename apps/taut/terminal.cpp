@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "taut/files/printable.hpp"
+
+namespace taut::app {
+void print(std::string_view text) {
+    const std::string content = printable(text, "\n\t");
+    // The stream remembers where this fails.
+    static_cast<void>(std::fwrite(content.data(), 1, content.size(), stdout));
+}
+
+bool standard_output_works() {
+    return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
+void tell(std::string_view kind, std::string_view line) noexcept {
+    try {
+        constexpr size_t longest = 4000;  // bytes: an argument may be far longer
+        std::string one_line(line.substr(0, longest));
+        one_line += line.size() > longest ? "..." : "";
+        std::ranges::replace(one_line, '\n', ' ');
+        const std::string content = fmt::format("taut: {}: {}\n", kind, printable(one_line));
+        static_cast<void>(std::fwrite(content.data(), 1, content.size(), stderr));
+    } catch (const std::exception&) {
+        static_cast<void>(std::fputs("taut: error: not enough memory\n", stderr));
+    }
+}
+
+void tell_in_place(std::string_view line) noexcept {
+    static_cast<void>(std::fputs("\r\033[K", stderr));
+    static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
+    static_cast<void>(std::fflush(stderr));
+}
+
+}  // namespace taut::app

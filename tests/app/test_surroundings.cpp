@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against surroundings that end the program without a word, or make it say what is not so:
+// streams that are closed or full, limits, names that steer a terminal, arguments that are empty.
+// tests/hostile does the same at random.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "app/program.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/io/net_json.hpp"
+
+namespace taut::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Surroundings : public ProgramTest {
+protected:
+    Surroundings() { must_run({"example", "hypar:3x4", "-o", "net.json"}); }
+
+    /// The exit code of a line of the shell, in which "taut" is the program.
+    [[nodiscard]] int shell(const std::string& line) const {
+        const std::string command =
+            "cd '" + folder().string() + "' && taut() { '" TAUT_PROGRAM "' \"$@\"; } && " + line;
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+};
+
+TEST_F(Surroundings, AFullOrClosedOutputIsToldAndNothingIsLost) {
+    EXPECT_EQ(shell("taut form net.json -o form.csv > /dev/full 2> err"), 2);
+    EXPECT_THAT(read("err"), HasSubstr("files are written, but standard output cannot be"));
+    EXPECT_THAT(read("form.csv"), testing::StartsWith("id,x,y,z"));
+    EXPECT_EQ(shell("taut form net.json -o closed.csv >&- 2> err"), 2);
+    EXPECT_EQ(read("closed.csv"), read("form.csv"));
+    EXPECT_EQ(shell("taut --help > /dev/full 2> err"), 2);
+    EXPECT_THAT(read("err"), HasSubstr("standard output cannot be written"));
+}
+
+TEST_F(Surroundings, AClosedOrFullStandardErrorEndsNothing) {
+    EXPECT_EQ(shell("taut form missing.json 2>&-"), 2);
+    EXPECT_EQ(shell("taut form missing.json 2> /dev/full"), 2);
+    EXPECT_EQ(shell("taut form net.json -o form.csv 0<&- > /dev/null 2>&-"), 0);
+    EXPECT_EQ(shell("taut form net.json -o all.csv 0<&- >&- 2>&-"), 2);
+    EXPECT_EQ(read("all.csv"), read("form.csv"));
+}
+
+TEST_F(Surroundings, ALimitOfFileSizeIsAnError) {
+    write("form.csv", "old");
+    EXPECT_EQ(shell("(ulimit -f 0; taut form net.json -o form.csv > /dev/null 2> /dev/null)"), 2);
+    EXPECT_EQ(read("form.csv"), "old");
+}
+
+TEST_F(Surroundings, ALimitOfMemoryIsAnErrorAndEndsAtOnce) {
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+    GTEST_SKIP() << "the address sanitizer takes more than any such limit";
+#endif
+#endif
+    must_run({"form", "net.json", "-o", "form.csv"});
+    const Files before = files();
+    for (const std::string kilobytes : {"150000", "200000", "250000"}) {
+        const int code = shell("(ulimit -v " + kilobytes +
+                               "; timeout 20 '" TAUT_PROGRAM
+                               "' identify net.json form.csv --noise 1mm -o out.json "
+                               "> /dev/null 2> /dev/null)");
+        EXPECT_THAT(code, testing::AnyOf(0, 1)) << kilobytes;
+        if (code == 1) {
+            EXPECT_EQ(files(), before) << kilobytes;
+        }
+    }
+}
+
+TEST_F(Surroundings, NamesDoNotSteerTheTerminal) {
+    CableNetData content = hypar(3, 4).data();
+    content.name = "red \x1b[31m";
+    content.node_ids.assign(content.nodes.cols(), "");
+    for (size_t i = 0; i < content.node_ids.size(); ++i) {
+        content.node_ids[i] = "\x1b]0;title\x07\xc2\x9b" + std::to_string(i);
+    }
+    write("net.json", net_to_json(CableNet(content)));
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"inspect", "net.json"},
+                                                  {"form", "net.json", "--json"},
+                                                  {"form", "net.json", "-o", "form.csv"}}) {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("\x1b")));
+        EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("\xc2\x9b")));
+    }
+    EXPECT_THAT(run({"inspect", "net.json"}).out, HasSubstr("red \\u001b[31m"));
+}
+
+TEST_F(Surroundings, EmptyArgumentsAreRefused) {
+    expect_error(run({"form", "net.json", "-o", ""}), 2, "argument 4 is empty");
+    expect_error(run({"form", "net.json", "--law", "uniform:1mm", "--lengths="}), 2,
+                 "argument 5 is empty");
+}
+
+TEST_F(Surroundings, QuantitiesBeyondAllThatIsBuiltAreRefused) {
+    must_run({"form", "net.json", "-o", "form.csv"});
+    expect_error(run({"survey", "net.json", "form.csv", "--noise", "1e308m", "-o", "s.csv"}), 2,
+                 "1e308m");
+    expect_error(run({"inspect", "net.json", "--survey", "form.csv", "--law", "uniform:1m"}), 2,
+                 "expected less than the shortest interior");
+}
+
+TEST_F(Surroundings, SeedsThatDifferInTheirUpperHalfHaveOtherNoise) {
+    must_run({"form", "net.json", "-o", "form.csv"});
+    for (const std::string seed : {"1", "4294967297"}) {
+        must_run({"survey", "net.json", "form.csv", "--noise", "1mm", "--seed", seed, "-o",
+                  seed + ".csv"});
+    }
+    EXPECT_NE(read("1.csv"), read("4294967297.csv"));
+    for (const std::string seed : {"1", "4294967297"}) {
+        must_run({"compare", "net.json", "-o", seed, "--law", "uniform:2mm", "--noise", "0.5mm",
+                  "--training", "10", "--surveys", "2", "--seed", seed, "--quiet"});
+    }
+    const auto balance = [this](const std::string& seed) {
+        const auto comparison = nlohmann::json::parse(read(seed + "/comparison.json"));
+        for (const auto& row : comparison["rows"]) {
+            if (row["method"] == "balance") {
+                return row["mse"].get<double>();
+            }
+        }
+        return -1.0;
+    };
+    EXPECT_NE(balance("1"), balance("4294967297"));
+}
+
+TEST_F(Surroundings, NoiseThatIsToldHoldsForPointsThatTellNone) {
+    must_run({"form", "net.json", "-o", "form.csv"});
+    std::string survey = "id,x,y,z,sx,sy,sz\n";
+    std::string form = read("form.csv");
+    form.erase(0, form.find('\n') + 1);
+    for (size_t at = 0; at < form.size();) {
+        const size_t end = form.find('\n', at);
+        survey += form.substr(at, end - at) + ",0,0,0\n";
+        at = end + 1;
+    }
+    write("survey.csv", survey);
+    const Outcome outcome = run({"identify", "net.json", "survey.csv", "--noise", "0.4mm", "--law",
+                                 "uniform:5mm", "-o", "out.json"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out, HasSubstr("standard deviations of 0"));
+    EXPECT_NEAR(nlohmann::json::parse(read("out.json"))["noise"].get<double>(), 0.4e-3, 0.05e-3);
+}
+
+}  // namespace
+}  // namespace taut::test
