@@ -7,7 +7,7 @@
 # cargo builds the conic solver Clarabel: Debian's cargo-web, kept up to date for browsers, is recent
 # enough, its cargo is not. A cargo that is there, from rustup say, is left alone; where it is too old,
 # CMake says so and builds without the solver.
-# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|compilers|reference]...
+# Usage: scripts/install_dependencies.sh [build|test|python|bench|lint|fuzz|hostile|compilers|reference]...
 set -euo pipefail
 
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
@@ -19,6 +19,8 @@ bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py pytho
 lint=(clang-format-19 clang-tidy-19 python3-venv)
 # libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they tell.
 fuzz=(clang-19 libclang-rt-19-dev llvm-19)
+# Of tests/hostile: calls of the system are made to fail.
+hostile=(python3-numpy strace)
 reference=(doxygen)
 # Of the rest pip takes care: pyproject.toml.
 python=(python3-dev python3-venv python3-pip)
@@ -67,17 +69,18 @@ test=("${build[@]}" "${test[@]}")
 bench=("${build[@]}" "${bench[@]}")
 lint=("${test[@]}" "${lint[@]}")
 fuzz=("${build[@]}" "${fuzz[@]}")
+hostile=("${build[@]}" "${hostile[@]}")
 
 packages=()
 for group in "${@:-build}"; do
     case "$group" in
-        build | test | python | bench | lint | fuzz | compilers | reference)
+        build | test | python | bench | lint | fuzz | hostile | compilers | reference)
             declare -n members="$group"
             packages+=("${members[@]}")
             ;;
         *)
             echo "install_dependencies.sh: unknown group '$group'," \
-                "expected build, test, python, bench, lint, fuzz, compilers or reference" >&2
+                "expected build, test, python, bench, lint, fuzz, hostile, compilers or reference" >&2
             exit 2
             ;;
     esac
@@ -95,9 +98,36 @@ if ((${#missing[@]} == 0)); then
     exit 0
 fi
 
+# What taut builds and tests without: plans and the cone program, reports, the viewer's tests.
+is_optional() {
+    [[ "$1" =~ ^(cargo|cargo-web|nodejs|npm|chromium|chromium-browser)$ ]]
+}
+
 as_root=()
 if ((EUID != 0)); then
     as_root=(sudo)
+    if ! command -v sudo >/dev/null; then
+        needed=()
+        optional=()
+        for package in "${missing[@]}"; do
+            if is_optional "$package"; then optional+=("$package"); else needed+=("$package"); fi
+        done
+        {
+            echo "install_dependencies.sh: this user may not install packages, and sudo is not there." \
+                "An administrator can:"
+            echo "  apt-get install --no-install-recommends ${missing[*]}"
+            if ((${#optional[@]} > 0)); then
+                echo "Optional of these: ${optional[*]} (cargo: plans and the cone program; nodejs, npm:" \
+                    "reports; chromium: tests of the reports)."
+            fi
+        } >&2
+        if ((${#needed[@]} > 0)); then
+            echo "install_dependencies.sh: without ${needed[*]} nothing can be built" >&2
+            exit 1
+        fi
+        echo "install_dependencies.sh: going on without the optional ones" >&2
+        exit 0
+    fi
 fi
 echo "installing: ${missing[*]}"
 "${as_root[@]}" apt-get update --quiet
