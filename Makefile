@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test wheel examples bench reference docs lint format sanitize fuzz clean
+.PHONY: help build demo test wheel examples bench reference docs lint format sanitize fuzz hostile clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -71,6 +71,11 @@ sanitize: ## run the tests with the address and undefined behaviour sanitizers
 fuzz: ## feed the readers damaged files, SECONDS=600 each
 	scripts/install_dependencies.sh fuzz
 	scripts/fuzz.sh $(or $(SECONDS),600)
+
+hostile: build ## hostile inputs, surroundings and faults, SECONDS=3600 of them, counts into docs/reliability.md
+	scripts/install_dependencies.sh hostile
+	/usr/bin/python3 tests/hostile/run.py --program build/taut --every-fault --keep --seconds $(or $(SECONDS),3600) \
+	    --write docs/reliability.md
 
 clean: ## remove the build folder
 	rm -rf build

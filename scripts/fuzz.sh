@@ -3,13 +3,19 @@
 # SPDX-License-Identifier: MIT
 #
 # Feeds each reader files that are damaged in ways it has not met yet, starting from our own examples,
-# from what was found before (tests/fuzz/found) and from the small files of other people, where they
-# are there. Fails when a reader crashes, hangs or throws what it should not; the file that made it
-# do so is then named.
-# Usage: scripts/fuzz.sh SECONDS_PER_READER [READER]...
+# from the fewest files that reach all that earlier runs reached (tests/fuzz/corpus), from what was
+# found before (tests/fuzz/found) and from the small files of other people, where they are there.
+# Fails when a reader crashes, hangs or throws what it should not; the file that made it do so is then
+# named. With --keep what it has reached goes into tests/fuzz/corpus, for later runs to go on from.
+# Usage: scripts/fuzz.sh [--keep] SECONDS_PER_READER [READER]...
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+keep=
+if [[ "${1:-}" == --keep ]]; then
+    keep=yes
+    shift
+fi
 seconds=${1:?seconds per reader}
 readers=("${@:2}")
 ((${#readers[@]} > 0)) || readers=(net compas csv_net csv_survey foreign_survey obj surface_mesh model)
@@ -21,6 +27,7 @@ cmake --build --preset asan --target taut_app "${readers[@]/#/fuzz_}"
 
 real=${TAUT_REAL_DATA:-../shared/data}
 seeds=$build/fuzz/seeds
+kept=tests/fuzz/corpus
 taut=$build/apps/taut/taut
 # What HDF5 and oneTBB keep until the end is no leak of ours.
 export ASAN_OPTIONS=detect_leaks=0
@@ -30,6 +37,7 @@ make_seeds() {
     rm -rf $seeds
     for reader in "${readers[@]}"; do
         mkdir -p $seeds/"$reader" $build/fuzz/corpus/"$reader"
+        [[ ! -f $kept/$reader.tar.xz ]] || tar -xJf $kept/"$reader".tar.xz -C $seeds/"$reader"
     done
     local work=$seeds/work
     mkdir -p $work
@@ -82,8 +90,24 @@ fuzz() { # reader
     return 1
 }
 
+# The fewest files that reach what corpus and seeds reach. The same files give the same archive.
+keep_corpus() { # reader
+    local merged=$build/fuzz/merged/$1
+    rm -rf "$merged"
+    mkdir -p "$merged" $kept
+    "$build/tests/fuzz/fuzz_$1" -merge=1 -timeout=10 -rss_limit_mb=1024 -max_len=65536 -verbosity=0 \
+        "$merged" "$seeds/$1" "$build/fuzz/corpus/$1" 2>/dev/null
+    tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner -cJf $kept/"$1".tar.xz -C "$merged" .
+    echo "fuzz: $1: $(find "$merged" -type f | wc -l) files kept"
+}
+
 make_seeds
 export -f fuzz
 export build seeds seconds
 # A reader a core.
 printf '%s\n' "${readers[@]}" | xargs --max-args=1 --max-procs="$(nproc)" bash -c 'fuzz "$0"'
+if [[ -n "$keep" ]]; then
+    for reader in "${readers[@]}"; do
+        keep_corpus "$reader"
+    done
+fi

@@ -30,7 +30,8 @@ if ! [[ "$into/tools/ready" -nt pyproject.toml ]]; then
 fi
 
 if [[ "$task" == lint ]]; then
-    "$tools/ruff" format --diff --quiet python tests/python && "$tools/ruff" check --quiet python tests/python
+    "$tools/ruff" format --diff --quiet python tests/python tests/hostile &&
+        "$tools/ruff" check --quiet python tests/python tests/hostile
     exit
 fi
 
