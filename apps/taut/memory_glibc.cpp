@@ -44,6 +44,7 @@ extern "C" void* malloc(std::size_t size) noexcept {
     return or_end(__libc_malloc(size), size);
 }
 
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): those of stdlib.h are reserved
 extern "C" void* calloc(std::size_t count, std::size_t size) noexcept {
     return or_end(__libc_calloc(count, size), count > 0 ? size : 0);
 }
@@ -51,5 +52,6 @@ extern "C" void* calloc(std::size_t count, std::size_t size) noexcept {
 extern "C" void* realloc(void* old, std::size_t size) noexcept {
     return or_end(__libc_realloc(old, size), size);
 }
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
 
 #endif

@@ -101,8 +101,8 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
     }
 }
 
-void tell(const SampleOptions& options, const CableNet& net, const DataSet& data, int resumed_from,
-          const std::vector<std::string>& warnings) {
+void tell_outcome(const SampleOptions& options, const CableNet& net, const DataSet& data,
+                  int resumed_from, const std::vector<std::string>& warnings) {
     if (options.json) {
         nlohmann::ordered_json unknowns = nlohmann::ordered_json::array();
         for (const Unknown& unknown : data.unknowns) {
@@ -160,7 +160,7 @@ void run(const SampleOptions& options) {
     if (std::filesystem::remove(options.partial(), error); error) {
         warn(options.partial(), {"is no longer needed, but cannot be removed: " + error.message()});
     }
-    tell(options, net.net, data, resumed_from, warnings);
+    tell_outcome(options, net.net, data, resumed_from, warnings);
 }
 
 }  // namespace

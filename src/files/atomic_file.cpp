@@ -79,14 +79,17 @@ OutputError::OutputError(const OutputError& error, const std::string& note)
     : std::runtime_error(printable(fmt::format("{}; {}", error.what(), note))) {}
 
 struct AtomicFile::State {
+    explicit State(const std::filesystem::path& directory) : nameless(directory) {}
+
     platform::NamelessFile nameless;
     bool has_name = false;    ///< m_temporary is to be removed
     bool is_flushed = false;  ///< and nothing was written since
 };
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
-    : m_told(target), m_target(resolve_target(target)) {
-    m_state.reset(new State{.nameless = platform::NamelessFile(directory_of(m_target))});
+    : m_told(target),
+      m_target(resolve_target(target)),
+      m_state(std::make_unique<State>(directory_of(m_target))) {
     if (m_state->nameless.valid()) {
         m_temporary = m_state->nameless.path();
         return;
