@@ -52,9 +52,17 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
         throw std::invalid_argument(
             fmt::format("loads has {} columns, expected {} or none", loads.cols(), nodes.cols()));
     }
+    if (!loads.allFinite()) {
+        throw std::invalid_argument("loads holds a number that is not finite");
+    }
     std::vector<int> row(nodes.cols(), 0);
     for (const int support : supports) {
         check_node(support, nodes.cols(), "supports");
+        if (!nodes.col(support).allFinite()) {
+            throw std::invalid_argument(
+                fmt::format("nodes has ({}, {}, {}) at support {}, expected finite coordinates",
+                            nodes(0, support), nodes(1, support), nodes(2, support), support));
+        }
         row[support] = -1;
     }
     int free_count = 0;

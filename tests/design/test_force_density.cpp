@@ -118,6 +118,16 @@ TEST(ForceDensities, RefuseValuesThatAreNotPositiveAndFinite) {
     }
 }
 
+TEST(ForceDensities, RefuseSupportsAndLoadsThatAreNotFinite) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    expect_chain_refused([](Chain& c) { c.nodes(2, 2) = nan; }, "(5, 8, nan) at support 2",
+                         "finite");
+    expect_chain_refused([](Chain& c) { c.loads.setConstant(3, 4, nan); }, "loads", "not finite");
+    Chain chain;
+    chain.nodes.col(1).setConstant(nan);  // of a free node: not used
+    EXPECT_TRUE(chain.form().allFinite());
+}
+
 TEST(ForceDensities, RefuseNodesOutOfRange) {
     expect_chain_refused([](Chain& c) { c.supports[1] = 4; }, "supports", "node 4");
     expect_chain_refused([](Chain& c) { c.supports[0] = -1; }, "supports", "node -1");

@@ -18,7 +18,8 @@ namespace taut {
 /// @param force_densities q of every edge (m), positive [N/m]
 /// @param loads 3 x n, or 3 x 0 for none [N]
 /// @return 3 x n, supports included [m]
-/// @throws std::invalid_argument for sizes that differ, a node out of range, a force density that
+/// @throws std::invalid_argument for sizes that differ, a node out of range, a support or load that
+///   is not finite, a force density that
 ///   is not positive and finite, a free node that no path of edges joins to a support, and force
 ///   densities that differ by too many orders of magnitude
 [[nodiscard]] TAUT_CORE_EXPORT Points form_from_force_densities(
