@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 
 #include <algorithm>
@@ -19,6 +20,8 @@
 #include "calls.hpp"
 #include "documents.hpp"
 #include "identified.hpp"
+#include "planned.hpp"
+#include "states.hpp"
 #include "taut/adjustment/built_net.hpp"
 #include "taut/adjustment/form_target.hpp"
 #include "taut/adjustment/limits.hpp"
@@ -30,33 +33,30 @@
 namespace taut::python {
 namespace {
 
-/// A plan with all that it tells of.
-struct Planned {
-    CableNet net;
-    BuiltNet built;
-    Trust trust;
-    FormTarget target;
-    Limits limits;
-    PlanOptions options;
-    Plan plan;
-    TurnOrder order;
-    int crews = 1;
-    std::optional<Thread> thread;
+/// What plan_to_json() or plan_to_csv() write of a plan.
+template <class Write>
+std::string written(const Planned& planned, Write write) {
+    const FormTarget target(planned.net, planned.target);
+    return write({.net = &planned.net,
+                  .built = &planned.built,
+                  .trust = &planned.trust,
+                  .target = &target,
+                  .limits = &planned.limits,
+                  .options = &planned.options,
+                  .plan = &planned.plan,
+                  .order = &planned.order,
+                  .further = {},
+                  .crews = planned.crews,
+                  .thread = planned.thread});
+}
 
-    [[nodiscard]] PlanRecord record() const {
-        return {.net = &net,
-                .built = &built,
-                .trust = &trust,
-                .target = &target,
-                .limits = &limits,
-                .options = &options,
-                .plan = &plan,
-                .order = &order,
-                .further = {},
-                .crews = crews,
-                .thread = thread};
-    }
-};
+std::string plan_json(const Planned& planned) {
+    return written(planned, [](const PlanRecord& record) { return plan_to_json(record); });
+}
+
+std::string plan_csv(const Planned& planned) {
+    return written(planned, &plan_to_csv);
+}
 
 using Range = std::pair<std::optional<double>, std::optional<double>>;
 
@@ -81,6 +81,9 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
                         .confidence = confidence,
                         .actuator_std = actuator_std,
                         .tolerance = tolerance};
+    if (edges && options.edges.empty()) {
+        throw nb::value_error("edges: got none, expected those that may be turned");
+    }
     std::ranges::sort(options.edges);
     if (turn) {
         options.turn = TurnSize{.pitch = *turn, .smallest = step.value_or(0.0)};
@@ -108,7 +111,7 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
         return Planned{.net = net,
                        .built = std::move(built),
                        .trust = identified.found.trust,
-                       .target = form,
+                       .target = form.places(),
                        .limits = limits,
                        .options = options,
                        .plan = std::move(plan),
@@ -130,8 +133,10 @@ nb::dict deviation_dict(const FormDeviation& of) {
 }
 
 void bind_plan(nb::module_& module) {
-    nb::class_<Planned>(module, "Plan",
-                        "Which turnbuckle to turn how far, in which order, and what comes of it.")
+    nb::class_<Planned> result(
+        module, "Plan", "Which turnbuckle to turn how far, in which order, and what comes of it.");
+    make_picklable(result);
+    result
         .def_prop_ro(
             "edges",
             [](const Planned& self) {
@@ -194,28 +199,23 @@ void bind_plan(nb::module_& module) {
              [](nb::handle_t<Planned> self) {
                  return of_package("taut.notebook", "result_html")(self);
              })
+        .def("to_csv", &plan_csv, "The list that a crew works from.")
+        .def("to_json", &plan_json, "What plan.json holds.")
         .def(
-            "to_csv", [](const Planned& self) { return plan_to_csv(self.record()); },
-            "The list that a crew works from.")
-        .def(
-            "to_json", [](const Planned& self) { return plan_to_json(self.record()); },
-            "What plan.json holds.")
-        .def(
-            "to_dict", [](const Planned& self) { return dict_of(plan_to_json(self.record())); },
+            "to_dict", [](const Planned& self) { return dict_of(plan_json(self)); },
             "What plan.json holds, as a dict.")
         .def(
             "save",
             [](const Planned& self, const std::filesystem::path& path,
-               const std::filesystem::path& csv) {
-                const PlanRecord record = self.record();
+               const std::optional<std::filesystem::path>& csv) {
                 std::vector<std::pair<std::filesystem::path, std::string>> files;
-                if (!csv.empty()) {
-                    files.emplace_back(csv, plan_to_csv(record));
+                if (csv) {
+                    files.emplace_back(*csv, plan_csv(self));
                 }
-                files.emplace_back(path, plan_to_json(record));
+                files.emplace_back(path, plan_json(self));
                 write_files(files);
             },
-            nb::arg("path"), nb::arg("csv") = std::filesystem::path(),
+            nb::arg("path"), nb::arg("csv") = nb::none(),
             "Writes plan.json, and the crews' list where a name is told for it.")
         .def("__repr__", [](const Planned& self) {
             return fmt::format(

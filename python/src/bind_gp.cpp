@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 #include <nanobind/nanobind.h>
-#include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "states.hpp"
 #include "taut/gp/fit.hpp"
 
 namespace taut::python {
@@ -59,53 +59,34 @@ Eigen::MatrixXd covariance(const gp::FittedProcesses& fitted, int output,
            (gp::correlation(gp::squared_distances(at, at), lambda) - seen.transpose() * seen);
 }
 
-using SpectrumState = std::tuple<double, Array, Array>;
-using ProcessState = std::tuple<int, double, double, double, double, double, int>;
-using State = std::tuple<Array, std::vector<SpectrumState>, std::vector<ProcessState>, Array>;
-
-State state_of(const gp::FittedProcesses& fitted) {
-    std::vector<SpectrumState> spectra;
-    for (const gp::KernelSpectrum& of : fitted.spectra) {
-        spectra.emplace_back(of.inverse_length_scale, array_of(of.eigenvalues),
-                             array_of_columns(of.eigenvectors));
+/// In blocks, between which Ctrl-C is noticed.
+gp::Prediction predict(const gp::FittedProcesses& fitted, const Eigen::MatrixXd& at,
+                       const Progress& told) {
+    static constexpr Eigen::Index block = 1024;
+    if (at.cols() <= block) {
+        return fitted.predict(at);
     }
-    std::vector<ProcessState> processes;
-    for (const gp::Process& of : fitted.processes) {
-        const auto& [lambda, signal, noise] = of.hyperparameters;
-        processes.emplace_back(static_cast<int>(of.status), lambda, signal, noise,
-                               of.negative_log_likelihood, of.leave_one_out_rmse, of.spectrum);
+    const auto outputs = static_cast<Eigen::Index>(fitted.processes.size());
+    gp::Prediction all{.mean = Eigen::MatrixXd(outputs, at.cols()),
+                       .std = Eigen::MatrixXd(outputs, at.cols())};
+    for (Eigen::Index first = 0; first < at.cols(); first += block) {
+        told.throw_if_stopped();
+        const Eigen::Index count = std::min(block, at.cols() - first);
+        const gp::Prediction part = fitted.predict(at.middleCols(first, count));
+        all.mean.middleCols(first, count) = part.mean;
+        all.std.middleCols(first, count) = part.std;
     }
-    return {array_of_columns(fitted.inputs), std::move(spectra), std::move(processes),
-            array_of_columns(fitted.weights)};
-}
-
-gp::FittedProcesses of_state(const State& state) {
-    const auto& [inputs, spectra, processes, weights] = state;
-    gp::FittedProcesses fitted{.inputs = columns_argument(inputs, "inputs"),
-                               .spectra = {},
-                               .processes = {},
-                               .weights = columns_argument(weights, "weights")};
-    for (const auto& [lambda, values, vectors] : spectra) {
-        fitted.spectra.push_back({.inverse_length_scale = lambda,
-                                  .eigenvalues = vector_argument(values, "eigenvalues", -1),
-                                  .eigenvectors = columns_argument(vectors, "eigenvectors")});
-    }
-    for (const auto& [status, lambda, signal, noise, likelihood, rmse, spectrum] : processes) {
-        fitted.processes.push_back({.status = static_cast<gp::FitStatus>(status),
-                                    .hyperparameters = {lambda, signal, noise},
-                                    .negative_log_likelihood = likelihood,
-                                    .leave_one_out_rmse = rmse,
-                                    .spectrum = spectrum});
-    }
-    return fitted;
+    return all;
 }
 
 }  // namespace
 
 void bind_gp(nb::module_& module) {
-    nb::class_<gp::FittedProcesses>(module, "FittedProcesses",
-                                    "m processes with zero mean and an isotropic squared "
-                                    "exponential kernel each, trained on the same inputs.")
+    nb::class_<gp::FittedProcesses> fitted(module, "FittedProcesses",
+                                           "m processes with zero mean and an isotropic squared "
+                                           "exponential kernel each, trained on the same inputs.");
+    make_picklable(fitted);
+    fitted
         .def_prop_ro("inverse_length_scale", of_processes([](const gp::Process& of) {
                          return of.hyperparameters.inverse_length_scale;
                      }),
@@ -138,7 +119,8 @@ void bind_gp(nb::module_& module) {
             "predict",
             [](const gp::FittedProcesses& self, const ArrayLike& inputs) {
                 const Eigen::MatrixXd at = columns_argument(inputs, "inputs");
-                gp::Prediction made = without_lock([&] { return self.predict(at); });
+                gp::Prediction made = interruptible(
+                    nb::none(), [&](const Progress& told) { return predict(self, at, told); });
                 return nb::make_tuple(array_of_columns(std::move(made.mean)),
                                       array_of_columns(std::move(made.std)));
             },
@@ -152,11 +134,6 @@ void bind_gp(nb::module_& module) {
             },
             nb::arg("output"), nb::arg("inputs"),
             "Posterior covariance of one latent function between inputs (k, d): (k, k).")
-        .def("__getstate__", &state_of)
-        .def("__setstate__",
-             [](gp::FittedProcesses& self, const State& state) {
-                 new (&self) gp::FittedProcesses(of_state(state));
-             })
         .def("__repr__", [](const gp::FittedProcesses& self) {
             return fmt::format("FittedProcesses({} outputs, {} training inputs of {} dimensions)",
                                self.processes.size(), self.inputs.cols(), self.inputs.rows());

@@ -7,6 +7,7 @@
 #include <nanobind/stl/tuple.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "calls.hpp"
 #include "documents.hpp"
 #include "identified.hpp"
+#include "states.hpp"
 #include "taut/adjustment/built_net.hpp"
 #include "taut/files/file.hpp"
 #include "taut/identification/epochs.hpp"
@@ -81,7 +83,8 @@ auto of_drawn_edges(Get get) {
 std::string repr(const Identified& self) {
     const Identification& found = self.found;
     if (found.status != IdentificationStatus::converged) {
-        return fmt::format("Identification({}: {})", to_string(found.status), found.message);
+        return fmt::format("Identification({}: {})", to_string(found.status),
+                           in_python(found.message));
     }
     int slack = 0;
     int unobserved = 0;
@@ -167,12 +170,15 @@ void bind_result(nb::module_& module) {
     nb::class_<Identified> result(
         module, "Identification",
         "How long each cable is, how tight, how sure, and whether that may be relied on.");
+    make_picklable(result);
     result.def_ro("net", &Identified::net, "As designed.")
         .def_ro("survey", &Identified::survey)
         .def_prop_ro(
             "status", [](const Identified& self) { return to_string(self.found.status); },
             "'converged'; anything else, and its numbers are not to be used: message.")
-        .def_prop_ro("message", [](const Identified& self) { return self.found.message; })
+        .def_prop_ro(
+            "message", [](const Identified& self) { return in_python(self.found.message); },
+            "Why it did not converge, and what may help; else empty.")
         .def_prop_ro(
             "trust", [](const Identified& self) { return to_string(self.found.trust.verdict()); },
             "'passed', 'doubtful' or 'failed': whether it may be acted on.")
@@ -190,8 +196,12 @@ void bind_result(nb::module_& module) {
                 return list;
             },
             "What tests found, the worst first: verdict, reason, and what to do next.")
-        .def_prop_ro("method", [](const Identified& self) { return self.found.method; })
-        .def_prop_ro("how", [](const Identified& self) { return self.found.how; })
+        .def_prop_ro(
+            "method", [](const Identified& self) { return self.found.method; },
+            "'map', 'balance' or 'gp'.")
+        .def_prop_ro(
+            "how", [](const Identified& self) { return in_python(self.found.how); },
+            "What was done, in words.")
         .def_prop_ro(
             "law", [](const Identified& self) { return self.found.law.to_string(); },
             "Of the length deviations, as reckoned with.")
@@ -259,9 +269,33 @@ Identified identified(const CableNet& net, const Survey& survey, const IdentifyO
     return {.net = net, .survey = all.back().survey, .found = std::move(found)};
 }
 
+/// In ascending order.
+/// @throws nb::value_error for other than free nodes, each once
+std::vector<int> target_nodes(const CableNet& net, const ArrayLike& targets) {
+    std::vector<int> nodes = indices_argument(targets, "targets");
+    std::ranges::sort(nodes);
+    const auto refuse = [](int node, const char* why) {
+        throw nb::value_error(
+            fmt::format("targets: node {} {}, expected free nodes, each once", node, why).c_str());
+    };
+    for (size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i] < 0 || nodes[i] >= net.node_count()) {
+            refuse(nodes[i], "is none of the net's");
+        } else if (net.free_index(nodes[i]) < 0) {
+            refuse(nodes[i], "is a support");
+        } else if (i > 0 && nodes[i] == nodes[i - 1]) {
+            refuse(nodes[i], "comes twice");
+        }
+    }
+    return nodes;
+}
+
 void bind_prospect(nb::module_& module) {
-    nb::class_<SurveyProspect>(module, "SurveyProspect",
-                               "What a survey can tell of lengths and tensions, before it is made.")
+    nb::class_<SurveyProspect> prospect(
+        module, "SurveyProspect",
+        "What a survey can tell of lengths and tensions, before it is made.");
+    make_picklable(prospect);
+    prospect
         .def_ro("prior_std", &SurveyProspect::prior_std,
                 "Of each length deviation, before the survey [m].")
         .def_prop_ro(
@@ -300,10 +334,13 @@ void bind_prospect(nb::module_& module) {
             if (!nominal.balanced()) {
                 throw std::runtime_error("the net as designed finds no equilibrium");
             }
+            if (!std::isfinite(noise) || noise < 0.0) {
+                throw nb::value_error(
+                    fmt::format("noise: got {} m, expected 0 or more", noise).c_str());
+            }
             Survey survey;
             survey.form = nominal.form;
-            survey.surveyed = targets ? indices_argument(*targets, "targets") : net.free_nodes();
-            std::ranges::sort(survey.surveyed);
+            survey.surveyed = targets ? target_nodes(net, *targets) : net.free_nodes();
             survey.noise_std = Points::Constant(3, net.node_count(), noise);
             for (const int node : net.free_nodes()) {
                 if (!std::ranges::binary_search(survey.surveyed, node)) {

@@ -15,6 +15,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "documents.hpp"
+#include "states.hpp"
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/cable_net.hpp"
@@ -78,23 +79,24 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
 }
 
 void bind_tension_law(nb::module_& module) {
-    nb::class_<TensionLaw>(
+    nb::class_<TensionLaw> law(
         module, "TensionLaw",
-        "Tension over strain, straight between points, the first of which is (0, 0).")
-        .def(
-            "__init__",
-            [](TensionLaw* self, const ArrayLike& strain, const ArrayLike& tension,
-               const std::string& name) {
-                TensionLaw law{.name = name,
-                               .strain = vector_argument(strain, "strain", -1),
-                               .tension = vector_argument(tension, "tension", -1)};
-                if (const std::string problem = problem_of(law); !problem.empty()) {
-                    throw nb::value_error(("a tension law " + problem).c_str());
-                }
-                new (self) TensionLaw(std::move(law));
-            },
-            nb::arg("strain"), nb::arg("tension"), nb::arg("name") = "",
-            "strain (k,) ascending from 0 [-]; tension (k,) from 0 [N].")
+        "Tension over strain, straight between points, the first of which is (0, 0).");
+    make_picklable(law);
+    law.def(
+           "__init__",
+           [](TensionLaw* self, const ArrayLike& strain, const ArrayLike& tension,
+              const std::string& name) {
+               TensionLaw law{.name = name,
+                              .strain = vector_argument(strain, "strain", -1),
+                              .tension = vector_argument(tension, "tension", -1)};
+               if (const std::string problem = problem_of(law); !problem.empty()) {
+                   throw nb::value_error(("a tension law " + problem).c_str());
+               }
+               new (self) TensionLaw(std::move(law));
+           },
+           nb::arg("strain"), nb::arg("tension"), nb::arg("name") = "",
+           "strain (k,) ascending from 0 [-]; tension (k,) from 0 [N].")
         .def_ro("name", &TensionLaw::name)
         .def_prop_ro("strain",
                      [](nb::handle_t<TensionLaw> self) {
@@ -214,7 +216,7 @@ Raises:
     net.def_static(
         "from_compas",
         [](const nb::args& args, const nb::kwargs& settings) {
-            return of_package("taut.compas", "net_of_compas")(*args, **settings);
+            return of_package("taut.compas", "from_compas")(*args, **settings);
         },
         nb::sig("def from_compas(structure: object, *, name: str | None = None, select: str = '', "
                 "axial_stiffness: float | None = None, young: float | None = None, "
@@ -242,7 +244,7 @@ Warns:
     net.def_static(
         "from_jax_fdm",
         [](const nb::args& args, const nb::kwargs& settings) {
-            return of_package("taut.compas", "net_of_jax_fdm")(*args, **settings);
+            return of_package("taut.compas", "from_jax_fdm")(*args, **settings);
         },
         nb::sig("def from_jax_fdm(structure: object, q: numpy.typing.ArrayLike, *, "
                 "xyz_fixed: numpy.typing.ArrayLike, axial_stiffness: numpy.typing.ArrayLike, "
@@ -258,7 +260,7 @@ Args:
     net.def(
         "to_compas",
         [](nb::handle_t<CableNet> self, const nb::object& form) {
-            return of_package("taut.compas", "compas_of_net")(self, form);
+            return of_package("taut.compas", "to_compas")(self, form);
         },
         nb::arg("form") = nb::none(),
         nb::sig("def to_compas(self, form: numpy.typing.ArrayLike | None = None) -> object"),
@@ -271,9 +273,12 @@ Args:
     net.def("_repr_html_", [](nb::handle_t<CableNet> self) {
         return of_package("taut.notebook", "net_html")(self);
     });
-    net.def("__eq__", [](const CableNet& self, const CableNet& other) {
-        return net_to_json(self) == net_to_json(other);
-    });
+    net.def(
+        "__eq__",
+        [](const CableNet& self, const CableNet& other) {
+            return net_to_json(self) == net_to_json(other);
+        },
+        nb::is_operator());
     net.def("__hash__", [](const CableNet& self) {
         return static_cast<nb::ssize_t>(std::hash<std::string>()(self.fingerprint()));
     });

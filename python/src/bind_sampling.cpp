@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "states.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
@@ -46,11 +48,40 @@ KernelMetric metric_named(const std::string& name) {
         fmt::format("kernel: got '{}', expected 'isotropic', 'direction' or 'node'", name).c_str());
 }
 
+/// Whether what is to be kept with a net was made for it.
+/// @throws nb::value_error
+void check_made_for(const CableNet& net, const std::string& fingerprint) {
+    if (net.fingerprint() != fingerprint) {
+        throw nb::value_error(
+            fmt::format("net: got the one of fingerprint {} ('{}'), expected that of {}",
+                        net.fingerprint(), net.name(), fingerprint)
+                .c_str());
+    }
+}
+
+/// Whether a data set is one of the sampler's, whose further samples go with it.
+/// @throws nb::value_error
+void check_made_by(const Sampler& sampler, const DataSet& data) {
+    const DataSet own = sampler.empty();
+    const auto words_of = [](const DataSet& of) {
+        return fmt::format("the net {}, {}, seed {}{}", of.net_fingerprint, of.law.to_string(),
+                           of.seed,
+                           of.unknowns.empty() ? "" : ", unknowns " + to_string(of.unknowns));
+    };
+    if (own.net_fingerprint != data.net_fingerprint || own.law != data.law ||
+        own.seed != data.seed || own.unknowns != data.unknowns) {
+        throw nb::value_error(fmt::format("data: got one of {}, expected one of this sampler: {}",
+                                          words_of(data), words_of(own))
+                                  .c_str());
+    }
+}
+
 void bind_data_set(nb::module_& module) {
-    nb::class_<DataSet>(module, "DataSet",
-                        "Pairs of form deviation and length deviation from the nominal net "
-                        "(Algorithm 2 of the paper), a row a sample.")
-        .def_prop_ro(
+    nb::class_<DataSet> data(module, "DataSet",
+                             "Pairs of form deviation and length deviation from the nominal net "
+                             "(Algorithm 2 of the paper), a row a sample.");
+    make_picklable(data);
+    data.def_prop_ro(
             "form_deviations",
             [](nb::handle_t<DataSet> self) {
                 return rows_of_columns(nb::cast<const DataSet&>(self).form_deviations, self);
@@ -84,6 +115,7 @@ void bind_data_set(nb::module_& module) {
         .def(
             "save",
             [](const DataSet& self, const std::filesystem::path& path, const CableNet& net) {
+                check_made_for(net, self.net_fingerprint);
                 write_data_set(path, self, {.net = net});
             },
             nb::arg("path"), nb::arg("net"), "Writes data.h5 with the net, whole or not at all.")
@@ -101,10 +133,11 @@ void bind_data_set(nb::module_& module) {
 }
 
 void bind_model(nb::module_& module) {
-    nb::class_<LengthModel>(module, "LengthModel",
-                            "The learnt map from form deviation to length deviations: one Gaussian "
-                            "process an interior edge.")
-        .def_prop_ro("training_count", &LengthModel::training_count)
+    nb::class_<LengthModel> model(module, "LengthModel",
+                                  "The learnt map from form deviation to length deviations: one "
+                                  "Gaussian process an interior edge.");
+    make_picklable(model);
+    model.def_prop_ro("training_count", &LengthModel::training_count)
         .def_prop_ro("law", [](const LengthModel& self) { return self.law.to_string(); })
         .def_prop_ro("mean", [](const LengthModel& self) { return to_string(self.mean); })
         .def_prop_ro("kernel", [](const LengthModel& self) { return to_string(self.metric); })
@@ -128,6 +161,7 @@ void bind_model(nb::module_& module) {
         .def(
             "save",
             [](const LengthModel& self, const std::filesystem::path& path, const CableNet& net) {
+                check_made_for(net, self.net_fingerprint);
                 write_model(path, self, {.net = net});
             },
             nb::arg("path"), nb::arg("net"), "Writes model.h5 with the net, whole or not at all.")
@@ -181,6 +215,7 @@ void bind_sampling(nb::module_& module) {
         .def(
             "extend",
             [](const Sampler& self, DataSet data, int count, const nb::object& progress) {
+                check_made_by(self, data);
                 return interruptible(progress, [&](const Progress& told) {
                     self.extend(data, count, told);
                     return std::move(data);
@@ -199,12 +234,12 @@ void bind_sampling(nb::module_& module) {
     module.def(
         "train",
         [](const CableNet& net, const DataSet& data, const std::optional<ArrayLike>& samples,
-           const std::string& mean, const std::string& kernel, bool as_in_paper,
-           const nb::object& progress) {
-            TrainingSettings settings{.mean = mean_named(mean), .metric = metric_named(kernel)};
-            if (as_in_paper) {
-                settings = TrainingSettings::paper();
-            }
+           const std::optional<std::string>& mean, const std::optional<std::string>& kernel,
+           bool as_in_paper, const nb::object& progress) {
+            TrainingSettings settings =
+                as_in_paper ? TrainingSettings::paper() : TrainingSettings();
+            settings.mean = mean ? mean_named(*mean) : settings.mean;
+            settings.metric = kernel ? metric_named(*kernel) : settings.metric;
             const std::vector<int> on =
                 samples ? indices_argument(*samples, "samples") : data.converged_in(0, data.size());
             return interruptible(progress, [&](const Progress& told) {
@@ -212,14 +247,16 @@ void bind_sampling(nb::module_& module) {
             });
         },
         nb::arg("net"), nb::arg("data"), nb::arg("samples") = nb::none(), nb::kw_only(),
-        nb::arg("mean") = "geometry", nb::arg("kernel") = "isotropic",
+        nb::arg("mean") = nb::none(), nb::arg("kernel") = nb::none(),
         nb::arg("as_in_paper") = false, nb::arg("progress") = nb::none(),
         R"(One Gaussian process an edge (Algorithm 1 of the paper).
 
 Args:
     samples: which to train on; all whose forces balance, unless told.
-    mean: 'geometry' or 'zero', what a length is expected to be before anything is learnt.
-    kernel: 'isotropic', 'direction' or 'node', how the distance of two forms is measured.
+    mean: 'geometry' (unless told) or 'zero', what a length is expected to be before anything is
+        learnt.
+    kernel: 'isotropic' (unless told), 'direction' or 'node', how the distance of two forms is
+        measured.
     as_in_paper: zero mean, isotropic, every survey taken for exact and whole.)");
 }
 

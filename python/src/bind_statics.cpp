@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/tuple.h>
 
 #include <optional>
+#include <tuple>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "states.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/tensions.hpp"
@@ -21,15 +24,18 @@ EquilibriumSettings settings_of(int max_iterations, double relative_tolerance) {
 
 /// A solver with the net that its starts are checked against.
 struct Solver {
-    Solver(const CableNet& net_, const EquilibriumSettings& settings)
-        : net(net_), solver(net_, settings) {}
+    Solver(const CableNet& net_, const EquilibriumSettings& settings_)
+        : net(net_), settings(settings_), solver(net_, settings_) {}
     CableNet net;
+    EquilibriumSettings settings;
     EquilibriumSolver solver;
 };
 
 void bind_equilibrium(nb::module_& module) {
-    nb::class_<Equilibrium>(module, "Equilibrium",
-                            "The form a net takes: the minimiser of its energy.")
+    nb::class_<Equilibrium> equilibrium(module, "Equilibrium",
+                                        "The form a net takes: the minimiser of its energy.");
+    make_picklable(equilibrium);
+    equilibrium
         .def_prop_ro(
             "form",
             [](nb::handle_t<Equilibrium> self) {
@@ -97,6 +103,16 @@ Returns:
             nb::arg("net"), nb::kw_only(),
             nb::arg("max_iterations") = EquilibriumSettings().max_iterations,
             nb::arg("relative_tolerance") = EquilibriumSettings().relative_tolerance)
+        .def("__getstate__",
+             [](const Solver& self) {
+                 return std::tuple(self.net, self.settings.max_iterations,
+                                   self.settings.relative_tolerance);
+             })
+        .def("__setstate__",
+             [](Solver& self, const std::tuple<CableNet, int, double>& state) {
+                 const auto& [net, max_iterations, relative_tolerance] = state;
+                 new (&self) Solver(net, settings_of(max_iterations, relative_tolerance));
+             })
         .def(
             "solve",
             [](Solver& self, const ArrayLike& unstressed_lengths,

@@ -15,6 +15,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "states.hpp"
 #include "taut/files/file.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/read_survey.hpp"
@@ -104,7 +105,7 @@ ReadSurveyOptions reading(std::optional<double> noise, const Told& told) {
 std::vector<SurveyPoint> points_of(const ArrayLike& positions,
                                    const std::optional<std::vector<std::string>>& ids,
                                    const std::optional<ArrayLike>& noise) {
-    const Points places = points_argument(positions, "positions", -1);
+    const Points places = points_argument(positions, "source", -1);
     const Eigen::Index count = places.cols();
     if (ids && std::cmp_not_equal(ids->size(), count)) {
         throw nb::value_error(
@@ -152,7 +153,10 @@ nb::dict columns_of(const std::vector<SurveyPoint>& points) {
 }
 
 void bind_survey_class(nb::module_& module) {
-    nb::class_<Survey>(module, "Survey", "A survey brought to the nodes of a net: read_survey().")
+    nb::class_<Survey> survey(module, "Survey",
+                              "A survey brought to the nodes of a net: read_survey().");
+    make_picklable(survey);
+    survey
         .def_prop_ro(
             "form",
             [](nb::handle_t<Survey> self) {

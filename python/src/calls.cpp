@@ -70,6 +70,12 @@ bool InterruptScope::stop_requested() {
 }
 
 Progress progress_to(nb::object tell) {
+    if (!tell.is_none() && PyCallable_Check(tell.ptr()) == 0) {
+        throw nb::type_error(("progress: got " +
+                              nb::cast<std::string>(tell.type().attr("__name__")) +
+                              ", expected a function of stage, done and total")
+                                 .c_str());
+    }
     Progress progress{.tell = {}, .stop_requested = InterruptScope::stop_requested};
     if (tell.is_none()) {
         return progress;

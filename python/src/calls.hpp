@@ -46,14 +46,16 @@ private:
 /// @throws nb::python_error of KeyboardInterrupt where that was why the work was given up
 void raise_pending_signals();
 
-/// Does short work without the interpreter's lock.
+void with_told_threads(const std::function<void()>& work);
+
+/// Does short work without the interpreter's lock, with the threads told.
 template <class Work>
 auto without_lock(Work&& work) {
     const nb::gil_scoped_release unlocked;
-    return work();
+    std::optional<std::invoke_result_t<Work>> result;
+    with_told_threads([&] { result.emplace(work()); });
+    return *std::move(result);
 }
-
-void with_told_threads(const std::function<void()>& work);
 
 /// Does long work, which takes a Progress: as above, with the threads told, ended by Ctrl-C.
 template <class Work>

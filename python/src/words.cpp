@@ -2,15 +2,27 @@
 // SPDX-License-Identifier: MIT
 #include "words.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
+
+#include "taut/net/units.hpp"
 
 namespace taut::python {
 namespace {
 
-/// Options whose argument has another name, and commands, which have none. The longer ones first.
+/// Where the argument has another name or kind, and commands, which have none. The longer ones
+/// first.
 constexpr std::pair<std::string_view, std::string_view> other_words[] = {
+    {"--supports and a file of their ids", "supports and their keys"},
+    {"--supports boundary", "boundary=True"},
+    {"--force-unit kN", "force_unit=1000"},
+    {"--force-unit N", "force_unit=1"},
     {"--noise estimate", "estimate_noise=True"},
     {"--epoch", "epochs"},
     {"--unknown", "unknowns"},
@@ -19,6 +31,15 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"taut import ", ""},
     {"taut sample ", ""},
 };
+
+/// Of options that choose, which may stand behind them.
+constexpr std::array<std::string_view, 16> choices{
+    "auto", "net", "supports", "name",  "place", "map", "gp",    "balance",
+    "mm",   "cm",  "m",        "us-ft", "ft",    "in",  "utf-8", "none"};
+
+bool is_digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
 
 bool is_letter(char c) {
     return c >= 'a' && c <= 'z';
@@ -30,23 +51,75 @@ bool is_option(std::string_view text) {
            !text.starts_with("--xml");
 }
 
+/// Takes the letters and dashes of an option's name, as an identifier.
+std::string take_name(std::string_view& text) {
+    std::string name;
+    while (!text.empty() && (is_letter(text[0]) || text[0] == '-')) {
+        name += text[0] == '-' ? '_' : text[0];
+        text.remove_prefix(1);
+    }
+    return name;
+}
+
+/// Takes what stands behind an option's name, "5mm" of " 5mm, or", where that is a value.
+std::string_view take_value(std::string_view& text) {
+    if (!text.starts_with(' ')) {
+        return {};
+    }
+    std::string_view word = text.substr(1, text.find_first_of(" \n", 1) - 1);
+    while (!word.empty() && std::string_view(",.;:)?").find(word.back()) != word.npos) {
+        word.remove_suffix(1);
+    }
+    const bool is_value =
+        !word.empty() && (is_digit(word[0]) || word.find_first_of(":,") != word.npos ||
+                          std::ranges::find(choices, word) != choices.end());
+    if (!is_value) {
+        return {};
+    }
+    text.remove_prefix(1 + word.size());
+    return word;
+}
+
+/// A length as a number of metres where it is one.
+std::string in_metres(std::string_view length) {
+    try {
+        return fmt::format("{:.6g}", parse_length(length));
+    } catch (const std::invalid_argument&) {
+        return std::string(length);
+    }
+}
+
+/// "noise=0.0005", "law='uniform:5mm'", "unknowns=['supports:3mm']".
+std::string argument(const std::string& name, std::string_view value) {
+    if (value.empty()) {
+        return name;
+    }
+    if (name == "noise") {
+        return fmt::format("{}={}", name, in_metres(value));
+    }
+    return name == "unknowns" ? fmt::format("{}=['{}']", name, value)
+                              : fmt::format("{}='{}'", name, value);
+}
+
 }  // namespace
 
 std::string in_python(std::string_view message) {
     std::string result;
     while (!message.empty()) {
+        const bool begins_word =
+            result.empty() || std::string_view(" (\n").find(result.back()) != std::string::npos;
         const auto* const other =
             std::find_if(std::begin(other_words), std::end(other_words),
                          [message](const auto& pair) { return message.starts_with(pair.first); });
-        if (other != std::end(other_words)) {
-            result += other->second;
+        if (begins_word && other != std::end(other_words)) {
             message.remove_prefix(other->first.size());
-        } else if (is_option(message)) {
+            const bool is_whole = !other->second.starts_with("unknowns");
+            result += is_whole ? std::string(other->second)
+                               : argument(std::string(other->second), take_value(message));
+        } else if (begins_word && is_option(message)) {
             message.remove_prefix(2);
-            while (!message.empty() && (is_letter(message[0]) || message[0] == '-')) {
-                result += message[0] == '-' ? '_' : message[0];
-                message.remove_prefix(1);
-            }
+            const std::string name = take_name(message);
+            result += argument(name, take_value(message));
         } else {
             result += message[0];
             message.remove_prefix(1);

@@ -9,7 +9,8 @@
 namespace taut::python {
 
 /// A message of the library as it is said in Python: where it names an option of the program, the
-/// argument of that name, "--force-unit kN" as "force_unit kN".
+/// argument of that name, "--law uniform:5mm" as "law='uniform:5mm'", "--noise 0.5mm" as
+/// "noise=0.0005".
 [[nodiscard]] std::string in_python(std::string_view message);
 
 [[nodiscard]] std::vector<std::string> in_python(const std::vector<std::string>& messages);

@@ -13,11 +13,17 @@ All numbers are SI: m, N, rad, K. Nodes and edges are numbered from 0.
 
 from importlib import import_module
 
+from taut import _taut, calls
 from taut._taut import *  # noqa: F403
 from taut._taut import __version__
 from taut.surveys import read_survey  # noqa: F401
 
-__all__ = [name for name in dir() if not name.startswith("_") and name != "import_module"]
+for _name, _of in vars(_taut).items():
+    if not _name.startswith("_") and hasattr(_of, "__nb_signature__"):
+        globals()[_name] = calls.naming_arguments(_of)
+
+__all__ = [name for name in dir() if not name.startswith("_")]
+__all__ = [name for name in __all__ if name not in ("import_module", "calls", "surveys")]
 __all__ += ["__version__", "gp", "gradients", "plot"]  # noqa: F405
 
 

@@ -6,11 +6,14 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
 
-from taut import _taut
+from taut import _taut, calls
+
+_net_of_compas = calls.naming_arguments(_taut._net_of_compas, "from_compas")
 
 
 def _json_of(structure) -> str:
@@ -30,7 +33,7 @@ def _json_of(structure) -> str:
     return json_dumps(structure)
 
 
-def net_of_compas(
+def from_compas(
     structure,
     *,
     name=None,
@@ -76,8 +79,12 @@ def _net_of_json(text, name, select, *, supports, loads, **settings):
     if loads not in ("file", "balance", "none"):
         raise ValueError(f"loads: got {loads!r}, expected 'file', 'balance' or 'none'")
     if supports is not None:
+        if isinstance(supports, str) or not isinstance(supports, Iterable):
+            raise TypeError(
+                f"supports: got {type(supports).__name__}, expected keys of the structure's nodes"
+            )
         supports = [str(one) for one in supports]
-    net, told = _taut._net_of_compas(
+    net, told = _net_of_compas(
         text=text, name=name, select=select, supports=supports, loads=loads, **settings
     )
     for warning in told["warnings"]:
@@ -85,7 +92,7 @@ def _net_of_json(text, name, select, *, supports, loads, **settings):
     return net
 
 
-def compas_of_net(net, form=None):
+def to_compas(net, form=None):
     """CableNet.to_compas()."""
     try:
         from compas.data import json_loads
@@ -94,7 +101,7 @@ def compas_of_net(net, form=None):
     return json_loads(_taut._compas_of_form(net, form))
 
 
-def net_of_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, name="jax-fdm"):
+def from_jax_fdm(structure, q, *, axial_stiffness, loads=None, xyz_fixed=None, name="jax-fdm"):
     """CableNet.from_jax_fdm()."""
     told = [getattr(structure, name, None) for name in ("nodes", "edges", "indices_fixed")]
     if any(one is None or callable(one) for one in told):

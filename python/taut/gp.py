@@ -14,10 +14,10 @@ from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
 from sklearn.utils import check_random_state
 from sklearn.utils.validation import check_is_fitted, validate_data
 
-from taut import _taut
+from taut import _taut, calls
 
 FittedProcesses = _taut.FittedProcesses
-fit = _taut._fit_processes
+fit = calls.naming_arguments(_taut._fit_processes, "fit")
 
 __all__ = ["FittedProcesses", "MultiOutputGP", "fit"]
 

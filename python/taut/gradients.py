@@ -40,7 +40,7 @@ def form_vjp(
         ArithmeticError: where forces do not balance: there is no form to derive.
     """
     solver = _taut.EquilibriumSolver(net)
-    lengths = np.array(unstressed_lengths, dtype=float)
+    lengths = np.array(unstressed_lengths, subok=True)  # masks and dtypes are refused below
     found = solver.solve(lengths, start)
     if not found.is_balanced:
         raise ArithmeticError(f"no equilibrium: {found!r}")

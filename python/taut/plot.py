@@ -260,10 +260,14 @@ def figures(result: dict) -> dict[str, Figure]:
     form = result.get("format") if isinstance(result, dict) else None
     if form not in _OF:
         raise ValueError(f"result: has the format {form!r}, expected one of {', '.join(_OF)}")
-    if form == "taut-identification" and result["status"] != "converged":
-        raise ValueError(f"result: has found no lengths, its status is {result['status']!r}")
-    with mpl.rc_context(STYLE):
-        return dict(_OF[form](result))
+    status = result.get("status", "converged")
+    if status != "converged":
+        raise ValueError(f"result: has found no lengths, its status is {status!r}")
+    try:
+        with mpl.rc_context(STYLE):
+            return dict(_OF[form](result))
+    except LookupError as error:
+        raise ValueError(f"result: is no whole {form}, it lacks {error}") from error
 
 
 def save_figures(result: dict, folder: str | Path, *, file_format: str = "pdf") -> list[Path]:
@@ -289,9 +293,8 @@ def main(arguments=None):
     try:
         result = json.loads(told.result.read_text(encoding="utf-8"))
         paths = save_figures(result, told.output, file_format=told.format)
-    except (OSError, ValueError, KeyError, TypeError, IndexError) as error:
-        what = f"is no whole result: {error!r}" if isinstance(error, LookupError) else error
-        print(f"taut.plot: {told.result}: {what}", file=sys.stderr)
+    except (OSError, ValueError, TypeError) as error:
+        print(f"taut.plot: {told.result}: {error}", file=sys.stderr)
         return 2
     for path in paths:
         print(path)

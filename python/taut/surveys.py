@@ -14,8 +14,23 @@ from taut import _taut
 
 
 def _column(table, name):
-    """A column of a data frame or mapping as an array, None where there is none."""
-    return np.asarray(table[name]) if name in table else None
+    """A column of numbers of a data frame or mapping, None where there is none."""
+    if name not in table:
+        return None
+    if np.ma.is_masked(table[name]):
+        raise ValueError(f"{name}: has masked entries, expected a number everywhere")
+    column = np.asarray(table[name])
+    if column.dtype.kind not in "iuf":
+        raise TypeError(f"{name}: got dtype {column.dtype.name}, expected numbers")
+    return column
+
+
+def _of_columns(columns):
+    """Columns of one length, by name, beside each other."""
+    if len({column.shape for column in columns.values()}) > 1:
+        sizes = ", ".join(f"{name} {column.shape}" for name, column in columns.items())
+        raise ValueError(f"source: has columns of the shapes {sizes}, expected one shape")
+    return np.column_stack(list(columns.values()))
 
 
 def _of_table(table, ids):
@@ -26,20 +41,21 @@ def _of_table(table, ids):
             f"source: has the columns {', '.join(map(str, table))}, expected x, y and z, "
             "and where there are any id, sx, sy, sz"
         )
-    positions = np.column_stack([_column(table, name) for name in "xyz"])
-    if ids is None:
-        ids = _column(table, "id")
-    stds = [_column(table, name) for name in ("sx", "sy", "sz")]
-    told = [std for std in stds if std is not None]
-    if told and len(told) < 3:
+    positions = _of_columns({name: _column(table, name) for name in "xyz"})
+    if ids is None and "id" in table:
+        ids = np.asarray(table["id"])
+    stds = {name: _column(table, name) for name in ("sx", "sy", "sz") if name in table}
+    if 0 < len(stds) < 3:
         raise ValueError("source: has some of the columns sx, sy, sz, expected all or none")
-    return positions, ids, np.column_stack(told) if told else None
+    return positions, ids, _of_columns(stds) if stds else None
 
 
 def _names(ids):
     """Names as text; a column of whole numbers that went through floats keeps none of the '.0'."""
     if ids is None:
         return None
+    if isinstance(ids, str) or not isinstance(ids, Iterable):
+        raise TypeError(f"ids: got {type(ids).__name__}, expected a name of each point")
     names = []
     for one in ids:
         if isinstance(one, (float, np.floating)):
@@ -50,8 +66,14 @@ def _names(ids):
 
 def _noise(noise, count):
     """One number for all, or one of each coordinate (count, 3): the number, the array."""
-    if noise is None or np.ndim(noise) == 0:
-        return None if noise is None else float(noise), None
+    if noise is None:
+        return None, None
+    if isinstance(noise, (str, bytes)):
+        raise TypeError(f"noise: got {noise!r}, expected a number of metres")
+    if np.ndim(noise) == 0:
+        return float(noise), None
+    if np.ma.is_masked(noise):
+        raise ValueError("noise: has masked entries, expected a number everywhere")
     array = np.asarray(noise, dtype=float)
     if array.shape == (3,):
         array = np.tile(array, (count, 1))
@@ -121,6 +143,10 @@ def read_survey(
             Rows of arrays and tables are counted from 1 there.
         ValueError, TypeError: for arrays of a wrong shape or dtype.
     """
+    if not isinstance(net, _taut.CableNet):
+        raise TypeError(f"net: got {type(net).__name__}, expected CableNet")
+    if source is None:
+        raise TypeError("source: got None, expected a path, points or a table")
     of_file = {
         "angle": angle, "range": range, "format": format, "columns": columns,
         "separator": separator, "decimal": decimal, "encoding": encoding,
@@ -133,9 +159,9 @@ def read_survey(
     if isinstance(source, (str, os.PathLike)):
         if ids is not None:
             raise ValueError("ids: are for an array of points, and source is a file")
-        if noise is not None and np.ndim(noise) != 0:
+        noise, stds = _noise(noise, 0)
+        if stds is not None:
             raise ValueError("noise: got an array, expected one number for a file")
-        noise = None if noise is None else float(noise)
         return _taut._read_survey_file(net, source, noise, told)
     for name in of_file.keys() & told.keys():
         raise ValueError(f"{name}: is for a file, and source holds points")

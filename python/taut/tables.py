@@ -89,6 +89,10 @@ def plan_frame(plan):
 
 def survey_frame(survey, net):
     """Survey.to_dataframe()."""
+    if len(survey.form) != len(net.nodes):
+        raise ValueError(
+            f"net: has {len(net.nodes)} nodes, expected the survey's net of {len(survey.form)}"
+        )
     nodes = np.asarray(survey.surveyed, dtype=int)
     form = np.asarray(survey.form)[nodes]
     columns = {"node": nodes, "id": [net.node_id(int(k)) for k in nodes]}

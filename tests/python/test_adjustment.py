@@ -29,6 +29,8 @@ def test_whole_steps_limits_and_crews(found, tmp_path):
     assert json.loads((tmp_path / "plan.json").read_text()) == plan.to_dict()
     assert (tmp_path / "turns.csv").read_text() == plan.to_csv()
     assert len(plan.to_csv().splitlines()) > len(plan.edges)
+    plan.save(tmp_path / "alone.json")
+    assert (tmp_path / "alone.json").read_text() == (tmp_path / "plan.json").read_text()
 
 
 def test_edges_come_in_any_order(found):
@@ -59,6 +61,7 @@ def test_a_table_of_strokes(found):
         ({"stroke": float("nan")}, "stroke"),
         ({"target": np.zeros((2, 3))}, "target"),
         ({"edges": [10**6]}, "edge"),
+        ({"edges": []}, "edges: got none"),
         ({"step": 0.25}, "step"),
         ({"crews": 0}, "crew"),
         ({"thread": "up"}, "thread"),

@@ -108,8 +108,12 @@ def test_the_prospect_of_a_survey(net):
     assert np.all(some.std >= all_targets.std - 1e-12)
     turned_round = taut.inspect(net, targets=net.free_nodes[::2][::-1], noise=0.5e-3)
     assert np.array_equal(turned_round.std, some.std)
-    with pytest.raises(ValueError, match="node"):
-        taut.inspect(net, targets=[10**6])
+    free, support = int(net.free_nodes[0]), int(net.supports[0])
+    for targets, why in [([10**6], "is none"), ([support], "is a support"), ([free] * 2, "twice")]:
+        with pytest.raises(ValueError, match=f"targets: node .* {why}"):
+            taut.inspect(net, targets=targets)
+    with pytest.raises(ValueError, match="noise: got -1 m"):
+        taut.inspect(net, noise=-1.0)
 
 
 @pytest.mark.parametrize(
@@ -126,6 +130,34 @@ def test_the_prospect_of_a_survey(net):
 def test_what_does_not_go_together_is_refused(net, survey, settings, words):
     with pytest.raises(ValueError, match=words):
         taut.identify(net, survey, **settings)
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ({"law": 5}, r"identify: law: got int 5, expected str \| None"),
+        ({"draws": 1.5}, "draws: got float, expected int"),
+        ({"seed": -1}, "seed: got int -1"),
+        ({"readings": [(1, 2)]}, r"readings: got list, expected Sequence\[tuple\["),
+        ({"model": 1}, "model: got int 1, expected LengthModel"),
+        ({"lawn": "uniform:5mm"}, "lawn: is no argument, expected law"),
+        ({"progress": 3}, "progress: got int, expected a function"),
+    ],
+)
+def test_an_argument_of_a_wrong_type_is_told_by_its_name(net, survey, settings, words):
+    with pytest.raises(TypeError, match=words):
+        taut.identify(net, survey, **settings)
+
+
+def test_arguments_that_are_missing_or_too_many_are_told(net, survey):
+    with pytest.raises(TypeError, match="survey: is missing, expected Survey"):
+        taut.identify(net)
+    with pytest.raises(TypeError, match="survey: got ndarray, expected Survey"):
+        taut.identify(net, survey.form)
+    with pytest.raises(
+        TypeError, match="got 3 arguments without a name, expected at most net, surv"
+    ):
+        taut.identify(net, survey, "map")
 
 
 def test_the_interpreter_runs_on_while_taut_works(net, survey):

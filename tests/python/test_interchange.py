@@ -58,6 +58,12 @@ def test_a_mesh_without_forces_is_refused():
         taut.CableNet.from_compas(grid())
     with pytest.raises(TypeError, match="structure: got int"):
         taut.CableNet.from_compas(7)
+    with pytest.raises(TypeError, match="from_compas: axial_stiffness: got str, expected float"):
+        taut.CableNet.from_compas(grid(), axial_stiffness="200kN")
+    with pytest.raises(TypeError, match="supports: got int"):
+        taut.CableNet.from_compas(grid(), axial_stiffness=1e5, supports=3)
+    with pytest.raises(TypeError, match=r"from_compas\(\) got an unexpected .*'stiffness'"):
+        taut.CableNet.from_compas(grid(), stiffness=1e5)
     with pytest.raises(ValueError, match="loads: got 'some'"):
         taut.CableNet.from_compas(grid(), axial_stiffness=1e5, loads="some")
 

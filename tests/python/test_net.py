@@ -48,6 +48,9 @@ def test_a_net_goes_through_json_pickle_and_copy_to_the_last_bit(net, tmp_path):
     assert hash(loaded) == hash(net)
     assert np.array_equal(loaded.unstressed_lengths, net.unstressed_lengths)
     assert net.to_dict()["format"] == "taut-net"
+    assert net != taut.hypar(4, 4)
+    assert net != "net.json"
+    assert net not in [None, 1]
 
 
 def test_what_a_net_shows_is_read_only_and_outlives_it():

@@ -155,6 +155,7 @@ def test_whatever_a_net_is_made_of_it_is_one_or_refused(nodes, supports, edges, 
     assert np.isfinite(net.nodes).all()
 
 
+VERSION = taut.__version__
 calls = [
     lambda net, a, b: taut.solve_equilibrium(net, a),
     lambda net, a, b: taut.EquilibriumSolver(net).solve(net.unstressed_lengths, a),
@@ -173,6 +174,8 @@ calls = [
     lambda net, a, b: taut.simulate_survey(net, a, noise=b),
     lambda net, a, b: net.with_lengths(a),
     lambda net, a, b: net.node_id(a) + net.edge_id(b),
+    lambda net, a, b: taut.Survey.__new__(taut.Survey).__setstate__((a, b)),
+    lambda net, a, b: taut.Equilibrium.__new__(taut.Equilibrium).__setstate__((VERSION, a)),
 ]
 
 

@@ -45,6 +45,24 @@ def test_threads_change_nothing(net):
         taut.set_threads(-1)
 
 
+def test_samples_and_models_stay_with_what_they_are_of(net, tmp_path):
+    data = taut.Sampler(net, "uniform:3mm", seed=4).draw(5)
+    for other in (
+        taut.Sampler(net, "uniform:5mm", seed=4),
+        taut.Sampler(net, "uniform:3mm", seed=5),
+        taut.Sampler(net, "uniform:3mm", seed=4, unknowns=["stiffness:5%"]),
+        taut.Sampler(taut.hypar(4, 4), "uniform:3mm", seed=4),
+    ):
+        with pytest.raises(ValueError, match=r"data: got one of .*expected one of this sampler"):
+            other.extend(data, 10)
+    cut = net.with_lengths(net.unstressed_lengths * 0.999)
+    for result in (data, taut.train(net, data)):
+        with pytest.raises(ValueError, match="net: got the one of fingerprint"):
+            result.save(tmp_path / "x.h5", cut)
+    with pytest.raises(ValueError, match="as in the paper"):
+        taut.train(net, data, as_in_paper=True, kernel="node")
+
+
 def test_wrong_laws_and_counts_are_refused(net):
     with pytest.raises(ValueError, match="5 miles"):
         taut.Sampler(net, "uniform:5 miles")

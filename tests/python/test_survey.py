@@ -64,7 +64,7 @@ def test_millimetres_are_told(net, positions):
 @pytest.mark.parametrize(
     ("source", "settings", "error", "words"),
     [
-        (np.zeros((3, 2)), {}, ValueError, r"positions.*\(3, 2\)"),
+        (np.zeros((3, 2)), {}, ValueError, r"source: got shape \(3, 2\)"),
         ({"x": [1.0], "y": [1.0]}, {}, ValueError, "expected x, y and z"),
         ({"x": [1.0], "y": [1.0], "z": [1.0], "sx": [1.0]}, {}, ValueError, "sx, sy, sz"),
         (np.zeros((3, 3)), {"ids": ["1"]}, ValueError, "ids: got 1 names, expected 3"),
@@ -76,8 +76,25 @@ def test_millimetres_are_told(net, positions):
         (np.zeros((2, 3)), {"frame": "mine"}, ValueError, "frame: got 'mine'"),
         (np.zeros((2, 3)), {"unit": "ell"}, ValueError, "unit: got 'ell'"),
         (np.zeros((2, 3)), {"match": "luck"}, ValueError, "match: got 'luck'"),
-        (7, {}, ValueError, "positions"),
-        (None, {}, TypeError, "positions"),
+        (7, {}, ValueError, r"source: got shape \(\)"),
+        (None, {}, TypeError, "source: got None"),
+        (
+            np.ma.masked_array(np.ones((2, 3)), mask=[[0, 0, 1]] * 2),
+            {},
+            ValueError,
+            "source.*masked",
+        ),
+        ({"x": [1.0, 2.0], "y": [1.0], "z": [1.0]}, {}, ValueError, r"shapes x \(2,\), y \(1,\)"),
+        ({"x": ["1"], "y": [1.0], "z": [1.0]}, {}, TypeError, "x: got dtype str"),
+        (
+            {"x": np.ma.masked_array([1.0], mask=[True]), "y": [1.0], "z": [1.0]},
+            {},
+            ValueError,
+            "x: has masked entries",
+        ),
+        (np.zeros((3, 3)), {"ids": 3}, TypeError, "ids: got int"),
+        (np.zeros((3, 3)), {"ids": "abc"}, TypeError, "ids: got str"),
+        (np.zeros((3, 3)), {"noise": "1mm"}, TypeError, "noise: got '1mm', expected a number"),
         ("absent.csv", {}, ValueError, "absent.csv"),
         ("absent.csv", {"ids": ["1"]}, ValueError, "ids"),
     ],
@@ -85,6 +102,17 @@ def test_millimetres_are_told(net, positions):
 def test_what_cannot_be_a_survey_is_refused_by_name(net, source, settings, error, words):
     with pytest.raises(error, match=words):
         taut.read_survey(net, source, **settings)
+
+
+def test_what_is_no_net_is_refused_by_name(positions):
+    with pytest.raises(TypeError, match="net: got str, expected CableNet"):
+        taut.read_survey("net.json", positions)
+
+
+def test_a_table_of_another_net_is_refused(survey):
+    pytest.importorskip("pandas")
+    with pytest.raises(ValueError, match="net: has 12 nodes, expected the survey's net of 45"):
+        survey.to_dataframe(taut.hypar(2, 2))
 
 
 def test_what_is_told_of_a_file(net, columns, tmp_path):
@@ -126,10 +154,11 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
         taut.read_survey(net, {k: v if k == "id" else 1e3 * v for k, v in columns.items()})
     assert "--" not in str(error.value)
     survey = taut.read_survey(net, {k: columns[k] for k in ("id", "x", "y", "z")}, noise=1e-4)
-    with pytest.raises(ValueError, match="for method map") as error:
+    with pytest.raises(ValueError, match="for method='map'") as error:
         taut.identify(net, survey, method="gp", unknowns=["stiffness:5%"], taut=[0])
     assert "--" not in str(error.value)
     found = taut.identify(net, survey, law="uniform:5mm")
     assert found.findings
     assert all("--" not in f["next"] + f["reason"] for f in found.findings)
-    assert any("law " in f["next"] for f in found.findings)
+    assert any("law='" in f["next"] for f in found.findings)
+    assert any("noise=0.000" in f["next"] for f in found.findings)

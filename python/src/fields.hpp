@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// The fields of the structs that results are made of, in their order, for states.hpp. A list that
+// does not name every field does not compile.
+#pragma once
+
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+
+#include "identified.hpp"
+#include "planned.hpp"
+#include "taut/gp/fit.hpp"
+#include "taut/identification/model.hpp"
+#include "taut/identification/survey_prospect.hpp"
+#include "taut/sampling/data_set.hpp"
+
+namespace taut::python {
+
+/// std::tie, by a name that no field has: one is called std.
+template <class... Fields>
+std::tuple<Fields&...> references_to(Fields&... fields) {
+    return {fields...};
+}
+
+#define TAUT_FIELDS(Type, ...)                               \
+    template <class Of>                                      \
+        requires std::same_as<std::remove_const_t<Of>, Type> \
+    auto fields_of(Of& object) {                             \
+        auto& [__VA_ARGS__] = object;                        \
+        return references_to(__VA_ARGS__);                   \
+    }
+
+// sampling, statics
+TAUT_FIELDS(LengthLaw, kind, scale)
+TAUT_FIELDS(Unknown, kind, std, group)
+TAUT_FIELDS(Equilibrium, form, status, iterations, out_of_balance, mean_tension, slack_edges,
+            energy_decreases)
+TAUT_FIELDS(DataSet, net_fingerprint, law, seed, unknowns, nominal_form, form_deviations,
+            length_deviations, statuses, slack_counts)
+TAUT_FIELDS(TensionLaw, name, strain, tension)
+
+// survey
+TAUT_FIELDS(SurveyPoint, id, position, line, noise_std, noise_correlations, label, code)
+TAUT_FIELDS(UnmatchedPoint, point, nearest, distance, reason, swapped_with)
+TAUT_FIELDS(SurveyedSupport, node, position, noise_std, noise_correlations)
+TAUT_FIELDS(PlacedPoint, name, line, node, distance, code)
+TAUT_FIELDS(RigidMotion, rotation, from, to)
+TAUT_FIELDS(ControlResidual, id, residual)
+TAUT_FIELDS(Registration, motion, residuals)
+TAUT_FIELDS(Survey, form, noise_std, noise_correlations, surveyed, missing, supports,
+            frame_is_unknown, unmatched, frame, warnings, placed, notes, tells_noise, scale_std,
+            rounding_std)
+TAUT_FIELDS(EdgeTurned, edge, stroke, std)
+
+// gp
+TAUT_FIELDS(gp::Hyperparameters, inverse_length_scale, signal_std, noise_std)
+TAUT_FIELDS(gp::KernelSpectrum, inverse_length_scale, eigenvalues, eigenvectors)
+TAUT_FIELDS(gp::Process, status, hyperparameters, negative_log_likelihood, leave_one_out_rmse,
+            spectrum)
+TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights)
+
+// estimation, identification
+TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
+TAUT_FIELDS(ReadingOutlier, edge, read, expected, statistic)
+TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic)
+TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, rival)
+TAUT_FIELDS(ReadingBias, part, std)
+TAUT_FIELDS(FoundScale, ratio, std)
+TAUT_FIELDS(VarianceComponents, noise, lengths)
+TAUT_FIELDS(LawCheck, checked, lengths, likeliest, gain, mean, mean_std, beyond)
+TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
+TAUT_FIELDS(PosteriorDraws, length_deviations, adjustable_deviations, forms, tensions, seed, how,
+            doubt)
+TAUT_FIELDS(DrawnEstimate, mean, std, lower, upper)
+TAUT_FIELDS(DrawnTension, edge, tension, slack_probability)
+TAUT_FIELDS(DrawnPlace, node, mean, std, lower, upper)
+TAUT_FIELDS(DrawnSummary, tensions, mean_tension, missing)
+TAUT_FIELDS(Trust::Finding, verdict, reason, next)
+TAUT_FIELDS(Trust, findings)
+TAUT_FIELDS(UnknownEstimate, unknown, edge, node, axis, mean, std)
+TAUT_FIELDS(IdentifiedEdge, edge, nominal, length_deviation, std, lower, upper, status)
+TAUT_FIELDS(LengthCovariance, edges, covariance)
+TAUT_FIELDS(FrameOffset, about, translation, translation_std, rotation, rotation_std)
+TAUT_FIELDS(LengthChange, edge, change, std, statistic)
+TAUT_FIELDS(EpochResult, surveyed, turned, outliers, boundary_outliers, frame_offset, noise_ratio,
+            noise_scale, change_ratio, change_limit, changes, untold_play, stroke_factor,
+            stroke_factor_std, trust)
+TAUT_FIELDS(Identification, method, method_reason, how, law, status, message, edges, predicted,
+            tensions, residuals, outliers, outlier_threshold, noise_ratio, lengths_beyond_law,
+            boundary_outliers, boundary_beyond, noise_scale, frame_offset, scales, law_check,
+            frame_check, contradicted_law, law_was_told, readings, reading_outliers, reading_bias,
+            contradicted_taut, contradicted_slack, unknowns, draws, epochs, turned, trust,
+            length_covariance, drawn)
+TAUT_FIELDS(Identified, net, survey, found)
+TAUT_FIELDS(LengthModel, net_fingerprint, law, seed, unknowns, mean, metric, as_in_paper,
+            nominal_form, input_scales, length_deviations, processes)
+TAUT_FIELDS(EdgeProspect, edge, std, status)
+TAUT_FIELDS(TensionProspect, edge, tension, std, mean_std_with_reading)
+TAUT_FIELDS(SurveyProspect, prior_std, edges, mean_tension, mean_tension_std, readings)
+
+// adjustment
+TAUT_FIELDS(BuiltNet, net, length_draws, no_draws_since)
+TAUT_FIELDS(TensionLimits, lower, upper)
+TAUT_FIELDS(ReactionLimit, name, supports, upper)
+TAUT_FIELDS(LoadCase, name, loads, tension)
+TAUT_FIELDS(ForceRange, lower, upper)
+TAUT_FIELDS(Limits, shortest_stroke, longest_stroke, tension, reactions, load_cases)
+TAUT_FIELDS(TurnSize, pitch, smallest)
+TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, survey_noise, seed)
+TAUT_FIELDS(PlannedStroke, edge, stroke)
+TAUT_FIELDS(LimitBreach, kind, index, load_case, value, limit, probability)
+TAUT_FIELDS(FurtherTarget, node, normal_unknown)
+TAUT_FIELDS(FormDeviation, mean, max, rmse, normal_mean, normal_max, normal_rmse)
+TAUT_FIELDS(Plan, strokes, as_built, planned, unavoidable, normal_unknown, further_targets, form,
+            form_std, tensions, tension_lower, tension_upper, held, draws, no_draws_since,
+            limit_probability, is_feasible, has_converged, breaches, normal_rmse_of_free_strokes,
+            is_within_tolerance, fewest_bound, iterations)
+TAUT_FIELDS(Turning, edge, stroke, pass, crew, moment)
+TAUT_FIELDS(WorstMoment, moment, breach)
+TAUT_FIELDS(TurnOrder, turnings, passes, walk, is_safe, worst)
+TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, crews, thread)
+
+#undef TAUT_FIELDS
+
+}  // namespace taut::python
