@@ -3,13 +3,20 @@
 # SPDX-License-Identifier: MIT
 #
 # Runs the commands of a page of docs/: each ```sh block, in order, in one temporary folder, with
-# build/taut on the PATH. A block below the line `<!-- not run -->` is left out, and so are its
-# lines that start with make or git: those need the checkout and are run elsewhere.
+# build/taut on the PATH, and each line `<!-- run: COMMAND -->`, which the page does not show. A block
+# below the line `<!-- not run -->` is left out, and so are its lines that start with make or git: those
+# need the checkout and are run elsewhere. A page with $TAUT_REAL_DATA, other people's files, is left out
+# where these are not there.
 # Usage: scripts/check_page.sh FILE
 set -euo pipefail
 page=$(realpath "$1")
 cd "$(dirname "$0")/.."
 export PATH="$PWD/build:$PATH"
+export TAUT_REAL_DATA="${TAUT_REAL_DATA:-$PWD/../shared/data}"
+if [[ ! -d $TAUT_REAL_DATA ]] && grep --quiet --fixed-strings '$TAUT_REAL_DATA' "$page"; then
+    echo "check_page.sh: left out: $TAUT_REAL_DATA is not there (TAUT_REAL_DATA)"
+    exit 0
+fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
@@ -24,6 +31,10 @@ awk -v folder="$folder/blocks" '
     }
     /^```/ { inside = 0; skip = 0; next }
     inside && file && !/^(make|git)([[:space:]]|$)/ { print > file }
+    !inside && sub(/^<!-- run: /, "") && sub(/ -->[[:space:]]*$/, "") {
+        print "# line " NR "\n" $0 > sprintf("%s/%03d", folder, ++count)
+        next
+    }
     !inside && NF { skip = /^<!-- not run -->[[:space:]]*$/ }
 ' "$page"
 

@@ -8,6 +8,11 @@
 set(prefix ${CONSUMER_BINARY_DIR}/prefix)
 file(REMOVE_RECURSE ${CONSUMER_BINARY_DIR})
 
+# What the programs of the pages read.
+set(example ${CONSUMER_BINARY_DIR}/example)
+file(COPY ${TAUT_SOURCE_DIR}/tests/data/released/0.1.0/net.json
+    ${TAUT_SOURCE_DIR}/tests/data/released/0.1.0/survey.csv DESTINATION ${example})
+
 function(run)
     execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -46,9 +51,21 @@ function(build_and_run name compiler flags)
     run(${CMAKE_COMMAND} --build ${build})
     run(${build}/consumer ${VERSION})
     run(${build}/consumer_core)
+    run(${CMAKE_COMMAND} -E chdir ${example} ${build}/shown_in_README)
+    run(${CMAKE_COMMAND} -E chdir ${example} ${build}/shown_in_linking)
     if(NOT flags AND NOT CXX_FLAGS)
         check_loaded(${build})
     endif()
+endfunction()
+
+# The one line for the compiler that docs/linking.md shows.
+function(run_shown_command)
+    file(READ ${TAUT_SOURCE_DIR}/docs/linking.md text)
+    string(REGEX MATCH "```sh\n([^`]*)```" snippet "${text}")
+    string(REPLACE "PREFIX" ${prefix} command "${CMAKE_MATCH_1}")
+    file(COPY_FILE ${CONSUMER_SOURCE_DIR}/core.cpp ${example}/program.cpp)
+    run(${CMAKE_COMMAND} -E chdir ${example} bash -euo pipefail -c "${command}")
+    run(${example}/program)
 endfunction()
 
 if(KIND STREQUAL "shared")
@@ -70,6 +87,9 @@ if(KIND STREQUAL "shared")
 endif()
 
 run(${CMAKE_COMMAND} --install ${TAUT_BINARY_DIR} --prefix ${prefix} --config ${CONFIG})
+if(NOT CXX_FLAGS)
+    run_shown_command()
+endif()
 foreach(compiler ${COMPILERS})
     build_and_run(plain ${compiler} "")
     if(CXX_FLAGS MATCHES "-fsanitize")  # a library with sanitizers needs a consumer with the same

@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Runs the Python that README.md and docs/ show, as it stands."""
+"""Runs the Python that README.md and docs/ show, as it stands, and sees to it that every other
+block has someone who runs it, too."""
 
+import json
 import re
 import warnings
 from pathlib import Path
@@ -11,14 +13,59 @@ import pytest
 import taut
 
 ROOT = Path(__file__).parents[2]
+CI = ".ci/run"
+CONSUMER = "tests/consumer/CMakeLists.txt"
+
+# Who runs the blocks of a language on which pages: a file that names the page. Those of sh are
+# also run on each page that .ci/run hands to scripts/check_page.sh.
+RUN_BY = {
+    ("python", "README.md"): "tests/python/test_docs.py",
+    ("python", "docs/python.md"): "tests/python/test_docs.py",
+    ("python", "docs/howto.md"): "tests/python/test_docs.py",
+    ("python", "docs/files.md"): "tests/python/test_docs.py",
+    ("json", "docs/files.md"): "tests/python/test_docs.py",
+    ("cpp", "README.md"): CONSUMER,
+    ("cpp", "docs/linking.md"): CONSUMER,
+    ("cmake", "docs/linking.md"): CONSUMER,
+    ("sh", "docs/linking.md"): "tests/consumer/run.cmake",
+}
+
+
+def fenced(page):
+    """Each block of a page that names its language: language, first line, text, and whether the
+    page says that it is not run."""
+    text = (ROOT / page).read_text(encoding="utf-8")
+    for match in re.finditer(r"^```(.*)\n((?:.*\n)*?)```$", text, re.MULTILINE):
+        is_left_out = text[: match.start()].rstrip().endswith("<!-- not run -->")
+        if match.group(1):
+            line = text.count("\n", 0, match.start(2))
+            yield match.group(1).strip(), line, match.group(2), is_left_out
 
 
 def blocks(page):
     """The Python of a page, each block on the line where it stands there."""
-    text = (ROOT / page).read_text(encoding="utf-8")
-    for match in re.finditer(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
-        line = text.count("\n", 0, match.start(1))
-        yield compile("\n" * line + match.group(1), page, "exec")
+    for language, line, text, _ in fenced(page):
+        if language == "python":
+            yield compile("\n" * line + text, page, "exec")
+
+
+def pages():
+    paths = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+    return [path.relative_to(ROOT).as_posix() for path in paths]
+
+
+@pytest.mark.parametrize("page", pages())
+def test_every_block_is_run_by_someone_or_says_that_it_is_not(page):
+    in_ci = re.findall(
+        r"^step scripts/check_page\.sh (\S+)$", (ROOT / CI).read_text(), re.MULTILINE
+    )
+    for language, line, _, is_left_out in fenced(page):
+        if is_left_out or (language == "sh" and page in in_ci):
+            continue
+        runner = RUN_BY.get((language, page))
+        assert runner, f"{page}:{line}: nobody runs this block of '{language}'"
+        name = page.removesuffix(".md") if runner == CONSUMER else page
+        assert Path(name).name in (ROOT / runner).read_text(), f"{runner} does not run {page}"
 
 
 def test_the_page_of_python(tmp_path, monkeypatch, capsys):
@@ -63,3 +110,34 @@ def test_the_lines_of_the_readme(tmp_path, monkeypatch, capsys):
     exec(block, {})
     assert "Identification(" in capsys.readouterr().out
     assert Path("turns.csv").exists()
+
+
+def test_the_files_that_the_page_of_files_shows(tmp_path, monkeypatch):
+    whole, part = (text for kind, _, text, _ in fenced("docs/files.md") if kind == "json")
+    net = taut.CableNet.from_json(whole)
+    assert net.edge_id(1) == "BC"
+    # The laws are those of a net of three edges.
+    three = {
+        "format": "taut-net",
+        "version": 1,
+        "nodes": [[0, 0, 0], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]],
+        "supports": [1, 2, 3],
+        "edges": [[0, 1], [0, 2], [0, 3]],
+        "axial_stiffness": 1e5,
+        "unstressed_lengths": [0.998, 1.41, 1.41],
+    }
+    laws = json.loads("{" + part + "}")
+    strands = taut.CableNet.from_json(json.dumps(three | laws))
+    assert strands.to_dict()["tension_laws"] == laws["tension_laws"]
+    stretched = taut.tensions(strands, strands.unstressed_lengths, strands.nodes)
+    assert stretched[0] == pytest.approx(17050 * (1 / 0.998 - 1) / 0.0022)
+
+    pytest.importorskip("h5py")
+    monkeypatch.chdir(tmp_path)
+    data = taut.Sampler(net := taut.hypar(2, 2)).draw(3)
+    data.save("data.h5", net)
+    names = {}
+    (block,) = blocks("docs/files.md")
+    exec(block, names)
+    assert np.array_equal(names["X"], data.form_deviations)
+    assert np.array_equal(names["Y"], data.length_deviations)
