@@ -1,15 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""What a call from Python costs besides its work, and what importing costs.
+"""What a call from Python costs besides its work, beside the same call in C++, and what importing
+costs.
 
-python benchmarks/python_calls.py [--write docs/python.md]
+python benchmarks/python_calls.py [--peer build/release/benchmarks/identify_points]
+    [--write docs/python.md]
 """
 
 import argparse
 import statistics
 import subprocess
 import sys
+import tempfile
+import time
 import timeit
 from pathlib import Path
 
@@ -34,10 +38,49 @@ def seconds_of(code):
     return statistics.median(runs)
 
 
+def identification(peer, repetitions=15):
+    """Milliseconds of identifying the built-in net from points, here and in C++: the same call, in
+    turns, the least of each; that lengths are the same is checked."""
+    net = taut.hilo_quarter()
+    form = taut.solve_equilibrium(taut.built_net(net, seed=7)).form
+    columns = taut.simulate_survey(net, form, noise=0.5e-3, seed=1)
+    ids = columns["id"]
+    points = np.column_stack([columns[axis] for axis in "xyz"])
+
+    def here():
+        start = time.perf_counter()
+        found = taut.identify(net, taut.read_survey(net, points, ids=ids, noise=0.5e-3))
+        return time.perf_counter() - start, float(sum(found.length_deviation))
+
+    with tempfile.TemporaryDirectory() as folder:
+        net.save(f"{folder}/net.json")
+        rows = zip(ids, points.tolist(), strict=True)
+        lines = [f"{name} {x!r} {y!r} {z!r}" for name, (x, y, z) in rows]
+        Path(f"{folder}/points.txt").write_text("\n".join(lines) + "\n")
+        command = [peer, f"{folder}/net.json", f"{folder}/points.txt", "0.0005"]
+        with subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        ) as there:
+            seconds = []
+            for _ in range(repetitions):
+                ours, our_sum = here()
+                there.stdin.write("\n")
+                there.stdin.flush()
+                theirs, their_sum = map(float, there.stdout.readline().split())
+                if our_sum != their_sum:
+                    sys.exit(f"lengths differ: their sums are {our_sum!r} and {their_sum!r}")
+                seconds.append((ours, theirs))
+            there.stdin.close()
+    return (1e3 * min(column) for column in zip(*seconds, strict=True))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--peer", type=Path, help="program to compare identify() with")
     parser.add_argument("--write", type=Path, help="page whose table is replaced")
     told = parser.parse_args()
+    if told.write and not told.peer:
+        parser.error("--write takes --peer, too")
     net = taut.hypar(2, 2)
     form, lengths = np.array(net.nodes), np.array(net.unstressed_lengths)
     solver = taut.EquilibriumSolver(net)
@@ -48,6 +91,14 @@ def main():
     ]
     lines = ["| call, on a net of 4 free nodes | microseconds |", "|---|---|"]
     lines += [f"| {name} | {value:.2f} |" for name, value in rows]
+    if told.peer:
+        python, cpp = identification(told.peer)
+        lines += [
+            "",
+            "`taut.identify(net, taut.read_survey(net, points, ids=ids, noise=0.5e-3))` of the "
+            f"built-in net takes {python:.0f} ms, the same in C++ {cpp:.0f} ms: "
+            f"{python / cpp:.2f} times.",
+        ]
     numpy, both = seconds_of("import numpy"), seconds_of("import taut")
     lines += ["", f"`import taut` takes {both:.3f} s, of which NumPy {numpy:.3f} s."]
     made = "\n".join(lines)
