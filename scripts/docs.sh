@@ -3,26 +3,35 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds the site of docs/ into build/site, with the reference of the C++ headers in it. Broken links and
-# anchors fail. Takes the program at build/taut, and installs the Python package for its reference.
+# anchors fail. Takes the program at build/taut, and of scripts/python.sh the wheel, of which the sources
+# and stubs are read for the reference, and the notebooks as its tests ran them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 into=build/docs
 tools="$into/tools/bin"
-export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1
+export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1 PIP_NO_COMPILE=1
 
 if ! [[ -x "$tools/mkdocs" && "$tools/mkdocs" -nt scripts/docs.sh ]]; then
     python3 -m venv --clear "$into/tools"
     "$tools/pip" install 'mkdocs-material>=9.5' 'mkdocstrings[python]>=0.27' mkdocs-jupyter ruff
-    npm install --silent --no-audit --no-fund --prefix "$into" katex@0.16
+    npm install --silent --no-audit --no-fund --prefix "$into" katex@0.16 iframe-worker@1
     touch "$tools/mkdocs"
 fi
-# The package's reference is read from its sources and stubs, and its notebooks are run.
-ls build/python/dist/taut-*.whl > /dev/null 2>&1 || scripts/python.sh build
-wheel="$(ls build/python/dist/taut-*.whl)"
-"$tools/pip" install "$wheel[compas,gp,pandas,plot]" ipykernel
-"$tools/pip" install --no-deps --force-reinstall "$wheel"
+for notebook in docs/notebooks/*.ipynb; do
+    ran="build/python/notebooks/$(basename "$notebook")"
+    if ! [[ "$ran" -nt "$notebook" ]]; then
+        scripts/python.sh test -k notebook
+        break
+    fi
+done
+"$tools/pip" install --no-deps --force-reinstall build/python/dist/taut-*.whl
 
 PATH="$PWD/$tools:$PATH" NO_MKDOCS_2_WARNING=1 "$tools/mkdocs" build --strict
+if grep --recursive --include='*.html' --extended-regexp --max-count=1 \
+    '<(script|iframe|img)[^>]* src="?https?:|<link[^>]* rel="?stylesheet[^>]* href="?https?:' build/site; then
+    echo "docs.sh: these pages load what is not in the site" >&2
+    exit 1
+fi
 rm -rf build/site/cpp
 cp -r build/reference build/site/cpp
 echo "docs.sh: build/site/index.html"

@@ -10,7 +10,9 @@ from mkdocs.structure.files import File
 
 ROOT = Path(__file__).parents[1]
 PROGRAM = ROOT / "build" / "taut"
-KATEX = ROOT / "build" / "docs" / "node_modules" / "katex" / "dist"
+NOTEBOOKS = ROOT / "build" / "python" / "notebooks"
+MODULES = ROOT / "build" / "docs" / "node_modules"
+KATEX = MODULES / "katex" / "dist"
 RENDER = """
 document.addEventListener("DOMContentLoaded", () => renderMathInElement(document.body, {
   delimiters: [
@@ -48,10 +50,16 @@ def on_files(files, config):
     }
     for name, content in pages.items():
         files.append(File.generated(config, name, content=content))
+    for file in files:
+        if file.src_uri.endswith(".ipynb"):  # as the tests ran it
+            file.abs_src_path = str(NOTEBOOKS / Path(file.src_uri).name)
     for path in [KATEX / "katex.min.css", KATEX / "katex.min.js"]:
         files.append(File.generated(config, f"katex/{path.name}", abs_src_path=str(path)))
-    path = KATEX / "contrib" / "auto-render.min.js"
-    files.append(File.generated(config, f"katex/{path.name}", abs_src_path=str(path)))
+    for name, path in {
+        "katex/auto-render.min.js": KATEX / "contrib" / "auto-render.min.js",
+        "search/iframe-worker.js": MODULES / "iframe-worker" / "shim" / "index.js",
+    }.items():
+        files.append(File.generated(config, name, abs_src_path=str(path)))
     for path in sorted((KATEX / "fonts").glob("*.woff2")):
         files.append(File.generated(config, f"katex/fonts/{path.name}", abs_src_path=str(path)))
     return files

@@ -6,7 +6,8 @@
 # built the libraries, and goes into build/python.
 #   build   a wheel for this machine, in build/python/dist
 #   wheel   a wheel that brings all libraries along, in build/python/wheels
-#   test    a wheel for this machine, installed into a fresh environment, and its tests there
+#   test    a wheel for this machine, installed into a fresh environment, and its tests there; the
+#           notebooks as they ran go into build/python/notebooks
 #   lint    format and names of all Python sources, by ruff
 # Usage: scripts/python.sh build|wheel|test|lint [argument of pytest]...
 set -euo pipefail
@@ -20,7 +21,7 @@ fi
 shift
 into=build/python
 tools="$into/tools/bin"
-export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1
+export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1 PIP_NO_COMPILE=1
 
 # What pyproject.toml asks for to build; once, as the next build then finds it in the same place.
 if ! [[ "$into/tools/ready" -nt pyproject.toml ]]; then
@@ -56,4 +57,6 @@ wheel="$(ls "$into"/dist/taut-*.whl)"
 fresh="$into/fresh/bin"
 python3 -m venv --clear "$into/fresh"
 "$fresh/pip" install "$wheel[test]"
+export TAUT_NOTEBOOKS="$PWD/$into/notebooks"
+mkdir -p "$TAUT_NOTEBOOKS"
 PATH="$PWD/$fresh:$PATH" "$fresh/python" -m pytest -p no:cacheprovider tests/python "$@"

@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Runs the notebooks of docs/ as they stand, in a kernel of their own."""
+"""Runs the notebooks of docs/ as they stand, in a kernel of their own. What they show is kept for
+the site in the folder that TAUT_NOTEBOOKS names."""
 
+import os
 from pathlib import Path
 
 import pytest
@@ -27,3 +29,5 @@ def test_a_notebook_runs_and_is_kept_without_its_output(path, tmp_path):
         notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": tmp_path}}
     )
     client.execute()
+    if folder := os.environ.get("TAUT_NOTEBOOKS"):
+        nbformat.write(notebook, Path(folder) / path.name)
