@@ -57,8 +57,7 @@ Forces forces_told(const CableNet& net, const Readings& readings,
 }
 
 /// One number of each interior edge.
-template <class Number>
-auto of_edges(Number IdentifiedEdge::* member) {
+auto of_edges(double IdentifiedEdge::* member) {
     return [member](const Identified& self) {
         Eigen::VectorXd values(std::ssize(self.found.edges));
         for (Eigen::Index i = 0; i < values.size(); ++i) {
@@ -101,8 +100,16 @@ std::string repr(const Identified& self) {
 
 void bind_numbers(nb::class_<Identified>& result) {
     result
-        .def_prop_ro("edge", of_edges(&IdentifiedEdge::edge),
-                     "Interior edges (m_I,), the order of all arrays of lengths below.")
+        .def_prop_ro(
+            "edge",
+            [](const Identified& self) {
+                std::vector<int> edges;
+                for (const IdentifiedEdge& edge : self.found.edges) {
+                    edges.push_back(edge.edge);
+                }
+                return array_of(std::move(edges));
+            },
+            "Interior edges (m_I,), the order of all arrays of lengths below.")
         .def_prop_ro("nominal", of_edges(&IdentifiedEdge::nominal),
                      "Unstressed lengths as designed (m_I,) [m].")
         .def_prop_ro("length_deviation", of_edges(&IdentifiedEdge::length_deviation),

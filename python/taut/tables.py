@@ -44,7 +44,7 @@ def identification_frame(found):
     """Identification.to_dataframe()."""
     net = found.net
     columns = _edges(net)
-    interior = np.asarray(found.edge, dtype=int)
+    interior = found.edge
     count = len(net.edges)
 
     def of_all(values):

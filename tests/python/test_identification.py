@@ -18,7 +18,7 @@ def test_lengths_are_found_with_their_intervals(net, found, deviations):
     inside = (found.lower <= deviations) & (deviations <= found.upper)
     assert inside.mean() > 0.85
     assert np.sqrt(np.mean((found.length_deviation - deviations) ** 2)) < 1e-3
-    assert found.edge.astype(int).tolist() == net.interior_edges.tolist()
+    assert found.edge.tolist() == net.interior_edges.tolist()
     assert found.length_draws.shape == (100, len(net.interior_edges))
     assert found.tension.shape == (len(net.edges),)
     assert np.all(found.tension_lower <= found.tension_upper)
