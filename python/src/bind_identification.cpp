@@ -20,6 +20,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "dicts.hpp"
 #include "documents.hpp"
 #include "identified.hpp"
 #include "states.hpp"
@@ -306,6 +307,16 @@ void bind_prospect(nb::module_& module) {
         .def_ro("prior_std", &SurveyProspect::prior_std,
                 "Of each length deviation, before the survey [m].")
         .def_prop_ro(
+            "edge",
+            [](const SurveyProspect& self) {
+                std::vector<int> edges;
+                for (const EdgeProspect& edge : self.edges) {
+                    edges.push_back(edge.edge);
+                }
+                return array_of(std::move(edges));
+            },
+            "Interior edges (m_I,), the order of std and edge_status.")
+        .def_prop_ro(
             "std",
             [](const SurveyProspect& self) {
                 Eigen::VectorXd values(std::ssize(self.edges));
@@ -325,6 +336,15 @@ void bind_prospect(nb::module_& module) {
                      })
         .def_ro("mean_tension", &SurveyProspect::mean_tension, "Over all edges [N].")
         .def_ro("mean_tension_std", &SurveyProspect::mean_tension_std, "After the survey [N].")
+        .def("to_dict", &dict_of_fields<SurveyProspect>, nb::sig("def to_dict(self) -> dict"),
+             "All of it, SI units.")
+        .def(
+            "to_dataframe",
+            [](nb::handle_t<SurveyProspect> self) {
+                return of_package("taut.tables", "prospect_frame")(self);
+            },
+            nb::sig("def to_dataframe(self) -> object"),
+            "The interior edges as a pandas.DataFrame, SI units.")
         .def("__repr__", [](const SurveyProspect& self) {
             return fmt::format(
                 "SurveyProspect({} edges: {} identified, {} slack, {} unobserved; "

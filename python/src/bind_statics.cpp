@@ -10,6 +10,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "dicts.hpp"
 #include "states.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/form_sensitivity.hpp"
@@ -57,6 +58,8 @@ void bind_equilibrium(nb::module_& module) {
                 return view_of(nb::cast<const Equilibrium&>(self).slack_edges, self);
             },
             "Ascending.")
+        .def("to_dict", &dict_of_fields<Equilibrium>, nb::sig("def to_dict(self) -> dict"),
+             "All of it, SI units.")
         .def("__repr__", [](const Equilibrium& self) {
             return fmt::format(
                 "Equilibrium({}: {} iterations, out of balance {:.2g} N, {} slack "

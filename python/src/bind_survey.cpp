@@ -15,6 +15,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "dicts.hpp"
 #include "states.hpp"
 #include "taut/files/file.hpp"
 #include "taut/io/polar_csv.hpp"
@@ -195,6 +196,8 @@ void bind_survey_class(nb::module_& module) {
             },
             nb::arg("net"), nb::sig("def to_dataframe(self, net: CableNet) -> object"),
             "The surveyed nodes as a pandas.DataFrame, SI units.")
+        .def("to_dict", &dict_of_fields<Survey>, nb::sig("def to_dict(self) -> dict"),
+             "All of it, SI units.")
         .def("__repr__", [](const Survey& self) {
             return fmt::format(
                 "Survey({} free nodes, {} not surveyed, noise {:.4g} mm{})", self.surveyed.size(),

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// The fields of the structs that results are made of, in their order, for states.hpp. A list that
-// does not name every field does not compile.
+// The fields of the structs that results are made of, in their order, and their names, "a, b, c":
+// for states.hpp and dicts.hpp. A list that does not name every field does not compile.
 #pragma once
 
 #include <concepts>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -24,12 +25,15 @@ std::tuple<Fields&...> references_to(Fields&... fields) {
     return {fields...};
 }
 
-#define TAUT_FIELDS(Type, ...)                               \
-    template <class Of>                                      \
-        requires std::same_as<std::remove_const_t<Of>, Type> \
-    auto fields_of(Of& object) {                             \
-        auto& [__VA_ARGS__] = object;                        \
-        return references_to(__VA_ARGS__);                   \
+#define TAUT_FIELDS(Type, ...)                                      \
+    template <class Of>                                             \
+        requires std::same_as<std::remove_const_t<Of>, Type>        \
+    auto fields_of(Of& object) {                                    \
+        auto& [__VA_ARGS__] = object;                               \
+        return references_to(__VA_ARGS__);                          \
+    }                                                               \
+    constexpr std::string_view names_of(std::type_identity<Type>) { \
+        return #__VA_ARGS__;                                        \
     }
 
 // sampling, statics

@@ -24,7 +24,7 @@ for _name, _of in vars(_taut).items():
 
 __all__ = [name for name in dir() if not name.startswith("_")]
 __all__ = [name for name in __all__ if name not in ("import_module", "calls", "surveys")]
-__all__ += ["__version__", "gp", "gradients", "plot"]  # noqa: F405
+__all__ += ["__version__", "gradients"]  # noqa: F405 - gp and plot take packages that are optional
 
 
 def __getattr__(name):

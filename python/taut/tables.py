@@ -87,6 +87,12 @@ def plan_frame(plan):
     )
 
 
+def prospect_frame(prospect):
+    """SurveyProspect.to_dataframe()."""
+    columns = {"edge": prospect.edge, "std": prospect.std, "status": prospect.edge_status}
+    return _frame(columns, "edge")
+
+
 def survey_frame(survey, net):
     """Survey.to_dataframe()."""
     if len(survey.form) != len(net.nodes):

@@ -108,6 +108,9 @@ def test_the_prospect_of_a_survey(net):
     assert np.all(some.std >= all_targets.std - 1e-12)
     turned_round = taut.inspect(net, targets=net.free_nodes[::2][::-1], noise=0.5e-3)
     assert np.array_equal(turned_round.std, some.std)
+    told = some.to_dict()
+    assert [one["edge"] for one in told["edges"]] == net.interior_edges.tolist()
+    assert told["edges"][3]["status"] == some.edge_status[3]
     free, support = int(net.free_nodes[0]), int(net.supports[0])
     for targets, why in [([10**6], "is none"), ([support], "is a support"), ([free] * 2, "twice")]:
         with pytest.raises(ValueError, match=f"targets: node .* {why}"):

@@ -14,6 +14,10 @@ def test_the_form_balances_the_loads(net):
     assert found.status == "converged"
     assert found.is_balanced
     assert "converged" in repr(found)
+    told = found.to_dict()
+    assert told["status"] == "converged"
+    assert np.array_equal(told["form"], found.form)
+    assert told["iterations"] == found.iterations
     tensions = taut.tensions(net, net.unstressed_lengths, found.form)
     edges = net.edges
     along = found.form[edges[:, 1]] - found.form[edges[:, 0]]

@@ -27,6 +27,10 @@ def test_a_mapping_a_frame_and_a_file_are_one_survey(net, columns, tmp_path):
         assert np.array_equal(survey.form, of_mapping.form)
         assert np.array_equal(survey.noise_std, of_mapping.noise_std)
         assert survey.surveyed.tolist() == net.free_nodes.tolist()
+    told = of_mapping.to_dict()
+    assert np.array_equal(told["form"], of_mapping.form)
+    assert told["placed"][0]["name"] == columns["id"][0]
+    assert told["frame"] is None
     table = of_mapping.to_dataframe(net)
     assert table.x.to_numpy() == pytest.approx(of_mapping.form[of_mapping.surveyed, 0])
 
@@ -40,6 +44,17 @@ def test_an_array_is_put_on_nodes_by_names_or_by_place(net, positions):
     assert np.array_equal(by_name.form, by_number.form)
     assert np.all(by_name.noise_std[net.free_nodes] == 1e-3)
     assert "noise 1 mm" in repr(by_name)
+
+
+def test_the_motion_of_a_survey_is_told(net, form):
+    columns = taut.simulate_survey(net, form, noise=1e-4, random_frame=True, seed=5)
+    survey = taut.read_survey(net, columns)
+    motion = survey.to_dict()["frame"]["motion"]
+    places = np.column_stack([columns[axis] for axis in "xyz"])
+    moved = (places - motion["from"]) @ motion["rotation"].T + motion["to"]
+    nodes = np.array([int(name) for name in columns["id"]])
+    free = np.isin(nodes, net.free_nodes)
+    assert moved[free] == pytest.approx(survey.form[nodes[free]], abs=1e-9)
 
 
 def test_what_was_not_measured_is_missing(net, positions):
