@@ -237,6 +237,7 @@ Args:
 
 Raises:
     InputError: for what is missing or contradicts itself, at its place in the structure.
+    ValueError: where it tells neither forces nor loads.
     ImportError: without COMPAS 2.
 
 Warns:

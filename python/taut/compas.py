@@ -87,6 +87,11 @@ def _net_of_json(text, name, select, *, supports, loads, **settings):
     net, told = _net_of_compas(
         text=text, name=name, select=select, supports=supports, loads=loads, **settings
     )
+    if told["mean_tension"] == 0.0 and not np.any(net.loads):
+        raise ValueError(
+            f"structure: {name} tells neither forces f nor force densities q of its edges, nor "
+            "loads, expected those in which its form was found: unstressed lengths follow from them"
+        )
     for warning in told["warnings"]:
         warnings.warn(warning, stacklevel=4)
     return net
