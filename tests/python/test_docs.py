@@ -90,7 +90,7 @@ def test_every_block_is_run_by_someone_or_says_that_it_is_not(page):
 
 
 def test_the_page_of_python(tmp_path, monkeypatch, capsys):
-    for package in ("compas", "pandas", "scipy", "sklearn", "matplotlib"):
+    for package in ("compas", "jax", "pandas", "scipy", "sklearn", "matplotlib"):
         pytest.importorskip(package)
     monkeypatch.chdir(tmp_path)
     with warnings.catch_warnings():

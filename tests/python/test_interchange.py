@@ -52,7 +52,7 @@ def test_an_edge_force_in_kilonewtons():
 
 def test_a_mesh_without_forces_is_refused():
     mesh = Mesh.from_meshgrid(dx=6.0, nx=6)
-    with pytest.raises(ValueError, match="marks no supports .* boundary=True"):
+    with pytest.raises(ValueError, match=r"marks no supports .* boundary=True"):
         taut.CableNet.from_compas(mesh, axial_stiffness=200e3)
     with pytest.raises(ValueError, match="structure: Mesh tells neither forces f nor force dens"):
         taut.CableNet.from_compas(mesh, axial_stiffness=200e3, boundary=True)
