@@ -279,7 +279,7 @@ Args:
         [](const CableNet& self, const CableNet& other) {
             return net_to_json(self) == net_to_json(other);
         },
-        nb::is_operator());
+        nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"));
     net.def("__hash__", [](const CableNet& self) {
         return static_cast<nb::ssize_t>(std::hash<std::string>()(self.fingerprint()));
     });

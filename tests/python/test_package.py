@@ -58,6 +58,25 @@ def test_stubs_tell_of_all_names():
     assert (Path(taut.__file__).parent / "py.typed").exists()
 
 
+def test_a_type_checker_takes_the_stubs_and_finds_a_wrong_argument(tmp_path):
+    pytest.importorskip("mypy")
+    program = tmp_path / "program.py"
+    program.write_text(
+        "import taut\n"
+        "net: taut.CableNet = taut.hypar(3, 3)\n"
+        "survey = taut.read_survey(net, net.nodes, noise=1e-3)\n"
+        "found: taut.Identification = taut.identify(net, survey)\n"
+        "lengths: float = found.length_deviation.max()\n"
+        "plan: taut.Plan = taut.plan(net)\n"
+    )
+    stub = shutil.copy(Path(taut.__file__).parent / "_taut.pyi", tmp_path / "stub.pyi")
+    for path, expected in [(stub, []), (program, ["program.py:6"])]:
+        command = [sys.executable, "-m", "mypy", "--no-error-summary", path]
+        said = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+        errors = [line for line in said.stdout.splitlines() if ": error:" in line]
+        assert [line.split(": error:")[0] for line in errors] == expected, said.stdout
+
+
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_ctrl_c_ends_long_work():
     code = (
