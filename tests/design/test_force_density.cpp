@@ -119,12 +119,13 @@ TEST(ForceDensities, RefuseValuesThatAreNotPositiveAndFinite) {
 }
 
 TEST(ForceDensities, RefuseSupportsAndLoadsThatAreNotFinite) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    expect_chain_refused([](Chain& c) { c.nodes(2, 2) = nan; }, "(5, 8, nan) at support 2",
+    static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    expect_chain_refused([](Chain& c) { c.nodes(2, 2) = not_a_number; }, "(5, 8, nan) at support 2",
                          "finite");
-    expect_chain_refused([](Chain& c) { c.loads.setConstant(3, 4, nan); }, "loads", "not finite");
+    expect_chain_refused([](Chain& c) { c.loads.setConstant(3, 4, not_a_number); }, "loads",
+                         "not finite");
     Chain chain;
-    chain.nodes.col(1).setConstant(nan);  // of a free node: not used
+    chain.nodes.col(1).setConstant(not_a_number);  // of a free node: not used
     EXPECT_TRUE(chain.form().allFinite());
 }
 
