@@ -9,7 +9,6 @@ python benchmarks/python_calls.py [--peer build/release/benchmarks/identify_poin
 """
 
 import argparse
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -28,14 +27,17 @@ def microseconds(call):
     return 1e6 * min(timer.repeat(5, count)) / count
 
 
-def seconds_of(code):
-    """The median of fresh interpreters, which time the code themselves."""
-    timed = f"import time; t = time.perf_counter(); {code}; print(time.perf_counter() - t)"
-    runs = [
-        float(subprocess.run([sys.executable, "-c", timed], capture_output=True, check=True).stdout)
-        for _ in range(7)
-    ]
-    return statistics.median(runs)
+def seconds_of(*codes):
+    """The least of fresh interpreters for each code, in turns; they time it themselves."""
+
+    def once(code):
+        timed = f"import time; t = time.perf_counter(); {code}; print(time.perf_counter() - t)"
+        command = [sys.executable, "-c", timed]
+        return float(subprocess.run(command, capture_output=True, check=True).stdout)
+
+    return (
+        min(column) for column in zip(*([once(c) for c in codes] for _ in range(9)), strict=True)
+    )
 
 
 def identification(peer, repetitions=15):
@@ -99,7 +101,7 @@ def main():
             f"built-in net takes {python:.0f} ms, the same in C++ {cpp:.0f} ms: "
             f"{python / cpp:.2f} times.",
         ]
-    numpy, both = seconds_of("import numpy"), seconds_of("import taut")
+    numpy, both = seconds_of("import numpy", "import taut")
     lines += ["", f"`import taut` takes {both:.3f} s, of which NumPy {numpy:.3f} s."]
     made = "\n".join(lines)
     print(made)
