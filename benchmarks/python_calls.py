@@ -9,6 +9,7 @@ python benchmarks/python_calls.py [--peer build/release/benchmarks/identify_poin
 """
 
 import argparse
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -28,16 +29,15 @@ def microseconds(call):
 
 
 def seconds_of(*codes):
-    """The least of fresh interpreters for each code, in turns; they time it themselves."""
+    """The median of fresh interpreters for each code, in turns; they time it themselves."""
 
     def once(code):
         timed = f"import time; t = time.perf_counter(); {code}; print(time.perf_counter() - t)"
         command = [sys.executable, "-c", timed]
         return float(subprocess.run(command, capture_output=True, check=True).stdout)
 
-    return (
-        min(column) for column in zip(*([once(c) for c in codes] for _ in range(9)), strict=True)
-    )
+    rounds = [[once(code) for code in codes] for _ in range(9)]
+    return (statistics.median(column) for column in zip(*rounds, strict=True))
 
 
 def identification(peer, repetitions=15):
