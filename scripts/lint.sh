@@ -33,7 +33,7 @@ check_licence_lines() {
 # once, which takes most of the time. Names of other sources are then in sight, and may be shadowed.
 clang_tidy() {
     local folder=build/tidy checks="-bugprone-suspicious-include,-clang-diagnostic-shadow" checked seen file stamp
-    cmake --log-level=WARNING --preset release -B "$folder" -DCMAKE_UNITY_BUILD=ON -DTAUT_WARNINGS_AS_ERRORS=OFF \
+    cmake --log-level=WARNING --preset release -B "$folder" -DCMAKE_UNITY_BUILD_BATCH_SIZE=24 -DTAUT_WARNINGS_AS_ERRORS=OFF \
         -DTAUT_BUILD_TESTS=OFF -DTAUT_BUILD_EXAMPLES=OFF -DTAUT_BUILD_BENCHMARKS=OFF || return 1
     mapfile -t checked < <(printf '%s\n' "${sources[@]}" | grep --invert-match '^python/')
     seen=$(cat .clang-tidy "${checked[@]}" <(printf '%s\n' "$checks" "${checked[@]}") | sha256sum)

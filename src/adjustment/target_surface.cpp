@@ -14,18 +14,19 @@
 #include <unsupported/Eigen/BVH>
 
 namespace taut {
-namespace {
-
-/// Below this part of its longest side squared the area of a triangle is rounding errors.
-constexpr double smallest_area = 1e-12;
-/// A point nearer than this to an edge of the surface does not tell a direction [m].
-constexpr double on_surface = 1e-6;
 
 /// Corners of a triangle that a point of it lies between: one, two or all three.
 struct TrianglePoint {
     Eigen::Vector3d place;
     std::array<bool, 3> between;
 };
+
+namespace {
+
+/// Below this part of its longest side squared the area of a triangle is rounding errors.
+constexpr double smallest_area = 1e-12;
+/// A point nearer than this to an edge of the surface does not tell a direction [m].
+constexpr double on_surface = 1e-6;
 
 /// The nearest point of a triangle, by the part of the plane that the point projects to (C.
 /// Ericson, Real-Time Collision Detection, Morgan Kaufmann 2005, section 5.1.5).

@@ -185,7 +185,7 @@ private:
 /// ended; shorter ones where these overshoot. Nothing where they do not end.
 std::optional<Iterate> Perturbation::followed(const Observations& observations) const {
     constexpr double slow_contraction = 0.7;
-    constexpr double shortest_part = 0.1;
+    constexpr double least_part = 0.1;
     const int most_steps = m_net.is_linear() ? 20 : 60;
     const double small = small_step * smallest_noise(m_net, m_sites);
     Iterate iterate = m_fitted;
@@ -197,7 +197,7 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
         if (!(size < slow_contraction * before)) {
             // Of a linear net such a draw is fitted by itself.
             part *= 0.5;
-            if (m_net.is_linear() || part < shortest_part || !std::isfinite(size)) {
+            if (m_net.is_linear() || part < least_part || !std::isfinite(size)) {
                 return std::nullopt;
             }
         }

@@ -141,6 +141,13 @@ TEST_F(Chain, SampleWritesTheSameBytesOnOneThreadAndOnTwo) {
     EXPECT_NE(read("one.h5"), read("other.h5"));
 }
 
+TEST_F(Chain, TrainWritesTheSameBytesOnOneThreadAndOnTwo) {
+    must_run({"sample", "net.json", "-n", "150", "-o", "data.h5"});
+    must_run({"train", "data.h5", "-o", "one.h5", "--threads", "1"});
+    must_run({"train", "data.h5", "-o", "two.h5", "--threads", "2"});
+    EXPECT_EQ(read("one.h5"), read("two.h5"));
+}
+
 TEST_F(Chain, SampleDrawsWhatElseIsUnknown) {
     const std::vector<std::string> command{
         "sample", "net.json", "-n", "40", "--unknown", "supports:1mm", "--unknown", "stiffness:5%"};

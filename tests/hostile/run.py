@@ -160,6 +160,9 @@ def main() -> int:
         choices=[*AREAS, "faults"],
         help="one of them; may be given again",
     )
+    parser.add_argument(
+        "--without", action="append", default=[], choices=AREAS, help="not this area"
+    )
     parser.add_argument("--cases", type=int, default=None, help="at most so many of each area")
     parser.add_argument(
         "--every-fault", action="store_true", help="each call of the system fails in turn, too"
@@ -168,7 +171,7 @@ def main() -> int:
     parser.add_argument("--keep", action="store_true", help="add what is found to seeds.json")
     arguments = parser.parse_args()
     areas = {**AREAS, "faults": faults}
-    chosen = arguments.area or list(areas)
+    chosen = [area for area in arguments.area or areas if area not in arguments.without]
     if why := can_inject():
         print(f"hostile: no faults: {why}")
         chosen = [area for area in chosen if area != "faults"]
