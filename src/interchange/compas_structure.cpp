@@ -17,15 +17,15 @@ bool is_structure(const nlohmann::json& value) {
 }
 
 void collect(const JsonValue& value, const std::string& key, std::vector<CompasStructure>& found) {
-    const nlohmann::json& json = value.json();
-    if (is_structure(json)) {
+    const nlohmann::json& content = value.json();
+    if (is_structure(content)) {
         found.push_back({.data = value, .key = key, .dtype = ""});
         return;
     }
     const std::string prefix = key.empty() ? "" : key + "/";
-    if (json.is_array()) {
-        for (size_t i = 0; i < json.size(); ++i) {
-            if (json[i].is_structured()) {
+    if (content.is_array()) {
+        for (size_t i = 0; i < content.size(); ++i) {
+            if (content[i].is_structured()) {
                 collect(value.at(i), prefix + std::to_string(i), found);
             }
         }
@@ -37,7 +37,7 @@ void collect(const JsonValue& value, const std::string& key, std::vector<CompasS
         found.push_back({.data = *data, .key = key, .dtype = dtype->text()});
         return;
     }
-    for (const auto& [name, member] : json.items()) {
+    for (const auto& [name, member] : content.items()) {
         if (member.is_structured()) {
             collect(*value.find(name), prefix + name, found);
         }
