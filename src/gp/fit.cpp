@@ -3,6 +3,7 @@
 #include "taut/gp/fit.hpp"
 
 #include <fmt/core.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,50 +11,13 @@
 #include <map>
 #include <stdexcept>
 
+#include "gp/input_spread.hpp"
 #include "gp/inputs_check.hpp"
 #include "gp/length_scale_search.hpp"
 #include "numerics/dense.hpp"
 
 namespace taut::gp {
 namespace {
-
-double median(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
-/// How far apart the training inputs are, where they differ at all.
-struct Spread {
-    double distance = 0.0;             ///< median of all pairs; 0 if all inputs are the same
-    double distance_to_nearest = 0.0;  ///< median over the inputs
-};
-
-Spread spread_of(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& squared_distances) {
-    // Inputs that should be the same can differ by rounding, and their distance by that of squares.
-    const double rounding = 1e-14 * inputs.cwiseAbs().maxCoeff();
-    const double same = std::max(rounding * rounding, 1e-14 * squared_distances.maxCoeff());
-    std::vector<double> all;
-    std::vector<double> nearest;
-    for (Eigen::Index j = 0; j < squared_distances.cols(); ++j) {
-        double smallest = std::numeric_limits<double>::infinity();
-        for (Eigen::Index i = 0; i < squared_distances.rows(); ++i) {
-            if (const double value = squared_distances(i, j); value > same) {
-                if (i < j) {
-                    all.push_back(value);
-                }
-                smallest = std::min(smallest, value);
-            }
-        }
-        if (std::isfinite(smallest)) {
-            nearest.push_back(smallest);
-        }
-    }
-    if (all.empty()) {
-        return {};
-    }
-    return {.distance = std::sqrt(median(all)), .distance_to_nearest = std::sqrt(median(nearest))};
-}
 
 FitStatus status_of(const Eigen::Ref<const Eigen::VectorXd>& output) {
     if (!is_usable(output)) {
@@ -103,53 +67,93 @@ void check_settings(const FitSettings& settings) {
     }
 }
 
-/// The search over lambda: each output's profile at every point looked at, and the spectra of those
-/// points that are some output's best.
+/// Lambdas looked at together, one a thread: always as many, so that results do not depend on the
+/// number of threads. More would be chosen with less knowledge; of two, hardly one is lost by it.
+constexpr int lambdas_together = 2;
+
+/// What is best for one output among the lambdas looked at.
+struct Best {
+    double log_lambda = 0.0;
+    double value = std::numeric_limits<double>::infinity();
+    double noise_ratio = 0.0;
+    double signal_variance = 0.0;
+};
+
+/// The search over lambda: each output's best, and the spectra that are best for some.
 struct Search {
     LengthScaleSearch points;
+    std::vector<Best> best;
     std::map<double, KernelSpectrum> spectra;
 
-    void look_at(double log_lambda, const Eigen::MatrixXd& squared_distances,
-                 const Eigen::MatrixXd& outputs, const NoiseRatioBounds& bounds) {
-        KernelSpectrum spectrum = kernel_spectrum(squared_distances, std::exp(log_lambda));
-        points.add(log_lambda, profile_likelihood(spectrum, squared_distances, outputs, bounds));
-        spectra.emplace(log_lambda, std::move(spectrum));
-        const std::vector<double> best = points.best();
-        std::erase_if(
-            spectra, [&](const auto& s) { return std::ranges::find(best, s.first) == best.end(); });
+    /// @param is_last nothing will be asked of `points` again
+    void look_at(const std::vector<LengthScaleSearch::Look>& looks, bool is_last,
+                 const Eigen::MatrixXd& squared_distances, const Eigen::MatrixXd& outputs,
+                 const NoiseRatioBounds& bounds) {
+        std::vector<KernelSpectrum> seen(looks.size());
+        std::vector<LikelihoodProfile> profiles(looks.size());
+        tbb::parallel_for(size_t{0}, seen.size(), [&](size_t k) {
+            seen[k] = kernel_spectrum(squared_distances, std::exp(looks[k].log_lambda));
+            profiles[k] = profile_likelihood(seen[k], squared_distances,
+                                             outputs(Eigen::all, looks[k].outputs), bounds,
+                                             is_last ? Slope::left_out : Slope::wanted);
+        });
+        for (size_t k = 0; k < seen.size(); ++k) {
+            keep_best(looks[k], profiles[k]);
+            if (!is_last) {
+                points.add(looks[k], profiles[k]);
+            }
+            spectra.emplace(looks[k].log_lambda, std::move(seen[k]));
+        }
+        std::erase_if(spectra, [&](const auto& s) {
+            return std::ranges::find(best, s.first, &Best::log_lambda) == best.end();
+        });
+    }
+
+private:
+    void keep_best(const LengthScaleSearch::Look& look, const LikelihoodProfile& profile) {
+        for (Eigen::Index k = 0; k < profile.value.size(); ++k) {
+            if (Best& known = best[look.outputs[k]]; profile.value(k) < known.value) {
+                known = {.log_lambda = look.log_lambda,
+                         .value = profile.value(k),
+                         .noise_ratio = profile.noise_ratio(k),
+                         .signal_variance = profile.signal_variance(k)};
+            }
+        }
     }
 };
 
 /// Conditions the outputs that chose one lambda on the data: weights and leave-one-out errors.
-/// @param members their columns in the outputs, @param profile at this lambda, by the same columns
-void condition(const KernelSpectrum& spectrum, const LikelihoodProfile& profile,
+/// @param index of its spectrum in the result
+/// @param members their columns in `outputs` and places in `best`
+/// @param output_of their columns in the result
+void condition(FittedProcesses& result, size_t index, const std::vector<Best>& best,
                const Eigen::MatrixXd& outputs, const std::vector<Eigen::Index>& members,
-               FittedProcesses& result, const std::vector<int>& output_of, int spectrum_index) {
+               const std::vector<int>& output_of) {
+    const KernelSpectrum& spectrum = result.spectra[index];
     const Eigen::MatrixXd& basis = spectrum.eigenvectors;
     const Eigen::ArrayXd d = spectrum.eigenvalues.array();
     const Eigen::MatrixXd z = transposed_product(basis, outputs(Eigen::all, members));
     Eigen::MatrixXd inverse(z.rows(), z.cols());  // (d + eta)^-1 of each member
     for (Eigen::Index k = 0; k < z.cols(); ++k) {
-        inverse.col(k) = 1.0 / (d + profile.noise_ratio(members[k]));
+        inverse.col(k) = 1.0 / (d + best[members[k]].noise_ratio);
     }
     const Eigen::MatrixXd weights = product(basis, z.cwiseProduct(inverse));
     // The error at input i of the process trained without it is a_i / [C^-1]_ii (Rasmussen and
     // Williams, eq. 5.12), and [C^-1]_ii = sum_k Q_ik^2 / (d_k + eta) up to sigma_f^2.
     const Eigen::MatrixXd inverse_diagonals = product(basis.cwiseAbs2(), inverse);
     for (Eigen::Index k = 0; k < z.cols(); ++k) {
-        const Eigen::Index member = members[k];
-        const int output = output_of[member];
-        const double signal = profile.signal_variance(member);
+        const Best& of = best[members[k]];
+        const int output = output_of[members[k]];
         result.weights.col(output) = weights.col(k);
         result.processes[output] = {
             .status = FitStatus::fitted,
             .hyperparameters = {.inverse_length_scale = spectrum.inverse_length_scale,
-                                .signal_std = std::sqrt(signal),
-                                .noise_std = std::sqrt(signal * profile.noise_ratio(member))},
-            .negative_log_likelihood = profile.value(member),
+                                .signal_std = std::sqrt(of.signal_variance),
+                                .noise_std = std::sqrt(of.signal_variance * of.noise_ratio)},
+            .negative_log_likelihood = of.value,
             .leave_one_out_rmse = std::sqrt(
                 (weights.col(k).array() / inverse_diagonals.col(k).array()).square().mean()),
-            .spectrum = spectrum_index};
+            .spectrum = static_cast<int>(index)};
     }
 }
 
@@ -172,8 +176,8 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                     const Progress& progress) {
     check_arguments(inputs, outputs);
     check_settings(settings);
-    const Eigen::MatrixXd distances = squared_distances(inputs, inputs);
-    const Spread spread = spread_of(inputs, distances);
+    const Eigen::MatrixXd distances = squared_distances(inputs);
+    const InputSpread spread = input_spread(inputs, distances);
     if (spread.distance <= 0.0) {
         throw std::invalid_argument(
             "the training inputs are all the same, expected different ones");
@@ -205,28 +209,34 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
             "these inputs",
             settings.smallest_scaled_lambda, settings.largest_scaled_lambda));
     }
-    Search search{.points = {lower, upper, settings.relative_tolerance}, .spectra = {}};
-    for (int made = 0; made < settings.max_spectra; ++made) {
-        const auto log_lambda = search.points.next();
-        if (!log_lambda) {
+    Search search{.points = {fittable.cols(), lower, upper, settings.relative_tolerance},
+                  .best = std::vector<Best>(fittable.cols()),
+                  .spectra = {}};
+    for (int made = 0; made < settings.max_spectra;) {
+        const auto looks =
+            search.points.next(std::min(lambdas_together, settings.max_spectra - made));
+        if (looks.empty()) {
             break;
         }
-        progress("training", made, settings.max_spectra);
-        search.look_at(*log_lambda, distances, fittable, bounds);
+        for (size_t k = 0; k < looks.size(); ++k) {
+            progress("training", made++, settings.max_spectra);
+        }
+        search.look_at(looks, made == settings.max_spectra, distances, fittable, bounds);
     }
 
-    const std::vector<double> chosen = search.points.best();
+    std::vector<std::vector<Eigen::Index>> members;  // of each spectrum
     for (auto& [log_lambda, spectrum] : search.spectra) {
-        std::vector<Eigen::Index> members;
-        for (size_t k = 0; k < chosen.size(); ++k) {
-            if (chosen[k] == log_lambda) {
-                members.push_back(static_cast<Eigen::Index>(k));
+        members.emplace_back();
+        for (size_t k = 0; k < search.best.size(); ++k) {
+            if (search.best[k].log_lambda == log_lambda) {
+                members.back().push_back(static_cast<Eigen::Index>(k));
             }
         }
-        condition(spectrum, search.points.profiles().at(log_lambda), fittable, members, result,
-                  output_of, static_cast<int>(result.spectra.size()));
         result.spectra.push_back(std::move(spectrum));
     }
+    tbb::parallel_for(size_t{0}, members.size(), [&](size_t s) {
+        condition(result, s, search.best, fittable, members[s], output_of);
+    });
     return result;
 }
 

@@ -117,7 +117,7 @@ double objective(const std::vector<double>& x, std::vector<double>& gradient, vo
 
 /// One scale for all: the best of a few, from that of a nearly linear kernel to a rough one.
 double best_common_scale(Problem& problem, Eigen::Index group_count) {
-    const Eigen::MatrixXd squares = squared_distances(problem.inputs, problem.inputs);
+    const Eigen::MatrixXd squares = squared_distances(problem.inputs);
     const double distance = std::sqrt(squares.mean());
     if (!(distance > 0.0)) {
         throw std::invalid_argument(
@@ -144,7 +144,7 @@ ScalesLikelihood scales_likelihood(const Eigen::Ref<const Eigen::MatrixXd>& inpu
                                    const std::vector<int>& groups,
                                    const Eigen::Ref<const Eigen::VectorXd>& log_scales) {
     const Eigen::MatrixXd scaled = scales_of(groups, log_scales).asDiagonal() * inputs;
-    const Eigen::MatrixXd squares = squared_distances(scaled, scaled);
+    const Eigen::MatrixXd squares = squared_distances(scaled);
     const KernelSpectrum spectrum = kernel_spectrum(squares, 1.0);
     const LikelihoodProfile profile =
         profile_likelihood(spectrum, squares, outputs, default_noise_ratio_bounds(inputs.cols()));

@@ -20,6 +20,17 @@ Eigen::MatrixXd squared_distances(const Eigen::Ref<const Eigen::MatrixXd>& x,
     return distances.cwiseMax(0.0);
 }
 
+Eigen::MatrixXd squared_distances(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+    const Eigen::MatrixXd a = x.colwise() - x.rowwise().mean();
+    Eigen::MatrixXd distances = gram(a);
+    const Eigen::VectorXd squares = distances.diagonal();
+    tbb::parallel_for(Eigen::Index{0}, distances.cols(), [&](Eigen::Index j) {
+        auto column = distances.col(j).array();
+        column = (squares.array() + squares(j) - 2.0 * column).max(0.0);
+    });
+    return distances;
+}
+
 Eigen::MatrixXd correlation(const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
                             double inverse_length_scale) {
     const double factor = -0.5 * inverse_length_scale * inverse_length_scale;

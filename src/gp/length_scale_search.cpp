@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace taut::gp {
 namespace {
@@ -20,11 +21,8 @@ constexpr int most_first_intervals = 8;
 /// Points closer than this in log lambda tell nothing new.
 constexpr double closest = 1e-4;
 
-struct Point {
-    double at;
-    double value;
-    double slope;
-};
+using Point = ProfilePoint;
+using Points = std::vector<Point>;  // of one output, in ascending order
 
 struct Minimum {
     double at = 0.0;
@@ -64,19 +62,18 @@ private:
     double m_c3;
 };
 
-using Points = std::vector<Point>;  // of one output, in ascending order
-
-double best_value(const Points& points) {
-    return std::ranges::min_element(points, {}, &Point::value)->value;
+const Point& best_of(const Points& points) {
+    return *std::ranges::min_element(points, {}, &Point::value);
 }
 
 /// Whether the interval from point i on may hide a valley: the tangent at one of its ends reaches
-/// below the best value within it.
-bool may_hide_valley(const Points& points, size_t i, double best) {
+/// below the best value within the half that is nearer to that end.
+bool may_hide_valley(const Points& points, size_t i) {
     const Point& a = points[i];
     const Point& b = points[i + 1];
-    const double width = b.at - a.at;
-    return a.value + a.slope * width < best || b.value - b.slope * width < best;
+    const double half = 0.5 * (b.at - a.at);
+    const double best = best_of(points).value;
+    return a.value + a.slope * half < best || b.value - b.slope * half < best;
 }
 
 /// Where the points let the smallest value be expected.
@@ -113,87 +110,158 @@ Minimum expected_minimum(const Points& points) {
 
 /// Where an output would like to look next.
 struct Wish {
+    Eigen::Index output;
     double at;
-    double gain;   ///< expected there
-    double reach;  ///< distance from its best point so far
+    double gain;          ///< expected there
+    double reach;         ///< distance from its best point so far
+    double least;         ///< gain below which the output is content
+    double served = 0.0;  ///< gain expected at the points that have been chosen
 };
 
-/// What all outputs together expect to gain at a point: each a parabola that is zero at its best
-/// point so far and highest at its wish.
+/// What an output expects to gain at a point: a parabola that is zero at its best point so far and
+/// highest at its wish.
+double expected_gain(const Wish& wish, double at) {
+    const double t = (at - wish.at) / wish.reach;
+    return wish.gain * std::max(0.0, 1.0 - t * t);
+}
+
+/// What all outputs together expect to gain beyond what the chosen points give them.
 double expected_gain(const std::vector<Wish>& wishes, double at) {
     double sum = 0.0;
     for (const Wish& wish : wishes) {
-        const double t = (at - wish.at) / wish.reach;
-        sum += wish.gain * std::max(0.0, 1.0 - t * t);
+        sum += std::max(0.0, expected_gain(wish, at) - wish.served);
     }
     return sum;
 }
 
-}  // namespace
-
-LengthScaleSearch::LengthScaleSearch(double lower_log_lambda, double upper_log_lambda,
-                                     double relative_tolerance)
-    : m_lower(lower_log_lambda), m_upper(upper_log_lambda), m_tolerance(relative_tolerance) {}
-
-void LengthScaleSearch::add(double log_lambda, LikelihoodProfile profile) {
-    m_profiles.emplace(log_lambda, std::move(profile));
+/// Takes a point as chosen, and lets those go that it makes content.
+void serve(std::vector<Wish>& wishes, double at) {
+    for (Wish& wish : wishes) {
+        wish.served = std::max(wish.served, expected_gain(wish, at));
+    }
+    std::erase_if(wishes, [](const Wish& wish) { return wish.gain - wish.served <= wish.least; });
 }
 
-std::vector<double> LengthScaleSearch::best() const {
-    const Eigen::Index m = m_profiles.begin()->second.value.size();
-    std::vector<double> result(m);
-    for (Eigen::Index j = 0; j < m; ++j) {
-        result[j] = std::ranges::min_element(m_profiles, {}, [j](const auto& p) {
-                        return p.second.value(j);
-                    })->first;
-    }
-    return result;
-}
-
-std::optional<double> LengthScaleSearch::next() const {
-    const double range = m_upper - m_lower;
-    const double first_step = std::max(narrowest_valley, range / most_first_intervals);
-    const auto intervals = static_cast<int>(std::ceil(0.5 * range / first_step));
-    const auto count = static_cast<int>(m_profiles.size());
-    if (count <= intervals) {
-        return count == 0 ? m_lower : m_lower + range * count / intervals;
-    }
-
-    std::vector<Points> outputs(m_profiles.begin()->second.value.size());
-    for (const auto& [at, profile] : m_profiles) {
-        for (size_t j = 0; j < outputs.size(); ++j) {
-            const auto column = static_cast<Eigen::Index>(j);
-            outputs[j].push_back(
-                {.at = at, .value = profile.value(column), .slope = profile.slope(column)});
-        }
-    }
-    const Points& any = outputs.front();
-    for (size_t i = 0; i + 1 < any.size(); ++i) {
-        if (any[i + 1].at - any[i].at > first_step &&
-            std::ranges::any_of(outputs, [i](const Points& points) {
-                return may_hide_valley(points, i, best_value(points));
-            })) {
-            return 0.5 * (any[i].at + any[i + 1].at);
-        }
-    }
-
+/// Of all outputs that are not content.
+std::vector<Wish> wishes_of(const std::vector<Points>& outputs, double tolerance) {
     std::vector<Wish> wishes;
-    for (const Points& points : outputs) {
-        const Point best = *std::ranges::min_element(points, {}, &Point::value);
+    for (size_t j = 0; j < outputs.size(); ++j) {
+        const Points& points = outputs[j];
+        const Point& best = best_of(points);
         const Minimum found = expected_minimum(points);
         const bool is_new = std::ranges::all_of(
             points, [&](const Point& p) { return std::abs(p.at - found.at) > closest; });
         const double gain = best.value - found.value;
-        if (is_new && gain > m_tolerance * std::max(1.0, std::abs(best.value))) {
-            wishes.push_back({.at = found.at, .gain = gain, .reach = std::abs(found.at - best.at)});
+        const double least = tolerance * std::max(1.0, std::abs(best.value));
+        if (is_new && gain > least) {
+            wishes.push_back({.output = static_cast<Eigen::Index>(j),
+                              .at = found.at,
+                              .gain = gain,
+                              .reach = std::abs(found.at - best.at),
+                              .least = least});
         }
     }
-    if (wishes.empty()) {
-        return std::nullopt;
+    return wishes;
+}
+
+/// Those that have their best point beside this one, or expect to gain there all the same.
+std::vector<Eigen::Index> outputs_that_may_gain(const std::vector<Points>& outputs,
+                                                const std::vector<Wish>& wishes, double at) {
+    std::vector<bool> may_gain(outputs.size());
+    for (size_t j = 0; j < outputs.size(); ++j) {
+        const Points& points = outputs[j];
+        const auto next = std::ranges::upper_bound(points, at, {}, &Point::at);
+        const double best = best_of(points).at;
+        may_gain[j] = (next != points.end() && next->at == best) ||
+                      (next != points.begin() && std::prev(next)->at == best);
     }
-    return std::ranges::max_element(
-               wishes, {}, [&](const Wish& wish) { return expected_gain(wishes, wish.at); })
-        ->at;
+    for (const Wish& wish : wishes) {
+        may_gain[wish.output] = may_gain[wish.output] || expected_gain(wish, at) > 0.0;
+    }
+    std::vector<Eigen::Index> result;
+    for (size_t j = 0; j < outputs.size(); ++j) {
+        if (may_gain[j]) {
+            result.push_back(static_cast<Eigen::Index>(j));
+        }
+    }
+    return result;
+}
+
+/// The middles of intervals that may hide a valley of some output, in ascending order.
+std::vector<double> unseen_valleys(const std::vector<Points>& outputs, double first_step) {
+    std::vector<double> middles;
+    for (const Points& points : outputs) {
+        for (size_t i = 0; i + 1 < points.size(); ++i) {
+            if (points[i + 1].at - points[i].at > first_step && may_hide_valley(points, i)) {
+                middles.push_back(0.5 * (points[i].at + points[i + 1].at));
+            }
+        }
+    }
+    std::ranges::sort(middles);
+    const auto repeated = std::ranges::unique(middles);
+    middles.erase(repeated.begin(), repeated.end());
+    return middles;
+}
+
+}  // namespace
+
+LengthScaleSearch::LengthScaleSearch(Eigen::Index outputs, double lower_log_lambda,
+                                     double upper_log_lambda, double relative_tolerance)
+    : m_lower(lower_log_lambda),
+      m_upper(upper_log_lambda),
+      m_tolerance(relative_tolerance),
+      m_outputs(outputs) {}
+
+void LengthScaleSearch::add(const Look& look, const LikelihoodProfile& profile) {
+    ++m_looks;
+    for (size_t k = 0; k < look.outputs.size(); ++k) {
+        const auto column = static_cast<Eigen::Index>(k);
+        Points& points = m_outputs[look.outputs[k]];
+        points.insert(std::ranges::upper_bound(points, look.log_lambda, {}, &Point::at),
+                      {.at = look.log_lambda,
+                       .value = profile.value(column),
+                       .slope = profile.slope(column)});
+    }
+}
+
+std::vector<double> LengthScaleSearch::best() const {
+    std::vector<double> result;
+    std::ranges::transform(m_outputs, std::back_inserter(result),
+                           [](const Points& points) { return best_of(points).at; });
+    return result;
+}
+
+std::vector<LengthScaleSearch::Look> LengthScaleSearch::next(int most) const {
+    const double range = m_upper - m_lower;
+    const double first_step = std::max(narrowest_valley, range / most_first_intervals);
+    const auto intervals = static_cast<int>(std::ceil(0.5 * range / first_step));
+    std::vector<Eigen::Index> all(m_outputs.size());
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<Look> looks;
+    const auto enough = [&] { return std::ssize(looks) >= most; };
+    for (int k = m_looks; k <= intervals && !enough(); ++k) {
+        looks.push_back({k == 0 ? m_lower : m_lower + range * k / intervals, all});
+    }
+    if (!looks.empty()) {
+        return looks;
+    }
+
+    const std::vector<Wish> wishes = wishes_of(m_outputs, m_tolerance);
+    std::vector<Wish> open = wishes;
+    for (const double middle : unseen_valleys(m_outputs, first_step)) {
+        if (!enough()) {
+            looks.push_back({middle, all});
+            serve(open, middle);
+        }
+    }
+    while (!open.empty() && !enough()) {
+        const double at = std::ranges::max_element(open, {}, [&](const Wish& wish) {
+                              return expected_gain(open, wish.at);
+                          })->at;
+        looks.push_back({at, outputs_that_may_gain(m_outputs, wishes, at)});
+        serve(open, at);
+    }
+    return looks;
 }
 
 }  // namespace taut::gp

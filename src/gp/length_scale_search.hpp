@@ -2,30 +2,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
-#include <optional>
+#include <Eigen/Core>
+#include <vector>
 
 #include "taut/gp/likelihood.hpp"
 
 namespace taut::gp {
 
-/// Which lambda to look at next, so that every one of m outputs comes close to its own best one
+/// One output's profile at one point.
+struct ProfilePoint {
+    double at;  ///< log lambda
+    double value;
+    double slope;
+};
+
+/// Which lambdas to look at next, so that every one of m outputs comes close to its own best one
 /// with few decompositions. Knows the profiles (value and slope over log lambda) at the points
 /// looked at, interpolates each output's between them by cubic Hermite polynomials, and asks for
-/// the point where the outputs together expect to gain most.
+/// the point where the outputs together expect to gain most; then for the one where they expect to
+/// gain most beyond that, and so on.
 class LengthScaleSearch {
 public:
-    /// Every profile seen so far, by log lambda.
-    using Profiles = std::map<double, LikelihoodProfile>;
+    /// Where to look.
+    struct Look {
+        double log_lambda = 0.0;
+        std::vector<Eigen::Index> outputs;  ///< that may gain there; the others need no profile
+    };
 
+    /// @param outputs m
     /// @param relative_tolerance gain below which an output is content, of its |value|
-    LengthScaleSearch(double lower_log_lambda, double upper_log_lambda, double relative_tolerance);
+    LengthScaleSearch(Eigen::Index outputs, double lower_log_lambda, double upper_log_lambda,
+                      double relative_tolerance);
 
-    /// The next log lambda, or nothing when every output is content.
-    [[nodiscard]] std::optional<double> next() const;
-    void add(double log_lambda, LikelihoodProfile profile);
+    /// Where to look next, `most` (1 or more) at most; nowhere when every output is content.
+    [[nodiscard]] std::vector<Look> next(int most) const;
+    /// What was seen there.
+    /// @param profile of look.outputs, in their order
+    void add(const Look& look, const LikelihoodProfile& profile);
 
-    [[nodiscard]] const Profiles& profiles() const { return m_profiles; }
     /// Where each output's value is smallest among the points looked at (m).
     [[nodiscard]] std::vector<double> best() const;
 
@@ -33,7 +47,8 @@ private:
     double m_lower;
     double m_upper;
     double m_tolerance;
-    Profiles m_profiles;
+    int m_looks = 0;
+    std::vector<std::vector<ProfilePoint>> m_outputs;  ///< of each, in ascending order
 };
 
 }  // namespace taut::gp

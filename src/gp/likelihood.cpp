@@ -128,6 +128,26 @@ Eigen::MatrixXd correlation_rate(const Eigen::Ref<const Eigen::MatrixXd>& square
     return rate;
 }
 
+/// Of each output, by the envelope theorem: the partial derivative at the profile's minimiser,
+/// 1/2 tr((R + eta I)^-1 dR) - 1/2 w' dR w / sigma_f^2 with w = (R + eta I)^-1 y.
+/// @param z Q'y
+Eigen::VectorXd profile_slope(const KernelSpectrum& spectrum,
+                              const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
+                              Eigen::MatrixXd z, const LikelihoodProfile& profile) {
+    const Eigen::MatrixXd& basis = spectrum.eigenvectors;
+    const Eigen::MatrixXd rate = correlation_rate(squared_distances, spectrum.inverse_length_scale);
+    const Eigen::VectorXd rate_diagonal = quadratic_forms(rate, basis);  // of Q' dR Q
+    Eigen::VectorXd slope(z.cols());
+    tbb::parallel_for(Eigen::Index{0}, z.cols(), [&](Eigen::Index j) {
+        const Eigen::ArrayXd shifted = spectrum.eigenvalues.array() + profile.noise_ratio(j);
+        slope(j) = 0.5 * (rate_diagonal.array() / shifted).sum();
+        z.col(j).array() /= shifted;
+    });
+    slope.array() -=
+        0.5 * quadratic_forms(rate, product(basis, z)).array() / profile.signal_variance.array();
+    return slope;
+}
+
 }  // namespace
 
 Likelihood negative_log_likelihood(const KernelSpectrum& spectrum,
@@ -164,34 +184,27 @@ NoiseRatioBounds default_noise_ratio_bounds(Eigen::Index n) {
 LikelihoodProfile profile_likelihood(const KernelSpectrum& spectrum,
                                      const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
                                      const Eigen::Ref<const Eigen::MatrixXd>& outputs,
-                                     const NoiseRatioBounds& bounds) {
+                                     const NoiseRatioBounds& bounds, Slope slope) {
     const Eigen::Index m = outputs.cols();
     const Eigen::VectorXd& d = spectrum.eigenvalues;
-    const Eigen::MatrixXd rate = correlation_rate(squared_distances, spectrum.inverse_length_scale);
-    const Eigen::VectorXd rate_diagonal =
-        quadratic_forms(rate, spectrum.eigenvectors);  // of Q' dR Q
-    const Eigen::MatrixXd z = transposed_product(spectrum.eigenvectors, outputs);
+    Eigen::MatrixXd z = transposed_product(spectrum.eigenvectors, outputs);
     const Eigen::MatrixXd squared_z = z.cwiseAbs2();
     const NoiseScan scan = scan_noise_ratios(d, squared_z, bounds);
 
     LikelihoodProfile profile{.value = Eigen::VectorXd(m),
-                              .slope = Eigen::VectorXd(m),
+                              .slope = {},
                               .noise_ratio = Eigen::VectorXd(m),
                               .signal_variance = Eigen::VectorXd(m)};
-    Eigen::MatrixXd weights_in_basis(z.rows(), m);  // (d + eta)^-1 z
     tbb::parallel_for(Eigen::Index{0}, m, [&](Eigen::Index j) {
         const double ratio = best_noise_ratio(d, squared_z.col(j), scan, scan.values.col(j));
         profile.noise_ratio(j) = ratio;
         profile.signal_variance(j) = best_signal_variance(d, squared_z.col(j), ratio);
         profile.value(j) =
             profile_value(d.size(), profile.signal_variance(j), log_determinant(d, ratio));
-        profile.slope(j) = 0.5 * (rate_diagonal.array() / (d.array() + ratio)).sum();
-        weights_in_basis.col(j) = z.col(j).array() / (d.array() + ratio);
     });
-    // By the envelope theorem the slope of the profile is the partial derivative at its minimiser.
-    const Eigen::MatrixXd weights = product(spectrum.eigenvectors, weights_in_basis);
-    profile.slope.array() -=
-        0.5 * quadratic_forms(rate, weights).array() / profile.signal_variance.array();
+    if (slope == Slope::wanted) {
+        profile.slope = profile_slope(spectrum, squared_distances, std::move(z), profile);
+    }
     return profile;
 }
 

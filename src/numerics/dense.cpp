@@ -84,6 +84,20 @@ Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::Matrix
     return multiply(transposed, a, b);
 }
 
+Eigen::MatrixXd gram(const Eigen::MatrixXd& a) {
+    Eigen::MatrixXd c(a.cols(), a.cols());
+    if (a.rows() == 0) {
+        return c.setZero();
+    }
+    for_columns(c.cols(), [&](Eigen::Index first, Eigen::Index count) {
+        const Eigen::Index rows = c.rows() - first;
+        multiply(1.0, transposed, a.rightCols(rows), as_it_is, a.middleCols(first, count), 0.0,
+                 c.block(first, first, rows, count));
+    });
+    c.triangularView<Eigen::StrictlyUpper>() = c.transpose();
+    return c;
+}
+
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const Part& a, const Part& b) {
     if (is_small(c.rows(), c.cols(), a.cols())) {
         c.noalias() += factor * a * b;
@@ -112,18 +126,22 @@ void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const 
 
 Eigen::VectorXd quadratic_forms(const Eigen::MatrixXd& triangle, const Eigen::MatrixXd& b) {
     // x'Ax = 2 x'Lx - sum_i A_ii x_i^2 with the lower triangle L: half the work of A b.
-    Eigen::MatrixXd product = b;
+    Eigen::VectorXd forms = Eigen::VectorXd::Zero(b.cols());
     const int n = size_of(b.rows());
-    if (n > 0) {
-        for_columns(b.cols(), [&](Eigen::Index first, Eigen::Index count) {
-            const int columns = size_of(count);
-            constexpr double two = 2.0;
-            dtrmm_(&left, &lower, &as_it_is, &not_unit, &n, &columns, &two, triangle.data(), &n,
-                   product.col(first).data(), &n, 1, 1, 1, 1);
-        });
+    if (n == 0) {
+        return forms;
     }
-    product.noalias() -= triangle.diagonal().asDiagonal() * b;
-    return product.cwiseProduct(b).colwise().sum().transpose();
+    for_columns(b.cols(), [&](Eigen::Index first, Eigen::Index count) {
+        const auto x = b.middleCols(first, count);
+        Eigen::MatrixXd product = x;
+        const int columns = size_of(count);
+        constexpr double two = 2.0;
+        dtrmm_(&left, &lower, &as_it_is, &not_unit, &n, &columns, &two, triangle.data(), &n,
+               product.data(), &n, 1, 1, 1, 1);
+        product.noalias() -= triangle.diagonal().asDiagonal() * x;
+        forms.segment(first, count) = product.cwiseProduct(x).colwise().sum().transpose();
+    });
+    return forms;
 }
 
 Cholesky::Cholesky(Eigen::MatrixXd matrix) : m_L(std::move(matrix)) {

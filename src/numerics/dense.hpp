@@ -16,6 +16,9 @@ namespace taut {
 [[nodiscard]] Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a,
                                                  const Eigen::MatrixXd& b);
 
+/// a' * a, by half the work of transposed_product(a, a)
+[[nodiscard]] Eigen::MatrixXd gram(const Eigen::MatrixXd& a);
+
 /// c += factor * a * b, as the two below on the calling thread: within a SerialBlas.
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
                  const Eigen::Ref<const Eigen::MatrixXd>& a,

@@ -36,7 +36,11 @@ RC_GTEST_PROP(SquaredDistances, AreThoseOfAllPairsWhereverTheInputsLie, ()) {
     // The middle that is taken off is rounded, by about an ulp of the coordinates; the distances of
     // points about it then lose digits of numbers of the order of d, not of d times offset^2.
     const Eigen::MatrixXd error = squared_distances(x, z) - direct_squared_distances(x, z);
-    RC_ASSERT(error.cwiseAbs().maxCoeff() < 1e-13 * static_cast<double>(d) * (1.0 + 1e-2 * offset));
+    const double rounding = 1e-13 * static_cast<double>(d) * (1.0 + 1e-2 * offset);
+    RC_ASSERT(error.cwiseAbs().maxCoeff() < rounding);
+    const Eigen::MatrixXd own = squared_distances(x);
+    RC_ASSERT((own - squared_distances(x, x)).cwiseAbs().maxCoeff() < rounding);
+    RC_ASSERT(own == own.transpose());
 }
 
 RC_GTEST_PROP(SquaredDistances, AreNeverNegative, ()) {
@@ -46,6 +50,7 @@ RC_GTEST_PROP(SquaredDistances, AreNeverNegative, ()) {
     const double distance = std::pow(10.0, -*rc::gen::inRange(6, 17));
     x.rightCols(3) += distance * normal_matrix(7, 3, seed + 1);
     RC_ASSERT(squared_distances(x, x).minCoeff() >= 0.0);
+    RC_ASSERT(squared_distances(x).minCoeff() >= 0.0);
 }
 
 TEST(Correlation, IsThePapersKernelWithSignalStdOne) {

@@ -37,14 +37,15 @@ ValueAndSlope dent(double x, double bottom, double depth, double width) {
     return {.value = value, .slope = -value * t / width};
 }
 
-LikelihoodProfile profile_of(const std::vector<Function>& outputs, double x) {
-    const auto m = static_cast<Eigen::Index>(outputs.size());
+LikelihoodProfile profile_of(const std::vector<Function>& outputs,
+                             const LengthScaleSearch::Look& look) {
+    const auto m = static_cast<Eigen::Index>(look.outputs.size());
     LikelihoodProfile profile{.value = Eigen::VectorXd(m),
                               .slope = Eigen::VectorXd(m),
                               .noise_ratio = Eigen::VectorXd::Ones(m),
                               .signal_variance = Eigen::VectorXd::Ones(m)};
     for (Eigen::Index j = 0; j < m; ++j) {
-        const auto [value, slope] = outputs[j](x);
+        const auto [value, slope] = outputs[look.outputs[j]](look.log_lambda);
         profile.value(j) = value;
         profile.slope(j) = slope;
     }
@@ -61,17 +62,23 @@ struct Found {
 constexpr double left_end = -4.0;
 constexpr double right_end = 3.5;
 
-Found search(const std::vector<Function>& outputs, double tolerance = 1e-7, int most = 100) {
-    LengthScaleSearch search(left_end, right_end, tolerance);
+/// Looks at `together` points at a time, as fit() does, or at one.
+Found search(const std::vector<Function>& outputs, double tolerance = 1e-7, int most = 100,
+             int together = 1) {
+    LengthScaleSearch search(std::ssize(outputs), left_end, right_end, tolerance);
     Found found;
-    while (static_cast<int>(found.looked_at.size()) < most) {
-        const auto x = search.next();
-        if (!x) {
+    while (std::ssize(found.looked_at) < most) {
+        const auto looks =
+            search.next(std::min<int>(together, most - static_cast<int>(found.looked_at.size())));
+        if (looks.empty()) {
             found.content = true;
             break;
         }
-        found.looked_at.push_back(*x);
-        search.add(*x, profile_of(outputs, *x));
+        EXPECT_LE(std::ssize(looks), together);
+        for (const auto& look : looks) {
+            found.looked_at.push_back(look.log_lambda);
+            search.add(look, profile_of(outputs, look));
+        }
     }
     found.best = search.best();
     for (size_t j = 0; j < outputs.size(); ++j) {
@@ -186,12 +193,12 @@ RC_GTEST_PROP(LengthScaleSearch, StaysWithinItsRange, ()) {
 }
 
 TEST(LengthScaleSearch, LooksOnceWhereTheRangeIsAPoint) {
-    LengthScaleSearch search(1.5, 1.5, 1e-6);
-    const auto first = search.next();
-    ASSERT_TRUE(first);
-    EXPECT_EQ(*first, 1.5);
-    search.add(*first, profile_of({[](double x) { return parabola(x, 0.0, 1.0); }}, *first));
-    EXPECT_FALSE(search.next());
+    LengthScaleSearch search(1, 1.5, 1.5, 1e-6);
+    const auto first = search.next(2);
+    ASSERT_EQ(first.size(), 1);
+    EXPECT_EQ(first[0].log_lambda, 1.5);
+    search.add(first[0], profile_of({[](double x) { return parabola(x, 0.0, 1.0); }}, first[0]));
+    EXPECT_TRUE(search.next(2).empty());
 }
 
 RC_GTEST_PROP(LengthScaleSearch, MakesEveryOfSeveralOutputsContent, ()) {
@@ -201,10 +208,12 @@ RC_GTEST_PROP(LengthScaleSearch, MakesEveryOfSeveralOutputsContent, ()) {
         const double curvature = *rc::gen::inRange(5, 100);
         outputs.emplace_back([=](double x) { return parabola(x, bottom, curvature); });
     }
-    const auto found = search(outputs);
-    RC_ASSERT(found.content);
-    for (const double value : found.best_value) {
-        RC_ASSERT(value < 1e-6);
+    for (const int together : {1, 2}) {
+        const auto found = search(outputs, 1e-7, 100, together);
+        RC_ASSERT(found.content);
+        for (const double value : found.best_value) {
+            RC_ASSERT(value < 1e-6);
+        }
     }
 }
 
@@ -220,9 +229,11 @@ TEST(LengthScaleSearch, ServesTwoGroupsFarApartAndNotTheMiddleBetweenThem) {
     for (int j = 0; j < 5; ++j) {
         outputs.emplace_back([=](double x) { return parabola(x, -0.3 + 0.05 * j, 0.5); });
     }
-    const Found found = search(outputs, 1e-7, 14);
-    for (size_t j = 0; j < outputs.size(); ++j) {
-        EXPECT_LT(found.best_value[j], 0.2) << j;
+    for (const int together : {1, 2}) {
+        const Found found = search(outputs, 1e-7, 14, together);
+        for (size_t j = 0; j < outputs.size(); ++j) {
+            EXPECT_LT(found.best_value[j], 0.2) << j;
+        }
     }
 }
 
@@ -232,13 +243,26 @@ TEST(LengthScaleSearch, LosesLittleWhereHundredsOfOutputsShareADozenPoints) {
         const double bottom = -3.0 + 2.0 * j / 299.0;
         outputs.emplace_back([=](double x) { return parabola(x, bottom, 30.0); });
     }
-    double mean_loss = 0.0;
-    for (const double value : search(outputs, 1e-7, 14).best_value) {
-        mean_loss += value / 300.0;
-    }
     // Eight of the points can lie where they help. Evenly over the two units they would lose
     // 30 / 24 * 0.25^2 = 0.08 on average.
-    EXPECT_LT(mean_loss, 0.1);
+    for (const int together : {1, 2}) {
+        double mean_loss = 0.0;
+        for (const double value : search(outputs, 1e-7, 14, together).best_value) {
+            mean_loss += value / 300.0;
+        }
+        EXPECT_LT(mean_loss, 0.1);
+    }
+}
+
+TEST(LengthScaleSearch, SpendsNoneOfTwoPointsOnOutputsThatTheOtherServes) {
+    // The first of the two helps all of the large group, and none of the small one.
+    std::vector<Function> outputs(20, [](double x) { return parabola(x, -1.7, 30.0); });
+    outputs.insert(outputs.end(), 2, [](double x) { return parabola(x, 1.4, 30.0); });
+    const Found found = search(outputs, 1e-7, 100, 2);
+    EXPECT_TRUE(found.content);
+    ASSERT_GE(found.looked_at.size(), 2);
+    EXPECT_NEAR(found.looked_at.end()[-2], -1.7, 1e-6);
+    EXPECT_NEAR(found.looked_at.end()[-1], 1.4, 1e-6);
 }
 
 }  // namespace

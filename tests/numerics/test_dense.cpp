@@ -36,14 +36,24 @@ TEST(Product, WithoutColumnsIsEmptyAndOverNothingIsZero) {
     EXPECT_EQ(product(Eigen::MatrixXd(5, 0), Eigen::MatrixXd(0, 2)), Eigen::MatrixXd::Zero(5, 2));
 }
 
+TEST(Gram, IsTheProductOfTheTransposedWithItself) {
+    for (const Eigen::Index columns : {0, 3, 64, 150}) {  // of one task, and of several
+        const Eigen::MatrixXd a = normal_matrix(5, columns, 1);
+        EXPECT_TRUE(gram(a).isApprox(a.transpose().lazyProduct(a), 1e-13)) << columns;
+    }
+    EXPECT_EQ(gram(Eigen::MatrixXd(0, 2)), Eigen::MatrixXd::Zero(2, 2));
+}
+
 TEST(QuadraticForms, ReadTheLowerTriangleAlone) {
     const Eigen::MatrixXd square = normal_matrix(6, 6, 1);
     const Eigen::MatrixXd symmetric = square + square.transpose();
     Eigen::MatrixXd lower = symmetric;
     lower.triangularView<Eigen::StrictlyUpper>().fill(1e6);
-    const Eigen::MatrixXd b = normal_matrix(6, 4, 2);
-    const Eigen::VectorXd expected = (b.transpose() * symmetric * b).diagonal();
-    EXPECT_TRUE(quadratic_forms(lower, b).isApprox(expected, 1e-13));
+    for (const Eigen::Index columns : {4, 150}) {  // of one task, and of several
+        const Eigen::MatrixXd b = normal_matrix(6, columns, 2);
+        const Eigen::VectorXd expected = (b.transpose() * symmetric * b).diagonal();
+        EXPECT_TRUE(quadratic_forms(lower, b).isApprox(expected, 1e-13));
+    }
     EXPECT_EQ(quadratic_forms(lower, Eigen::MatrixXd(6, 0)).size(), 0);
 }
 

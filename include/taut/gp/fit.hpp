@@ -69,8 +69,8 @@ struct FitSettings {
     /// The search for lambda ends when no output is expected to gain more than this, relative to
     /// its negative log likelihood, or after so many decompositions. One output alone takes 7 to
     /// 10, a few dozen with hyperparameters of their own share 12 at a loss of some hundredths in
-    /// log likelihood. At n = 1000 one takes about 0.2 s on two cores; where they cost less, allow
-    /// more.
+    /// log likelihood. Two are made at a time, each by one thread; where they cost less than at
+    /// n = 1000, allow more.
     double relative_tolerance = 1e-7;
     int max_spectra = 12;  ///< decompositions at most, 1 or more
 };

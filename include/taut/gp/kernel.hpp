@@ -23,6 +23,10 @@ struct Hyperparameters {
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd squared_distances(
     const Eigen::Ref<const Eigen::MatrixXd>& x, const Eigen::Ref<const Eigen::MatrixXd>& z);
 
+/// squared_distances(x, x), by half the work.
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd squared_distances(
+    const Eigen::Ref<const Eigen::MatrixXd>& x);
+
 /// The isotropic squared exponential kernel with signal std 1 (eq. SEkernel_iso):
 /// exp(-lambda^2 / 2 |x - x'|^2), entry by entry of the squared distances.
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd correlation(

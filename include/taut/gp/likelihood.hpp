@@ -42,10 +42,13 @@ struct NoiseRatioBounds {
 /// What is best for each of m outputs at one lambda: the profile of the likelihood.
 struct LikelihoodProfile {
     Eigen::VectorXd value;        ///< smallest negative log likelihood over sigma_f, sigma_w (m)
-    Eigen::VectorXd slope;        ///< its derivative with respect to log lambda (m)
+    Eigen::VectorXd slope;        ///< its derivative with respect to log lambda (m), or empty
     Eigen::VectorXd noise_ratio;  ///< eta = sigma_w^2 / sigma_f^2 there (m)
     Eigen::VectorXd signal_variance;  ///< sigma_f^2 there (m)
 };
+
+/// Whether to tell the slope of a profile, which takes as long as all else of it.
+enum class Slope { wanted, left_out };
 
 /// Minimises the negative log likelihood of every output over sigma_f and sigma_w, at one lambda.
 /// For a given eta the best sigma_f^2 is (1/n) sum_i z_i^2 / (d_i + eta), z = Q'y, and what is left
@@ -58,6 +61,7 @@ struct LikelihoodProfile {
 /// @param outputs n x m, none of them zero throughout
 [[nodiscard]] TAUT_CORE_EXPORT LikelihoodProfile profile_likelihood(
     const KernelSpectrum& spectrum, const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,
-    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const NoiseRatioBounds& bounds);
+    const Eigen::Ref<const Eigen::MatrixXd>& outputs, const NoiseRatioBounds& bounds,
+    Slope slope = Slope::wanted);
 
 }  // namespace taut::gp
