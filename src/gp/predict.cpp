@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
+#include <tbb/parallel_for.h>
 
 #include <stdexcept>
 #include <vector>
 
+#include "gp/gradient_weights.hpp"
 #include "gp/inputs_check.hpp"
 #include "numerics/dense.hpp"
 #include "taut/gp/fit.hpp"
@@ -62,27 +64,31 @@ Prediction FittedProcesses::predict(const Eigen::Ref<const Eigen::MatrixXd>& at)
     Prediction result{.mean = Eigen::MatrixXd::Zero(m, at.cols()),
                       .std = Eigen::MatrixXd::Zero(m, at.cols())};
     const Eigen::MatrixXd distances = squared_distances(inputs, at);
-    for (size_t s = 0; s < spectra.size(); ++s) {
-        predict_with_spectrum(*this, s, distances, result);
+    tbb::parallel_for(size_t{0}, spectra.size(),
+                      [&](size_t s) { predict_with_spectrum(*this, s, distances, result); });
+    return result;
+}
+
+Eigen::MatrixXd gradient_weights(const FittedProcesses& fitted,
+                                 const Eigen::Ref<const Eigen::VectorXd>& at) {
+    check_inputs(fitted, at);
+    const Eigen::MatrixXd distances = squared_distances(fitted.inputs, at);
+    Eigen::MatrixXd result =
+        Eigen::MatrixXd::Zero(fitted.inputs.cols(), std::ssize(fitted.processes));
+    for (size_t s = 0; s < fitted.spectra.size(); ++s) {
+        const double lambda = fitted.spectra[s].inverse_length_scale;
+        const Eigen::VectorXd factors = -lambda * lambda * correlation(distances, lambda).col(0);
+        for (const Eigen::Index j : members_of(fitted, s)) {
+            result.col(j) = factors.cwiseProduct(fitted.weights.col(j));
+        }
     }
     return result;
 }
 
 Eigen::MatrixXd FittedProcesses::mean_gradient(const Eigen::Ref<const Eigen::VectorXd>& at) const {
-    check_inputs(*this, at);
-    Eigen::MatrixXd result =
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(processes.size()), inputs.rows());
-    const Eigen::MatrixXd distances = squared_distances(inputs, at);
-    for (size_t s = 0; s < spectra.size(); ++s) {
-        const std::vector<Eigen::Index> members = members_of(*this, s);
-        const double lambda = spectra[s].inverse_length_scale;
-        const Eigen::VectorXd k = correlation(distances, lambda).col(0);
-        const Eigen::MatrixXd weighted =
-            -lambda * lambda * (k.asDiagonal() * weights(Eigen::all, members)).transpose();
-        result(members, Eigen::all) =
-            weighted.rowwise().sum() * at.transpose() - product(weighted, inputs.transpose());
-    }
-    return result;
+    const Eigen::MatrixXd weights_there = gradient_weights(*this, at);
+    return weights_there.colwise().sum().transpose() * at.transpose() -
+           product(inputs, weights_there).transpose();
 }
 
 }  // namespace taut::gp

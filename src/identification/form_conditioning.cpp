@@ -2,37 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include "identification/form_conditioning.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "estimation/observations.hpp"
-#include "numerics/shrunk_covariance.hpp"
-#include "taut/statics/form_sensitivity.hpp"
 #include "taut/survey/covariance.hpp"
 
 namespace taut {
 
-FormDistribution form_before_survey(const CableNet& net, const LengthModel& model) {
-    const Eigen::MatrixXd J = FormSensitivity(net, net.unstressed_lengths(),
-                                              with_free_coordinates(net, model.nominal_form))
-                                  .columns(net.interior_edges());
-    Eigen::MatrixXd remainder = model.form_deviations() - product(J, model.length_deviations);
-    FormDistribution result{.mean = remainder.rowwise().mean(), .covariance = {}};
-    remainder.colwise() -= result.mean;
-    result.covariance = shrunk_covariance(remainder);
-    result.covariance += model.law.std() * model.law.std() * product(J, J.transpose());
-    return result;
-}
-
-ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& before,
-                                 const Survey& survey, Eigen::VectorXd nominal_form,
-                                 double false_alarm_rate)
+ConditionedForm::ConditionedForm(const CableNet& net, const FormPrior& before, const Survey& survey,
+                                 Eigen::VectorXd nominal_form, double false_alarm_rate)
     : m_net(net),
       m_before(before),
       m_survey(survey),
       m_nominal_form(std::move(nominal_form)),
       m_noise(with_noise_floor(net, survey)),
+      m_common(common_noise_variance()),
       m_snooping(net, survey, m_noise, m_no_readings, false_alarm_rate) {
     condition();
     if (!m_snooping.is_active()) {
@@ -45,66 +30,106 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormDistribution& be
     }
 }
 
+std::optional<double> ConditionedForm::common_noise_variance() const {
+    if (m_survey.surveyed.empty()) {
+        return std::nullopt;
+    }
+    const double std = m_noise(0, m_survey.surveyed.front());
+    for (const int node : m_survey.surveyed) {
+        if ((m_noise.col(node).array() != std).any() ||
+            !m_survey.correlations_of(node).isZero(0.0)) {
+            return std::nullopt;
+        }
+    }
+    return std * std;
+}
+
 /// On the targets that are not rejected.
 void ConditionedForm::condition() {
-    m_place_in_use.assign(m_net.node_count(), -1);
     m_observed.clear();
+    std::vector<bool> is_told(m_net.free_node_count(), false);
     for (const int node : m_survey.surveyed) {
         if (!m_snooping.rejected()[node]) {
-            m_place_in_use[node] = static_cast<int>(m_observed.size()) / 3;
-            for (int k = 0; k < 3; ++k) {
-                m_observed.push_back(3 * m_net.free_index(node) + k);
-            }
+            m_observed.push_back(node);
+            is_told[m_net.free_index(node)] = true;
         }
     }
-    const Eigen::VectorXd surveyed = free_coordinates(m_net, m_survey.form) - m_nominal_form;
-    Eigen::MatrixXd K = m_before.covariance(m_observed, m_observed);
-    for (const int node : m_survey.surveyed) {
-        if (const int place = m_place_in_use[node]; place >= 0) {
-            K.block<3, 3>(3 * place, 3 * place) += noise_covariance(node);
+    Eigen::VectorXd residual =
+        free_coordinates(m_net, m_survey.form) - m_nominal_form - m_before.mean;
+    std::vector<int> untold;  // coordinates
+    for (int i = 0; i < m_net.free_node_count(); ++i) {
+        for (int k = 3 * i; !is_told[i] && k < 3 * i + 3; ++k) {
+            residual(k) = 0.0;
+            untold.push_back(k);
         }
     }
-    m_factor.emplace(std::move(K));
-    const Eigen::VectorXd weights = m_factor->solve((surveyed - m_before.mean)(m_observed)).col(0);
-    m_mean = m_before.mean + m_before.covariance(Eigen::all, m_observed) * weights;
+    if (m_common) {
+        fill_in(*m_common, residual, untold);
+    } else {
+        condition_by_factor(residual);
+    }
+}
+
+/// (filled-in) With the same variance v of all coordinates' noise, K = C + v I of all of them, told
+/// or not, has the precisions p = 1 / (c + v) along the directions. What was not told is filled in
+/// by what the rest lets expect, -P_uu^-1 P_uo r_o with P = K^-1 = D' diag(p) D, and is then off by
+/// P_uu^-1.
+/// @param untold coordinates u, at which the residual is 0
+void ConditionedForm::fill_in(double noise_variance, const Eigen::VectorXd& residual,
+                              const std::vector<int>& untold) {
+    const Eigen::MatrixXd& D = m_before.directions;
+    const Eigen::VectorXd p = (m_before.variances.array() + noise_variance).inverse();
+    const Eigen::VectorXd gain = m_before.variances.cwiseProduct(p);
+    Eigen::VectorXd along = D * residual;
+    m_diagonal = noise_variance * gain;
+    m_root.resize(0, D.rows());
+    if (!untold.empty()) {
+        const Eigen::MatrixXd D_u = D(Eigen::all, untold);
+        const Cholesky factor(gram(p.cwiseSqrt().asDiagonal() * D_u));  // of P_uu
+        along -= D_u * factor.solve(D_u.transpose() * p.cwiseProduct(along)).col(0);
+        m_root = factor.solve_lower(D_u.transpose() * gain.asDiagonal());
+    }
+    m_mean = m_before.mean + D.transpose() * gain.cwiseProduct(along);
+}
+
+/// (by-factor) With c^1/2 taken out, so that it may be zero, the precision of t is
+/// c^-1/2 (I + W'W) c^-1/2, W = Sigma^-1/2 D_o' c^1/2.
+void ConditionedForm::condition_by_factor(const Eigen::VectorXd& residual) {
+    const Eigen::VectorXd c_root = m_before.variances.cwiseSqrt();
+    Eigen::MatrixXd W(3 * std::ssize(m_observed), c_root.size());
+    Eigen::VectorXd whitened(W.rows());
+    for (Eigen::Index i = 0; i < std::ssize(m_observed); ++i) {
+        const int node = m_observed[i];
+        const Eigen::Index at = Eigen::Index{3} * m_net.free_index(node);
+        const Eigen::Matrix3d whiten = whitening_of(
+            {.std = m_noise.col(node), .correlations = m_survey.correlations_of(node)});
+        whitened.segment<3>(3 * i) = whiten * residual.segment<3>(at);
+        W.middleRows<3>(3 * i) =
+            whiten * m_before.directions.middleCols<3>(at).transpose() * c_root.asDiagonal();
+    }
+    Eigen::MatrixXd precision = gram(W);
+    precision.diagonal().array() += 1.0;
+    const Cholesky factor(std::move(precision));
+    m_mean = m_before.mean + m_before.directions.transpose() *
+                                 c_root.cwiseProduct(factor.solve(W.transpose() * whitened).col(0));
+    m_diagonal = Eigen::VectorXd::Zero(c_root.size());
+    m_root = factor.solve_lower(c_root.asDiagonal());
 }
 
 void ConditionedForm::evaluate() {
-    m_precision = m_factor->inverse_lower();
-    m_snooping.evaluate(with_free_coordinates(m_net, m_nominal_form + m_mean),
-                        [this](int node) { return covariance_of(node); });
+    const Eigen::MatrixXd reduced = product(m_root, m_before.directions);
+    m_snooping.evaluate(
+        with_free_coordinates(m_net, m_nominal_form + m_mean), [&](int node) -> Eigen::Matrix3d {
+            const Eigen::Index at = Eigen::Index{3} * m_net.free_index(node);
+            const auto D = m_before.directions.middleCols<3>(at);
+            const auto TD = reduced.middleCols<3>(at);
+            return D.transpose() * m_diagonal.asDiagonal() * D + TD.transpose() * TD;
+        });
 }
 
-Eigen::Matrix3d ConditionedForm::noise_covariance(int node) const {
-    return taut::covariance_of(
-        {.std = m_noise.col(node), .correlations = m_survey.correlations_of(node)});
-}
-
-/// Of a node's place after the survey: Sigma - Sigma P Sigma of a target in use, which keeps the
-/// digits of the redundancy Sigma P Sigma; else C - C_o' K^-1 C_o.
-Eigen::Matrix3d ConditionedForm::covariance_of(int node) const {
-    const int at = 3 * m_net.free_index(node);
-    if (const Eigen::Index place = m_place_in_use[node]; place >= 0) {
-        const Eigen::Matrix3d P =
-            m_precision.block<3, 3>(3 * place, 3 * place).selfadjointView<Eigen::Lower>();
-        const Eigen::Matrix3d noise = noise_covariance(node);
-        return noise - noise * P * noise;
-    }
-    Eigen::MatrixXd coordinates = Eigen::MatrixXd::Zero(m_mean.size(), 3);
-    coordinates.middleRows<3>(at).setIdentity();
-    const Eigen::MatrixXd root = reduced(coordinates);
-    return m_before.covariance.block<3, 3>(at, at) - root.transpose() * root;
-}
-
-Eigen::MatrixXd ConditionedForm::reduced(const Eigen::MatrixXd& gradients) const {
-    return m_factor->solve_lower(product(m_before.covariance(m_observed, Eigen::all), gradients));
-}
-
-Eigen::VectorXd ConditionedForm::variances(const Eigen::MatrixXd& gradients) const {
-    const Eigen::VectorXd before =
-        gradients.cwiseProduct(product(m_before.covariance, gradients)).colwise().sum();
-    const Eigen::VectorXd told = reduced(gradients).colwise().squaredNorm();
-    return (before - told).cwiseMax(0.0);
+Eigen::VectorXd ConditionedForm::variances_along(const Eigen::MatrixXd& gradients) const {
+    return gradients.cwiseAbs2().transpose() * m_diagonal +
+           product(m_root, gradients).colwise().squaredNorm().transpose();
 }
 
 }  // namespace taut

@@ -3,6 +3,7 @@
 #include "taut/identification/identify.hpp"
 
 #include <fmt/core.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -167,12 +168,10 @@ std::optional<Identification> audit(const CableNet& net, const Survey& survey, c
     return fit;
 }
 
-Survey brought_into_frame(const Survey& survey, const std::optional<Identification>& fit) {
+Survey brought_into_frame(const Survey& survey, const FrameOffset& offset) {
     Survey result = survey;
-    if (fit && fit->frame_offset) {
-        const Points motion = fit->frame_offset->motion_of(survey.form);
-        result.form(Eigen::all, survey.surveyed) -= motion(Eigen::all, survey.surveyed);
-    }
+    const Points motion = offset.motion_of(survey.form);
+    result.form(Eigen::all, survey.surveyed) -= motion(Eigen::all, survey.surveyed);
     return result;
 }
 
@@ -235,16 +234,12 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw
 }
 
 Identification identify_by(IdentificationMethod method, const CableNet& net, const Survey& survey,
-                           const LengthLaw& law, const IdentifyOptions& options,
-                           const Progress& progress) {
+                           const LengthLaw& law, const LengthModel* model,
+                           const IdentifyOptions& options, const Progress& progress) {
     Identification result;
-    const bool is_map = method == IdentificationMethod::map;
-    const std::optional<Identification> fit =
-        is_map ? std::nullopt : audit(net, survey, law, options.unknowns, progress);
-    const Survey in_frame = brought_into_frame(survey, fit);
     switch (method) {
         case IdentificationMethod::balance:
-            result = identify_by_force_balance(net, in_frame, law);
+            result = identify_by_force_balance(net, survey, law);
             result.how =
                 fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
             break;
@@ -264,18 +259,38 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
             }
             break;
         }
-        case IdentificationMethod::gp: {
-            std::optional<LengthModel> own;
-            if (options.model == nullptr) {
-                own = trained_model(net, law, options.unknowns, options.training_samples, progress);
-            }
-            const LengthModel& model = own ? *own : *options.model;
-            result = identify_by_model(net, in_frame, model);
-            result.how = how_text(model, !own, survey);
+        case IdentificationMethod::gp:
+            result = identify_by_model(net, survey, *model);
+            result.how = how_text(*model, options.model != nullptr, survey);
             break;
-        }
     }
+    return result;
+}
+
+/// With what the statics show of the survey, whatever the method is.
+Identification identify_and_audit(IdentificationMethod method, const CableNet& net,
+                                  const Survey& survey, const LengthLaw& law,
+                                  const IdentifyOptions& options, const Progress& progress) {
+    std::optional<LengthModel> own;
+    if (method == IdentificationMethod::gp && options.model == nullptr) {
+        own = trained_model(net, law, options.unknowns, options.training_samples, progress);
+    }
+    const auto by_method = [&](const Survey& in_frame) {
+        return identify_by(method, net, in_frame, law, own ? &*own : options.model, options,
+                           progress);
+    };
+    if (method == IdentificationMethod::map) {
+        return by_method(survey);
+    }
+    // Side by side, since few surveys turn out to be off their frame.
+    std::optional<Identification> fit;
+    Identification result;
+    tbb::parallel_invoke([&] { fit = audit(net, survey, law, options.unknowns, progress); },
+                         [&] { result = by_method(survey); });
     if (fit) {
+        if (fit->frame_offset) {
+            result = by_method(brought_into_frame(survey, *fit->frame_offset));
+        }
         take_over(result, *fit, net, survey);
     }
     return result;
@@ -295,7 +310,7 @@ void find_law(Identification& result, IdentificationMethod method, const CableNe
         if (check.has_mean() || !(check.gain > (found == 0 ? 0.0 : settled_gain))) {
             break;
         }
-        result = identify_by(method, net, survey, check.likeliest, options, progress);
+        result = identify_and_audit(method, net, survey, check.likeliest, options, progress);
         result.contradicted_law = first;
     }
     if (result.contradicted_law) {
@@ -363,6 +378,7 @@ void check_model(const CableNet& net, const LengthModel& model,
         std::ssize(learnt.processes) != net.interior_edge_count() ||
         learnt.weights.rows() != learnt.inputs.cols() ||
         learnt.weights.cols() != net.interior_edge_count() ||
+        (!model.as_in_paper && model.form_prior.inputs.cols() != learnt.inputs.cols()) ||
         model.length_deviations.rows() != net.interior_edge_count() ||
         model.length_deviations.cols() != learnt.inputs.cols()) {
         throw std::invalid_argument(
@@ -402,7 +418,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         result.noise_scale = noise_scale;
         return result;
     }
-    Identification result = identify_by(method, net, survey, law, options, progress);
+    Identification result = identify_and_audit(method, net, survey, law, options, progress);
     if (survey.is_noisy() && options.model == nullptr) {
         find_law(result, method, net, survey, options, progress);
     }

@@ -39,29 +39,27 @@ Eigen::MatrixXd mean_values(const CableNet& net, MeanFunction mean,
     return values;
 }
 
-Eigen::MatrixXd length_gradient(const CableNet& net, const Eigen::Ref<const Points>& form) {
-    Eigen::MatrixXd gradient =
-        Eigen::MatrixXd::Zero(net.interior_edge_count(), 3 * net.free_node_count());
+EdgeGradient length_gradient(const CableNet& net, const Eigen::Ref<const Points>& form) {
+    constexpr int ends_coordinates = 6;
+    EdgeGradient gradient(net.interior_edge_count(), 3 * net.free_node_count());
+    gradient.reserve(Eigen::VectorXi::Constant(gradient.rows(), ends_coordinates));
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const auto [s, t] = net.edges()[net.interior_edges()[i]];
         const Eigen::Vector3d direction = (form.col(s) - form.col(t)).normalized();
         for (const auto& [node, sign] : {std::pair{s, 1.0}, std::pair{t, -1.0}}) {
-            if (const int k = net.free_index(node); k >= 0) {
-                gradient.row(i).segment<3>(Eigen::Index{3} * k) = sign * direction.transpose();
+            const int k = net.free_index(node);
+            for (int axis = 0; k >= 0 && axis < 3; ++axis) {
+                gradient.insert(i, 3 * k + axis) = sign * direction(axis);
             }
         }
     }
     return gradient;
 }
 
-Eigen::MatrixXd mean_gradient(const CableNet& net, MeanFunction mean,
-                              const Eigen::Ref<const Eigen::VectorXd>& nominal_form,
-                              const Eigen::Ref<const Eigen::VectorXd>& form_deviation) {
-    if (mean == MeanFunction::zero) {
-        return Eigen::MatrixXd::Zero(net.interior_edge_count(), 3 * net.free_node_count());
-    }
-    return nominal_ratios(net, nominal_form).asDiagonal() *
-           length_gradient(net, with_free_coordinates(net, nominal_form + form_deviation));
+Eigen::VectorXd mean_rates(const CableNet& net, MeanFunction mean,
+                           const Eigen::Ref<const Eigen::VectorXd>& nominal_form) {
+    return mean == MeanFunction::zero ? Eigen::VectorXd::Zero(net.interior_edge_count())
+                                      : nominal_ratios(net, nominal_form);
 }
 
 }  // namespace taut

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/SparseCore>
+
 #include "taut/identification/model.hpp"
 
 namespace taut {
@@ -14,13 +16,16 @@ namespace taut {
                                           const Eigen::Ref<const Eigen::VectorXd>& nominal_form,
                                           const Eigen::Ref<const Eigen::MatrixXd>& form_deviations);
 
-/// Derivative of the interior edges' lengths with respect to the free coordinates (m_I x 3 n_I).
-[[nodiscard]] Eigen::MatrixXd length_gradient(const CableNet& net,
-                                              const Eigen::Ref<const Points>& form);
+/// One row an edge: zero but at the coordinates of its ends.
+using EdgeGradient = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Derivative of the mean function's values at one form (m_I x 3 n_I).
-[[nodiscard]] Eigen::MatrixXd mean_gradient(
-    const CableNet& net, MeanFunction mean, const Eigen::Ref<const Eigen::VectorXd>& nominal_form,
-    const Eigen::Ref<const Eigen::VectorXd>& form_deviation);
+/// Derivative of the interior edges' lengths with respect to the free coordinates (m_I x 3 n_I).
+[[nodiscard]] EdgeGradient length_gradient(const CableNet& net,
+                                           const Eigen::Ref<const Points>& form);
+
+/// What length_gradient() of an edge is to be multiplied by for the derivative of the mean
+/// function's value (m_I).
+[[nodiscard]] Eigen::VectorXd mean_rates(const CableNet& net, MeanFunction mean,
+                                         const Eigen::Ref<const Eigen::VectorXd>& nominal_form);
 
 }  // namespace taut

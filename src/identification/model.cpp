@@ -3,9 +3,11 @@
 #include "taut/identification/model.hpp"
 
 #include <fmt/core.h>
+#include <tbb/parallel_invoke.h>
 
 #include <stdexcept>
 
+#include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
 #include "taut/gp/input_scales.hpp"
 
@@ -27,6 +29,10 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
             "{} and {} rows, and as many columns",
             data.form_deviations.rows(), data.form_deviations.cols(), data.length_deviations.rows(),
             data.length_deviations.cols(), coordinates, net.interior_edge_count()));
+    }
+    if (samples.size() < 2) {
+        throw std::invalid_argument(
+            fmt::format("{} training samples, expected at least 2", samples.size()));
     }
     for (const int k : samples) {
         if (k < 0 || k >= data.size()) {
@@ -93,13 +99,29 @@ LengthModel train(const CableNet& net, const DataSet& data, const std::vector<in
                       .nominal_form = data.nominal_form,
                       .input_scales = {},
                       .length_deviations = data.length_deviations(Eigen::all, samples),
-                      .processes = {}};
+                      .processes = {},
+                      .form_prior = {}};
     const Eigen::MatrixXd outputs =
         (model.length_deviations - mean_values(net, model.mean, model.nominal_form, forms))
             .transpose();
     model.input_scales = input_scales(settings.metric, forms, outputs, progress);
-    model.processes =
-        gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit, progress);
+    gp::FittedProcesses processes;
+    FormPrior form_prior;
+    tbb::parallel_invoke(
+        [&] {
+            processes =
+                gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit, progress);
+        },
+        [&] {
+            if (!settings.as_in_paper) {
+                form_prior = form_prior_of(net, model, forms);
+            }
+        });
+    model.processes = std::move(processes);
+    if (!settings.as_in_paper) {
+        model.form_prior = std::move(form_prior);
+        model.form_prior.inputs = inputs_along_directions(model);
+    }
     return model;
 }
 

@@ -2,17 +2,55 @@
 // SPDX-License-Identifier: MIT
 #include "identification/processes.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "gp/gradient_weights.hpp"
 #include "identification/completion.hpp"
+#include "identification/form_conditioning.hpp"
 #include "identification/mean_function.hpp"
+#include "numerics/dense.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
 namespace {
+
+/// Derivatives along the prior's directions, one column an edge, of those with respect to the
+/// coordinates.
+Eigen::MatrixXd along_directions(const FormPrior& prior, const EdgeGradient& gradient) {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(prior.directions.rows(), gradient.rows());
+    tbb::parallel_for(Eigen::Index{0}, gradient.rows(), [&](Eigen::Index edge) {
+        for (EdgeGradient::InnerIterator at(gradient, edge); at; ++at) {
+            result.col(edge) += at.value() * prior.directions.col(at.col());
+        }
+    });
+    return result;
+}
+
+/// How the uncertainty of the form adds to that of the processes, (propagation).
+struct FormUncertainty {
+    Eigen::VectorXd of_length;     ///< variance of each length by it (m_I) [m2]
+    Eigen::VectorXd of_extension;  ///< of what the edge is longer than that (m_I) [m2]
+};
+
+FormUncertainty form_uncertainty(const CableNet& net, const LengthModel& model, const Points& form,
+                                 const Eigen::VectorXd& form_deviation,
+                                 const ConditionedForm& after) {
+    const FormPrior& prior = model.form_prior;
+    const Eigen::MatrixXd lengths = along_directions(prior, length_gradient(net, form));
+    // Of the processes: the sum over training inputs x_i of a_i (x - x_i), along the directions.
+    const Eigen::VectorXd input = model.input_scales.cwiseProduct(form_deviation);
+    const Eigen::MatrixXd weights = gp::gradient_weights(model.processes, input);
+    const Eigen::VectorXd input_along = prior.directions * model.input_scales.cwiseProduct(input);
+    Eigen::MatrixXd rates = input_along * weights.colwise().sum() - product(prior.inputs, weights);
+    rates += lengths * mean_rates(net, model.mean, model.nominal_form).asDiagonal();
+    return {.of_length = after.variances_along(rates),
+            .of_extension = after.variances_along(lengths - rates)};
+}
 
 /// What the processes tell of each edge at one form, and how its uncertainty adds to theirs.
 /// @param after the form's distribution; null where the form is known
@@ -21,15 +59,10 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
                                                   const ConditionedForm* after) {
     const LengthEstimates estimates = estimate_lengths(net, model, form_deviation);  // eq. ident
     const Points form = with_free_coordinates(net, model.nominal_form + form_deviation);
-    Eigen::VectorXd of_length = Eigen::VectorXd::Zero(net.interior_edge_count());
-    Eigen::VectorXd of_extension = of_length;
-    if (after != nullptr) {  // (propagation)
-        const Eigen::MatrixXd rates =
-            mean_gradient(net, model.mean, model.nominal_form, form_deviation) +
-            model.processes.mean_gradient(model.input_scales.cwiseProduct(form_deviation)) *
-                model.input_scales.asDiagonal();
-        of_length = after->variances(rates.transpose());
-        of_extension = after->variances((length_gradient(net, form) - rates).transpose());
+    FormUncertainty uncertainty{.of_length = Eigen::VectorXd::Zero(net.interior_edge_count()),
+                                .of_extension = Eigen::VectorXd::Zero(net.interior_edge_count())};
+    if (after != nullptr) {
+        uncertainty = form_uncertainty(net, model, form, form_deviation, *after);
     }
     const Eigen::VectorXd lengths = edge_lengths(net, form);
     std::vector<LengthLikelihood> result;
@@ -37,10 +70,10 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
         const int edge = net.interior_edges()[i];
         const double variance = estimates.std(i, 0) * estimates.std(i, 0);
         LengthLikelihood likelihood = without_prior(0.0, model.law.std(), estimates.mean(i, 0),
-                                                    std::sqrt(variance + of_length(i)));
+                                                    std::sqrt(variance + uncertainty.of_length(i)));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
-        likelihood.extension =
-            (likelihood.slack_from - estimates.mean(i, 0)) / std::sqrt(variance + of_extension(i));
+        likelihood.extension = (likelihood.slack_from - estimates.mean(i, 0)) /
+                               std::sqrt(variance + uncertainty.of_extension(i));
         result.push_back(likelihood);
     }
     return result;
@@ -49,16 +82,12 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
 }  // namespace
 
 Identification identify_by_processes(const CableNet& net, const LengthModel& model,
-                                     const Survey& survey, const FormDistribution* before) {
+                                     const Survey& survey) {
     Identification result{.method = "gp"};
     Eigen::VectorXd deviation = free_coordinates(net, survey.form) - model.nominal_form;
-    FormDistribution own;
     std::optional<ConditionedForm> after;
     if (survey.is_noisy() || !survey.is_whole()) {
-        if (before == nullptr) {
-            own = form_before_survey(net, model);  // (form-prior)
-        }
-        after.emplace(net, before != nullptr ? *before : own, survey, model.nominal_form,
+        after.emplace(net, model.form_prior, survey, model.nominal_form,
                       default_false_alarm_rate);  // (conditioning), (snooping)
         deviation = after->mean();
         tell_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "identification/form_conditioning.hpp"
 #include "taut/export/core.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
@@ -15,10 +14,9 @@ namespace taut {
 /// processes are asked at the conditional mean of the form, docs/theory.md (conditioning), and the
 /// uncertainty that is left goes through them to first order (propagation). Law and slack edges
 /// then enter as in (posterior). Gross errors are rejected by data snooping.
-/// @param before form_before_survey(), where there are many surveys; else it is made here
-[[nodiscard]] TAUT_CORE_EXPORT Identification
-identify_by_processes(const CableNet& net, const LengthModel& model, const Survey& survey,
-                      const FormDistribution* before = nullptr);
+[[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_processes(const CableNet& net,
+                                                                    const LengthModel& model,
+                                                                    const Survey& survey);
 
 /// Eq. ident as it stands, on the surveyed form as it is: the processes' means, their standard
 /// deviations and the intervals of a normal law, docs/theory.md (as-in-paper). Only edges that are

@@ -65,7 +65,7 @@ void write_data_set(const std::filesystem::path& path, const DataSet& data, cons
 
 StoredDataSet read_data_set(const std::filesystem::path& path) {
     const hdf5::Reader reader(path, data_set_format);
-    auto [head, file] = read_head(reader, data_set_format, data_set_version);
+    auto [head, file] = read_head(reader, data_set_format, {data_set_version, data_set_version});
     const CableNet& net = file.net;
     const Eigen::Index coordinates = 3 * net.free_node_count();
     const Eigen::Index n = reader.row_count("form_deviation", coordinates);

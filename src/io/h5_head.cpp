@@ -13,16 +13,23 @@
 namespace taut {
 namespace {
 
-void check_format(const hdf5::Reader& reader, const std::string& format, std::uint64_t version) {
+/// @return the version
+std::uint64_t check_format(const hdf5::Reader& reader, const std::string& format,
+                           const VersionRange& known) {
     const std::string found = reader.text_attribute("format");
     if (found != format) {
         reader.fail("format", fmt::format("is {}, expected '{}'", quote(found), format));
     }
-    const std::uint64_t found_version = reader.number_attribute("version");
-    if (found_version != version) {
-        reader.fail("version", fmt::format("is {}, expected {}, the only one that this taut knows",
-                                           found_version, version));
+    const std::uint64_t version = reader.number_attribute("version");
+    if (version < known.oldest || version > known.newest) {
+        reader.fail("version",
+                    known.oldest == known.newest
+                        ? fmt::format("is {}, expected {}, the only one that this taut knows",
+                                      version, known.newest)
+                        : fmt::format("is {}, expected {} to {}, which this taut knows", version,
+                                      known.oldest, known.newest));
     }
+    return version;
 }
 
 LengthLaw read_law(const hdf5::Reader& reader) {
@@ -106,8 +113,8 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
 }
 
 std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader, const std::string& format,
-                                     std::uint64_t version) {
-    check_format(reader, format, version);
+                                     const VersionRange& known) {
+    const std::uint64_t version = check_format(reader, format, known);
     NetFile file = parse_net(reader.text("net"), reader.file_name() + ":net");
     const CableNet& net = file.net;
     const std::string fingerprint = reader.text_attribute("net_fingerprint");

@@ -30,12 +30,18 @@ struct H5Head {
 /// @throws std::invalid_argument where the head does not fit the net
 void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file);
 
+/// Versions of a format that can be read.
+struct VersionRange {
+    std::uint64_t oldest;
+    std::uint64_t newest;
+};
+
 /// The net inside, checked against the fingerprint and the lists of nodes and edges beside it.
 /// @param format that the file should have
 /// @throws InputError
 [[nodiscard]] std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader,
                                                    const std::string& format,
-                                                   std::uint64_t version);
+                                                   const VersionRange& known);
 
 /// "0: converged, 1: slack mechanism": the meaning of the codes of an enumeration.
 template <typename Status, size_t N>

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "files/message.hpp"
+#include "identification/form_prior.hpp"
 #include "io/h5_head.hpp"
 #include "taut/files/file.hpp"
 
@@ -20,7 +21,8 @@ using gp::KernelSpectrum;
 using gp::Process;
 
 const std::string model_format = "taut-model";
-constexpr std::uint64_t model_version = 2;
+constexpr std::uint64_t model_version = 3;
+constexpr std::uint64_t version_without_form_prior = 2;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
 constexpr std::array mean_functions{MeanFunction::zero, MeanFunction::geometry};
@@ -91,6 +93,13 @@ void check(const LengthModel& model, const CableNet& net) {
     if (static_cast<Eigen::Index>(processes.processes.size()) != m) {
         throw std::invalid_argument(fmt::format("{} processes, expected {}, one an interior edge",
                                                 processes.processes.size(), m));
+    }
+    if (!model.as_in_paper) {
+        require_matrix("form_prior.mean", model.form_prior.mean, model.nominal_form.size(), 1);
+        require_matrix("form_prior.variances", model.form_prior.variances,
+                       model.nominal_form.size(), 1);
+        require_matrix("form_prior.directions", model.form_prior.directions,
+                       model.nominal_form.size(), model.nominal_form.size());
     }
     for (const KernelSpectrum& spectrum : processes.spectra) {
         require_matrix("eigenvalues", spectrum.eigenvalues, n, 1);
@@ -183,6 +192,27 @@ void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) 
     }
 }
 
+/// As it stands in the file, or made anew where that is older.
+FormPrior read_form_prior(const hdf5::Reader& reader, std::uint64_t version, const CableNet& net,
+                          const LengthModel& model) {
+    if (version == version_without_form_prior) {
+        return form_prior_of(net, model, model.form_deviations());
+    }
+    const Eigen::Index coordinates = model.nominal_form.size();
+    FormPrior prior{
+        .mean = reader.vector("form_prior/mean", coordinates),
+        .variances = reader.vector("form_prior/variances", coordinates),
+        .directions = reader.matrix("form_prior/directions", coordinates, coordinates).transpose(),
+        .inputs = {}};
+    if (coordinates > 0 && prior.variances.minCoeff() < 0.0) {
+        reader.fail("form_prior/variances", "holds a negative number");
+    }
+    if (!has_orthonormal_directions(prior)) {
+        reader.fail("form_prior/directions", "are not orthonormal");
+    }
+    return prior;
+}
+
 }  // namespace
 
 std::string model_bytes(const LengthModel& model, const NetFile& net) {
@@ -206,6 +236,12 @@ std::string model_bytes(const LengthModel& model, const NetFile& net) {
     writer.matrix("training_outputs", model.length_deviations, "m");
     writer.matrix("weights", fitted.weights, "m");
     write_processes(writer, fitted.processes);
+    if (!model.as_in_paper) {
+        writer.group("form_prior");
+        writer.vector("form_prior/mean", model.form_prior.mean, "m");
+        writer.vector("form_prior/variances", model.form_prior.variances, "m2");
+        writer.matrix("form_prior/directions", model.form_prior.directions.transpose(), "1");
+    }
     writer.group("spectra");
     for (size_t k = 0; k < fitted.spectra.size(); ++k) {
         const std::string name = spectrum_name(k);
@@ -224,7 +260,8 @@ void write_model(const std::filesystem::path& path, const LengthModel& model, co
 
 StoredModel read_model(const std::filesystem::path& path) {
     const hdf5::Reader reader(path, model_format);
-    auto [head, file] = read_head(reader, model_format, model_version);
+    auto [head, file] =
+        read_head(reader, model_format, {version_without_form_prior, model_version});
     const Eigen::Index m = file.net.interior_edge_count();
     const Eigen::Index coordinates = 3 * file.net.free_node_count();
     const Eigen::Index n = reader.row_count("training_inputs", coordinates);
@@ -240,7 +277,7 @@ StoredModel read_model(const std::filesystem::path& path) {
     }
     const MeanFunction mean = read_name(reader, "mean_function", mean_functions);
     const KernelMetric metric = read_name(reader, "kernel_metric", kernel_metrics);
-    return {.model = {.net_fingerprint = head.net_fingerprint,
+    LengthModel model{.net_fingerprint = head.net_fingerprint,
                       .law = head.law,
                       .seed = head.seed,
                       .unknowns = std::move(head.unknowns),
@@ -250,9 +287,13 @@ StoredModel read_model(const std::filesystem::path& path) {
                       .nominal_form = std::move(head.nominal_form),
                       .input_scales = std::move(scales),
                       .length_deviations = reader.matrix("training_outputs", m, n),
-                      .processes = std::move(fitted)},
-            .net = std::move(file),
-            .has_digest = reader.has_digest()};
+                      .processes = std::move(fitted),
+                      .form_prior = {}};
+    if (!model.as_in_paper) {
+        model.form_prior = read_form_prior(reader, head.version, file.net, model);
+        model.form_prior.inputs = inputs_along_directions(model);
+    }
+    return {.model = std::move(model), .net = std::move(file), .has_digest = reader.has_digest()};
 }
 
 }  // namespace taut

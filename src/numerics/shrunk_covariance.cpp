@@ -11,11 +11,10 @@ namespace taut {
 
 Eigen::MatrixXd shrunk_covariance(const Eigen::MatrixXd& centred) {
     const auto n = static_cast<double>(centred.cols());
-    const Eigen::MatrixXd mean_product = product(centred, centred.transpose()) / n;
-    const Eigen::MatrixXd squares = centred.cwiseAbs2();
+    const Eigen::MatrixXd mean_product = gram(centred.transpose()) / n;
     // Of the products w = e_i e_j: sum (w - mean w)^2 = sum w^2 - n (mean w)^2.
     const Eigen::MatrixXd spread =
-        product(squares, squares.transpose()) - n * mean_product.cwiseAbs2();
+        gram(centred.cwiseAbs2().transpose()) - n * mean_product.cwiseAbs2();
     const double unbiased = n / std::max(1.0, n - 1.0);
     const double chance =
         std::pow(unbiased, 3) / (n * n) * (spread.sum() - spread.diagonal().sum());

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "taut/study/method.hpp"
 
-#include <memory>
-
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 #include "identification/processes.hpp"
@@ -25,12 +23,8 @@ Method method_by_processes(const CableNet& net, const LengthModel& model) {
     return {.name = "gp",
             .training_samples = model.training_count(),
             .uses_all_threads = true,
-            .identify = [&net, &model,
-                         before = std::make_shared<FormDistribution>()](const Trial& trial) {
-                if (before->mean.size() == 0) {
-                    *before = form_before_survey(net, model);
-                }
-                return identify_by_processes(net, model, trial.survey, &*before);
+            .identify = [&net, &model](const Trial& trial) {
+                return identify_by_processes(net, model, trial.survey);
             }};
 }
 

@@ -43,7 +43,9 @@ protected:
 
     const CableNet m_net = hypar(3, 4);
     const LengthModel m_model = model_of(m_net);
-    const FormDistribution m_before = form_before_survey(m_net, m_model);
+    const FormPrior& m_before = m_model.form_prior;
+    const Eigen::MatrixXd m_before_covariance =
+        m_before.directions.transpose() * m_before.variances.asDiagonal() * m_before.directions;
 };
 
 TEST_F(FormConditioning, BeforeASurveyIsTheLawThroughTheStaticsAndWhatTheseMiss) {
@@ -56,32 +58,78 @@ TEST_F(FormConditioning, BeforeASurveyIsTheLawThroughTheStaticsAndWhatTheseMiss)
     const Eigen::MatrixXd covariance = centred * centred.transpose() / 3999.0;
     const double spread = covariance.diagonal().cwiseSqrt().mean();
     EXPECT_LT((m_before.mean - mean).norm() / std::sqrt(mean.size()), 0.05 * spread);
-    EXPECT_LT((m_before.covariance - covariance).norm(), 0.1 * covariance.norm());
+    EXPECT_LT((m_before_covariance - covariance).norm(), 0.1 * covariance.norm());
 }
 
 TEST_F(FormConditioning, IsGaussianConditioning) {
-    Survey partial = survey(0.0003);
-    test::hide(m_net, partial, m_net.free_nodes()[4]);
-    partial.set_correlations(m_net.free_nodes()[6], {0.8, -0.3, 0.1});
-    const ConditionedForm after = condition(partial, no_test);
     const Eigen::Index d = m_before.mean.size();
-    Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(d, d);
-    for (const int node : partial.surveyed) {
-        const Eigen::Index at = 3 * m_net.free_index(node);
-        precision.block<3, 3>(at, at) =
-            covariance_of(
-                {.std = partial.noise_std.col(node), .correlations = partial.correlations_of(node)})
-                .inverse();
-    }
-    const Eigen::MatrixXd before_inverse = m_before.covariance.inverse();
-    const Eigen::MatrixXd covariance = (before_inverse + precision).inverse();
-    const Eigen::VectorXd deviation = free_coordinates(m_net, partial.form) - m_model.nominal_form;
-    const Eigen::VectorXd mean =
-        covariance * (before_inverse * m_before.mean + precision * deviation);
-    EXPECT_LT((after.mean() - mean).norm(), 1e-6 * mean.norm());
     const Eigen::MatrixXd gradients = Eigen::MatrixXd::Random(d, 5);
-    const Eigen::VectorXd expected = (gradients.transpose() * covariance * gradients).diagonal();
-    EXPECT_LT((after.variances(gradients) - expected).norm(), 1e-6 * expected.norm());
+    for (const bool is_correlated : {false, true}) {  // (filled-in) and (by-factor)
+        Survey partial = survey(0.0003);
+        test::hide(m_net, partial, m_net.free_nodes()[4]);
+        if (is_correlated) {
+            partial.set_correlations(m_net.free_nodes()[6], {0.8, -0.3, 0.1});
+        }
+        const ConditionedForm after = condition(partial, no_test);
+        Eigen::MatrixXd precision = Eigen::MatrixXd::Zero(d, d);
+        for (const int node : partial.surveyed) {
+            const Eigen::Index at = 3 * m_net.free_index(node);
+            precision.block<3, 3>(at, at) =
+                covariance_of({.std = partial.noise_std.col(node),
+                               .correlations = partial.correlations_of(node)})
+                    .inverse();
+        }
+        const Eigen::MatrixXd before_inverse = m_before_covariance.inverse();
+        const Eigen::MatrixXd covariance = (before_inverse + precision).inverse();
+        const Eigen::VectorXd deviation =
+            free_coordinates(m_net, partial.form) - m_model.nominal_form;
+        const Eigen::VectorXd mean =
+            covariance * (before_inverse * m_before.mean + precision * deviation);
+        EXPECT_LT((after.mean() - mean).norm(), 1e-6 * mean.norm());
+        const Eigen::VectorXd expected =
+            (gradients.transpose() * covariance * gradients).diagonal();
+        const Eigen::VectorXd variances = after.variances_along(m_before.directions * gradients);
+        EXPECT_LT((variances - expected).norm(), 1e-6 * expected.norm());
+    }
+}
+
+TEST_F(FormConditioning, OfAnExactSurveyWithAMissingNodeKeepsItsDigits) {
+    Survey exact = survey(0.0);
+    const int hidden = m_net.free_nodes()[4];
+    test::hide(m_net, exact, hidden);
+    const ConditionedForm after = condition(exact, no_test);
+    // As if all others were known: C_uu - C_uo C_oo^-1 C_ou = (C^-1)_uu^-1.
+    const Eigen::Index at = 3 * m_net.free_index(hidden);
+    const Eigen::Matrix3d expected = m_before_covariance.inverse().block<3, 3>(at, at).inverse();
+    const Eigen::VectorXd variances = after.variances_along(m_before.directions.middleCols<3>(at));
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(variances(axis) / expected(axis, axis), 1.0, 1e-4);
+    }
+    // The others are where they were surveyed.
+    Eigen::VectorXd error =
+        after.mean() - (free_coordinates(m_net, exact.form) - m_model.nominal_form);
+    error.segment<3>(at).setZero();
+    EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-7);
+}
+
+// A survey that tells its noise to each node by itself takes the other way.
+TEST_F(FormConditioning, IsTheSameBothWays) {
+    Survey wrong = survey(0.0003);
+    const int node = m_net.free_nodes()[7];
+    wrong.form(1, node) += 0.01;
+    test::hide(m_net, wrong, m_net.free_nodes()[2]);
+    const ConditionedForm filled_in = condition(wrong, 0.001);
+    ASSERT_EQ(filled_in.snooping().outliers().size(), 1U);
+    wrong.noise_std(2, m_net.free_nodes()[5]) *= 1.0 + 1e-10;
+    const ConditionedForm by_factor = condition(wrong, 0.001);
+    ASSERT_EQ(by_factor.snooping().outliers().size(), 1U);
+    EXPECT_NEAR(
+        filled_in.snooping().outliers()[0].statistic / by_factor.snooping().outliers()[0].statistic,
+        1.0, 1e-6);
+    EXPECT_LT((filled_in.mean() - by_factor.mean()).cwiseAbs().maxCoeff(), 1e-10);
+    const Eigen::MatrixXd gradients = Eigen::MatrixXd::Random(m_before.mean.size(), 5);
+    EXPECT_TRUE(
+        filled_in.variances_along(gradients).isApprox(by_factor.variances_along(gradients), 1e-6));
 }
 
 TEST_F(FormConditioning, TestsATargetAgainstWhatAllOthersLetExpect) {
@@ -154,9 +202,10 @@ TEST_F(FormConditioning, MeanFunctionsHaveTheGradientsOfTheirDifferenceQuotients
         },
         at, 1e-4);
     const Eigen::MatrixXd gradient =
-        mean_gradient(m_net, MeanFunction::geometry, m_model.nominal_form, at);
+        mean_rates(m_net, MeanFunction::geometry, m_model.nominal_form).asDiagonal() *
+        length_gradient(m_net, with_free_coordinates(m_net, m_model.nominal_form + at));
     EXPECT_LT((gradient - expected).cwiseAbs().maxCoeff(), 1e-8);
-    EXPECT_TRUE(mean_gradient(m_net, MeanFunction::zero, m_model.nominal_form, at).isZero(0.0));
+    EXPECT_TRUE(mean_rates(m_net, MeanFunction::zero, m_model.nominal_form).isZero(0.0));
 }
 
 TEST_F(FormConditioning, TheGeometricMeanIsThatOfNominalStrain) {

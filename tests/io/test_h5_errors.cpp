@@ -29,7 +29,7 @@ const std::pair<std::string, std::string>& good_files() {
         const NetFile net = test::example_net();
         const DataSet data = test::example_data(net.net);
         write_data_set(scratch / "data.h5", data, net);
-        write_model(scratch / "model.h5", test::example_model(net.net, data), net);
+        write_model(scratch / "model.h5", test::example_model(net.net, data, {}), net);
         return std::pair{test::bytes_of(scratch / "data.h5"), test::bytes_of(scratch / "model.h5")};
     }();
     return files;
@@ -313,6 +313,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "spectrum: of process 0 is -1, but it is marked as fitted"},
         BadFile{"SpectrumOutOfRange", true, replace_integers("spectrum", 7, 1000),
                 "spectrum: holds 1000, expected -1 to "},
+        BadFile{"NoFormPrior", true, remove("form_prior"), "form_prior: is missing"},
+        BadFile{"FormPriorNegative", true, replace_numbers("form_prior/variances", {18}, -1.0),
+                "form_prior/variances: holds a negative number"},
+        BadFile{"FormPriorSkew", true, replace_numbers("form_prior/directions", {18, 18}, 1.0),
+                "form_prior/directions: are not orthonormal"},
         BadFile{"NoSpectra", true, remove("spectra"), "spectra: is missing"},
         BadFile{"SpectraDataset", true, replace_numbers("spectra", {3}, 0.0),
                 "spectra: is damaged or no group"},

@@ -106,13 +106,14 @@ TEST(H5py, FindsEveryNumberOfADataSet) {
 TEST(H5py, FindsEveryNumberOfAModel) {
     const test::ScratchDirectory scratch;
     const NetFile net = test::example_net();
-    const LengthModel model = test::example_model(net.net, test::example_data(net.net));
+    const LengthModel model =
+        test::example_model(net.net, test::example_data(net.net), {.mean = MeanFunction::zero});
     write_model(scratch / "model.h5", model, net);
     const auto found = read_with_h5py(scratch / "model.h5");
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-model", 2, 9, net);
+    expect_attributes(*found, "taut-model", 3, 9, net);
     EXPECT_EQ((*found)["attributes"]["mean_function"], "zero");
     EXPECT_EQ((*found)["attributes"]["kernel_metric"], "isotropic");
     expect_numbers(*found, "input_scales", model.input_scales, "1");
@@ -138,6 +139,9 @@ TEST(H5py, FindsEveryNumberOfAModel) {
                    column([](const auto& p) { return p.negative_log_likelihood; }), "1");
     expect_numbers(*found, "leave_one_out_rmse",
                    column([](const auto& p) { return p.leave_one_out_rmse; }), "m");
+    expect_numbers(*found, "form_prior/mean", model.form_prior.mean, "m");
+    expect_numbers(*found, "form_prior/variances", model.form_prior.variances, "m2");
+    expect_numbers(*found, "form_prior/directions", model.form_prior.directions.transpose(), "1");
     for (size_t k = 0; k < model.processes.spectra.size(); ++k) {
         const std::string group = fmt::format("spectra/{}", k);
         const gp::KernelSpectrum& spectrum = model.processes.spectra[k];
@@ -153,7 +157,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     EXPECT_EQ(datasets["fit_status"]["attributes"]["meaning"],
               "0: fitted, 1: constant output, 2: non-finite output");
     EXPECT_EQ(datasets["spectrum"]["values"][6], model.processes.processes[6].spectrum);
-    EXPECT_EQ(datasets.size(), 15U + 3U * model.processes.spectra.size());
+    EXPECT_EQ(datasets.size(), 18U + 3U * model.processes.spectra.size());
 }
 
 }  // namespace

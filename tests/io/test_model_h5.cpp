@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "files/hdf5.hpp"
 #include "support/examples.hpp"
 #include "support/scratch.hpp"
 #include "taut/identification/length_estimates.hpp"
@@ -33,6 +34,10 @@ protected:
         EXPECT_EQ(a.metric, b.metric);
         EXPECT_TRUE(same_bits(a.nominal_form, b.nominal_form));
         EXPECT_TRUE(same_bits(a.input_scales, b.input_scales));
+        EXPECT_TRUE(same_bits(a.form_prior.mean, b.form_prior.mean));
+        EXPECT_TRUE(same_bits(a.form_prior.variances, b.form_prior.variances));
+        EXPECT_TRUE(same_bits(a.form_prior.directions, b.form_prior.directions));
+        EXPECT_TRUE(same_bits(a.form_prior.inputs, b.form_prior.inputs));
         EXPECT_TRUE(same_bits(a.length_deviations, b.length_deviations));
         EXPECT_TRUE(same_bits(a.processes.inputs, b.processes.inputs));
         EXPECT_TRUE(same_bits(a.processes.weights, b.processes.weights));
@@ -87,6 +92,20 @@ TEST_F(ModelH5, KeepsMeanFunctionAndKernel) {
         write_model(m_path, model, m_net);
         expect_same(read_model(m_path).model, model);
     }
+}
+
+TEST_F(ModelH5, MakesTheFormPriorOfAFileThatHasNone) {
+    const LengthModel model = test::example_model(m_net.net, m_data, {});
+    write_model(m_path, model, m_net);
+    {  // as a file of taut 0.2.0
+        const hdf5::Handle file(H5Fopen(m_path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+        ASSERT_GE(H5Ldelete(file.get(), "form_prior", H5P_DEFAULT), 0);
+        ASSERT_GE(H5Adelete(file.get(), "digest"), 0);
+        const hdf5::Handle version(H5Aopen(file.get(), "version", H5P_DEFAULT), H5Aclose);
+        const std::uint64_t two = 2;
+        ASSERT_GE(H5Awrite(version.get(), H5T_NATIVE_UINT64, &two), 0);
+    }
+    expect_same(read_model(m_path).model, model);
 }
 
 TEST_F(ModelH5, PredictsAfterReadingAsBeforeToTheLastBit) {

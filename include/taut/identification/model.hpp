@@ -46,6 +46,15 @@ struct TrainingSettings {
     }
 };
 
+/// What is known of the form before a survey: a normal distribution of the free coordinates'
+/// deviations from the nominal form, x = mean + directions' t, with independent t.
+struct FormPrior {
+    Eigen::VectorXd mean;        ///< 3 n_I [m]
+    Eigen::VectorXd variances;   ///< of t, ascending (3 n_I) [m2]
+    Eigen::MatrixXd directions;  ///< a row each, orthonormal (3 n_I x 3 n_I)
+    Eigen::MatrixXd inputs;      ///< of the processes, along the directions (3 n_I x n) [m]
+};
+
 /// The learnt map from form deviation to length deviations: one Gaussian process an interior edge.
 struct LengthModel {
     std::string net_fingerprint;    ///< CableNet::fingerprint() of the net it was trained for
@@ -64,6 +73,7 @@ struct LengthModel {
     /// Inputs: form deviations times input_scales; outputs: length deviations less their mean
     /// function [m].
     gp::FittedProcesses processes;
+    FormPrior form_prior;  ///< for surveys with noise or missing nodes; empty if as_in_paper
 
     /// n, the samples that it was trained on.
     [[nodiscard]] int training_count() const { return static_cast<int>(processes.inputs.cols()); }

@@ -21,7 +21,7 @@ struct StoredModel {
 };
 
 /// Writes a model as HDF5, whole or not at all; the same model gives the same bytes. Attributes of
-/// the root: format "taut-model", version 2, law, seed, net_fingerprint. Datasets (n training
+/// the root: format "taut-model", version 3, law, seed, net_fingerprint. Datasets (n training
 /// samples):
 ///
 ///     net                            the net as JSON text (net_to_json())
@@ -35,6 +35,9 @@ struct StoredModel {
 ///     leave_one_out_rmse             [m_I] [m]
 ///     fit_status                     [m_I]: code of the gp::FitStatus
 ///     spectrum                       [m_I]: k of the group spectra/k, or -1 where not fitted
+///     form_prior/mean                [3 n_I] [m]: FormPrior; not of a model as in the paper
+///     form_prior/variances           [3 n_I] [m2]
+///     form_prior/directions          [3 n_I, 3 n_I]: a row a direction
 ///     spectra/k/inverse_length_scale one number [1/m]
 ///     spectra/k/eigenvalues          [n]
 ///     spectra/k/eigenvectors         [n, n]: a row an eigenvector
@@ -51,7 +54,8 @@ TAUT_IO_EXPORT void write_model(const std::filesystem::path& path, const LengthM
 /// @throws std::runtime_error where there is no memory for it
 [[nodiscard]] TAUT_IO_EXPORT std::string model_bytes(const LengthModel& model, const NetFile& net);
 
-/// Reads what write_model() wrote: predicts to the last bit as before. Every size is checked
+/// Reads what write_model() wrote: predicts to the last bit as before. Version 2 has no form prior,
+/// which is then made anew. Every size is checked
 /// against the net inside and the size of the file before anything is allocated. Not for two
 /// threads at the same time, likewise.
 /// @throws InputError naming the file and the HDF5 object
