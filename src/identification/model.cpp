@@ -5,10 +5,12 @@
 #include <fmt/core.h>
 #include <tbb/parallel_invoke.h>
 
+#include <map>
 #include <stdexcept>
 
 #include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
+#include "identification/train_together.hpp"
 #include "taut/gp/input_scales.hpp"
 
 namespace taut {
@@ -40,6 +42,60 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
                 fmt::format("training sample {}, expected 0 to {}", k, data.size() - 1));
         }
     }
+}
+
+/// All of a model that is not learnt.
+LengthModel untrained(const DataSet& data, const std::vector<int>& samples,
+                      const TrainingSettings& settings) {
+    if (settings.as_in_paper &&
+        (settings.mean != MeanFunction::zero || settings.metric != KernelMetric::isotropic)) {
+        throw std::invalid_argument(
+            fmt::format("a model as in the paper has mean function {} and kernel {}, expected zero "
+                        "and isotropic",
+                        to_string(settings.mean), to_string(settings.metric)));
+    }
+    return {.net_fingerprint = data.net_fingerprint,
+            .law = data.law,
+            .seed = data.seed,
+            .unknowns = data.unknowns,
+            .mean = settings.mean,
+            .metric = settings.metric,
+            .as_in_paper = settings.as_in_paper,
+            .nominal_form = data.nominal_form,
+            .input_scales = {},
+            .length_deviations = data.length_deviations(Eigen::all, samples),
+            .processes = {},
+            .form_prior = {}};
+}
+
+/// What the processes are to learn (n x m_I).
+Eigen::MatrixXd outputs_of(const CableNet& net, const LengthModel& model,
+                           const Eigen::MatrixXd& forms) {
+    return (model.length_deviations - mean_values(net, model.mean, model.nominal_form, forms))
+        .transpose();
+}
+
+/// Some processes that follow each other, with the spectra that they use.
+gp::FittedProcesses part_of(const gp::FittedProcesses& all, Eigen::Index first,
+                            Eigen::Index count) {
+    gp::FittedProcesses part{
+        .inputs = all.inputs,
+        .spectra = {},
+        .processes = {all.processes.begin() + first, all.processes.begin() + first + count},
+        .weights = all.weights.middleCols(first, count)};
+    std::map<int, int> place;  // in the part, of each spectrum
+    for (gp::Process& process : part.processes) {
+        if (process.status != gp::FitStatus::fitted) {
+            continue;
+        }
+        const auto [at, is_new] =
+            place.emplace(process.spectrum, static_cast<int>(part.spectra.size()));
+        if (is_new) {
+            part.spectra.push_back(all.spectra[process.spectrum]);
+        }
+        process.spectrum = at->second;
+    }
+    return part;
 }
 
 Eigen::VectorXd input_scales(KernelMetric metric, const Eigen::MatrixXd& inputs,
@@ -81,29 +137,9 @@ std::string_view to_string(KernelMetric metric) {
 LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
                   const TrainingSettings& settings, const Progress& progress) {
     check(net, data, samples);
-    if (settings.as_in_paper &&
-        (settings.mean != MeanFunction::zero || settings.metric != KernelMetric::isotropic)) {
-        throw std::invalid_argument(
-            fmt::format("a model as in the paper has mean function {} and kernel {}, expected zero "
-                        "and isotropic",
-                        to_string(settings.mean), to_string(settings.metric)));
-    }
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
-    LengthModel model{.net_fingerprint = data.net_fingerprint,
-                      .law = data.law,
-                      .seed = data.seed,
-                      .unknowns = data.unknowns,
-                      .mean = settings.mean,
-                      .metric = settings.metric,
-                      .as_in_paper = settings.as_in_paper,
-                      .nominal_form = data.nominal_form,
-                      .input_scales = {},
-                      .length_deviations = data.length_deviations(Eigen::all, samples),
-                      .processes = {},
-                      .form_prior = {}};
-    const Eigen::MatrixXd outputs =
-        (model.length_deviations - mean_values(net, model.mean, model.nominal_form, forms))
-            .transpose();
+    LengthModel model = untrained(data, samples, settings);
+    const Eigen::MatrixXd outputs = outputs_of(net, model, forms);
     model.input_scales = input_scales(settings.metric, forms, outputs, progress);
     gp::FittedProcesses processes;
     FormPrior form_prior;
@@ -123,6 +159,33 @@ LengthModel train(const CableNet& net, const DataSet& data, const std::vector<in
         model.form_prior.inputs = inputs_along_directions(model);
     }
     return model;
+}
+
+std::vector<LengthModel> train_together(const CableNet& net, const DataSet& data,
+                                        const std::vector<int>& samples,
+                                        const std::vector<TrainingSettings>& settings,
+                                        const Progress& progress) {
+    check(net, data, samples);
+    const Eigen::Index m = net.interior_edge_count();
+    const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
+    std::vector<LengthModel> models;
+    Eigen::MatrixXd outputs(forms.cols(), m * std::ssize(settings));
+    for (const TrainingSettings& of_one : settings) {
+        models.push_back(untrained(data, samples, of_one));
+        LengthModel& model = models.back();
+        model.input_scales = Eigen::VectorXd::Ones(forms.rows());
+        outputs.middleCols((std::ssize(models) - 1) * m, m) = outputs_of(net, model, forms);
+    }
+    // Half of a search looks for valleys, the other half serves one model: with so many more for
+    // each further one all are as likely as if each were trained by itself.
+    constexpr int further_spectra = 4;
+    gp::FitSettings fit;
+    fit.max_spectra += further_spectra * (static_cast<int>(settings.size()) - 1);
+    const gp::FittedProcesses all = gp::fit(forms, outputs, fit, progress);
+    for (size_t k = 0; k < models.size(); ++k) {
+        models[k].processes = part_of(all, static_cast<Eigen::Index>(k) * m, m);
+    }
+    return models;
 }
 
 }  // namespace taut

@@ -53,11 +53,12 @@ FormUncertainty form_uncertainty(const CableNet& net, const LengthModel& model, 
 }
 
 /// What the processes tell of each edge at one form, and how its uncertainty adds to theirs.
+/// @param estimates at that form
 /// @param after the form's distribution; null where the form is known
 std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const LengthModel& model,
+                                                  const LengthEstimates& estimates,
                                                   const Eigen::VectorXd& form_deviation,
                                                   const ConditionedForm* after) {
-    const LengthEstimates estimates = estimate_lengths(net, model, form_deviation);  // eq. ident
     const Points form = with_free_coordinates(net, model.nominal_form + form_deviation);
     FormUncertainty uncertainty{.of_length = Eigen::VectorXd::Zero(net.interior_edge_count()),
                                 .of_extension = Eigen::VectorXd::Zero(net.interior_edge_count())};
@@ -82,7 +83,7 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
 }  // namespace
 
 Identification identify_by_processes(const CableNet& net, const LengthModel& model,
-                                     const Survey& survey) {
+                                     const Survey& survey, const LengthEstimates* at_survey) {
     Identification result{.method = "gp"};
     Eigen::VectorXd deviation = free_coordinates(net, survey.form) - model.nominal_form;
     std::optional<ConditionedForm> after;
@@ -92,18 +93,23 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
         deviation = after->mean();
         tell_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());
     }
+    const LengthEstimates estimates = at_survey != nullptr && !after
+                                          ? *at_survey
+                                          : estimate_lengths(net, model, deviation);  // eq. ident
     result.law = model.law;
     tell_edges(result, net, std::vector(net.interior_edge_count(), model.law),
-               process_likelihoods(net, model, deviation, after ? &*after : nullptr));
+               process_likelihoods(net, model, estimates, deviation, after ? &*after : nullptr));
     predict_form(result, net, survey, with_free_coordinates(net, model.nominal_form + deviation));
     return result;
 }
 
 Identification identify_as_in_paper(const CableNet& net, const LengthModel& model,
-                                    const Survey& survey) {
+                                    const Survey& survey, const LengthEstimates* at_survey) {
     require_whole(net, survey, "all for a model as in the paper");
     const LengthEstimates estimates =
-        estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
+        at_survey != nullptr
+            ? *at_survey
+            : estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
     Identification result{.method = "gp", .law = model.law};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -23,11 +24,11 @@ struct Outcome {
     double seconds = 0.0;
 };
 
-Outcome attempt(const Method& method, const Trial& trial) {
+Outcome attempt(const std::function<Identification(size_t)>& identify, size_t k) {
     const Stopwatch stopwatch;
     Outcome outcome;
     try {
-        outcome.identification = method.identify(trial);
+        outcome.identification = identify(k);
         const IdentificationStatus status = outcome.identification->status;
         if (status != IdentificationStatus::converged &&
             status != IdentificationStatus::no_equilibrium) {  // that one has lengths
@@ -46,13 +47,20 @@ Outcome attempt(const Method& method, const Trial& trial) {
 std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>& trials,
                                  const Progress& progress) {
     std::vector<Outcome> outcomes(trials.size());
+    const Stopwatch preparing;
+    const std::function<Identification(size_t)> identify =
+        method.identify_each ? method.identify_each(trials)
+                             : [&](size_t k) { return method.identify(trials[k]); };
+    const double share =
+        preparing.seconds() / static_cast<double>(std::max<size_t>(1, trials.size()));
     std::mutex mutex;
     int done = 0;
     const auto run = [&](size_t k) {
         if (progress.stopped()) {
             throw Interrupted();
         }
-        outcomes[k] = attempt(method, trials[k]);
+        outcomes[k] = attempt(identify, k);
+        outcomes[k].seconds += share;
         const std::lock_guard lock(mutex);
         progress("identification", ++done, static_cast<int>(trials.size()));
     };

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "identification/train_together.hpp"
 #include "study/stopwatch.hpp"
 
 namespace taut {
@@ -60,16 +61,17 @@ void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vec
 }
 
 /// Tries all methods on exact surveys of the validation samples.
-void try_methods(Study& study, const LengthModel& best, double paper_seconds, double best_seconds,
-                 const Points& nominal_form, const Progress& progress) {
+void try_methods(Study& study, const LengthModel& best, const Points& nominal_form,
+                 const Progress& progress) {
     const CableNet& net = study.net;
     const std::vector<Trial> trials =
         simulate_trials(net, study.data, study.validation, {}, study.settings.seed);
     std::vector methods{method_as_in_paper(net, study.model), method_by_processes(net, best),
                         method_by_force_balance(net, study.settings.law),
                         method_by_maximum_a_posteriori(net, study.settings.law)};
-    methods[0].training_seconds = paper_seconds;
-    methods[1].training_seconds = best_seconds;
+    for (Method* const trained : {&methods[0], &methods[1]}) {
+        trained->training_seconds = 0.5 * study.seconds.training;
+    }
     const auto count = static_cast<int>(methods.size());
     for (int m = 0; m < count; ++m) {
         const Evaluation evaluation = evaluate(net, methods[m], trials, progress.part(m, count));
@@ -113,17 +115,14 @@ Study run_study(const CableNet& net, const StudySettings& settings, const Progre
             fmt::format("only {} training and {} validation samples found their equilibrium",
                         training_samples.size(), study.validation.size()));
     }
-    const Stopwatch paper_training;
-    study.model =
-        train(net, study.data, training_samples, TrainingSettings::paper(), progress.part(0, 2));
-    const double paper_seconds = paper_training.seconds();
-    const Stopwatch best_training;
-    const LengthModel best = train(net, study.data, training_samples, {}, progress.part(1, 2));
-    const double best_seconds = best_training.seconds();
-    study.seconds.training = paper_seconds + best_seconds;
+    const Stopwatch training;
+    std::vector<LengthModel> models = train_together(net, study.data, training_samples,
+                                                     {TrainingSettings::paper(), {}}, progress);
+    study.model = std::move(models[0]);
+    study.seconds.training = training.seconds();
 
     const Stopwatch identification;
-    try_methods(study, best, paper_seconds, best_seconds, sampler.nominal().form, progress);
+    try_methods(study, models[1], sampler.nominal().form, progress);
     study.seconds.identification = identification.seconds();
     study.seconds.total = total.seconds();
     return study;

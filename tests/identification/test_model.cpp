@@ -3,6 +3,7 @@
 //
 // Guards against a model that learnt from the wrong samples, or that does not tell what it is for.
 
+#include "identification/train_together.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
@@ -62,6 +63,34 @@ TEST(Train, GivesBackTheLengthsItLearntFrom) {
     const LengthModel model = train(net(), data, data.converged_in(0, 60));
     const Eigen::MatrixXd mean = estimate_lengths(net(), model, data.form_deviations).mean;
     EXPECT_LT((mean - data.length_deviations).cwiseAbs().maxCoeff(), 0.05 * data.law.std());
+}
+
+TEST(TrainTogether, IsAsLikelyAsEachByItself) {
+    const DataSet data = samples(40);
+    const std::vector<int> all = data.converged_in(0, 40);
+    const std::vector<TrainingSettings> settings{TrainingSettings::paper(), {}};
+    const std::vector<LengthModel> together = train_together(net(), data, all, settings);
+    ASSERT_EQ(together.size(), 2U);
+    const Eigen::MatrixXd at = samples(45).form_deviations.rightCols(5);
+    for (size_t k = 0; k < settings.size(); ++k) {
+        const LengthModel alone = train(net(), data, all, settings[k]);
+        EXPECT_EQ(together[k].as_in_paper, alone.as_in_paper);
+        EXPECT_EQ(together[k].mean, alone.mean);
+        EXPECT_EQ(together[k].input_scales, alone.input_scales);
+        double loss = 0.0;
+        for (size_t j = 0; j < alone.processes.processes.size(); ++j) {
+            const gp::Process& process = together[k].processes.processes[j];
+            ASSERT_LT(static_cast<size_t>(process.spectrum), together[k].processes.spectra.size());
+            EXPECT_EQ(process.hyperparameters.inverse_length_scale,
+                      together[k].processes.spectra[process.spectrum].inverse_length_scale);
+            loss += process.negative_log_likelihood -
+                    alone.processes.processes[j].negative_log_likelihood;
+        }
+        EXPECT_LT(loss, 0.05 * net().interior_edge_count());
+        const LengthEstimates ours = estimate_lengths(net(), together[k], at);
+        const LengthEstimates expected = estimate_lengths(net(), alone, at);
+        EXPECT_LT((ours.mean - expected.mean).cwiseAbs().maxCoeff(), 0.2 * expected.std.maxCoeff());
+    }
 }
 
 TEST(Train, RefusesSamplesThatAreNotThere) {

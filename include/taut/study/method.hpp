@@ -23,13 +23,17 @@ namespace taut {
 struct Method {
     std::string name;                     ///< "gp_as_in_paper", "gp", "balance" or "map"
     std::optional<int> training_samples;  ///< what it learnt from; empty: it learns from none
-    double training_seconds = 0.0;        ///< wall time, set by who trained; else 0 [s]
+    double training_seconds = 0.0;        ///< wall time, a share of it where models
+                                          ///< were trained together; set by who trained [s]
     bool needs_all_nodes = false;         ///< takes no survey with hidden nodes
     /// Its dense algebra uses all threads; it may be called from one at a time only, copies
     /// included.
     bool uses_all_threads = false;
     /// Identifies lengths from the surveys of a trial; makes no use of its truth.
     std::function<Identification(const Trial&)> identify;
+    /// The same of each of many trials, by its index, where what they have in common is done faster
+    /// at once; empty where nothing is. What it gives refers to the trials.
+    std::function<std::function<Identification(size_t)>(const std::vector<Trial>&)> identify_each;
 };
 
 /// "gp_as_in_paper": what identify() does with a model trained as in the paper. The predicted form
