@@ -40,7 +40,7 @@ void add_example(CLI::App& program) {
         .add_option(
             "NAME", options->name,
             "hilo-quarter, steel-roof, or hypar:RxC with R rows and C columns of free nodes (1 to "
-            "300)")
+            "1000)")
         ->required();
     add_output_option(command, options->output, "Net file to write");
     set_action(command, options, run);

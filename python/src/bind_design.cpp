@@ -22,7 +22,7 @@ void bind_design(nb::module_& module) {
                "128 adjustable edges.");
     module.def("steel_roof", &steel_roof, "A roof of spiral strands on an elliptic ring.");
     module.def("hypar", &hypar, nb::arg("rows"), nb::arg("columns"),
-               "A hyperbolic paraboloid of rows x columns free nodes, 1 to 300 each.");
+               "A hyperbolic paraboloid of rows x columns free nodes, 1 to 1000 each.");
     module.def(
         "form_from_force_densities",
         [](const ArrayLike& nodes, const ArrayLike& supports, const ArrayLike& edges,

@@ -11,7 +11,7 @@ namespace taut {
 namespace {
 
 constexpr double rise = 0.25;  // height between corners, of the shorter side
-constexpr int largest_side = 300;
+constexpr int largest_side = 1000;
 
 }  // namespace
 

@@ -73,17 +73,17 @@ TEST(SteelRoof, HasStrandsOnBothSlopesOfTheirLaws) {
 }
 
 TEST(Hypar, TakesItsLargestSize) {
-    EXPECT_EQ(hypar(300, 1).free_node_count(), 300);
-    EXPECT_EQ(hypar(1, 300).free_node_count(), 300);
+    EXPECT_EQ(hypar(1000, 1).free_node_count(), 1000);
+    EXPECT_EQ(hypar(1, 1000).free_node_count(), 1000);
 }
 
 TEST(Hypar, RefusesSizesOutOfRange) {
     for (const auto& [rows, columns] :
-         {std::pair{0, 5}, {5, 0}, {301, 5}, {5, 301}, {-1, 5}, {5, -7}}) {
+         {std::pair{0, 5}, {5, 0}, {1001, 5}, {5, 1001}, {-1, 5}, {5, -7}}) {
         const auto make = [r = rows, c = columns] { (void)hypar(r, c); };
         const std::string size = std::to_string(rows) + " x " + std::to_string(columns);
         EXPECT_THAT(make, ThrowsMessage<std::invalid_argument>(
-                              AllOf(HasSubstr(size), HasSubstr("1 to 300"))));
+                              AllOf(HasSubstr(size), HasSubstr("1 to 1000"))));
     }
 }
 

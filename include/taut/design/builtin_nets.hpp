@@ -17,7 +17,7 @@ namespace taut {
 
 /// A hyperbolic paraboloid of rows x columns free nodes, 132 mm apart in plan, with straight
 /// borders: corners alternately high and low. EA = 200 kN.
-/// @param rows, columns 1 to 300 each
+/// @param rows, columns 1 to 1000 each
 /// @throws std::invalid_argument outside that range
 [[nodiscard]] TAUT_CORE_EXPORT CableNet hypar(int rows, int columns);
 
