@@ -76,7 +76,7 @@ struct SaddlePointProblem {
                 add(layout.multiplier(s), layout.place[t], block);
                 add(layout.multiplier(t), layout.place[s], block);
             }
-            if (layout.is_unknown(e)) {
+            if (layout.has_length(e)) {
                 entries.emplace_back(layout.length[e], layout.length[e], factor.length_weights(e));
                 for (const int node : {s, t}) {
                     if (node < local.free_count) {
@@ -87,7 +87,7 @@ struct SaddlePointProblem {
                 }
             }
         }
-        const int size = layout.place.back() + layout.sizes.back();
+        const int size = layout.unknown_count();
         Eigen::SparseMatrix<double> result(size, size);
         result.setFromTriplets(entries.begin(), entries.end());
         return result;
@@ -104,7 +104,7 @@ struct SaddlePointProblem {
             vector.multipliers.col(j) = unknowns.segment<3>(layout.multiplier(j));
         }
         for (int e = 0; e < vector.lengths.size(); ++e) {
-            if (layout.is_unknown(e)) {
+            if (layout.has_length(e)) {
                 vector.lengths(e) = unknowns(layout.length[e]);
             }
         }
@@ -119,7 +119,7 @@ struct SaddlePointProblem {
             unknowns.segment<3>(layout.multiplier(j)) = vector.multipliers.col(j);
         }
         for (int e = 0; e < vector.lengths.size(); ++e) {
-            if (layout.is_unknown(e)) {
+            if (layout.has_length(e)) {
                 unknowns(layout.length[e]) = vector.lengths(e);
             }
         }

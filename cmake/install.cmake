@@ -36,7 +36,10 @@ if(NOT BUILD_SHARED_LIBS)
     set(TAUT_PC_CORE_REQUIRES "Requires.private: fmt nlopt tbb")
     set(TAUT_PC_CORE_FLAGS -DTAUT_CORE_STATIC_DEFINE)
     list(JOIN LAPACK_LIBRARIES " " lapack)
-    set(TAUT_PC_CORE_LIBS "Libs.private: ${lapack}")
+    if(TAUT_HAS_METIS)
+        set(TAUT_PC_METIS "${TAUT_METIS_LIBRARY}")
+    endif()
+    set(TAUT_PC_CORE_LIBS "Libs.private: ${TAUT_PC_METIS} ${lapack}")
 endif()
 # From where the file lies, so that what is installed may be moved.
 file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
@@ -55,4 +58,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tautConfigVersion.cmake
 install(FILES
     ${PROJECT_BINARY_DIR}/tautConfig.cmake
     ${PROJECT_BINARY_DIR}/tautConfigVersion.cmake
+    cmake/metis.cmake
     DESTINATION ${TAUT_CMAKE_DIR} COMPONENT development)

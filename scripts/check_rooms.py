@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "net": ["numerics"],
     "gp": ["numerics"],
     "statics": ["numerics", "net"],
-    "design": ["net", "statics"],
+    "design": ["numerics", "net", "statics"],
     "survey": ["net"],
     "sampling": ["numerics", "net", "statics"],
     "estimation": ["numerics", "net", "statics", "survey", "sampling"],

@@ -15,6 +15,7 @@ vcpkg_cmake_configure(
         ${features}
         "-DPKG_CONFIG_EXECUTABLE=${PKGCONFIG}"
         -DTAUT_INSTALL=ON
+        -DTAUT_WITH_METIS=OFF
         -DTAUT_BUILD_APP=OFF
         -DTAUT_BUILD_BENCHMARKS=OFF
         -DTAUT_BUILD_EXAMPLES=OFF

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numerics/sparse_cholesky.hpp"
+
 namespace taut {
 namespace {
 
@@ -36,6 +38,24 @@ int first_row_not_joined(const Eigen::SparseMatrix<double>& matrix, std::vector<
     }
     const auto missing = std::ranges::find(seen, false);
     return missing == seen.end() ? -1 : static_cast<int>(missing - seen.begin());
+}
+
+Eigen::MatrixX3d solve(const Eigen::SparseMatrix<double>& laplacian, const Eigen::MatrixX3d& rhs) {
+    const auto check = [](bool is_definite) {
+        if (!is_definite) {
+            throw std::invalid_argument("force densities differ by too many orders of magnitude");
+        }
+    };
+    // A net of so many nodes takes a factor for large ones. Smaller ones keep their last digits.
+    constexpr Eigen::Index large = 100'000;
+    if (laplacian.rows() > large) {
+        const SparseCholesky factor(laplacian);
+        check(factor.is_positive_definite());
+        return factor.solve(rhs);
+    }
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(laplacian);
+    check(factor.info() == Eigen::Success);
+    return factor.solve(rhs);
 }
 
 }  // namespace
@@ -117,11 +137,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
     if (free_count == 0) {
         return nodes;
     }
-    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(laplacian);
-    if (factor.info() != Eigen::Success) {
-        throw std::invalid_argument("force densities differ by too many orders of magnitude");
-    }
-    const Eigen::MatrixX3d solution = factor.solve(rhs);
+    const Eigen::MatrixX3d solution = solve(laplacian, rhs);
     Points form = nodes;
     for (Eigen::Index node = 0; node < nodes.cols(); ++node) {
         if (const int i = row[node]; i >= 0) {

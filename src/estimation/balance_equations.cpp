@@ -64,14 +64,14 @@ BalanceEquations::BalanceEquations(const CableNet& net, const Points& form,
     for (Eigen::Index i = 0; i < normal.cols(); ++i) {
         normal.coeffRef(i, i) += m_shift;
     }
-    m_factor.compute(normal);
+    m_factor.emplace(normal);
 }
 
 Eigen::VectorXd BalanceEquations::solve() const {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(m_matrix.cols());
     constexpr int passes = 3;
     for (int pass = 0; pass < passes; ++pass) {
-        y -= m_factor.solve(m_matrix.transpose() * (m_forces + m_matrix * y));
+        y -= m_factor->solve(m_matrix.transpose() * (m_forces + m_matrix * y));
     }
     return y;
 }
@@ -98,7 +98,7 @@ std::vector<bool> BalanceEquations::undetermined() const {
                (random() % 2 == 0 ? 1.0 : -1.0);
     });
     for (int pass = 0; pass < passes; ++pass) {
-        share = m_shift * m_factor.solve(share).eval();
+        share = m_shift * m_factor->solve(share);
     }
     std::vector<bool> result;
     for (const double s : share) {

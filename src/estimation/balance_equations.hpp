@@ -3,11 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "numerics/sparse_cholesky.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -36,7 +37,7 @@ private:
     Eigen::VectorXd m_forces;  ///< at y = 0
     Eigen::SparseMatrix<double> m_matrix;
     double m_shift = 0.0;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;  ///< of the normal equations
+    std::optional<SparseCholesky> m_factor;  ///< of the normal equations
 };
 
 /// The least and the greatest l_0 of an edge with its y [m]; not positive where no positive length

@@ -95,7 +95,7 @@ LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unkn
       m_unknowns(unknowns),
       m_common(net, unknowns, frame_is_unknown, released),
       m_own_stiffness_stds(own_stiffness_stds(net, unknowns)),
-      m_local(number_for_elimination(net)),
+      m_local(number_for_elimination(net, Ordering::thorough)),
       m_local_of(net.node_count()),
       m_interior_of(net.edge_count(), -1),
       m_free_nodes(m_local.node_of.begin(), m_local.node_of.begin() + m_local.free_count),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "estimation/saddle_point_layout.hpp"
@@ -25,11 +26,13 @@ namespace taut {
 /// It is eliminated node by node, along each branch of the elimination tree in the order of the
 /// local net: place and multipliers of a node, then the lengths of the edges to earlier nodes;
 /// supports first. Any such order can be eliminated, as S and P are semidefinite and definite and
-/// so is H. And it keeps
-/// the digits where a survey is far more precise than what was known of the lengths: by the time
-/// that a length is eliminated both its ends have told of it. (Eliminating the lengths first, for
-/// the smaller matrix [S H; H -B P^-1 B'], loses them: it subtracts large variances from each
-/// other.)
+/// so is H. And it keeps the digits where a survey is far more precise than what was known of the
+/// lengths: by the time that a length is eliminated both its ends have told of it.
+///
+/// Where the survey is not so precise, the lengths are eliminated before all else, edge by edge: an
+/// edge with p = P + w a_d^2 and its row g at the places and multipliers of its ends leaves
+/// -g' g / p there, and the matrix has 6 unknowns a node instead of some 8, docs/theory.md
+/// (condensed).
 ///
 /// Why it has a factor of taut's (numerics/supernodal_factor.hpp): for the entries of the inverse,
 /// which Eigen does not give. By `bench_factorisation --benchmark_filter='saddle|covariance'`,
@@ -47,6 +50,14 @@ public:
     /// @param unknown one flag an edge of the net: whether its length is unknown
     SaddlePointFactor(const LocalNet& net, const std::vector<bool>& unknown,
                       Supports supports = Supports::fixed, Lengths lengths = Lengths::independent);
+
+    /// How precise a survey is beside what was known of the lengths: the weight of a place over
+    /// that of a length, times the square of the condition number of its node's stiffness, where
+    /// that is most; and the weight of a reading likewise. Infinite where a node has no stiffness.
+    [[nodiscard]] double precision() const;
+    /// Lengths go first up to there: then five digits are left of the covariances of a net of 300 x
+    /// 300 nodes, and more of smaller ones, docs/theory.md (condensed).
+    static constexpr double most_precise = 1e5;
 
     // The matrix, to be filled before factorize(). Nodes: the free ones, in the order of the local
     // net, then the supports where these are unknown.
@@ -104,20 +115,36 @@ public:
 
 private:
     using Places = SupernodalFactor::Places;
+    /// A linear function of the unknowns at an edge: at its first node, with the opposite sign at
+    /// its second, and at its length.
+    struct EdgeFunction {
+        Eigen::Vector3d place = Eigen::Vector3d::Zero();
+        Eigen::Vector3d multiplier = Eigen::Vector3d::Zero();
+        double length = 0.0;
+    };
 
-    void assemble(int node, const Places& places, Eigen::MatrixXd& front) const;
-    void assemble_couplings(int edge, const Places& places, Eigen::MatrixXd& front) const;
-    void read_covariance(int node, const Places& places, const Eigen::MatrixXd& inverse,
+    [[nodiscard]] const SaddlePointLayout& layout() const {
+        return m_lengths_go == LengthsGo::last ? m_lengths_last : m_lengths_first;
+    }
+    void assemble(int node, const Places& places, FrontMatrix& front) const;
+    void assemble_edge(int edge, int node, const Places& places, FrontMatrix& front) const;
+    void assemble_length(int edge, const Places& places, FrontMatrix& front) const;
+    void assemble_reading(int edge, int node, const Places& places, FrontMatrix& front) const;
+    void assemble_condensed(int edge, int node, const Places& places, FrontMatrix& front) const;
+    [[nodiscard]] double length_pivot(int edge) const;
+    [[nodiscard]] EdgeFunction length_row(int edge) const;
+    void read_covariance(int node, const Places& places, const FrontMatrix& inverse,
                          Covariance& result) const;
-    void assemble_reading(int edge, int node, const Places& places, Eigen::MatrixXd& front) const;
-    [[nodiscard]] double variance(int edge, const Eigen::Vector3d& place_rate, double length_rate,
-                                  const Places& places, const Eigen::MatrixXd& inverse) const;
+    [[nodiscard]] double variance(int edge, const EdgeFunction& function, const Places& places,
+                                  const FrontMatrix& inverse) const;
     [[nodiscard]] Eigen::VectorXd gather(const Vector& vector) const;
-    [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns) const;
+    [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns, const Vector& right_side) const;
 
-    SaddlePointLayout m_layout;
+    SaddlePointLayout m_lengths_last;
+    SaddlePointLayout m_lengths_first;
+    LengthsGo m_lengths_go = LengthsGo::last;  ///< in the factor
+    std::optional<SupernodalFactor> m_factor;
     std::vector<int> m_coupled;  ///< edges of unknown length in the order of elimination; or none
-    SupernodalFactor m_factor;
 };
 
 }  // namespace taut

@@ -2,64 +2,77 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/saddle_point_layout.hpp"
 
-#include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace taut {
 
-SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool>& unknown,
-                                     Supports supports, Lengths with_lengths)
+SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool>& unknown_lengths,
+                                     Supports supports, Lengths with_lengths, LengthsGo go)
     : lengths(with_lengths),
+      lengths_go(go),
       free_count(net.free_count),
       support_blocks(supports == Supports::unknown ? static_cast<int>(net.supports.cols()) : 0),
       edges(net.edges),
+      unknown(unknown_lengths),
       edges_of_node(node_count()),
-      sizes(node_count(), 3),
       place(node_count()),
       length(net.edges.size(), -1) {
-    // A block holds the lengths of edges to earlier blocks, and to nodes without one.
-    const auto owner = [this](int edge) {
-        const auto [s, t] = edges[edge];
-        return !has_block(s) || is_before(s, t) ? block(t) : block(s);
-    };
-    for (int node = 0; node < free_count; ++node) {
-        sizes[block(node)] += 3;
-    }
     for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
         for (const int node : edges[e]) {
             if (has_block(node)) {
                 edges_of_node[node].push_back(e);
             }
         }
-        if (unknown[e]) {
-            length[e] = sizes[owner(e)]++;
-        }
     }
-    std::vector<int> first(sizes.size());
-    std::exclusive_scan(sizes.begin(), sizes.end(), first.begin(), 0);
-    for (int node = 0; node < node_count(); ++node) {
-        place[node] = first[block(node)];
+    int next = 0;
+    const auto number = [&next](int count) { return std::exchange(next, next + count); };
+    for (int support = 0; support < support_blocks; ++support) {
+        place[free_count + support] = number(3);
+        add_block(3, free_count + support, -1);
     }
-    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
-        if (is_unknown(e)) {
-            length[e] += first[owner(e)];
+    for (int node = 0; node < free_count; ++node) {
+        place[node] = number(6);
+        add_block(6, node, -1);
+        for (const int e : edges_of_node[node]) {
+            if (go == LengthsGo::last && unknown[e] && !is_before(node, other_end(e, node))) {
+                length[e] = number(1);
+                add_block(1, -1, e);
+            }
         }
     }
 }
 
+void SaddlePointLayout::add_block(int size, int node, int edge) {
+    sizes.push_back(size);
+    node_of_block.push_back(node);
+    edge_of_block.push_back(edge);
+}
+
+int SaddlePointLayout::unknown_count() const {
+    return std::accumulate(sizes.begin(), sizes.end(), 0);
+}
+
 std::vector<std::vector<int>> SaddlePointLayout::couplings() const {
+    std::vector<int> block_of_node(node_count());
+    std::vector<int> block_of_length(edges.size());
+    for (int block = 0; block < static_cast<int>(sizes.size()); ++block) {
+        if (const int node = node_of_block[block]; node >= 0) {
+            block_of_node[node] = block;
+        } else {
+            block_of_length[edge_of_block[block]] = block;
+        }
+    }
     std::vector<std::vector<int>> result(sizes.size());
-    for (int j = 0; j < node_count(); ++j) {
-        std::vector<int>& coupled = result[block(j)];
-        for (const int e : edges_of_node[j]) {
-            const int other = other_end(e, j);
-            if (is_before(j, other)) {  // so it is free
-                for (int k = 0; k < 6; ++k) {
-                    coupled.push_back(place[other] + k);
-                }
-                if (is_unknown(e)) {
-                    coupled.push_back(length[e]);
-                }
+    for (int node = 0; node < node_count(); ++node) {
+        std::vector<int>& coupled = result[block_of_node[node]];
+        for (const int e : edges_of_node[node]) {
+            const int other = other_end(e, node);
+            if (is_before(node, other)) {  // so it is free
+                coupled.push_back(block_of_node[other]);
+            }
+            if (has_length(e)) {
+                coupled.push_back(block_of_length[e]);
             }
         }
     }
@@ -69,20 +82,14 @@ std::vector<std::vector<int>> SaddlePointLayout::couplings() const {
     return result;
 }
 
-/// Each with all of later blocks.
+/// Each with all later ones.
 void SaddlePointLayout::couple_lengths(std::vector<std::vector<int>>& couplings) const {
-    std::vector<int> unknown = length;
-    std::erase(unknown, -1);
-    std::ranges::sort(unknown);
-    int first = 0;
-    auto own = unknown.begin();
-    for (size_t block = 0; block < couplings.size(); ++block) {
-        first += sizes[block];
-        const auto later = std::lower_bound(own, unknown.end(), first);
-        if (later != own) {
-            couplings[block].insert(couplings[block].end(), later, unknown.end());
+    std::vector<int> later;
+    for (int block = static_cast<int>(sizes.size()); block-- > 0;) {
+        if (edge_of_block[block] >= 0) {
+            couplings[block] = later;
+            later.push_back(block);
         }
-        own = later;
     }
 }
 

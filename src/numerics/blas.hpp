@@ -13,6 +13,9 @@ void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, cons
             const int* k, const double* alpha, const double* a, const int* lda, const double* b,
             const int* ldb, const double* beta, double* c, const int* ldc, std::size_t,
             std::size_t);
+void dgemv_(const char* transpose, const int* m, const int* n, const double* alpha, const double* a,
+            const int* lda, const double* x, const int* incx, const double* beta, double* y,
+            const int* incy, std::size_t);
 void dtrmm_(const char* side, const char* triangle, const char* transpose, const char* diagonal,
             const int* m, const int* n, const double* alpha, const double* a, const int* lda,
             double* b, const int* ldb, std::size_t, std::size_t, std::size_t, std::size_t);

@@ -9,22 +9,23 @@
 
 namespace taut {
 
-/// Calls function(begin, size) in parallel for parts of first .. end: rows or columns of a large
-/// product that are made at once. The parts do not depend on the number of threads.
+/// Whether the parts of a large product are made at once or one after the other.
+enum class Parts { parallel, serial };
+
+/// Calls function(begin, size) for parts of first .. end: rows or columns of a large product. The
+/// parts do not depend on the number of threads, nor on whether they are made in parallel.
 template <typename Function>
-void by_parts(Eigen::Index first, Eigen::Index end, const Function& function) {
+void by_parts(Parts parts, Eigen::Index first, Eigen::Index end, const Function& function) {
     constexpr Eigen::Index part_size = 128;
-    if (end - first <= part_size) {
-        if (first < end) {
-            function(first, end - first);
+    const auto part = [&](Eigen::Index from) { function(from, std::min(part_size, end - from)); };
+    if (parts == Parts::serial || end - first <= part_size) {
+        for (Eigen::Index from = first; from < end; from += part_size) {
+            part(from);
         }
         return;
     }
-    const Eigen::Index parts = (end - first + part_size - 1) / part_size;
-    tbb::parallel_for(Eigen::Index{0}, parts, [&](Eigen::Index part) {
-        const Eigen::Index from = first + part * part_size;
-        function(from, std::min(part_size, end - from));
-    });
+    const Eigen::Index count = (end - first + part_size - 1) / part_size;
+    tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index k) { part(first + k * part_size); });
 }
 
 }  // namespace taut

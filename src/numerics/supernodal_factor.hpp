@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <oneapi/tbb/enumerable_thread_specific.h>
+
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
+#include "numerics/buffer.hpp"
+#include "numerics/front.hpp"
+#include "numerics/front_stacks.hpp"
 #include "numerics/supernodes.hpp"
 #include "numerics/tree_branches.hpp"
 
@@ -22,10 +28,10 @@ namespace taut {
 ///
 ///   L_qp = F_qp F_pp^-1,   U = F_qq - L_qp F_pq
 ///
-/// The pivots are taken in panels of some blocks; D holds a dense block F_pp a panel, of which the
-/// inverse is kept. It is inverted with row exchanges, so A may be indefinite. But there are none
-/// between panels: the order of the blocks is the caller's, and must be one in which A can be
-/// eliminated block by block.
+/// The pivots are taken in panels of some blocks. Of an indefinite matrix D holds a dense block
+/// F_pp a panel, of which the inverse is kept. It is inverted with row exchanges, but there are
+/// none between panels: the order of the blocks is the caller's, and must be one in which A can be
+/// eliminated block by block. A positive definite matrix is factorised by Cholesky's method.
 ///
 /// Branches of the tree, and parts of large products, are worked on in parallel; results are the
 /// same for any number of threads. What it is measured against:
@@ -34,10 +40,17 @@ class SupernodalFactor {
 public:
     /// @param sizes of the blocks, in the order of elimination; the unknowns are numbered block by
     ///   block
-    /// @param couplings one list a block: unknowns of later blocks that it may have entries with
-    SupernodalFactor(const std::vector<int>& sizes, std::vector<std::vector<int>> couplings);
+    /// @param couplings one list a block: later blocks that it may have entries with, each once
+    SupernodalFactor(const std::vector<int>& sizes, const std::vector<std::vector<int>>& couplings,
+                     Definiteness definiteness = Definiteness::indefinite);
 
     [[nodiscard]] int unknown_count() const { return static_cast<int>(m_number.size()); }
+
+    /// Numbers that the factor stores, zeros included.
+    [[nodiscard]] double entry_count() const;
+    /// Floating-point operations of a factorisation: the sum of c^2 over the columns of the factor,
+    /// c being the length of one, diagonal included.
+    [[nodiscard]] double operation_count() const;
 
     /// Where the unknowns of a front stand in its dense matrix: those of its blocks and those of
     /// later blocks that they are coupled with. Unknowns of a block stand side by side, in their
@@ -54,24 +67,29 @@ public:
     };
 
     /// Adds the entries of a block with itself and with later blocks to the lower triangle of its
-    /// front. Is called in parallel for different fronts.
-    using Assembly = std::function<void(int block, const Places&, Eigen::MatrixXd& front)>;
+    /// front, of which the columns of the pivots are given. Is called in parallel for different
+    /// fronts.
+    using Assembly = std::function<void(int block, const Places&, FrontMatrix& columns)>;
 
-    /// @return false where a pivot is singular
+    /// @return false where a pivot is singular, or not positive where the matrix should be definite
     [[nodiscard]] bool factorize(const Assembly& assemble);
 
     /// A^-1 b, after factorize().
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& b) const;
 
+    /// Of a definite matrix, after factorize(): D of each unknown for a diagonal L of ones, what is
+    /// left of its entry when all unknowns before it are eliminated.
+    [[nodiscard]] Eigen::VectorXd pivots() const;
+
     /// Takes the inverse over the unknowns of a block's front, both triangles. Is called in
     /// parallel for different fronts.
-    using Reader = std::function<void(int block, const Places&, const Eigen::MatrixXd& inverse)>;
+    using Reader = std::function<void(int block, const Places&, const FrontMatrix& inverse)>;
 
-    /// Shows every block its part of Z = A^-1, after factorize(). From the last front to the first
-    /// (K. Takahashi, J. Fagan & M.-S. Chin, Formation of a sparse bus impedance matrix and its
-    /// application to short circuit study, PICA 1973; A. M. Erisman & W. F. Tinney, On computing
-    /// certain elements of the inverse of a sparse matrix, CACM 18 (1975) 177-179), for pivots p of
-    /// a panel and all later unknowns q of the front:
+    /// Shows every block its part of Z = A^-1, after factorize(), of an indefinite matrix. From the
+    /// last front to the first (K. Takahashi, J. Fagan & M.-S. Chin, Formation of a sparse bus
+    /// impedance matrix and its application to short circuit study, PICA 1973; A. M. Erisman & W.
+    /// F. Tinney, On computing certain elements of the inverse of a sparse matrix, CACM 18 (1975)
+    /// 177-179), for pivots p of a panel and all later unknowns q of the front:
     ///
     ///   Z_qp = -Z_qq L_qp,   Z_pp = F_pp^-1 - L_qp' Z_qp
     ///
@@ -79,21 +97,62 @@ public:
     void selected_inverse(const Reader& read) const;
 
 private:
-    /// A supernode, where its panels begin among its pivots (and the end), and their factor.
+    /// A supernode, where its panels begin among its pivots (and the end), where its columns of the
+    /// factor begin, how many parents it has, and whether it is the root of a branch.
     struct Front {
         Supernode supernode;
         std::vector<int> panels;
-        /// The columns of the pivots: for each panel the inverse of its pivot on the diagonal, and
-        /// below it L.
-        Eigen::MatrixXd factor;
-    };
-    [[nodiscard]] bool eliminate(int front, const Assembly& assemble,
-                                 std::vector<Eigen::MatrixXd>& matrices);
-    void invert(int front, const Reader& read, std::vector<Eigen::MatrixXd>& inverses) const;
+        size_t begin = 0;
+        int level = 0;
+        int branch = -1;
 
+        [[nodiscard]] Eigen::Index size() const { return supernode.size + row_count(); }
+        [[nodiscard]] Eigen::Index row_count() const { return std::ssize(supernode.rows); }
+    };
+    /// What a row of fronts needs of memory while they are worked on.
+    struct Needs {
+        FrontStacks::Heights heights{};
+        size_t scratch = 0;
+
+        void cover(const Needs& other);
+    };
+    struct Workspace {
+        FrontStacks stacks;
+        Buffer scratch;
+        std::vector<const double*> updates;  ///< of the children of the front in work
+
+        void prepare(const Needs& needs);
+    };
+
+    /// The columns of the factor of a front, (p + q) x p.
+    [[nodiscard]] FrontMatrix factor_of(const Front& front) const;
+    [[nodiscard]] Needs needs_of(const std::vector<int>& fronts) const;
+    [[nodiscard]] Needs needs_of_inverse(const std::vector<int>& fronts) const;
+    [[nodiscard]] bool eliminate(const Front& front, const Assembly& assemble, FrontMatrix& U,
+                                 Workspace& workspace, Parts parts);
+    [[nodiscard]] bool eliminate(const std::vector<int>& fronts, const Assembly& assemble,
+                                 Workspace& workspace, Parts parts);
+    [[nodiscard]] bool eliminate_branch(int branch, const Assembly& assemble);
+
+    void finish_inverse(const Front& front, FrontMatrix& Z, Parts parts) const;
+    void show(const Front& front, const FrontMatrix& Z, const Reader& read) const;
+    void invert(int front, const Reader& read, std::vector<Buffer>& inverses) const;
+    void invert_branch(const std::vector<int>& fronts, const Reader& read,
+                       std::vector<Buffer>& inverses, FrontStacks& stacks) const;
+
+    Definiteness m_definiteness;
     std::vector<int> m_number;  ///< of each unknown, in the order of the fronts' pivots
     std::vector<Front> m_fronts;
-    TreeBranches m_branches;
+    std::vector<std::vector<int>> m_branches;  ///< their fronts, children before parents
+    std::vector<int> m_trunk;                  ///< all others
+    Needs m_branch_needs;                      ///< of any branch
+    Needs m_trunk_needs;
+    Buffer m_values;  ///< the factor, front by front
+
+    // Memory that is kept from one factorisation to the next.
+    std::vector<Buffer> m_branch_updates;  ///< of the roots of the branches
+    Workspace m_trunk_workspace;
+    tbb::enumerable_thread_specific<Workspace> m_branch_workspaces;
 };
 
 }  // namespace taut

@@ -11,87 +11,132 @@
 namespace taut {
 namespace {
 
-/// Entries of the factor's lower triangle in the columns of a supernode.
-std::int64_t entries_of(const Supernode& node) {
-    const auto p = static_cast<std::int64_t>(node.size);
-    return p * (p + 1) / 2 + p * static_cast<std::int64_t>(node.rows.size());
-}
-
 /// How many of so many columns' entries may be zeros: small products gain much by being larger.
 double tolerated_zeros(int columns) {
-    return columns <= 32 ? 0.5 : columns <= 96 ? 0.15 : 0.05;
+    return columns <= 32 ? 0.3 : columns <= 96 ? 0.15 : 0.05;
 }
 
-/// Fills rows, parents and children of supernodes of one block each.
-std::vector<Supernode> elimination_tree(const std::vector<int>& sizes,
-                                        std::vector<std::vector<int>>& couplings) {
-    std::vector<Supernode> nodes(sizes.size());
-    std::vector<int> block_of;
-    for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
-        Supernode& node = nodes[j];
-        node.blocks = {j};
-        node.begin = static_cast<int>(block_of.size());
-        node.size = sizes[j];
-        block_of.resize(block_of.size() + static_cast<size_t>(node.size), j);
+/// A supernode before its rows are known.
+struct Node {
+    Supernode supernode;
+    std::int64_t row_count = 0;  ///< unknowns
+    std::int64_t nonzeros = 0;   ///< in its columns of the factor's lower triangle
+
+    /// As many as are stored.
+    [[nodiscard]] std::int64_t entries() const {
+        const auto p = static_cast<std::int64_t>(supernode.size);
+        return p * (p + 1) / 2 + p * row_count;
     }
-    for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
-        Supernode& node = nodes[j];
-        node.rows = std::move(couplings[j]);
-        for (const int child : node.children) {
-            std::ranges::copy_if(nodes[child].rows, std::back_inserter(node.rows),
-                                 [&](int row) { return row >= node.begin + node.size; });
+};
+
+/// Of each block the earlier ones that it has entries with, one after the other.
+struct Earlier {
+    std::vector<int> blocks;
+    std::vector<size_t> starts;
+};
+
+Earlier earlier_of(const std::vector<std::vector<int>>& couplings) {
+    Earlier result{.blocks = {}, .starts = std::vector<size_t>(couplings.size() + 1, 0)};
+    for (const std::vector<int>& later : couplings) {
+        for (const int block : later) {
+            ++result.starts[block + 1];
         }
-        std::ranges::sort(node.rows);
-        // Not std::ranges::unique, which Clang 14 cannot take from GCC's library.
-        node.rows.erase(
-            std::unique(node.rows.begin(), node.rows.end()),  // NOLINT(modernize-use-ranges)
-            node.rows.end());
-        if (!node.rows.empty()) {
-            node.parent = block_of[node.rows.front()];
-            nodes[node.parent].children.push_back(j);
+    }
+    std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
+    result.blocks.resize(result.starts.back());
+    std::vector<size_t> next(result.starts.begin(), result.starts.end() - 1);
+    for (int j = 0; j < static_cast<int>(couplings.size()); ++j) {
+        for (const int block : couplings[j]) {
+            result.blocks[next[block]++] = j;
+        }
+    }
+    return result;
+}
+
+/// Supernodes of one block each: row by row, each is the path from the row's entries of A to itself
+/// (T. A. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006, sections 4.1 and 4.4).
+std::vector<Node> elimination_tree(const std::vector<int>& sizes,
+                                   const std::vector<std::vector<int>>& couplings) {
+    const Earlier earlier = earlier_of(couplings);
+    std::vector<Node> nodes(sizes.size());
+    std::vector<int> visited(sizes.size(), -1);  // last row that came to each block
+    for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
+        visited[j] = j;
+        nodes[j].supernode.blocks = {j};
+        nodes[j].supernode.size = sizes[j];
+        for (size_t k = earlier.starts[j]; k < earlier.starts[j + 1]; ++k) {
+            for (int i = earlier.blocks[k]; visited[i] != j; i = nodes[i].supernode.parent) {
+                visited[i] = j;
+                nodes[i].row_count += sizes[j];
+                if (nodes[i].supernode.parent < 0) {
+                    nodes[i].supernode.parent = j;
+                    nodes[j].supernode.children.push_back(i);
+                }
+            }
         }
     }
     return nodes;
 }
 
 /// Merges children into their parents; those that are merged keep no blocks.
-void amalgamate(std::vector<Supernode>& nodes) {
-    std::vector<std::int64_t> nonzeros(nodes.size());
-    std::ranges::transform(nodes, nonzeros.begin(), entries_of);
+void amalgamate(std::vector<Node>& nodes) {
     for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
-        Supernode& node = nodes[j];
+        Node& node = nodes[j];
+        node.nonzeros = node.entries();
+        Supernode& parent = node.supernode;
         // Those with the most rows add the fewest zeros.
-        std::vector<int> candidates = std::exchange(node.children, {});
+        std::vector<int> candidates = std::exchange(parent.children, {});
         std::ranges::sort(candidates, std::greater{},
-                          [&](int child) { return std::pair(nodes[child].rows.size(), child); });
+                          [&](int child) { return std::pair(nodes[child].row_count, child); });
         for (const int c : candidates) {
-            Supernode& child = nodes[c];
-            node.size += child.size;
-            const std::int64_t both = nonzeros[j] + nonzeros[c];
+            Supernode& child = nodes[c].supernode;
+            parent.size += child.size;
+            const std::int64_t both = node.nonzeros + nodes[c].nonzeros;
             const double zeros =
-                1.0 - static_cast<double>(both) / static_cast<double>(entries_of(node));
-            if (zeros > tolerated_zeros(node.size)) {
-                node.size -= child.size;
-                node.children.push_back(c);
+                1.0 - static_cast<double>(both) / static_cast<double>(node.entries());
+            if (zeros > tolerated_zeros(parent.size)) {
+                parent.size -= child.size;
+                parent.children.push_back(c);
                 continue;
             }
-            nonzeros[j] = both;
-            node.blocks.insert(node.blocks.end(), child.blocks.begin(), child.blocks.end());
-            node.children.insert(node.children.end(), child.children.begin(), child.children.end());
+            node.nonzeros = both;
+            parent.blocks.insert(parent.blocks.end(), child.blocks.begin(), child.blocks.end());
+            parent.children.insert(parent.children.end(), child.children.begin(),
+                                   child.children.end());
             child = {};
         }
-        std::ranges::sort(node.blocks);
-        for (const int child : node.children) {
-            nodes[child].parent = j;
+        std::ranges::sort(parent.blocks);
+        for (const int child : parent.children) {
+            nodes[child].supernode.parent = j;
         }
     }
 }
 
+/// Sorts children so that few updates wait: with the most that waits at a time, and what is left,
+/// of each subtree.
+void sort_children(std::vector<Node>& nodes) {
+    std::vector<std::int64_t> most(nodes.size(), 0);
+    std::vector<std::int64_t> update(nodes.size(), 0);
+    for (size_t j = 0; j < nodes.size(); ++j) {
+        update[j] = nodes[j].row_count * nodes[j].row_count;
+        std::vector<int>& children = nodes[j].supernode.children;
+        std::ranges::sort(children, std::greater{},
+                          [&](int child) { return std::pair(most[child] - update[child], child); });
+        std::int64_t waiting = 0;
+        for (const int child : children) {
+            most[j] = std::max(most[j], waiting + most[child]);
+            waiting += update[child];
+        }
+        most[j] = std::max(most[j], waiting + update[j]);
+    }
+}
+
 /// The supernodes that are left, children before parents.
-std::vector<int> depth_first(const std::vector<Supernode>& nodes) {
+std::vector<int> depth_first(const std::vector<Node>& nodes) {
     std::vector<int> stack;
     for (int j = static_cast<int>(nodes.size()) - 1; j >= 0; --j) {
-        if (nodes[j].parent < 0 && !nodes[j].blocks.empty()) {
+        const Supernode& node = nodes[j].supernode;
+        if (node.parent < 0 && !node.blocks.empty()) {
             stack.push_back(j);
         }
     }
@@ -100,10 +145,65 @@ std::vector<int> depth_first(const std::vector<Supernode>& nodes) {
         const int j = stack.back();
         stack.pop_back();
         sequence.push_back(j);
-        stack.insert(stack.end(), nodes[j].children.begin(), nodes[j].children.end());
+        const std::vector<int>& children = nodes[j].supernode.children;
+        stack.insert(stack.end(), children.begin(), children.end());
     }
     std::ranges::reverse(sequence);
     return sequence;
+}
+
+/// Numbers the pivots in the order of the supernodes.
+/// @return the first number of each block
+std::vector<int> number_pivots(const std::vector<int>& sizes, SupernodeTree& tree) {
+    std::vector<int> first_of(sizes.size());
+    std::exclusive_scan(sizes.begin(), sizes.end(), first_of.begin(), 0);
+    tree.number.resize(std::accumulate(sizes.begin(), sizes.end(), size_t{0}));
+    std::vector<int> begins(sizes.size());
+    int next = 0;
+    for (Supernode& node : tree.supernodes) {
+        node.begin = next;
+        for (const int block : node.blocks) {
+            begins[block] = next;
+            for (int k = 0; k < sizes[block]; ++k) {
+                tree.number[first_of[block] + k] = next++;
+            }
+        }
+    }
+    return begins;
+}
+
+/// Fills in the rows: those of a supernode's blocks and of its children, less its own pivots.
+void find_rows(const std::vector<int>& sizes, const std::vector<std::vector<int>>& couplings,
+               SupernodeTree& tree) {
+    const std::vector<int> begins = number_pivots(sizes, tree);
+    std::vector<std::vector<int>> row_blocks(tree.supernodes.size());
+    std::vector<int> found(sizes.size(), -1);  // last supernode that has each block
+    for (int j = 0; j < static_cast<int>(tree.supernodes.size()); ++j) {
+        Supernode& node = tree.supernodes[j];
+        for (const int block : node.blocks) {
+            found[block] = j;
+        }
+        const auto take = [&](const std::vector<int>& blocks) {
+            for (const int block : blocks) {
+                if (found[block] != j) {
+                    found[block] = j;
+                    row_blocks[j].push_back(block);
+                }
+            }
+        };
+        for (const int block : node.blocks) {
+            take(couplings[block]);
+        }
+        for (const int child : node.children) {
+            take(std::exchange(row_blocks[child], {}));
+        }
+        std::ranges::sort(row_blocks[j], {}, [&](int block) { return begins[block]; });
+        for (const int block : row_blocks[j]) {
+            for (int k = 0; k < sizes[block]; ++k) {
+                node.rows.push_back(begins[block] + k);
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -115,38 +215,28 @@ int Supernode::place_of(int unknown) const {
 }
 
 SupernodeTree supernode_tree(const std::vector<int>& sizes,
-                             std::vector<std::vector<int>> couplings) {
-    std::vector<Supernode> nodes = elimination_tree(sizes, couplings);
+                             const std::vector<std::vector<int>>& couplings) {
+    std::vector<Node> nodes = elimination_tree(sizes, couplings);
     amalgamate(nodes);
+    sort_children(nodes);
     const std::vector<int> sequence = depth_first(nodes);
 
-    std::vector<int> first_of(sizes.size());
-    std::exclusive_scan(sizes.begin(), sizes.end(), first_of.begin(), 0);
     std::vector<int> place(sizes.size(), -1);  // of the supernodes in the sequence
-    SupernodeTree tree{.supernodes = {},
-                       .number = std::vector<int>(std::accumulate(sizes.begin(), sizes.end(), 0))};
-    int next = 0;
+    SupernodeTree tree;
+    tree.supernodes.reserve(sequence.size());
     for (const int j : sequence) {
         place[j] = static_cast<int>(tree.supernodes.size());
-        Supernode& node = tree.supernodes.emplace_back(std::move(nodes[j]));
-        node.begin = next;
-        for (const int block : node.blocks) {
-            for (int k = 0; k < sizes[block]; ++k) {
-                tree.number[first_of[block] + k] = next++;
-            }
-        }
+        tree.supernodes.push_back(std::move(nodes[j].supernode));
     }
     for (Supernode& node : tree.supernodes) {
         for (int& child : node.children) {
             child = place[child];
         }
         node.parent = node.parent < 0 ? -1 : place[node.parent];
-        for (int& row : node.rows) {
-            row = tree.number[row];
-        }
-        std::ranges::sort(node.rows);
     }
+    find_rows(sizes, couplings, tree);
     for (Supernode& node : tree.supernodes) {
+        node.rows_in_parent.reserve(node.rows.size());
         for (const int row : node.rows) {
             node.rows_in_parent.push_back(tree.supernodes[node.parent].place_of(row));
         }

@@ -22,7 +22,10 @@ struct Supernode {
 };
 
 struct SupernodeTree {
-    /// Children before their parents, depth first: few updates wait at any time.
+    /// Children before their parents, depth first, and of several children first those whose
+    /// subtrees need the most memory beyond what they leave (J. W. H. Liu, On the storage
+    /// requirement in the out-of-core multifrontal method for sparse factorization, ACM TOMS 12
+    /// (1986) 249-264): few updates wait at any time.
     std::vector<Supernode> supernodes;
     /// Number of each unknown in the order of the supernodes' pivots.
     std::vector<int> number;
@@ -34,8 +37,8 @@ struct SupernodeTree {
 /// on the multifrontal method, ACM TOMS 15, 1989). Blocks keep their order along each branch.
 ///
 /// @param sizes of the blocks; unknowns are given as if numbered block by block
-/// @param couplings one list a block: unknowns of later blocks that it has entries with
+/// @param couplings one list a block: later blocks that it has entries with, each named once
 [[nodiscard]] SupernodeTree supernode_tree(const std::vector<int>& sizes,
-                                           std::vector<std::vector<int>> couplings);
+                                           const std::vector<std::vector<int>>& couplings);
 
 }  // namespace taut

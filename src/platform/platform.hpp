@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <system_error>
 
@@ -16,6 +17,10 @@ namespace taut::platform {
 
 /// Whether so much more can be mapped, where the address space of the process is limited.
 [[nodiscard]] TAUT_CORE_EXPORT bool can_map(double bytes);
+
+/// Asks for large pages behind an aligned part of memory that was not touched yet; where there are
+/// none, nothing happens.
+TAUT_CORE_EXPORT void prefer_large_pages(void* memory, std::size_t bytes);
 
 [[nodiscard]] TAUT_CORE_EXPORT long process_id();
 

@@ -51,6 +51,12 @@ bool can_map(double bytes) {
     return true;
 }
 
+void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] size_t bytes) {
+#if defined(MADV_HUGEPAGE)
+    madvise(memory, bytes, MADV_HUGEPAGE);
+#endif
+}
+
 long process_id() {
     return getpid();
 }

@@ -26,7 +26,8 @@ struct DescentLimits {
 };
 
 /// Newton's method on the energy of a net, with a line search, and a diagonal shift where slack
-/// edges make the stiffness singular. run() allocates nothing.
+/// edges make the stiffness singular. Where it converges fast, the next steps are taken with the
+/// same factor. run() allocates nothing, but for a large net.
 class Descent {
 public:
     explicit Descent(const LocalNet& net);
@@ -41,6 +42,8 @@ public:
 private:
     [[nodiscard]] bool find_direction(const LocalNet& net, Stiffness& stiffness,
                                       const NetState& state, double& shift);
+
+    [[nodiscard]] bool solve(const Stiffness& stiffness, const NetState& state);
 
     NetState m_trial;  ///< at the form that the line search looks at
     Eigen::VectorXd m_direction;

@@ -3,10 +3,10 @@
 #include "taut/statics/duality.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 
+#include "numerics/sparse_cholesky.hpp"
 #include "statics/edge_state.hpp"
 #include "taut/statics/energy.hpp"
 
@@ -55,13 +55,13 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
     }
     Eigen::SparseMatrix<double> laplacian(net.free_node_count(), net.free_node_count());
     laplacian.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(laplacian);
+    const SparseCholesky factor(laplacian);
 
     // The second round takes away what rounding errors left of the first.
     for (int round = 0; round < 2; ++round) {
         Points multipliers = Points::Zero(3, net.node_count());
         multipliers(Eigen::all, net.free_nodes()) =
-            Eigen::MatrixX3d(factor.solve(imbalance(net, edge_forces))).transpose();
+            factor.solve(imbalance(net, edge_forces)).transpose();
         for (int e = 0; e < net.edge_count(); ++e) {
             const auto [s, t] = net.edges()[e];
             edge_forces.col(e) -= stiffness(e) * (multipliers.col(s) - multipliers.col(t));

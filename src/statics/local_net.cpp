@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "statics/local_net.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
-#include <numeric>
-
 namespace taut {
 namespace {
 
@@ -75,25 +71,18 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     return local;
 }
 
-/// Which free nodes an edge connects, as the pattern of a symmetric matrix.
-Eigen::SparseMatrix<double> free_node_graph(const CableNet& net) {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(2 * net.edges().size());
+/// Which free nodes an edge connects.
+MatrixGraph free_node_graph(const CableNet& net) {
+    std::vector<std::array<int, 2>> pairs;
+    pairs.reserve(net.edges().size());
     for (const auto& [s, t] : net.edges()) {
         const int i = net.free_index(s);
         const int j = net.free_index(t);
         if (i >= 0 && j >= 0) {
-            entries.emplace_back(i, j, 1.0);
-            entries.emplace_back(j, i, 1.0);
+            pairs.push_back({i, j});
         }
     }
-    for (int i = 0; i < net.free_node_count(); ++i) {
-        entries.emplace_back(i, i,
-                             1.0);  // AMDOrdering leaves rows without a diagonal entry for last
-    }
-    Eigen::SparseMatrix<double> graph(net.free_node_count(), net.free_node_count());
-    graph.setFromTriplets(entries.begin(), entries.end());
-    return graph;
+    return graph_of(net.free_node_count(), pairs);
 }
 
 }  // namespace
@@ -126,13 +115,11 @@ LocalNet number_naturally(const CableNet& net) {
     return number(net, net.free_nodes());
 }
 
-LocalNet number_for_elimination(const CableNet& net) {
+LocalNet number_for_elimination(const CableNet& net, Ordering ordering) {
     // Nodes, not coordinates, are ordered: the three rows of a node share their pattern.
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::AMDOrdering<int>()(free_node_graph(net), order);
-    std::vector<int> free_order(net.free_node_count());
-    for (Eigen::Index i = 0; i < order.size(); ++i) {
-        free_order[i] = net.free_nodes()[order.indices()(i)];
+    std::vector<int> free_order = elimination_order(free_node_graph(net), ordering);
+    for (int& node : free_order) {
+        node = net.free_nodes()[node];
     }
     return number(net, free_order);
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "numerics/elimination_order.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -45,6 +46,7 @@ struct LocalNet {
 [[nodiscard]] LocalNet number_naturally(const CableNet& net);
 
 /// Free nodes in an order that keeps the Cholesky factor of the stiffness sparse.
-[[nodiscard]] LocalNet number_for_elimination(const CableNet& net);
+[[nodiscard]] LocalNet number_for_elimination(const CableNet& net,
+                                              Ordering ordering = Ordering::quick);
 
 }  // namespace taut

@@ -35,17 +35,24 @@ void StiffnessMatrix::assemble(const LocalNet& net, const std::vector<EdgeState>
     m_axial_at_nodes.setZero();
     for (size_t e = 0; e < states.size(); ++e) {
         const EdgeState& state = states[e];
+        const double across = state.force_density();
         Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
         if (state.taut()) {
-            const double across = state.force_density();
-            stiffness.noalias() = state.direction * state.direction.transpose();
-            stiffness *= state.axial - across;  // so, and not in one line, it is symmetric
-            stiffness.diagonal().array() += across;
+            const double x = state.direction.x();
+            const double y = state.direction.y();
+            const double z = state.direction.z();
+            const double along = state.axial - across;
+            const double xy = along * (x * y);
+            const double xz = along * (x * z);
+            const double yz = along * (y * z);
+            stiffness << along * (x * x) + across, xy, xz,  //
+                xy, along * (y * y) + across, yz,           //
+                xz, yz, along * (z * z) + across;
         }
         for (const int node : net.edges[e]) {
             if (node < net.free_count) {
                 // where a tension law is flat, T / l is all the stiffness that there is
-                m_axial_at_nodes(node) += std::max(state.axial, state.force_density());
+                m_axial_at_nodes(node) += std::max(state.axial, across);
                 m_diagonal[node] += stiffness;
             }
         }

@@ -38,6 +38,8 @@ public:
         const auto j = static_cast<size_t>(node);
         return {m_blocks.data() + m_starts[j], m_blocks.data() + m_starts[j + 1]};
     }
+    /// Those of all columns, one after the other.
+    [[nodiscard]] std::span<const Block> blocks() const { return m_blocks; }
     /// Both triangles (3 n_I x 3 n_I) [N/m].
     [[nodiscard]] Eigen::SparseMatrix<double> to_sparse() const;
     /// Sum of EA/l_0 of the edges at each free node, as last assembled [N/m].

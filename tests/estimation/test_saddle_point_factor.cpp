@@ -182,6 +182,46 @@ TEST_F(OnALargerHypar, TheCovarianceIsThatOfTheDenseInverse) {
     expect_the_covariance_of_the_dense_inverse();
 }
 
+// Lengths that are eliminated first are to give what those that go last do, of all that is asked of
+// the factor: a weight of a place that is too large for the first way by a little makes the
+// difference.
+TEST_F(OnALargerHypar, LengthsThatGoFirstLeaveWhatThoseThatGoLastDo) {
+    m_factor.load_variances.setConstant(0.3);
+    m_factor.reading_weights.setConstant(0.4);
+    m_factor.reading_place_rates.setRandom();
+    m_factor.reading_length_rates.setRandom();
+    const SaddlePointFactor::Vector right_side{
+        .places = Eigen::Matrix3Xd::Random(3, n),
+        .lengths = Eigen::VectorXd::Random(m_net.edge_count()),
+        .multipliers = Eigen::Matrix3Xd::Random(3, n)};
+    const auto found = [&](double weight) {
+        m_factor.place_weights.setConstant(weight);
+        EXPECT_TRUE(m_factor.factorize());
+        return std::pair(m_factor.solve(right_side), m_factor.covariance());
+    };
+    m_factor.place_weights.setOnes();
+    const double largest = SaddlePointFactor::most_precise / m_factor.precision();
+    const auto [first, first_covariance] = found((1.0 - 1e-10) * largest);
+    const auto [last, last_covariance] = found((1.0 + 1e-10) * largest);
+    EXPECT_LT((first.places - last.places).norm(), 1e-7 * last.places.norm());
+    EXPECT_LT((first.lengths - last.lengths).norm(), 1e-7 * last.lengths.norm());
+    EXPECT_LT((first.multipliers - last.multipliers).norm(), 1e-7 * last.multipliers.norm());
+    for (const int e : m_net.interior_edges()) {
+        for (const auto member :
+             {&SaddlePointFactor::Covariance::lengths, &SaddlePointFactor::Covariance::extensions,
+              &SaddlePointFactor::Covariance::readings}) {
+            const double expected = (last_covariance.*member)(e);
+            EXPECT_NEAR((first_covariance.*member)(e), expected, 1e-7 * expected);
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        EXPECT_LT((first_covariance.places[i] - last_covariance.places[i]).norm(),
+                  1e-7 * last_covariance.places[i].norm());
+        EXPECT_LT((first_covariance.multipliers[i] - last_covariance.multipliers[i]).norm(),
+                  1e-7 * last_covariance.multipliers[i].norm());
+    }
+}
+
 // A far more precise survey than the lengths' law: variances fall by ten orders of magnitude.
 TEST_F(OnALargerHypar, PreciseSurveysKeepTheDigits) {
     m_factor.place_weights.setConstant(1e10);

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -23,24 +25,28 @@ using test::Random;
 using test::uniform;
 using test::uniform_int;
 
-/// An indefinite matrix of blocks that can be eliminated in any order: in each row the diagonal
-/// entry, of either sign, is greater than the sum of the others.
+/// A matrix of blocks that can be eliminated in any order: in each row the diagonal entry, of
+/// either sign where the matrix is indefinite, is greater than the sum of the others.
 struct BlockMatrix {
+    Definiteness definiteness = Definiteness::indefinite;
     std::vector<int> sizes;
-    std::vector<int> first;  ///< unknown of each block
-    std::vector<std::vector<int>> couplings;
+    std::vector<int> first;                   ///< unknown of each block
+    std::vector<std::vector<int>> couplings;  ///< of each block, later blocks
+    std::vector<std::vector<int>> entries;    ///< of each block, unknowns of these
     Eigen::MatrixXd dense;
 
     void add_block(int size) {
         first.push_back(std::accumulate(sizes.begin(), sizes.end(), 0));
         sizes.push_back(size);
         couplings.emplace_back();
+        entries.emplace_back();
     }
     /// Couples a block with some or all unknowns of a later one.
     void couple(Random& random, int block, int later, double share) {
+        couplings[block].push_back(later);
         for (int k = 0; k < sizes[later]; ++k) {
             if (uniform(random, 0.0, 1.0) < share) {
-                couplings[block].push_back(first[later] + k);
+                entries[block].push_back(first[later] + k);
             }
         }
     }
@@ -52,14 +58,16 @@ struct BlockMatrix {
                 for (int a = b + 1; a < first[j] + sizes[j]; ++a) {
                     dense(a, b) = dense(b, a) = uniform(random, -1.0, 1.0);
                 }
-                for (const int a : couplings[j]) {
+                for (const int a : entries[j]) {
                     dense(a, b) = dense(b, a) = uniform(random, -1.0, 1.0);
                 }
             }
         }
         for (int i = 0; i < n; ++i) {
             const double sum = dense.col(i).cwiseAbs().sum();
-            dense(i, i) = (uniform_int(random, 0, 1) == 0 ? 1.0 : -1.0) * (1.0 + sum);
+            const bool is_negative =
+                definiteness == Definiteness::indefinite && uniform_int(random, 0, 1) == 1;
+            dense(i, i) = (is_negative ? -1.0 : 1.0) * (1.0 + sum);
         }
     }
 
@@ -67,13 +75,13 @@ struct BlockMatrix {
     [[nodiscard]] std::vector<int> unknowns_at(int block) const {
         std::vector<int> unknowns(sizes[block]);
         std::iota(unknowns.begin(), unknowns.end(), first[block]);
-        unknowns.insert(unknowns.end(), couplings[block].begin(), couplings[block].end());
+        unknowns.insert(unknowns.end(), entries[block].begin(), entries[block].end());
         return unknowns;
     }
 
     [[nodiscard]] bool factorize(SupernodalFactor& factor) const {
         return factor.factorize(
-            [this](int block, const SupernodalFactor::Places& places, Eigen::MatrixXd& front) {
+            [this](int block, const SupernodalFactor::Places& places, FrontMatrix& front) {
                 for (int b = first[block]; b < first[block] + sizes[block]; ++b) {
                     for (const int a : unknowns_at(block)) {
                         if (a >= b) {
@@ -91,7 +99,7 @@ struct BlockMatrix {
         std::vector<double> errors(sizes.size(), 0.0);
         std::vector<int> shown(sizes.size(), 0);
         factor.selected_inverse(
-            [&](int block, const SupernodalFactor::Places& places, const Eigen::MatrixXd& Z) {
+            [&](int block, const SupernodalFactor::Places& places, const FrontMatrix& Z) {
                 ++shown[block];
                 const std::vector<int> unknowns = unknowns_at(block);
                 for (const int a : unknowns) {
@@ -113,8 +121,9 @@ struct BlockMatrix {
 };
 
 /// Blocks of 1 to 7 unknowns, coupled at random; some matrices fall into parts.
-BlockMatrix random_matrix(Random& random) {
+BlockMatrix random_matrix(Random& random, Definiteness definiteness) {
     BlockMatrix matrix;
+    matrix.definiteness = definiteness;
     for (int count = uniform_int(random, 1, 40); count > 0; --count) {
         matrix.add_block(uniform_int(random, 1, 7));
     }
@@ -132,9 +141,10 @@ BlockMatrix random_matrix(Random& random) {
 }
 
 /// Parts of some 100 unknowns that are coupled with one last part alone, of some 150: branches.
-BlockMatrix matrix_of_branches(Random& random) {
+BlockMatrix matrix_of_branches(Random& random, Definiteness definiteness) {
     constexpr int parts = 8;
     BlockMatrix matrix;
+    matrix.definiteness = definiteness;
     std::vector<int> part_of;
     for (int part = 0; part <= parts; ++part) {
         for (int size = 0; size < (part < parts ? 100 : 150);) {
@@ -158,7 +168,7 @@ BlockMatrix matrix_of_branches(Random& random) {
 
 RC_GTEST_PROP(SupernodalFactorOfARandomMatrix, SolvesAndInvertsAsTheDenseMatrix, ()) {
     Random random = test::any_random();
-    const BlockMatrix matrix = random_matrix(random);
+    const BlockMatrix matrix = random_matrix(random, Definiteness::indefinite);
     SupernodalFactor factor(matrix.sizes, matrix.couplings);
     RC_ASSERT(factor.unknown_count() == matrix.dense.rows());
     RC_ASSERT(matrix.factorize(factor));
@@ -166,7 +176,25 @@ RC_GTEST_PROP(SupernodalFactorOfARandomMatrix, SolvesAndInvertsAsTheDenseMatrix,
     RC_ASSERT(matrix.error_of_inverse(factor) < 1e-11);
 }
 
-class OnBranches : public testing::Test {
+RC_GTEST_PROP(SupernodalFactorOfARandomMatrix, OfADefiniteOneHasItsSolutionsAndItsDeterminant, ()) {
+    Random random = test::any_random();
+    const BlockMatrix matrix = random_matrix(random, Definiteness::positive_definite);
+    SupernodalFactor factor(matrix.sizes, matrix.couplings, Definiteness::positive_definite);
+    RC_ASSERT(matrix.factorize(factor));
+    RC_ASSERT(matrix.error_of_solution(random, factor) < 1e-10);
+    const Eigen::VectorXd diagonal = matrix.dense.llt().matrixLLT().diagonal();
+    RC_ASSERT(std::abs(factor.pivots().array().log().sum() - 2.0 * diagonal.array().log().sum()) <
+              1e-10);
+}
+
+// A factor that holds zeros, or that counts them wrong, tells of work that is not done.
+TEST(SupernodalFactor, CountsTheWorkOfADenseMatrix) {
+    const SupernodalFactor factor({2, 3, 1}, {{1, 2}, {2}, {}});
+    EXPECT_EQ(factor.entry_count(), 36.0);
+    EXPECT_EQ(factor.operation_count(), 91.0);  // 6^2 + 5^2 + ... + 1
+}
+
+class OnBranches : public testing::TestWithParam<Definiteness> {
 protected:
     OnBranches() {
         const auto supernodes = supernode_tree(m_matrix.sizes, m_matrix.couplings).supernodes;
@@ -176,24 +204,33 @@ protected:
     }
 
     Random m_random{1};
-    BlockMatrix m_matrix = matrix_of_branches(m_random);
-    SupernodalFactor m_factor{m_matrix.sizes, m_matrix.couplings};
+    BlockMatrix m_matrix = matrix_of_branches(m_random, GetParam());
+    SupernodalFactor m_factor{m_matrix.sizes, m_matrix.couplings, GetParam()};
 };
 
-TEST_F(OnBranches, SolvesAndInvertsAsTheDenseMatrix) {
+INSTANTIATE_TEST_SUITE_P(SupernodalFactor, OnBranches,
+                         testing::Values(Definiteness::positive_definite, Definiteness::indefinite),
+                         [](const auto& with) {
+                             return with.param == Definiteness::indefinite ? "Indefinite"
+                                                                           : "Definite";
+                         });
+
+TEST_P(OnBranches, SolvesAndInvertsAsTheDenseMatrix) {
     ASSERT_TRUE(m_matrix.factorize(m_factor));
     EXPECT_LT(m_matrix.error_of_solution(m_random, m_factor), 1e-10);
-    EXPECT_LT(m_matrix.error_of_inverse(m_factor), 1e-11);
+    if (GetParam() == Definiteness::indefinite) {
+        EXPECT_LT(m_matrix.error_of_inverse(m_factor), 1e-11);
+    }
 }
 
-TEST_F(OnBranches, AnotherMatrixOfTheSamePatternTakesThePlaceOfTheFirst) {
+TEST_P(OnBranches, AnotherMatrixOfTheSamePatternTakesThePlaceOfTheFirst) {
     ASSERT_TRUE(m_matrix.factorize(m_factor));
     m_matrix.fill(m_random);
     ASSERT_TRUE(m_matrix.factorize(m_factor));
     EXPECT_LT(m_matrix.error_of_solution(m_random, m_factor), 1e-10);
 }
 
-TEST_F(OnBranches, SolutionsAreTheSameForAnyNumberOfThreads) {
+TEST_P(OnBranches, SolutionsAreTheSameForAnyNumberOfThreads) {
     const Eigen::VectorXd b = test::uniform_vector(m_random, m_matrix.dense.rows(), 1.0);
     const auto found = [&](int threads) {
         return with_threads(threads, [&] {
@@ -206,7 +243,7 @@ TEST_F(OnBranches, SolutionsAreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(found(4), expected);
 }
 
-TEST_F(OnBranches, ASingularPivotIsToldInABranchAndInTheTrunk) {
+TEST_P(OnBranches, ASingularPivotIsToldInABranchAndInTheTrunk) {
     for (const int unknown : {0, static_cast<int>(m_matrix.dense.rows()) - 1}) {
         BlockMatrix matrix = m_matrix;
         matrix.dense.row(unknown).setZero();
@@ -217,7 +254,7 @@ TEST_F(OnBranches, ASingularPivotIsToldInABranchAndInTheTrunk) {
 
 TEST(TreeBranches, HoldEachSupernodeOnceAndItsSubtree) {
     Random random(2);
-    const BlockMatrix matrix = matrix_of_branches(random);
+    const BlockMatrix matrix = matrix_of_branches(random, Definiteness::indefinite);
     const auto supernodes = supernode_tree(matrix.sizes, matrix.couplings).supernodes;
     const TreeBranches result = branches_of(supernodes);
     std::vector<int> all = result.trunk;

@@ -27,10 +27,10 @@ Stiffness stiffness_of(const CableNet& net, double shift) {
 }
 
 void expect_that_it_solves(const Stiffness& s) {
-    const Eigen::MatrixXd dense = s.matrix.to_sparse();
+    const Eigen::SparseMatrix<double> matrix = s.matrix.to_sparse();
     test::Random random(1);
-    const Eigen::VectorXd x = test::uniform_vector(random, dense.rows(), 1.0);
-    Eigen::VectorXd found = dense * x;
+    const Eigen::VectorXd x = test::uniform_vector(random, matrix.rows(), 1.0);
+    Eigen::VectorXd found = matrix * x;
     s.factor.solve(found);
     EXPECT_LT((found - x).norm(), 1e-9 * x.norm());
 }
@@ -58,19 +58,28 @@ RC_GTEST_PROP(StiffnessFactorOfARandomNet, HasTheDeterminantAndTheSolutionsOfADe
     RC_ASSERT((found - x).norm() < 1e-8 * x.norm());
 }
 
-TEST(StiffnessFactor, TellsThatAMatrixIsNotPositiveDefiniteAndServesTheNextOne) {
-    Stiffness s = stiffness_of(hypar(6, 5), 0.0);
+// Of a small net, and of a large one, which another factor is for.
+class OnNetsOfEachSize : public testing::TestWithParam<int> {
+protected:
+    CableNet m_net = hypar(GetParam(), 100);
+};
+
+INSTANTIATE_TEST_SUITE_P(StiffnessFactor, OnNetsOfEachSize, testing::Values(2, 51));
+
+TEST_P(OnNetsOfEachSize, TellsThatAMatrixIsNotPositiveDefiniteAndServesTheNextOne) {
+    Stiffness s = stiffness_of(m_net, 0.0);
     s.matrix.add_shift(-0.5);
     EXPECT_FALSE(s.factorize());
     EXPECT_FALSE(s.factor.positive_definite());
     EXPECT_TRUE(s.has_loose_nodes());
     s.matrix.add_shift(0.5);
     ASSERT_TRUE(s.factorize());
+    EXPECT_FALSE(s.has_loose_nodes());
     expect_that_it_solves(s);
 }
 
-TEST(StiffnessFactor, FindsTheNodeThatHangsOnSlackEdges) {
-    CableNetData data = hypar(6, 5).data();
+TEST_P(OnNetsOfEachSize, FindsTheNodeThatHangsOnSlackEdges) {
+    CableNetData data = m_net.data();
     data.unstressed_lengths *= 1.2;
     Stiffness s = stiffness_of(CableNet(std::move(data)), 0.0);
     EXPECT_FALSE(s.factorize());
@@ -78,6 +87,16 @@ TEST(StiffnessFactor, FindsTheNodeThatHangsOnSlackEdges) {
     s.matrix.add_shift(1e-14);
     EXPECT_TRUE(s.factorize());
     EXPECT_TRUE(s.has_loose_nodes());
+}
+
+TEST_P(OnNetsOfEachSize, HasThePivotsOfTheOtherFactor) {
+    Stiffness s = stiffness_of(m_net, 0.0);
+    ASSERT_TRUE(s.factorize());
+    NodalFactor nodal(s.matrix);
+    ASSERT_TRUE(nodal.factorize(s.matrix));
+    // The order of elimination is the same along each branch of the tree, and so are the pivots.
+    EXPECT_LT((s.factor.pivots() - nodal.pivots()).cwiseAbs().maxCoeff(),
+              1e-9 * nodal.pivots().maxCoeff());
 }
 
 }  // namespace
