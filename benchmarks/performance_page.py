@@ -7,8 +7,10 @@ Usage: /usr/bin/python3 benchmarks/performance_page.py FOLDER
 
 import datetime
 import json
+import math
 import pathlib
 import platform
+import statistics
 import subprocess
 import sys
 
@@ -22,6 +24,23 @@ def medians(file):
             name = row["run_name"].removesuffix("/real_time").removesuffix("/iterations:1")
             rows[name.removesuffix("/iterations:2")] = (row["real_time"] * scale, row)
     return rows
+
+
+def growth(file):
+    """Work -> sizes and times [ms] of benchmarks/bench_growth.cpp."""
+    found = {}
+    for row in json.loads(file.read_text())["benchmarks"]:
+        if row.get("run_type") == "iteration" and not row.get("error_occurred"):
+            sizes, times = found.setdefault(row["name"].split("/")[0], ([], []))
+            sizes.append(row["size"])
+            times.append(row["real_time"])
+    return found
+
+
+def exponent(sizes, times):
+    """b of the time a size^b, by least squares of the logarithms."""
+    logarithms = ([math.log(value) for value in values] for values in (sizes, times))
+    return statistics.linear_regression(*logarithms).slope
 
 
 def processor():
@@ -38,8 +57,9 @@ def main():
         return json.loads((folder / name).read_text())
 
     rows = {}
-    for name in ("statics", "learning", "identification", "factorisation", "adjustment", "threads"):
+    for name in ("statics", "learning", "identification", "factorisation", "adjustment", "threads", "roofline"):
         rows |= medians(folder / f"{name}.json")
+    grown = growth(folder / "growth.json")
     study = load("reproduce.json")
     whole = load("reproduce_process.json")
     large = load("hypar300_process.json")
@@ -89,7 +109,8 @@ def main():
         }
         peers = {
             "taut": "taut",
-            "supernodal": "taut, by the factor of the saddle-point matrix",
+            "nodal": "taut, node by node: of nets of less than 5,000 free nodes",
+            "supernodal": "taut, in supernodes: of larger ones",
             "eigen_ldlt": "Eigen SimplicialLDLT",
             "eigen_lu": "Eigen SparseLU",
             "mumps": "MUMPS",
@@ -124,6 +145,53 @@ def main():
             f"{rate(work, 2) / rate(work, 1):.2f} |\n"
             for work, title in works.items()
         )
+
+    def roofline_rows():
+        """Table rows of each part: what it needs, and which share of the machine's peak it reaches."""
+        parts = {
+            "stiffness_of_the_builtin_net/threads:1": "stiffness of the built-in net, factor",
+            "form_of_the_builtin_net/threads:1": "form of the built-in net from the linear prediction",
+            "stiffness_of_hypar_300/threads:0": "stiffness of `hypar:300x300`, factor",
+            "sensitivities_of_the_builtin_net/threads:0": "sensitivities to the lengths of the built-in net",
+            "selected_inverse_of_hypar_100/threads:0": "selected inverse over `hypar:100x100`",
+            "squared_distances_of_950_forms/threads:0": "distances of 950 forms",
+            "correlations_of_950_forms/threads:0": "correlations of 950 forms",
+            "eigendecomposition_of_950/threads:0": "eigendecomposition, n = 950",
+            "prediction_of_536_lengths/threads:0": "lengths of one form, 536 processes",
+            "hdf5_of_1000_samples/threads:1": "HDF5 of 1000 samples, with its digest",
+        }
+        lines = []
+        for name, title in parts.items():
+            kind, unit, machine = (
+                ("flops", "Gflop", "dgemm") if "flops" in rows[name][1] else ("bytes", "GB", "triad")
+            )
+            threads = name.rsplit("/", 1)[1]
+            peak = rows[f"{machine}/{threads}"][1][kind]
+            reached = rows[name][1][kind]
+            cores_used = "one" if threads.endswith("1") else "all"
+            lines.append(
+                f"| {title} | {cores_used} | {rows[name][1]['needed'] / 1e9:.3g} {unit} | {ms(name)} | "
+                f"{reached / 1e9:.3g} {unit}/s | {100 * reached / peak:.0f} % |\n"
+            )
+        return "".join(lines)
+
+    def peak(name):
+        row = rows[name][1]
+        return f"{row['flops'] / 1e9:.3g} Gflop/s" if "flops" in row else f"{row['bytes'] / 1e9:.3g} GB/s"
+
+    def growth_rows():
+        works = {
+            "form": ("form of `hypar`, symbolic work included", "free nodes"),
+            "train": ("536 processes trained, built-in net", "samples"),
+            "identify": ("`map` of `hypar`, 0.5 mm, no draws", "interior edges"),
+        }
+        lines = []
+        for work, (title, unit) in works.items():
+            power = f"{exponent(*grown[work]):.2f}"
+            for size, time in zip(*grown[work], strict=True):
+                lines.append(f"| {title} | {size:,.0f} {unit} | {time / 1e3:.3g} s | {power} |\n")
+                title = power = ""
+        return "".join(lines)
 
     def report_rows():
         nets = ("built-in net, `reproduce`", "`hypar:300x300`, `identify`")
@@ -207,6 +275,26 @@ threads over those of one:
 | work | by | built-in net | `hypar:30x30` | `hypar:100x100` |
 |---|---|---|---|---|
 {factorisation_rows()}
+## What the machine can
+
+Peaks, measured in the same run: products of large matrices {peak('dgemm/threads:1')} on one core, {peak('dgemm/threads:0')}
+on all; memory (STREAM's triad) {peak('triad/threads:1')} and {peak('triad/threads:0')}. What each part needs at the
+least, however it is done, is counted where `benchmarks/bench_roofline.cpp` tells it; the last column is the share of the peak that it
+reaches. Small nets' columns are too short for dense products, and half of an eigendecomposition is products of a matrix and a vector,
+which memory bounds: there the peak is out of reach.
+
+| part | cores | needs | time | reaches | of the peak |
+|---|---|---|---|---|---|
+{roofline_rows()}
+## How cost grows
+
+All cores, each run once (`benchmarks/bench_growth.cpp`); the exponent b of time = a size^b is fitted to all sizes of a curve.
+
+![Time over size, with the fitted powers](images/growth.svg)
+
+| work | size | time | exponent |
+|---|---|---|---|
+{growth_rows()}
 ## Reports
 
 From opening the file in a browser of its own until the page answers, and a frame while the net is orbited:

@@ -31,6 +31,12 @@ build/release/benchmarks/bench_adjustment --benchmark_repetitions=3 \
 build/release/benchmarks/bench_threads --benchmark_repetitions=3 \
     --benchmark_out="$out/threads.json" --benchmark_out_format=json
 
+build/release/benchmarks/bench_roofline --benchmark_repetitions=3 \
+    --benchmark_out="$out/roofline.json" --benchmark_out_format=json
+build/release/benchmarks/bench_growth --benchmark_out="$out/growth.json" \
+    --benchmark_out_format=json
+/usr/bin/python3 benchmarks/growth_figure.py "$out/growth.json" docs/images/growth.svg
+
 # One plan with SciPy, from the same identified net.
 build/taut example hilo-quarter -o "$out/net.json" > /dev/null
 build/taut form "$out/net.json" --law uniform:5mm --seed 1 -o "$out/site.csv" > /dev/null

@@ -16,7 +16,7 @@ build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-de
     libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libfast-float-dev libboost-dev libpugixml-dev
     libmetis-dev)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
-bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy)
+bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy python3-matplotlib)
 lint=(clang-format-19 clang-tidy-19 python3-venv)
 # libclang-rt holds libFuzzer and the sanitizers, llvm the names behind the addresses that they tell.
 fuzz=(clang-19 libclang-rt-19-dev llvm-19)
