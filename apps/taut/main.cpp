@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         // An option without a value would be taken for one that was not given.
         const std::string_view word = argv[i];
-        if (word.empty() || (word.starts_with("--") && word.ends_with('='))) {
+        if (word.empty() || (word.starts_with("--") && word.find('=') == word.size() - 1)) {
             return fail(wrong_input, fmt::format("argument {} is empty: '{}'", i, word));
         }
     }
@@ -102,7 +102,7 @@ int run_told(int argc, char** argv) noexcept {
     } catch (const std::filesystem::filesystem_error& error) {
         return fail(wrong_input, error.what());
     } catch (const std::bad_alloc&) {
-        return fail(numerical_failure, "not enough memory");
+        taut::app::end_without_memory();  // as other threads may, too, at the same time
     } catch (const std::exception& error) {
         return fail(numerical_failure, error.what());
     }

@@ -6,6 +6,8 @@
 // functions in front of those of the C library, for all of its libraries, and ends with a line
 // where one fails.
 
+#include <bit>
+#include <cerrno>
 #include <cstddef>
 #include <cstdlib>  // defines __GLIBC__
 
@@ -20,12 +22,15 @@
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !defined(TAUT_MALLOC_IS_ANOTHERS)
 
-// glibc's own, under the names that it exports for this use. Memory from them may go to its free().
+// glibc's own, under the names that it exports for this use. All of the family are here: memory of
+// one allocator must not go to the free() of another, which may be preloaded.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void __libc_free(void* memory);
 }
 // NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 
@@ -51,6 +56,26 @@ extern "C" void* calloc(std::size_t count, std::size_t size) noexcept {
 
 extern "C" void* realloc(void* old, std::size_t size) noexcept {
     return or_end(__libc_realloc(old, size), size);
+}
+
+extern "C" void free(void* memory) noexcept {
+    __libc_free(memory);
+}
+
+extern "C" void* memalign(std::size_t alignment, std::size_t size) noexcept {
+    return or_end(__libc_memalign(alignment, size), size);
+}
+
+extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+    return or_end(__libc_memalign(alignment, size), size);
+}
+
+extern "C" int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+    if (alignment % sizeof(void*) != 0 || !std::has_single_bit(alignment)) {
+        return EINVAL;
+    }
+    *memory = or_end(__libc_memalign(alignment, size), size);
+    return 0;
 }
 // NOLINTEND(readability-inconsistent-declaration-parameter-name)
 

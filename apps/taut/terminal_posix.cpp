@@ -3,6 +3,7 @@
 #include "terminal.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <array>
@@ -77,11 +78,17 @@ void prepare_streams() {
 }
 
 void end_without_memory() {
-    static std::atomic<bool> is_ending{false};
+    static std::atomic<std::thread::id> ending{};
     constexpr std::string_view line = "taut: error: not enough memory\n";
-    if (is_ending.exchange(true)) {  // what ends in order asks for memory, too
-        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
-        _exit(numerical_failure);
+    std::thread::id first{};
+    if (!ending.compare_exchange_strong(first, std::this_thread::get_id())) {
+        if (first == std::this_thread::get_id()) {  // what ends in order asks for memory, too
+            [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+            _exit(numerical_failure);
+        }
+        // Another thread ends the program. Unless it waits for what this one holds: then this does.
+        constexpr int long_enough = 1000;  // ms
+        poll(nullptr, 0, long_enough);
     }
     end_at_once(line, numerical_failure);
 }

@@ -126,16 +126,24 @@ struct RoundedNoise {
     double rounding_std = 0.0;  ///< 0 where it adds nothing [m]
 };
 
-/// Points that tell standard deviations of 0, where a noise was told beside the file, tell none.
+/// Points that tell standard deviations of 0, where a noise was told beside the file, tell none; of
+/// one that tells some, the others hold.
 void take_told_noise(const ReadSurveyOptions& options, SurveyFile& found) {
     if (options.noise_std.value_or(0.0) == 0.0) {
         return;
     }
     int count = 0;
     for (SurveyPoint& point : found.points) {
-        if (point.noise_std && point.noise_std->isZero(0.0)) {
+        if (!point.noise_std || (point.noise_std->array() != 0.0).all()) {
+            continue;
+        }
+        ++count;
+        if (point.noise_std->isZero(0.0)) {
             point.noise_std.reset();
-            ++count;
+        } else {
+            for (double& std : *point.noise_std) {
+                std = std == 0.0 ? *options.noise_std : std;
+            }
         }
     }
     if (count > 0) {
