@@ -61,7 +61,9 @@ void check_outputs(const std::vector<std::string>& outputs,
 
 void note_left_files(const std::filesystem::path& output) {
     for (const std::filesystem::path& left : left_temporary_files(output)) {
-        tell("note", left.string() + ": was left by a run that was killed, and can be removed");
+        tell("note", left.string() +
+                         ": is of a run that is no more on this machine, and can be removed unless "
+                         "one of another machine writes here");
     }
 }
 

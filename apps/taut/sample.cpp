@@ -151,6 +151,7 @@ void run(const SampleOptions& options) {
     }
     const int resumed_from = data.size();
     check_outputs({options.output}, {options.net});
+    note_left_files(options.partial());
     const std::vector<std::string> warnings = unit_warnings(net.net);
     warn(options.net, warnings);
     draw(options, net, sampler, data);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <charconv>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "files/message.hpp"
@@ -46,6 +47,19 @@ std::filesystem::path directory_of(const std::filesystem::path& file) {
 std::string temporary_prefix(const std::filesystem::path& target) {
     constexpr size_t longest = 200;
     return fmt::format(".{}.", target.filename().string().substr(0, longest));
+}
+
+/// The process of "PROCESS-NUMBER.tmp"; 0 of any other text.
+long process_of_temporary(std::string_view text) {
+    const char* const end = text.data() + text.size();
+    long process = 0;
+    unsigned number = 0;
+    const auto [dash, no_process] = std::from_chars(text.data(), end, process);
+    if (no_process != std::errc() || dash == end || *dash != '-') {
+        return 0;
+    }
+    const auto [rest, no_number] = std::from_chars(dash + 1, end, number);
+    return no_number == std::errc() && std::string_view(rest, end) == ".tmp" ? process : 0;
 }
 
 /// Makes a file beside the target, of a name that no other process or thread uses, which is removed
@@ -152,14 +166,11 @@ std::vector<std::filesystem::path> left_temporary_files(const std::filesystem::p
     for (std::filesystem::directory_iterator entry(directory_of(file), error), end;
          !error && entry != end; entry.increment(error)) {
         const std::string name = entry->path().filename().string();
-        if (!name.starts_with(prefix) || !name.ends_with(".tmp")) {
+        if (!name.starts_with(prefix)) {
             continue;
         }
-        // "PROCESS-NUMBER.tmp"
-        const char* const digits = name.data() + prefix.size();
-        long process = 0;
-        const auto [rest, failure] = std::from_chars(digits, name.data() + name.size(), process);
-        if (failure == std::errc() && *rest == '-' && !platform::process_runs(process)) {
+        const long process = process_of_temporary(std::string_view(name).substr(prefix.size()));
+        if (process > 0 && !platform::process_runs(process)) {
             left.push_back(entry->path());
         }
     }

@@ -29,6 +29,9 @@ std::string digest_line(std::string_view content) {
 
 bool check_digest(const std::filesystem::path& path) {
     const File file = open_file(path);
+    if (!std::filesystem::is_regular_file(path)) {
+        throw InputError(path.string(), "", "is a device or pipe, expected a file");
+    }
     Fnv1a hash;
     // What was read and is not hashed yet: its end may be the line.
     std::string pending;

@@ -99,9 +99,11 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
     if (std::filesystem::equivalent(a, b, error)) {
         return true;
     }
-    // Neither needs to be there yet. Made absolute first: else "a" and "./a" stay two names.
+    // Neither needs to be there yet, nor what a link leads to. Made absolute first: else "a" and
+    // "./a" stay two names.
     const auto place = [&error](const std::filesystem::path& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+        return std::filesystem::weakly_canonical(
+            std::filesystem::absolute(follow_links(path), error), error);
     };
     const std::filesystem::path place_of_a = place(a);
     return !place_of_a.empty() && place_of_a == place(b);

@@ -15,9 +15,10 @@
 namespace taut {
 namespace {
 
-/// C0, DEL, C1, and what turns the direction of writing.
+/// C0, DEL, C1, what breaks lines, and what turns the direction of writing.
 bool is_control(std::uint32_t code) {
-    return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x202A && code <= 0x202E) ||
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E ||
+           code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
            (code >= 0x2066 && code <= 0x2069);
 }
 

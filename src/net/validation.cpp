@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string_view>
 
 namespace taut {
 namespace {
@@ -170,9 +171,19 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
     }
 }
 
+/// Names stand in lists with one a line, and in lines of what is printed: a line break in one would
+/// make two of it. And no text is read behind a zero byte.
+bool has_line_break(const std::string& name) {
+    return name.find_first_of(std::string_view("\r\n\0", 3)) != std::string::npos;
+}
+
 void check_ids(const std::string& field, const std::vector<std::string>& ids) {
     std::set<std::string> seen;
     for (int i = 0; i < std::ssize(ids); ++i) {
+        if (has_line_break(ids[i])) {
+            throw NetError(field, {i},
+                           "holds a line break or a zero byte, expected a name of one line");
+        }
         if (ids[i].empty()) {
             throw NetError(field, {i}, "is empty, expected a name");
         }
@@ -184,6 +195,10 @@ void check_ids(const std::string& field, const std::vector<std::string>& ids) {
 
 void check_groups(const CableNetData& data) {
     for (const auto& [name, edges] : data.groups) {
+        if (has_line_break(name)) {
+            throw NetError("groups", {},
+                           "holds a name with a line break or a zero byte, expected one line");
+        }
         if (name.empty()) {
             throw NetError("groups", {}, "holds a group without a name");
         }
@@ -255,6 +270,10 @@ void validate(const CableNetData& data) {
     check_edges(data, is_support);
     check_indices("adjustable", data.adjustable, static_cast<int>(data.edges.size()), "edge");
     check_connected(data, is_support);
+    if (has_line_break(data.name)) {
+        throw NetError("name", {},
+                       "holds a line break or a zero byte, expected a name of one line");
+    }
     check_ids("node_ids", data.node_ids);
     check_ids("edge_ids", data.edge_ids);
     check_groups(data);

@@ -139,6 +139,7 @@ TEST(AtomicFile, TemporaryFilesOfProcessesThatAreNoLongerThereAreFound) {
     put_bytes(scratch / (".out.json." + std::to_string(getpid()) + "-0.tmp"), "");
     put_bytes(scratch / (".other.json." + std::to_string(child) + "-0.tmp"), "");
     put_bytes(scratch / ".out.json.notes.tmp", "");
+    put_bytes(scratch / (".out.json." + std::to_string(child) + "-mine.tmp"), "");
     EXPECT_THAT(left_temporary_files(scratch / "out.json"), ElementsAre(scratch / left));
     std::filesystem::create_symlink("out.json", scratch / "link");
     EXPECT_THAT(left_temporary_files(scratch / "link"), ElementsAre(scratch / left));
@@ -299,6 +300,8 @@ TEST(IsSameFile, KnowsAFileByAnyNameWhetherItIsThereOrNot) {
     EXPECT_FALSE(is_same_file(scratch / "one", scratch / "two"));
     EXPECT_TRUE(is_same_file(scratch / "two", scratch / "./two"));
     EXPECT_TRUE(is_same_file("two", "./two"));
+    std::filesystem::create_symlink("new", scratch / "to_new");
+    EXPECT_TRUE(is_same_file(scratch / "new", scratch / "to_new"));
     EXPECT_FALSE(is_same_file("two", "./three"));
     EXPECT_FALSE(is_same_file("", ""));
 }

@@ -349,6 +349,18 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& param) { return param.param.name; });
 
 /// Every byte is under the digest: whatever is flipped or cut, nothing is read.
+// Devices that never end would be read for ever.
+TEST(H5Damage, ADeviceIsRefused) {
+    for (const char* device : {"/dev/zero", "/dev/null"}) {
+        try {
+            static_cast<void>(read_data_set(device));
+            ADD_FAILURE() << device;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.what(), std::string(device) + ": is a device or pipe, expected a file");
+        }
+    }
+}
+
 TEST(H5Damage, OfAnyByteIsNoticed) {
     const test::ScratchDirectory scratch;
     const std::string path = (scratch / "file.h5").string();

@@ -221,6 +221,11 @@ TEST(CableNetRules, TakeASupportWithoutEdges) {
 }
 
 TEST(CableNetRules, RefuseAnEmptyName) {
+    // Lists have one name a line.
+    expect_refused([](auto& d) { d.name = "roof\nnet: 1000 free nodes"; }, "name",
+                   {"line break", "one line"});
+    expect_refused([](auto& d) { d.edge_ids[0] += '\0'; }, "edge_ids[0]", {"zero byte"});
+    expect_refused([](auto& d) { d.node_ids[3] += "\r\n"; }, "node_ids[3]", {"line break"});
     expect_refused([](auto& d) { d.node_ids[3].clear(); }, "node_ids[3]", {"empty", "name"});
     expect_refused([](auto& d) { d.edge_ids[1].clear(); }, "edge_ids[1]", {"empty", "name"});
 }
