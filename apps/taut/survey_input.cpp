@@ -65,7 +65,7 @@ void add_file_options(CLI::App& command, SurveyOptions& options, std::vector<CLI
 SurveyFileOptions told_of_file(const SurveyOptions& options) {
     SurveyFileOptions told;
     if (!options.separator.empty()) {
-        told.separator = parse_sign(options.separator);
+        told.separator = parse_separator(options.separator);
     }
     if (!options.format.empty()) {
         told.format = parse_survey_format(options.format);
@@ -74,7 +74,7 @@ SurveyFileOptions told_of_file(const SurveyOptions& options) {
         told.columns = parse_survey_columns(options.columns);
     }
     if (!options.decimal.empty()) {
-        told.decimal = parse_sign(options.decimal);
+        told.decimal = parse_decimal_sign(options.decimal);
     }
     if (!options.encoding.empty()) {
         told.encoding = parse_text_encoding(options.encoding);

@@ -76,8 +76,8 @@ ReadSurveyOptions reading(std::optional<double> noise, const Told& told) {
     take("match", [&](const std::string& text) { options.matching = matching_named(text); });
     take("format", [&](const std::string& t) { options.file.format = parse_survey_format(t); });
     take("columns", [&](const std::string& t) { options.file.columns = parse_survey_columns(t); });
-    take("separator", [&](const std::string& t) { options.file.separator = parse_sign(t); });
-    take("decimal", [&](const std::string& t) { options.file.decimal = parse_sign(t); });
+    take("separator", [&](const std::string& t) { options.file.separator = parse_separator(t); });
+    take("decimal", [&](const std::string& t) { options.file.decimal = parse_decimal_sign(t); });
     take("encoding", [&](const std::string& t) { options.file.encoding = parse_text_encoding(t); });
     take("angle", [&](const std::string& text) {
         const AngleText angle = parse_angle(text);

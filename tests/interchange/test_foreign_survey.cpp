@@ -352,6 +352,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"Nan", "Name;X;Y;Z\nA;1;2;nan\n", "a.csv:2: z is 'nan', expected a finite number"},
         BadText{"TooLarge", "Name;X;Y;Z\nA;1;2;1e999\n",
                 "a.csv:2: z is '1e999', expected a finite"},
+        BadText{"EndlessLines", std::string(4'000'001, '\n'), "a.csv: has more than 4000000 lines"},
         BadText{"DecimalSignsMixed", "Name;X;Y;Z\nA;1,5;2;3\nB;1.5;2;3\n",
                 "a.csv:3: x is '1.5', expected a decimal comma as in line 2"},
         BadText{"DecimalCommasBetweenCommas", "Name,X,Y,Z\nA,1,5,2,5,3,5\n",

@@ -143,7 +143,7 @@ def test_what_is_told_of_a_file(net, columns, tmp_path):
     assert survey.form == pytest.approx(expected.form, abs=1e-9)
     with pytest.raises(ValueError, match="encoding: got 'ebcdic', expected 'utf-8'"):
         taut.read_survey(net, path, encoding="ebcdic")
-    with pytest.raises(ValueError, match="is no sign, expected 'comma'"):
+    with pytest.raises(ValueError, match="separator: got 'dash', expected 'comma', 'semicolon'"):
         taut.read_survey(net, path, separator="dash")
     with pytest.raises(ValueError, match="decimal: is for a file, and source holds points"):
         taut.read_survey(net, columns, decimal="comma")

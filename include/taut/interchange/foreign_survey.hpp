@@ -42,9 +42,13 @@ enum class TextEncoding { utf_8, utf_16, latin_1 };
 /// @throws std::invalid_argument for another name
 [[nodiscard]] TAUT_IO_EXPORT TextEncoding parse_text_encoding(std::string_view name);
 
-/// The sign of "comma", "semicolon", "tab", "blank", "point".
+/// The sign of "comma", "semicolon", "tab", "blank".
 /// @throws std::invalid_argument for another name
-[[nodiscard]] TAUT_IO_EXPORT char parse_sign(std::string_view name);
+[[nodiscard]] TAUT_IO_EXPORT char parse_separator(std::string_view name);
+
+/// The sign of "point", "comma".
+/// @throws std::invalid_argument for another name
+[[nodiscard]] TAUT_IO_EXPORT char parse_decimal_sign(std::string_view name);
 
 /// What is told of a survey file; the rest is found in it.
 struct SurveyFileOptions {

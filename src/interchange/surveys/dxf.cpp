@@ -177,7 +177,7 @@ bool is_height_text(const DxfEntity& text, const std::vector<DxfEntity>& points,
 }  // namespace
 
 ForeignSurvey read_dxf(const std::string& text, const std::string& file_name) {
-    DxfContent content = read_dxf_content(lines_of(text), file_name);
+    DxfContent content = read_dxf_content(lines_of(text, file_name), file_name);
     ForeignSurvey survey{.format = "DXF", .unit = dxf_unit(content.unit)};
     for (const auto& [kind, count] : content.others) {
         survey.left_out.push_back(

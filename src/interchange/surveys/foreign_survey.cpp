@@ -92,16 +92,24 @@ TextEncoding parse_text_encoding(std::string_view name) {
         fmt::format("encoding: got '{}', expected 'utf-8', 'utf-16' or 'latin-1'", name));
 }
 
-char parse_sign(std::string_view name) {
-    constexpr std::pair<std::string_view, char> signs[] = {
-        {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"blank", ' '}, {"point", '.'}};
-    for (const auto& [known, sign] : signs) {
+char parse_separator(std::string_view name) {
+    constexpr std::pair<std::string_view, char> separators[] = {
+        {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"blank", ' '}};
+    for (const auto& [known, sign] : separators) {
         if (known == name) {
             return sign;
         }
     }
-    throw std::invalid_argument(fmt::format(
-        "'{}' is no sign, expected 'comma', 'semicolon', 'tab', 'blank' or 'point'", name));
+    throw std::invalid_argument(
+        fmt::format("separator: got '{}', expected 'comma', 'semicolon', 'tab' or 'blank'", name));
+}
+
+char parse_decimal_sign(std::string_view name) {
+    if (name == "point" || name == "comma") {
+        return name == "point" ? '.' : ',';
+    }
+    throw std::invalid_argument(
+        fmt::format("decimal: got '{}', expected 'point' or 'comma'", name));
 }
 
 std::string_view to_string(TextEncoding encoding) {

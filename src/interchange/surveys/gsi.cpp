@@ -213,7 +213,7 @@ ForeignSurvey read_gsi_readings(const std::string& text, const std::string& file
     std::optional<PolarStation> next_station;
     std::optional<std::array<double, 3>> last_place;
     double kept_height = 0.0;  // until another is told
-    for (const TextLine& text_line : lines_of(text)) {
+    for (const TextLine& text_line : lines_of(text, file_name)) {
         GsiLine words(text_line, file_name);
         const GsiPolarLine line = polar_line(words);
         if (line.is_station && (!line.reads_some() || line.place != last_place)) {
@@ -260,7 +260,7 @@ ForeignSurvey read_gsi(const std::string& text, const std::string& file_name,
     ForeignSurvey survey{.format = "Leica GSI-8", .unit = 1.0};
     std::optional<bool> in_feet;
     int polar = 0;
-    for (const TextLine& line : lines_of(text)) {
+    for (const TextLine& line : lines_of(text, file_name)) {
         if (trimmed(line.text).empty()) {
             continue;
         }

@@ -2,14 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include "interchange/surveys/survey_reader.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+
+#include "taut/files/input_error.hpp"
 
 namespace taut {
 
-std::vector<TextLine> lines_of(std::string_view text) {
+std::vector<TextLine> lines_of(std::string_view text, const std::string& file_name) {
+    constexpr size_t most_lines = 4'000'000;
     std::vector<TextLine> lines;
     int number = 1;
     while (!text.empty()) {
+        if (lines.size() == most_lines) {
+            throw InputError(file_name, "", fmt::format("has more than {} lines", most_lines));
+        }
         const size_t end = std::min(text.find_first_of("\r\n"), text.size());
         lines.push_back({.number = number++, .text = text.substr(0, end)});
         const size_t behind = text.substr(end).starts_with("\r\n") ? 2 : 1;

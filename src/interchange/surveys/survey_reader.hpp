@@ -29,7 +29,8 @@ struct TextLine {
 };
 
 /// The lines of a text: ended by LF, CR LF or CR.
-[[nodiscard]] std::vector<TextLine> lines_of(std::string_view text);
+/// @throws InputError for more than 4 million
+[[nodiscard]] std::vector<TextLine> lines_of(std::string_view text, const std::string& file_name);
 
 /// Without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

@@ -172,7 +172,7 @@ std::string titles_text(const TableHead& head) {
 
 ForeignSurvey read_survey_table(const std::string& text, const std::string& file_name,
                                 const SurveyFileOptions& told, bool is_cloud) {
-    const std::vector<TextLine> lines = lines_of(text);
+    const std::vector<TextLine> lines = lines_of(text, file_name);
     const auto separator = told.separator ? told.separator : detect_table_separator(lines);
     if (!separator) {
         throw InputError(
