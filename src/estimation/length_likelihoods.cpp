@@ -38,6 +38,10 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
             likelihood.extension = std::numeric_limits<double>::infinity();
         } else if (statics.slack()[edge]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();
+            // Its length tells nothing of the form, so that their variances add up.
+            if (const double variance = extension_variances(i) - variances(i); variance > 0.0) {
+                likelihood.slack_from_std = std::sqrt(variance);
+            }
         } else {
             const double extension = likelihood.slack_from - fitted.deviations(i);
             likelihood.extension =

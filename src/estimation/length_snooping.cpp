@@ -21,8 +21,22 @@ constexpr double released_width = 20.0;
 /// No cut is further off.
 constexpr double widest_part_of_length = 0.25;
 
-/// An edge that may be slack as well as taut is not tested: its length is known by a bound alone.
-constexpr double tested_extension = 4.0;  // standard deviations
+/// Of an edge that may be slack as well as taut a bound alone is known: it is no shorter than it
+/// would be if it were taut. So it is tested for being too long alone.
+constexpr double surely_taut = 4.0;  // standard deviations of the extension
+
+struct Estimate {
+    double mean = 0.0;
+    double std = std::numeric_limits<double>::infinity();  ///< infinite: nothing is known
+};
+
+/// The deviation, or what it is at the least.
+Estimate tested_deviation(const LengthLikelihood& told) {
+    const bool is_slack = told.extension == -std::numeric_limits<double>::infinity();
+    const Estimate known =
+        is_slack ? Estimate{told.slack_from, told.slack_from_std} : Estimate{told.mean, told.std};
+    return told.extension < surely_taut && known.mean <= 0.0 ? Estimate() : known;
+}
 
 /// Where the density of a law begins to fall, and the standard deviation by which it falls there.
 struct Core {
@@ -60,18 +74,16 @@ void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told) {
     m_statistics.setZero();
     m_core_statistics.setZero();
     for (size_t i = 0; i < m_laws.size(); ++i) {
-        const LengthLikelihood& of_edge = m_told[i];
-        const double variance = of_edge.std * of_edge.std;
-        // One that was released for being too long is all the longer if it is slack.
-        const bool is_long = m_released[i] && of_edge.mean > 0.0;
-        if (!std::isfinite(variance) || (of_edge.extension < tested_extension && !is_long)) {
+        const Estimate found = tested_deviation(m_told[i]);
+        const double variance = found.std * found.std;
+        if (!std::isfinite(variance)) {
             continue;
         }
         const auto k = static_cast<Eigen::Index>(i);
         const double std = m_laws[i].std();
         const auto [end, fall] = core_of(m_laws[i]);
-        const double beyond = std::max(0.0, std::abs(of_edge.mean) - end);
-        m_statistics(k) = of_edge.mean * of_edge.mean / (std * std + variance);
+        const double beyond = std::max(0.0, std::abs(found.mean) - end);
+        m_statistics(k) = found.mean * found.mean / (std * std + variance);
         m_core_statistics(k) = beyond * beyond / (fall * fall + variance);
     }
 }
@@ -183,9 +195,13 @@ std::vector<LengthOutlier> LengthSnooping::outliers() const {
     for (size_t i = 0; i < m_laws.size(); ++i) {
         if (m_released[i] && i < m_told.size()) {
             const auto k = static_cast<Eigen::Index>(i);
+            Estimate found = tested_deviation(m_told[i]);
+            if (!std::isfinite(found.std)) {
+                found = {m_told[i].mean, m_told[i].std};
+            }
             result.push_back({.edge = m_net.interior_edges()[i],
-                              .deviation = m_told[i].mean,
-                              .std = m_told[i].std,
+                              .deviation = found.mean,
+                              .std = found.std,
                               .statistic = std::max(m_statistics(k), m_core_statistics(k))});
         }
     }

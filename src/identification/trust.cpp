@@ -76,6 +76,7 @@ public:
         test_lengths();
         test_boundary();
         test_targets();
+        test_prediction();
         test_names();
         test_forces();
         test_unknowns();
@@ -190,8 +191,12 @@ private:
         std::vector<std::string> names;
         names.reserve(m_result.lengths_beyond_law.size());
         for (const LengthOutlier& edge : m_result.lengths_beyond_law) {
-            names.push_back(fmt::format("{} ({:+.1f} +- {:.1f} mm)", m_net.edge_id(edge.edge),
-                                        1e3 * edge.deviation, 1e3 * edge.std));
+            const auto found = std::ranges::find(m_result.edges, edge.edge, &IdentifiedEdge::edge);
+            const bool is_slack =
+                found != m_result.edges.end() && found->status == EdgeStatus::slack;
+            names.push_back(fmt::format("{} ({:+.1f} +- {:.1f} mm{})", m_net.edge_id(edge.edge),
+                                        1e3 * edge.deviation, 1e3 * edge.std,
+                                        is_slack ? " or longer: it is slack" : ""));
         }
         const size_t count = names.size();
         add(Verdict::doubtful,
@@ -269,6 +274,36 @@ private:
                             cluster),
                 "rather than these, something near them is not as told: turnbuckles, supports or "
                 "cables there");
+        }
+    }
+
+    /// Where cables stretch by less than their lengths are known to, the form of the mean lengths
+    /// may be off by the law's width; not by far more.
+    void test_prediction() {
+        constexpr double far = 10.0;        // in standard deviations of the noise
+        constexpr double beyond_law = 3.0;  // in those of the law
+        if (!m_survey.is_noisy() || m_result.residuals.size() != std::ssize(m_survey.surveyed)) {
+            return;
+        }
+        int worst = -1;
+        double largest = beyond_law * m_result.law.std();
+        for (size_t i = 0; i < m_survey.surveyed.size(); ++i) {
+            const int node = m_survey.surveyed[i];
+            const double residual = m_result.residuals(static_cast<Eigen::Index>(i));
+            if (residual > largest && residual > far * m_survey.noise_std.col(node).maxCoeff() &&
+                std::ranges::find(m_result.outliers, node, &Outlier::node) ==
+                    m_result.outliers.end()) {
+                worst = node;
+                largest = residual;
+            }
+        }
+        if (worst >= 0) {
+            add(Verdict::doubtful,
+                fmt::format("the form that follows from the lengths is {:.1f} mm from target {}, "
+                            "{:.0f} times its noise",
+                            1e3 * largest, m_net.node_id(worst),
+                            largest / m_survey.noise_std.col(worst).maxCoeff()),
+                "that target is wrong, or a cable, turnbuckle or support near it");
         }
     }
 

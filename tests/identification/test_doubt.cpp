@@ -120,6 +120,45 @@ TEST(Doubt, NamesMisCutCablesThatAreAllButSlack) {
     }
 }
 
+// A cable that is so much too long hangs slack: nothing but its measured length is known, which is
+// beyond the law itself. Taken for one within the law it was the surest of all.
+TEST(Doubt, NamesMisCutCablesThatHangSlack) {
+    const CableNet saddle = hypar(6, 7);
+    for (const double off : {0.020, 0.030}) {
+        for (const std::uint64_t seed : {0, 1, 2}) {
+            const int i = 9 + 20 * static_cast<int>(seed);
+            const SimulatedSurvey s = survey_of(saddle, law, seed, {i}, off);
+            const int edge = saddle.interior_edges()[i];
+            for (const auto method : {IdentificationMethod::map, IdentificationMethod::balance}) {
+                const Identification result =
+                    identify(saddle, s.survey, {.method = method, .law = law});
+                EXPECT_TRUE(says(result, "beyond the law of lengths: " + saddle.edge_id(edge)))
+                    << off << " " << seed;
+                ASSERT_FALSE(result.lengths_beyond_law.empty());
+                EXPECT_LT(result.lengths_beyond_law[0].deviation, off + 0.002);
+                EXPECT_GE(result.edges[i].upper, off);
+            }
+        }
+    }
+}
+
+// Force balance at a form with one wrong target explains it by lengths all around.
+TEST(Doubt, IsDueWhereTheFormOfTheLengthsMissesATarget) {
+    const CableNet saddle = hypar(6, 7);
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        SimulatedSurvey s = survey_of(saddle, law, seed);
+        s.survey.form.col(saddle.free_nodes()[20]) += Eigen::Vector3d(-0.02, -0.01, -0.02);
+        for (const auto method : {IdentificationMethod::map, IdentificationMethod::balance}) {
+            const Identification result =
+                identify(saddle, s.survey, {.method = method, .law = law});
+            const bool is_named = std::ranges::any_of(result.outliers, [&](const Outlier& o) {
+                return o.node == saddle.free_nodes()[20];
+            });
+            EXPECT_TRUE(is_named || result.trust.verdict() != Trust::Verdict::passed) << seed;
+        }
+    }
+}
+
 TEST(Doubt, IsDueWhereTargetsNextToEachOtherAreLeftOut) {
     // A gross error each on four nodes in a row: something there moved, rather than four targets.
     SimulatedSurvey s = survey_of(net(), law, 4);

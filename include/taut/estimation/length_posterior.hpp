@@ -24,6 +24,7 @@ struct LengthLikelihood {
     double std = std::numeric_limits<double>::infinity();  ///< [m]; infinite: it tells nothing
     /// Length of the edge in the surveyed form less nominal unstressed length [m].
     double slack_from = std::numeric_limits<double>::infinity();
+    double slack_from_std = std::numeric_limits<double>::infinity();  ///< where surely slack [m]
     /// z, negative for pressure; infinite: surely taut. -infinite: surely slack.
     double extension = std::numeric_limits<double>::infinity();
     /// No x outside these is possible: of an exact form where the tension law is flat [m].
