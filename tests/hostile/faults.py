@@ -163,16 +163,24 @@ def faults(rng: random.Random, sandbox: Sandbox, originals: Path):
     fail_call(sandbox, originals, command, call, rng.randint(1, counts[call]))
 
 
+#: Calls of malloc that fail in turn, at most: a run makes tens of thousands.
+MOST_MALLOCS = 12_000
+
+
 def every_fault(sandbox: Sandbox, originals: Path) -> dict[str, tuple[int, list[str]]]:
-    """Each call of each command fails in turn: of each kind how many, and what was found."""
-    work: dict[str, list] = {"each call of the system": [], "each call of malloc": []}
+    """Each call of each command fails in turn, of malloc every few: of each kind how many, and what was found."""
+    mallocs = {command: _malloc_count(sandbox, originals, command) for command in WRITERS}
+    stride = -(-sum(mallocs.values()) // MOST_MALLOCS)
+    of_malloc = f"one of {stride} calls of malloc"
+    work: dict[str, list] = {"each call of the system": [], of_malloc: []}
     for command in WRITERS:
         for call, count in _counts(sandbox, originals, command).items():
             work["each call of the system"] += [
                 (fail_call, command, call, n) for n in range(1, count + 1)
             ]
-        count = _malloc_count(sandbox, originals, command)
-        work["each call of malloc"] += [(fail_malloc, command, n, 1) for n in range(1, count + 1)]
+        work[of_malloc] += [
+            (fail_malloc, command, n, 1) for n in range(1, mallocs[command] + 1, stride)
+        ]
     free = SimpleQueue()
     for index in range(os.cpu_count() or 1):
         folder = sandbox.folder.parent / f"work-{index}"

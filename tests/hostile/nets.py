@@ -105,8 +105,9 @@ def random_net(rng: random.Random) -> dict:
     return net
 
 
-def out_of_balance(net: dict, form: np.ndarray) -> tuple[float, float, float]:
-    """Largest force left at a free node, all tensions' sum, and what rounding of coordinates explains [N]."""
+def out_of_balance(net: dict, form: np.ndarray) -> tuple[float, float, float, float]:
+    """Largest force left at a free node, all tensions' sum, what rounding of coordinates explains [N]; and all edges'
+    slack [m]."""
     edges = np.array(net["edges"])
     stiffness = np.array(net["axial_stiffness"])
     slack_length = np.array(net["unstressed_lengths"])
@@ -125,7 +126,7 @@ def out_of_balance(net: dict, form: np.ndarray) -> tuple[float, float, float]:
     rounding = np.zeros(len(form))
     np.add.at(rounding, edges[:, 0], last_place * stiffness / slack_length)
     np.add.at(rounding, edges[:, 1], last_place * stiffness / slack_length)
-    return left, tension.sum(), rounding.max()
+    return left, tension.sum(), rounding.max(), np.maximum(0.0, slack_length - length).sum()
 
 
 def to_json(net: dict) -> str:

@@ -218,16 +218,21 @@ def main() -> int:
             bad = sum(1 for one in found if one[0] == area)
             print(f"hostile: {area}: {counts[area]} cases, {runs_of[area]} runs, {bad} found")
             rows.append((f"`{area}`", counts[area], runs_of[area], bad))
+        what = f"seed {first}, {arguments.seconds:.0f} s"
+        if arguments.write:
+            write_page(arguments.write, what, rows)
         if arguments.every_fault and not can_inject():
             for kind, (done, broken) in every_fault(sandbox, originals).items():
-                for what in broken:
-                    print(f"hostile: found: {what[:600]}")
-                print(f"hostile: {kind} failed in turn: {done} runs, {len(broken)} found")
-                rows.append((f"{kind} in turn", done, done, len(broken)))
-                found.extend(("every fault", 0, what) for what in broken)
+                for one in broken:
+                    print(f"hostile: found: {one[:600]}")
+                print(
+                    f"hostile: {kind} failed in turn: {done} runs, {len(broken)} found", flush=True
+                )
+                rows.append((f"{kind}, in turn", done, done, len(broken)))
+                found.extend(("every fault", 0, one) for one in broken)
+            if arguments.write:
+                write_page(arguments.write, what, rows)
         print(f"hostile: {sandbox.runs} runs, {len(found)} found")
-    if arguments.write:
-        write_page(arguments.write, f"seed {first}, {arguments.seconds:.0f} s", rows)
     if arguments.keep:
         known = json.loads(SEEDS.read_text()) if SEEDS.exists() else []
         known += [

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import resource
@@ -171,6 +172,26 @@ class Sandbox:
         )
 
 
+def is_half(name: str, data: bytes) -> bool:
+    """Whether a file that the program wrote ends before its end."""
+    if name.endswith(".json"):
+        try:
+            json.loads(data)
+        except ValueError:
+            return True
+        return False
+    if name.endswith((".h5", ".h5.partial")):  # its last line is the digest of all before it
+        return re.search(rb"\ndigest fnv1a64 [0-9a-f]{16}\n$", data) is None
+    if name.endswith(".html"):
+        return not data.rstrip().endswith(b"</html>")
+    if name.endswith(".csv"):
+        rows = [line for line in data.split(b"\n") if not line.startswith(b"#")]
+        # Names in quotes may hold commas.
+        columns = {row.count(b",") for row in rows[:-1] if b'"' not in row}
+        return rows[-1] != b"" or len(columns) > 1
+    return name.endswith(".obj") and not data.endswith(b"\n")
+
+
 def judge(run: Run, outputs: tuple[str, ...] = (), killed: int | None = None):
     """Holds a run to the contract.
 
@@ -198,7 +219,7 @@ def judge(run: Run, outputs: tuple[str, ...] = (), killed: int | None = None):
     strange = [line for line in lines if not re.match(rb"taut: (error|warning|note): ", line)]
     if strange:
         broken(f"standard error holds {strange[0][:200]!r}")
-    if run.code in (2, 130) and killed is None and len(errors) != 1:
+    if run.code != 0 and killed is None and len(errors) != 1:
         broken(f"{len(errors)} lines of error")
     if run.code == 0 and errors:
         broken("an error, but exit code 0")
@@ -223,6 +244,8 @@ def judge(run: Run, outputs: tuple[str, ...] = (), killed: int | None = None):
             broken(f"{name!r} was written by a run that failed")
         if new is None:
             broken(f"{name!r} is gone")
+        if not new.startswith(b"link to ") and is_half(name, new):
+            broken(f"{name!r} is half written")
         if old is not None and old.startswith(b"link to "):
             broken(f"the link {name!r} was replaced")
         if name.endswith((".json", ".csv")) and NOT_A_NUMBER.search(new):
