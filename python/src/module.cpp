@@ -42,14 +42,17 @@ void bind_exceptions(nb::module_& module) {
         const auto raise = [](PyObject* type, const std::exception& error) {
             PyErr_SetString(type, in_python(error.what()).c_str());
         };
+        const auto raise_of_file = [](PyObject* type, const std::exception& error) {
+            PyErr_SetString(type, of_file_in_python(error.what()).c_str());
+        };
         try {
             std::rethrow_exception(thrown);
         } catch (const Interrupted&) {
             PyErr_SetNone(PyExc_KeyboardInterrupt);
         } catch (const OutputError& error) {
-            raise(PyExc_OSError, error);
+            raise_of_file(PyExc_OSError, error);
         } catch (const InputError& error) {
-            raise(input_error, error);
+            raise_of_file(input_error, error);
         } catch (const NetError& error) {
             raise(net_error, error);
         } catch (const SurveyError& error) {

@@ -125,8 +125,8 @@ void make_picklable(nb::class_<T>& of) {
         try {
             const auto made_by = nb::cast<std::string>(state[0]);
             if (made_by != version()) {
-                throw nb::value_error(fmt::format("pickled by taut {}, this is {}: what is to last "
-                                                  "is kept by save()",
+                throw nb::value_error(fmt::format("pickled by taut {}, this is {}: keep what is to "
+                                                  "last by save() or to_dict()",
                                                   made_by, version())
                                           .c_str());
             }

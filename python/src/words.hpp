@@ -13,6 +13,9 @@ namespace taut::python {
 /// "noise=0.0005".
 [[nodiscard]] std::string in_python(std::string_view message);
 
+/// The same of "file:place: what is wrong": names of files stay as they are.
+[[nodiscard]] std::string of_file_in_python(std::string_view message);
+
 [[nodiscard]] std::vector<std::string> in_python(const std::vector<std::string>& messages);
 
 }  // namespace taut::python

@@ -49,16 +49,19 @@ def misfit(function, args, kwargs) -> str:
     if len(args) > len(told.args):
         names = ", ".join(one.arg for one in told.args)
         return f"got {len(args)} arguments without a name, expected at most {names}"
-    for name in kwargs.keys() - expected.keys():
+    for name in [name for name in kwargs if name not in expected]:
         near = difflib.get_close_matches(name, expected, n=1)
         return f"{name}: is no argument, expected {' or '.join(near or expected)}"
-    given = dict(zip(expected, args)) | kwargs  # noqa: B905 - args are the first of all
+    given = dict(zip(expected, args))  # noqa: B905 - args are the first of all
+    for name in [name for name in kwargs if name in given]:
+        return f"{name}: is given twice"
+    given |= kwargs
     for one in told.args[: len(told.args) - len(told.defaults)]:
         if one.arg not in given:
             return f"{one.arg}: is missing, expected {_listed(one.annotation)}"
     fits = {name: _fits(value, expected[name]) for name, value in given.items()}
     wrong = [name for name in given if fits[name] is False]
-    wrong = wrong or [name for name in given if fits[name] is None]
+    wrong = wrong or [name for name in given if fits[name] is None] or list(given)
     return "; ".join(
         f"{name}: got {_got(given[name])}, expected {_listed(expected[name])}" for name in wrong
     )
