@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Request{"unknown_net", "example hilo -o old.json", "'hilo'"},
                     Request{"no_rows", "example hypar:0x5 -o old.json", "0 x 5"},
                     Request{"negative_rows", "example hypar:-2x5 -o old.json", "hypar:-2x5"},
-                    Request{"too_many_columns", "example hypar:5x301 -o old.json", "5 x 301"},
+                    Request{"too_many_columns", "example hypar:5x1001 -o old.json", "5 x 1001"},
                     Request{"too_many_rows_to_count", "example hypar:99999999999x2 -o old.json",
                             "hypar:99999999999x2"},
                     Request{"no_name", "example -o old.json", "NAME"},

@@ -128,7 +128,7 @@ TEST(BuiltinNet, RefusesOtherNamesAndListsItsOwn) {
 
 TEST(BuiltinNet, RefusesSizesOutOfRange) {
     EXPECT_THROW((void)builtin_net("hypar:0x3"), std::invalid_argument);
-    EXPECT_THROW((void)builtin_net("hypar:3x301"), std::invalid_argument);
+    EXPECT_THROW((void)builtin_net("hypar:3x1001"), std::invalid_argument);
 }
 
 }  // namespace
