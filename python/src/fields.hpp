@@ -98,8 +98,9 @@ TAUT_FIELDS(Identification, method, method_reason, how, law, status, message, ed
             contradicted_taut, contradicted_slack, unknowns, draws, epochs, turned, trust,
             length_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)
+TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, law, seed, unknowns, mean, metric, as_in_paper,
-            nominal_form, input_scales, length_deviations, processes)
+            nominal_form, input_scales, length_deviations, processes, form_prior)
 TAUT_FIELDS(EdgeProspect, edge, std, status)
 TAUT_FIELDS(TensionProspect, edge, tension, std, mean_std_with_reading)
 TAUT_FIELDS(SurveyProspect, prior_std, edges, mean_tension, mean_tension_std, readings)
