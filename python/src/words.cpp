@@ -105,9 +105,9 @@ std::string argument(const std::string& name, std::string_view value) {
 
 std::string of_file_in_python(std::string_view message) {
     const size_t name = message.find(": ");
-    return name == message.npos ? in_python(message)
-                                : std::string(message.substr(0, name)) +
-                                      in_python(message.substr(name));
+    return name == message.npos
+               ? in_python(message)
+               : std::string(message.substr(0, name)) + in_python(message.substr(name));
 }
 
 std::string in_python(std::string_view message) {

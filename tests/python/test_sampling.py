@@ -69,4 +69,4 @@ def test_wrong_laws_and_counts_are_refused(net):
     with pytest.raises(ValueError, match="count"):
         taut.Sampler(net).draw(-1)
     with pytest.raises(ValueError, match="training sample 99"):
-        taut.train(net, taut.Sampler(net).draw(5), samples=[99])
+        taut.train(net, taut.Sampler(net).draw(5), samples=[0, 99])
