@@ -23,8 +23,9 @@
 
 namespace taut {
 
-/// Four numbers anywhere in memory, that the compiler computes with by instructions as wide as it
-/// may use.
-using Packet = double __attribute__((vector_size(32), aligned(8), may_alias));
+/// Four numbers that the compiler computes with by instructions as wide as it may use. Taken from
+/// memory, and put there, by std::memcpy: compilers do not agree on how a type of a smaller
+/// alignment is told, and numbers may stand anywhere.
+using Packet = double __attribute__((vector_size(32)));
 
 }  // namespace taut

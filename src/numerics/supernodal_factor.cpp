@@ -132,7 +132,8 @@ SupernodalFactor::Needs SupernodalFactor::needs_of(const std::vector<int>& front
         }
         stacks.push(front.level, squared(front.row_count()));
         if (m_definiteness == Definiteness::indefinite) {
-            needs.scratch = std::max(needs.scratch, static_cast<size_t>(factor_of(front).size()));
+            needs.scratch =
+                std::max(needs.scratch, static_cast<size_t>(front.size() * front.supernode.size));
         }
     }
     needs.heights = stacks.heights();

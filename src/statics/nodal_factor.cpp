@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include "numerics/packets.hpp"
@@ -46,14 +47,20 @@ TAUT_PACKETS void NodalFactor::subtract_products(const Block* begin, const Block
     const std::array<double, 9> s = {S(0, 0), S(1, 0), S(2, 0), S(0, 1), S(1, 1),
                                      S(2, 1), S(0, 2), S(1, 2), S(2, 2)};
     for (const Block* block = begin; block != end; ++block) {
-        const auto* const L = reinterpret_cast<const Packet*>(block->values.data());
-        auto* const row = reinterpret_cast<Packet*>(rows[block->row].data());
-        const Packet first = L[0];
-        const Packet second = L[1];
-        const Packet third = L[2];
-        row[0] -= first * s[0] + second * s[1] + third * s[2];
-        row[1] -= first * s[3] + second * s[4] + third * s[5];
-        row[2] -= first * s[6] + second * s[7] + third * s[8];
+        const double* const L = block->values.data();
+        double* const row = rows[block->row].data();
+        Packet first;
+        Packet second;
+        Packet third;
+        std::memcpy(&first, L, sizeof first);
+        std::memcpy(&second, L + 4, sizeof second);
+        std::memcpy(&third, L + 8, sizeof third);
+        for (size_t c = 0; c < 3; ++c) {
+            Packet column;
+            std::memcpy(&column, row + 4 * c, sizeof column);
+            column -= first * s[3 * c] + second * s[3 * c + 1] + third * s[3 * c + 2];
+            std::memcpy(row + 4 * c, &column, sizeof column);
+        }
     }
 }
 
