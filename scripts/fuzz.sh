@@ -63,7 +63,8 @@ make_seeds() {
     done
     cat $work/net.csv $work/between $work/net_edges.csv >$work/pair.csv
     copy csv_net $work/pair.csv
-    while IFS= read -r -d '' file; do
+    # What is kept holds nothing of other people's.
+    while [[ -z "$keep" ]] && IFS= read -r -d '' file; do
         copy compas "$file"
     done < <(find "$real" -name '*.json' -size -64k -print0 2>/dev/null)
 }
