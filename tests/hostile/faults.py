@@ -164,7 +164,7 @@ def faults(rng: random.Random, sandbox: Sandbox, originals: Path):
 
 
 #: Calls of malloc that fail in turn, at most: a run makes tens of thousands.
-MOST_MALLOCS = 12_000
+MOST_MALLOCS = 6_000
 
 
 def every_fault(sandbox: Sandbox, originals: Path) -> dict[str, tuple[int, list[str]]]:
