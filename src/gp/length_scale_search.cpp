@@ -198,8 +198,7 @@ std::vector<double> unseen_valleys(const std::vector<Points>& outputs, double fi
         }
     }
     std::ranges::sort(middles);
-    const auto repeated = std::ranges::unique(middles);
-    middles.erase(repeated.begin(), repeated.end());
+    middles.erase(std::unique(middles.begin(), middles.end()), middles.end());  // Clang 14
     return middles;
 }
 
