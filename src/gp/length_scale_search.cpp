@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <set>
 
 namespace taut::gp {
 namespace {
@@ -189,17 +190,15 @@ std::vector<Eigen::Index> outputs_that_may_gain(const std::vector<Points>& outpu
 
 /// The middles of intervals that may hide a valley of some output, in ascending order.
 std::vector<double> unseen_valleys(const std::vector<Points>& outputs, double first_step) {
-    std::vector<double> middles;
+    std::set<double> middles;
     for (const Points& points : outputs) {
         for (size_t i = 0; i + 1 < points.size(); ++i) {
             if (points[i + 1].at - points[i].at > first_step && may_hide_valley(points, i)) {
-                middles.push_back(0.5 * (points[i].at + points[i + 1].at));
+                middles.insert(0.5 * (points[i].at + points[i + 1].at));
             }
         }
     }
-    std::ranges::sort(middles);
-    middles.erase(std::unique(middles.begin(), middles.end()), middles.end());  // Clang 14
-    return middles;
+    return {middles.begin(), middles.end()};
 }
 
 }  // namespace
