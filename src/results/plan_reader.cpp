@@ -58,7 +58,10 @@ PlanResult read_plan(const JsonValue& root) {
     plan.target_form = require_form(root, "target_form", plan.net);
     plan.target_normals = require_form(root, "target_normals", plan.net);
     const int count = plan.net.edge_count();
-    const JsonValue edges = member(member(root, "tension"), "edges");
+    const JsonValue tension = member(root, "tension");
+    require_at_most(tension, "least", "most");
+    require_at_most(tension, "least_as_built", "most_as_built");
+    const JsonValue edges = member(tension, "edges");
     edges.require_array(count, fmt::format("one for each edge: {}", count));
     for (int e = 0; e < count; ++e) {
         plan.tensions.push_back(read_tension(edges.at(e), e));

@@ -58,6 +58,9 @@ StudyResult read_study(const JsonValue& root) {
     require_at_most(samples, "training", "total");
     require_at_most(samples, "validation", "total");
     require_at_most(samples, "with_slack", "total");
+    for (const char* form : {"nominal", "identified"}) {
+        require_at_most(member(member(root, "form_error"), form), "min", "max");
+    }
     require_at_most(samples, "not_converged", "total");
 
     study.nominal_form = require_form(root, "nominal_form", study.net);
@@ -89,18 +92,6 @@ EdgeStatus read_status(const std::string& name) {
         }
     }
     return EdgeStatus::identified;
-}
-
-/// Of what draws tell of an edge, if anything.
-void check_tension(const JsonValue& value) {
-    const auto lower = optional_number(value, "tension_lower");
-    const auto upper = optional_number(value, "tension_upper");
-    if (lower && upper && *lower > *upper) {
-        value.fail(
-            fmt::format("has the interval of tension from {} to {}, expected lower before "
-                        "upper",
-                        *lower, *upper));
-    }
 }
 
 IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
@@ -137,7 +128,7 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
             fmt::format("has the length deviation {}, expected one in its interval, {} to {}",
                         edge.length_deviation, edge.lower, edge.upper));
     }
-    check_tension(value);
+    require_at_most(value, "tension_lower", "tension_upper");
     return edge;
 }
 
@@ -169,9 +160,13 @@ std::vector<IdentificationResult::Residual> read_residuals(const JsonValue& surv
         left_out.insert(read_node(member(outlier, "node"), net));
     }
     std::vector<IdentificationResult::Residual> residuals;
+    std::set<int> seen;
     for (const JsonValue& entry : entries(survey, "residuals")) {
         const auto number = [&entry](const char* key) { return member(entry, key).number(); };
         const int node = read_node(member(entry, "node"), net);
+        if (!seen.insert(node).second) {
+            entry.fail(fmt::format("is of the node {} again, expected each once", node));
+        }
         residuals.push_back({.node = node,
                              .surveyed_less_predicted = {number("dx"), number("dy"), number("dz")},
                              .is_in_use = !left_out.contains(node)});
@@ -277,6 +272,19 @@ IdentificationResult read_identification(const JsonValue& root) {
     if (root.find("tension")) {
         static_cast<void>(
             require_list(root, "tension", result.net.edge_count(), "a number for each edge"));
+    }
+    if (const auto mean_tension = find_unless_null(root, "mean_tension")) {
+        require_at_most(*mean_tension, "lower", "upper");
+    }
+    std::set<int> adjustable;
+    for (const JsonValue& drawn : entries(root, "adjustable_edges")) {
+        const JsonValue edge = member(drawn, "edge");
+        if (!std::ranges::binary_search(result.net.adjustable_edges(), edge.integer()) ||
+            !adjustable.insert(edge.integer()).second) {
+            edge.fail(fmt::format("is {}, expected each adjustable edge of the net once",
+                                  edge.integer()));
+        }
+        require_at_most(drawn, "tension_lower", "tension_upper");
     }
     for (const JsonValue& unknown : entries(root, "unknowns")) {
         result.unknowns.push_back(read_unknown(unknown, result.net));

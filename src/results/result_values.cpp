@@ -82,7 +82,7 @@ CableNet require_net(const JsonValue& root) {
     for (const auto& fingerprint : {counts.find("fingerprint"), root.find("net_fingerprint")}) {
         if (fingerprint && fingerprint->text() != net.fingerprint()) {
             fingerprint->fail(fmt::format("is {}, expected {}, that of /cable_net",
-                                          fingerprint->text(), net.fingerprint()));
+                                          quote(fingerprint->text()), net.fingerprint()));
         }
     }
     for (const auto& [key, count] :
