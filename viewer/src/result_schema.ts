@@ -9,6 +9,7 @@
 export type Result = Study | Identification | Comparison | Plan | Control;
 export type Count = number;
 export type SizeOrNull = number | null;
+export type PartOrNull = number | null;
 export type Size = number;
 /**
  * @minItems 3
@@ -25,6 +26,7 @@ export type Indices = Index[];
 export type Pair = [Index, Index];
 export type Numbers = number[];
 export type Texts = string[];
+export type Verdict = "passed" | "doubtful" | "failed";
 /**
  * Since the net was as designed, until the last of several surveys.
  */
@@ -69,7 +71,6 @@ export type Indices1 = Index[];
  */
 export type Indices2 = Index[];
 export type CountOrNull = number | null;
-export type PartOrNull = number | null;
 /**
  * Of each coordinate, over the draws; 0 without.
  */
@@ -158,7 +159,7 @@ export interface Method {
   mrse: SizeOrNull;
   error_mean_max_abs: SizeOrNull;
   error_std_mean: SizeOrNull;
-  coverage_95?: SizeOrNull;
+  coverage_95?: PartOrNull;
   form_error?: FormErrorSummary | null;
   forms_not_converged?: Count;
   training_seconds?: Size;
@@ -273,15 +274,15 @@ export interface Identification {
  */
 export interface Trust {
   /**
-   * The worst of all findings: passed, doubtful or failed.
+   * The worst of all findings.
    */
-  verdict: string;
+  verdict: "passed" | "doubtful" | "failed";
   /**
    * Those of the findings.
    */
   reasons?: string[];
   findings: {
-    verdict: string;
+    verdict: Verdict;
     reason: string;
     /**
      * What to do about it; may be empty.
@@ -477,15 +478,15 @@ export interface Outlier {
  */
 export interface Trust1 {
   /**
-   * The worst of all findings: passed, doubtful or failed.
+   * The worst of all findings.
    */
-  verdict: string;
+  verdict: "passed" | "doubtful" | "failed";
   /**
    * Those of the findings.
    */
   reasons?: string[];
   findings: {
-    verdict: string;
+    verdict: Verdict;
     reason: string;
     /**
      * What to do about it; may be empty.
@@ -801,10 +802,7 @@ export interface Plan {
    * Trust in the result that the plan stands on.
    */
   identification: {
-    /**
-     * passed, doubtful or failed.
-     */
-    verdict: string;
+    verdict: Verdict;
     reasons: Texts;
   };
   /**
