@@ -27,6 +27,9 @@ void tell(std::string_view kind, std::string_view line) noexcept {
         one_line += line.size() > longest ? "..." : "";
         std::ranges::replace(one_line, '\n', ' ');
         const std::string content = fmt::format("taut: {}: {}\n", kind, printable(one_line));
+        if (kind == "error") {
+            take_last_word();
+        }
         static_cast<void>(std::fwrite(content.data(), 1, content.size(), stderr));
     } catch (const std::exception&) {
         static_cast<void>(std::fputs("taut: error: not enough memory\n", stderr));

@@ -31,6 +31,10 @@ void prepare_streams();
 /// Ends the program at once with a line and exit code 1, temporary files removed.
 [[noreturn]] void end_without_memory();
 
+/// From now on the calling thread tells why the program ends, and end_without_memory() nothing: of
+/// threads that come to no memory meanwhile, and of this one once it has told.
+void take_last_word() noexcept;
+
 /// Writes to standard output, control characters as printable() has them. Whether that went well is
 /// told by standard_output_works().
 void print(std::string_view text);

@@ -21,6 +21,10 @@
 namespace taut::app {
 namespace {
 
+/// The thread that ends the program, and whether the line that tells why is another's to write.
+std::atomic<std::thread::id> ending{};
+std::atomic<bool> last_word_is_taken{false};
+
 std::atomic<bool> orderly{false};
 std::atomic<bool> requested{false};
 std::array<int, 2> arrived{};  ///< a pipe: what the handler writes, the thread reads
@@ -77,20 +81,28 @@ void prepare_streams() {
     std::set_terminate(end_unexpectedly);
 }
 
+void take_last_word() noexcept {
+    last_word_is_taken = true;
+    std::thread::id nobody{};
+    ending.compare_exchange_strong(nobody, std::this_thread::get_id());
+}
+
 void end_without_memory() {
-    static std::atomic<std::thread::id> ending{};
     constexpr std::string_view line = "taut: error: not enough memory\n";
     std::thread::id first{};
     if (!ending.compare_exchange_strong(first, std::this_thread::get_id())) {
         if (first == std::this_thread::get_id()) {  // what ends in order asks for memory, too
-            [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+            if (!last_word_is_taken) {
+                [[maybe_unused]] const auto written =
+                    ::write(STDERR_FILENO, line.data(), line.size());
+            }
             _exit(numerical_failure);
         }
         // Another thread ends the program. Unless it waits for what this one holds: then this does.
         constexpr int long_enough = 1000;  // ms
         poll(nullptr, 0, long_enough);
     }
-    end_at_once(line, numerical_failure);
+    end_at_once(last_word_is_taken ? "" : line, numerical_failure);
 }
 
 void leave(int code) {
