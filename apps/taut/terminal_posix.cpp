@@ -24,6 +24,7 @@ namespace {
 /// The thread that ends the program, and whether the line that tells why is another's to write.
 std::atomic<std::thread::id> ending{};
 std::atomic<bool> last_word_is_taken{false};
+constexpr int long_enough = 1000;  ///< for the other thread [ms]
 
 std::atomic<bool> orderly{false};
 std::atomic<bool> requested{false};
@@ -82,9 +83,12 @@ void prepare_streams() {
 }
 
 void take_last_word() noexcept {
+    std::thread::id first{};
+    if (!ending.compare_exchange_strong(first, std::this_thread::get_id()) &&
+        first != std::this_thread::get_id()) {
+        poll(nullptr, 0, long_enough);  // the other's line is told, and this thread ends with it
+    }
     last_word_is_taken = true;
-    std::thread::id nobody{};
-    ending.compare_exchange_strong(nobody, std::this_thread::get_id());
 }
 
 void end_without_memory() {
@@ -99,7 +103,6 @@ void end_without_memory() {
             _exit(numerical_failure);
         }
         // Another thread ends the program. Unless it waits for what this one holds: then this does.
-        constexpr int long_enough = 1000;  // ms
         poll(nullptr, 0, long_enough);
     }
     end_at_once(last_word_is_taken ? "" : line, numerical_failure);
