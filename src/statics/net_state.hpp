@@ -47,7 +47,7 @@ private:
     Eigen::Matrix3Xd m_form;
     std::vector<EdgeState> m_edges;
     Eigen::VectorXd m_forces;
-    Eigen::VectorXd m_rounding;  ///< n_I, forces that rounding errors leave [N]
+    Eigen::VectorXd m_rounding;  ///< n_I, forces that rounding errors of a metre leave [N/m]
     double m_tension_sum = 0.0;
     int m_slack_count = 0;
 };
