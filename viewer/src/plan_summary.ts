@@ -89,6 +89,7 @@ export function planLines(plan: Plan): HTMLElement[] {
   const { verdict, reasons } = plan.identification;
   const about = {
     passed: "no test speaks against it",
+    doubtful: "look into what it names before turning",
     failed: "what is planned on it may do harm; mend what it names first",
   }[verdict];
   const stands = h("div", { class: `trust ${verdict}` },
