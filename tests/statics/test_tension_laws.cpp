@@ -121,16 +121,33 @@ TEST(TensionLaws, OfPointsOnALineAreTheLinearLaw) {
     }
 }
 
+TEST(TensionLaws, EquilibriumIsFoundAndCertifiedCloselyButForFewNets) {
+    int given_up = 0;
+    int far = 0;
+    for (int seed = 0; seed < 2000; ++seed) {
+        test::Random random(seed);
+        const CableNet net(test::with_random_laws(random, test::random_net_data(random)));
+        const Equilibrium found = solve_equilibrium(net);
+        if (found.status == EquilibriumStatus::iteration_limit) {
+            ++given_up;
+        } else if (!(certify(net, net.unstressed_lengths(), found.form).relative_gap < 1e-5)) {
+            ++far;
+        }
+    }
+    EXPECT_LE(given_up, 2);
+    EXPECT_LE(far, 5);
+}
+
 RC_GTEST_PROP(TensionLaws, EquilibriumIsFoundAndCertified, ()) {
     test::Random random = test::any_random();
     const CableNet net(test::with_random_laws(random, test::random_net_data(random)));
     const Equilibrium found = solve_equilibrium(net);
-    // One net of some 5,000 is given up, and says so.
+    // A net whose laws are all but flat may be given up, and says so.
     RC_PRE(found.status != EquilibriumStatus::iteration_limit);
     const EnergyCertificate proof = certify(net, net.unstressed_lengths(), found.form);
     RC_ASSERT(proof.duality_gap >= 0.0);
     // Where a law is flat the gap grows with the force that is out of balance, not with its square:
-    // 15,000 nets left up to 3e-4, and all but ten of them less than 1e-5.
+    // up to 3e-4 was seen.
     RC_ASSERT(proof.relative_gap < 1e-3);
     // Any other form stores more, by no less than its certificate says.
     const Points other = net.nodes();
