@@ -15,25 +15,58 @@
 namespace taut::gp {
 namespace {
 
-/// sum_i log(d_i + eta), with one logarithm for each product of 16 terms. Terms lie between 1e-14
-/// and 1e4 or so: such a product stays within the range of doubles.
-double log_determinant(const Eigen::VectorXd& eigenvalues, double noise_ratio) {
-    constexpr Eigen::Index block = 16;
-    double sum = 0.0;
-    Eigen::Index i = 0;
-    for (; i + block <= eigenvalues.size(); i += block) {
-        sum += std::log((eigenvalues.segment<block>(i).array() + noise_ratio).prod());
+/// The n eigenvalues of a correlation matrix: d, and the mean of those that are left out, which
+/// stands last, for all of them.
+struct Eigenvalues {
+    Eigen::VectorXd values;
+    Eigen::Index n;  ///< counted as often as they are
+
+    explicit Eigenvalues(const KernelSpectrum& spectrum)
+        : values(spectrum.eigenvalues), n(spectrum.eigenvectors.rows()) {
+        if (!spectrum.is_whole()) {
+            values.conservativeResize(values.size() + 1);
+            values(values.size() - 1) = spectrum.tail_mean;
+        }
     }
-    for (; i < eigenvalues.size(); ++i) {
-        sum += std::log(eigenvalues(i) + noise_ratio);
+};
+
+/// The energy z^2 of each output in each direction, and of what the directions leave out (as many
+/// as Eigenvalues::values x m).
+Eigen::MatrixXd energies(const KernelSpectrum& spectrum,
+                         const Eigen::Ref<const Eigen::MatrixXd>& outputs,
+                         const Eigen::MatrixXd& z) {
+    Eigen::MatrixXd squared = z.cwiseAbs2();
+    if (!spectrum.is_whole()) {
+        squared.conservativeResize(squared.rows() + 1, Eigen::NoChange);
+        squared.bottomRows<1>().setZero();
+        squared.bottomRows<1>() =
+            (outputs.colwise().squaredNorm() - squared.colwise().sum()).cwiseMax(0.0);
     }
-    return sum;
+    return squared;
 }
 
-double best_signal_variance(const Eigen::VectorXd& eigenvalues,
+/// sum_i log(d_i + eta), with one logarithm for each product of 16 terms. Terms lie between 1e-14
+/// and 1e4 or so: such a product stays within the range of doubles.
+double log_determinant(const Eigenvalues& eigenvalues, double noise_ratio) {
+    constexpr Eigen::Index block = 16;
+    const Eigen::VectorXd& d = eigenvalues.values;
+    double sum = 0.0;
+    Eigen::Index i = 0;
+    for (; i + block <= d.size(); i += block) {
+        sum += std::log((d.segment<block>(i).array() + noise_ratio).prod());
+    }
+    for (; i < d.size(); ++i) {
+        sum += std::log(d(i) + noise_ratio);
+    }
+    const auto further = static_cast<double>(eigenvalues.n - d.size());  // as the last one
+    return sum + (further > 0.0 ? further * std::log(d(d.size() - 1) + noise_ratio) : 0.0);
+}
+
+double best_signal_variance(const Eigenvalues& eigenvalues,
                             const Eigen::Ref<const Eigen::VectorXd>& squared_z,
                             double noise_ratio) {
-    return (squared_z.array() / (eigenvalues.array() + noise_ratio)).mean();
+    return (squared_z.array() / (eigenvalues.values.array() + noise_ratio)).sum() /
+           static_cast<double>(eigenvalues.n);
 }
 
 /// The negative log likelihood of n outputs at the best sigma_f for some eta.
@@ -52,21 +85,21 @@ struct NoiseScan {
 
 /// Steps of at most 1 in log eta: an eigenvalue's term turns within about 4, so that hardly a
 /// valley hides between two points.
-NoiseScan scan_noise_ratios(const Eigen::VectorXd& eigenvalues, const Eigen::MatrixXd& squared_z,
+NoiseScan scan_noise_ratios(const Eigenvalues& eigenvalues, const Eigen::MatrixXd& squared_z,
                             const NoiseRatioBounds& bounds) {
     const double range = std::log(bounds.upper / bounds.lower);
     const auto intervals = static_cast<Eigen::Index>(std::ceil(range));
     NoiseScan scan{.lower = std::log(bounds.lower),
                    .step = intervals > 0 ? range / static_cast<double>(intervals) : 0.0,
                    .values = Eigen::MatrixXd(intervals + 1, squared_z.cols())};
-    Eigen::MatrixXd inverse(eigenvalues.size(), intervals + 1);
+    Eigen::MatrixXd inverse(eigenvalues.values.size(), intervals + 1);
     Eigen::VectorXd log_determinants(intervals + 1);
     for (Eigen::Index k = 0; k <= intervals; ++k) {
         const double ratio = std::exp(scan.lower + static_cast<double>(k) * scan.step);
-        inverse.col(k) = (eigenvalues.array() + ratio).inverse();
+        inverse.col(k) = (eigenvalues.values.array() + ratio).inverse();
         log_determinants(k) = log_determinant(eigenvalues, ratio);
     }
-    const Eigen::Index n = eigenvalues.size();
+    const Eigen::Index n = eigenvalues.n;
     const Eigen::MatrixXd sums = transposed_product(inverse, squared_z);
     for (Eigen::Index j = 0; j < sums.cols(); ++j) {
         for (Eigen::Index k = 0; k <= intervals; ++k) {
@@ -79,13 +112,12 @@ NoiseScan scan_noise_ratios(const Eigen::VectorXd& eigenvalues, const Eigen::Mat
 
 /// The best eta of one output: Brent's method from each of the scan's valleys. There can be
 /// several, such as one that explains the output by the inputs and one that takes it for noise.
-double best_noise_ratio(const Eigen::VectorXd& eigenvalues,
+double best_noise_ratio(const Eigenvalues& eigenvalues,
                         const Eigen::Ref<const Eigen::VectorXd>& squared_z, const NoiseScan& scan,
                         const Eigen::Ref<const Eigen::VectorXd>& scanned) {
     const auto value = [&](double log_ratio) {
         const double ratio = std::exp(log_ratio);
-        return profile_value(eigenvalues.size(),
-                             best_signal_variance(eigenvalues, squared_z, ratio),
+        return profile_value(eigenvalues.n, best_signal_variance(eigenvalues, squared_z, ratio),
                              log_determinant(eigenvalues, ratio));
     };
     const auto at = [&](Eigen::Index k) { return scan.lower + static_cast<double>(k) * scan.step; };
@@ -186,9 +218,9 @@ LikelihoodProfile profile_likelihood(const KernelSpectrum& spectrum,
                                      const Eigen::Ref<const Eigen::MatrixXd>& outputs,
                                      const NoiseRatioBounds& bounds, Slope slope) {
     const Eigen::Index m = outputs.cols();
-    const Eigen::VectorXd& d = spectrum.eigenvalues;
+    const Eigenvalues d(spectrum);
     Eigen::MatrixXd z = transposed_product(spectrum.eigenvectors, outputs);
-    const Eigen::MatrixXd squared_z = z.cwiseAbs2();
+    const Eigen::MatrixXd squared_z = energies(spectrum, outputs, z);
     const NoiseScan scan = scan_noise_ratios(d, squared_z, bounds);
 
     LikelihoodProfile profile{.value = Eigen::VectorXd(m),
@@ -200,9 +232,9 @@ LikelihoodProfile profile_likelihood(const KernelSpectrum& spectrum,
         profile.noise_ratio(j) = ratio;
         profile.signal_variance(j) = best_signal_variance(d, squared_z.col(j), ratio);
         profile.value(j) =
-            profile_value(d.size(), profile.signal_variance(j), log_determinant(d, ratio));
+            profile_value(d.n, profile.signal_variance(j), log_determinant(d, ratio));
     });
-    if (slope == Slope::wanted) {
+    if (slope == Slope::wanted && spectrum.is_whole()) {
         profile.slope = profile_slope(spectrum, squared_distances, std::move(z), profile);
     }
     return profile;

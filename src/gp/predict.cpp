@@ -38,19 +38,28 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     const std::vector<Eigen::Index> members = members_of(fitted, s);
     const KernelSpectrum& spectrum = fitted.spectra[s];
     Eigen::VectorXd signal_stds(members.size());
-    Eigen::MatrixXd inverse(spectrum.eigenvalues.size(), members.size());  // (d + eta)^-1 of each
+    // (d + eta)^-1 of each. What a spectrum leaves out is taken for noise, of the largest that any
+    // direction has of it: the variance is then no smaller than the exact one. (low-rank-variance)
+    Eigen::MatrixXd inverse(spectrum.eigenvalues.size(), members.size());
+    Eigen::VectorXd tail_inverse(members.size());
     for (size_t i = 0; i < members.size(); ++i) {
         const auto& theta = fitted.processes[members[i]].hyperparameters;
         const double ratio = theta.noise_std / theta.signal_std;
         const auto column = static_cast<Eigen::Index>(i);
         signal_stds(column) = theta.signal_std;
-        inverse.col(column) = (spectrum.eigenvalues.array() + ratio * ratio).inverse();
+        const double noise = ratio * ratio + spectrum.tail_largest;
+        inverse.col(column) = (spectrum.eigenvalues.array() + noise).inverse();
+        tail_inverse(column) = 1.0 / noise;
     }
     // k(x_*) / sigma_f^2, and what of the variance the training inputs explain:
     // k' (R + eta I)^-1 k = sum_i (Q'k)_i^2 / (d_i + eta).
     const Eigen::MatrixXd k = correlation(squared_distances, spectrum.inverse_length_scale);
-    const Eigen::MatrixXd squared = transposed_product(spectrum.eigenvectors, k).cwiseAbs2();
-    const Eigen::MatrixXd explained = transposed_product(inverse, squared);
+    const Eigen::MatrixXd along = transposed_product(spectrum.eigenvectors, k);
+    Eigen::MatrixXd explained = transposed_product(inverse, along.cwiseAbs2());
+    if (!spectrum.is_whole()) {
+        explained +=
+            tail_inverse * (k - product(spectrum.eigenvectors, along)).colwise().squaredNorm();
+    }
     result.mean(members, Eigen::all) = transposed_product(fitted.weights(Eigen::all, members), k);
     result.std(members, Eigen::all) =
         signal_stds.asDiagonal() * (1.0 - explained.array()).cwiseMax(0.0).sqrt().matrix();

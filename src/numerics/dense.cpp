@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "numerics/blas.hpp"
+#include "numerics/parts.hpp"
 #include "numerics/serial_blas.hpp"
 
 namespace taut {
@@ -18,6 +19,7 @@ constexpr char transposed = 'T';
 constexpr char as_it_is = 'N';
 constexpr char lower = 'L';
 constexpr char left = 'L';
+constexpr char right = 'R';
 constexpr char not_unit = 'N';
 
 using Part = Eigen::Ref<const Eigen::MatrixXd>;
@@ -175,6 +177,20 @@ Eigen::MatrixXd Cholesky::solve_lower(Eigen::MatrixXd b) const {
         constexpr double one = 1.0;
         dtrsm_(&left, &lower, &as_it_is, &not_unit, &n, &columns, &one, m_L.data(), &lda,
                b.col(first).data(), &lda, 1, 1, 1, 1);
+    });
+    return b;
+}
+
+Eigen::MatrixXd Cholesky::solve_transposed_right(Eigen::MatrixXd b) const {
+    const int n = size_of(m_L.rows());
+    const int lda = std::max(1, n);
+    const int ldb = std::max(1, size_of(b.rows()));
+    const SerialBlas serial;
+    by_parts(0, b.rows(), [&](Eigen::Index first, Eigen::Index count) {
+        const int rows = size_of(count);
+        constexpr double one = 1.0;
+        dtrsm_(&right, &lower, &transposed, &not_unit, &rows, &n, &one, m_L.data(), &lda,
+               b.data() + first, &ldb, 1, 1, 1, 1);
     });
     return b;
 }

@@ -49,6 +49,8 @@ public:
     [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd b) const;
     /// L^-1 b
     [[nodiscard]] Eigen::MatrixXd solve_lower(Eigen::MatrixXd b) const;
+    /// b L'^-1
+    [[nodiscard]] Eigen::MatrixXd solve_transposed_right(Eigen::MatrixXd b) const;
     /// (L L')^-1, its lower triangle
     [[nodiscard]] Eigen::MatrixXd inverse_lower() const;
 

@@ -202,6 +202,27 @@ TEST(ProfileLikelihood, HoldsANoiseRatioWhoseBoundsAreEqual) {
     EXPECT_TRUE(profile.noise_ratio.isApproxToConstant(0.01, 1e-12));
 }
 
+TEST(ProfileLikelihood, OfALowRankIsThatOfTheMatrixThatItStandsFor) {
+    const Data data;
+    const KernelSpectrum whole = kernel_spectrum(data.distances, 0.5);
+    constexpr Eigen::Index rank = 12;
+    const KernelSpectrum part{.inverse_length_scale = 0.5,
+                              .eigenvalues = whole.eigenvalues.tail(rank),
+                              .eigenvectors = whole.eigenvectors.rightCols(rank),
+                              .tail_mean = 1e-3,
+                              .tail_largest = 2e-3};
+    KernelSpectrum filled = whole;
+    filled.eigenvalues.head(30 - rank).setConstant(part.tail_mean);
+    const NoiseRatioBounds bounds = default_noise_ratio_bounds(30);
+    const LikelihoodProfile found = profile_likelihood(part, data.distances, data.outputs, bounds);
+    const LikelihoodProfile expected =
+        profile_likelihood(filled, data.distances, data.outputs, bounds);
+    EXPECT_TRUE(found.value.isApprox(expected.value, 1e-9));
+    EXPECT_TRUE(found.noise_ratio.isApprox(expected.noise_ratio, 1e-4));
+    EXPECT_TRUE(found.signal_variance.isApprox(expected.signal_variance, 1e-4));
+    EXPECT_EQ(found.slope.size(), 0);
+}
+
 TEST(ProfileLikelihood, ScalesWithTheOutput) {
     const Data data;
     const KernelSpectrum spectrum = kernel_spectrum(data.distances, 1.0);

@@ -32,6 +32,9 @@ struct Process {
     double negative_log_likelihood = 0.0;  ///< of its output, at these hyperparameters
     double leave_one_out_rmse = 0.0;  ///< of the mean at each training input, trained without it
     int spectrum = -1;                ///< which of FittedProcesses::spectra it uses
+    /// By low rank: bound of what its mean is off from the exact one with the same hyperparameters,
+    /// root mean square over the training inputs; else 0.
+    double approximation_error = 0.0;
 };
 
 /// Mean and variance at k inputs of m processes.
@@ -55,6 +58,9 @@ struct TAUT_CORE_EXPORT FittedProcesses {
     /// dm/dx_* at one input (m x d): by eq. mx_*, -lambda^2 sum_i w_i k(x_*, x_i) (x_* - x_i)'.
     /// @throws std::invalid_argument as predict()
     [[nodiscard]] Eigen::MatrixXd mean_gradient(const Eigen::Ref<const Eigen::VectorXd>& at) const;
+
+    /// The largest rank of its spectra, where these are not whole; else nothing.
+    [[nodiscard]] std::optional<Eigen::Index> rank() const;
 };
 
 /// Where hyperparameters are looked for, and for how long.
@@ -73,6 +79,10 @@ struct FitSettings {
     /// n = 1000, allow more.
     double relative_tolerance = 1e-7;
     int max_spectra = 12;  ///< decompositions at most, 1 or more
+    /// Inputs that are decomposed, at most, 2 or more: with more of them processes are fitted by
+    /// low rank, docs/theory.md (low-rank).
+    int most_decomposed = 3000;
+    int rank = 1500;  ///< there: directions of each spectrum, 1 or more
 };
 
 /// Algorithm 1 of the paper: estimates each output's hyperparameters by maximum marginal likelihood

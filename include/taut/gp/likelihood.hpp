@@ -22,7 +22,7 @@ struct Likelihood {
 ///
 /// and its gradient, 1/2 tr(C^-1 dC) - 1/2 a' dC a with a = C^-1 y (Rasmussen and Williams,
 /// eq. 5.9). That sizes agree is not checked.
-/// @param spectrum of the correlation matrix R at hyperparameters.inverse_length_scale
+/// @param spectrum of the correlation matrix R at hyperparameters.inverse_length_scale, whole
 /// @param squared_distances of all pairs of training inputs (n x n)
 /// @param output y (n)
 [[nodiscard]] TAUT_CORE_EXPORT Likelihood negative_log_likelihood(
@@ -56,8 +56,10 @@ enum class Slope { wanted, left_out };
 ///
 ///     n/2 log sigma_f^2 + 1/2 sum_i log(d_i + eta) + n/2 (1 + log 2 pi)
 ///
+/// Of a spectrum that is not whole the n - r other terms are that of its tail's mean, with what is
+/// left of |y|^2 for the sum of their z^2; it has no slope.
 /// That sizes agree, and 0 < bounds.lower <= bounds.upper, is not checked.
-/// @param squared_distances of all pairs of training inputs (n x n)
+/// @param squared_distances of all pairs of training inputs (n x n); only the slope needs them
 /// @param outputs n x m, none of them zero throughout
 [[nodiscard]] TAUT_CORE_EXPORT LikelihoodProfile profile_likelihood(
     const KernelSpectrum& spectrum, const Eigen::Ref<const Eigen::MatrixXd>& squared_distances,

@@ -12,10 +12,19 @@ namespace taut::gp {
 /// The eigendecomposition R = Q diag(d) Q' of the correlation matrix of the training inputs. All
 /// that a Gaussian process needs of K = sigma_f^2 R, for any sigma_f, sigma_w and any output,
 /// follows from it in O(n^2): this is why one decomposition serves hundreds of outputs.
+///
+/// Of more inputs than can be decomposed only the r directions that count, docs/theory.md
+/// (low-rank), and how large the others are: R = Q diag(d) Q' + tail_mean (I - Q Q') but for a
+/// remainder, and R - Q diag(d) Q' is at most tail_largest.
 struct KernelSpectrum {
     double inverse_length_scale = 0.0;  ///< lambda
-    Eigen::VectorXd eigenvalues;   ///< d (n), ascending; rounding errors below zero set to zero
-    Eigen::MatrixXd eigenvectors;  ///< Q (n x n)
+    Eigen::VectorXd eigenvalues;   ///< d (r), ascending; rounding errors below zero set to zero
+    Eigen::MatrixXd eigenvectors;  ///< Q (n x r), orthonormal columns
+    double tail_mean = 0.0;        ///< of the n - r eigenvalues left out; 0 where r = n
+    double tail_largest = 0.0;     ///< of these, by power iteration; 0 where r = n
+
+    /// Whether r = n: nothing is left out.
+    [[nodiscard]] bool is_whole() const { return eigenvectors.cols() == eigenvectors.rows(); }
 };
 
 /// Decomposes the correlation matrix at one lambda, in O(n^3).

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "gp/lambda_search.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "gp/length_scale_search.hpp"
+
+namespace taut::gp {
+namespace {
+
+/// Lambdas looked at together, one a thread: always as many, so that results do not depend on the
+/// number of threads. More would be chosen with less knowledge; of two, hardly one is lost by it.
+constexpr int lambdas_together = 2;
+
+}  // namespace
+
+void keep_better(std::vector<BestLambda>& best, double log_lambda,
+                 const std::vector<Eigen::Index>& outputs, const LikelihoodProfile& profile) {
+    for (Eigen::Index k = 0; k < profile.value.size(); ++k) {
+        if (BestLambda& known = best[outputs[k]]; profile.value(k) < known.value) {
+            known = {.log_lambda = log_lambda,
+                     .value = profile.value(k),
+                     .noise_ratio = profile.noise_ratio(k),
+                     .signal_variance = profile.signal_variance(k)};
+        }
+    }
+}
+
+void FoundLambdas::forget_unused() {
+    std::erase_if(spectra, [&](const auto& spectrum) {
+        return std::ranges::find(best, spectrum.first, &BestLambda::log_lambda) == best.end();
+    });
+}
+
+FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
+                            const Eigen::MatrixXd& outputs, const LambdaSearchSettings& settings,
+                            const Progress& progress) {
+    FoundLambdas found{.best = std::vector<BestLambda>(outputs.cols()), .spectra = {}};
+    LengthScaleSearch points(outputs.cols(), settings.lower_log_lambda, settings.upper_log_lambda,
+                             settings.relative_tolerance);
+    for (int made = 0; made < settings.max_spectra;) {
+        const auto looks = points.next(std::min(lambdas_together, settings.max_spectra - made));
+        if (looks.empty()) {
+            break;
+        }
+        for (size_t k = 0; k < looks.size(); ++k) {
+            progress("training", made++, settings.max_spectra);
+        }
+        const bool is_last = made == settings.max_spectra;  // no slope will be asked for
+        std::vector<KernelSpectrum> seen(looks.size());
+        std::vector<LikelihoodProfile> profiles(looks.size());
+        tbb::parallel_for(size_t{0}, seen.size(), [&](size_t k) {
+            seen[k] = kernel_spectrum(squared_distances, std::exp(looks[k].log_lambda));
+            profiles[k] = profile_likelihood(
+                seen[k], squared_distances, outputs(Eigen::all, looks[k].outputs),
+                settings.noise_ratio, is_last ? Slope::left_out : Slope::wanted);
+        });
+        for (size_t k = 0; k < seen.size(); ++k) {
+            keep_better(found.best, looks[k].log_lambda, looks[k].outputs, profiles[k]);
+            if (!is_last) {
+                points.add(looks[k], profiles[k]);
+            }
+            found.spectra.emplace(looks[k].log_lambda, std::move(seen[k]));
+        }
+        found.forget_unused();
+    }
+    return found;
+}
+
+}  // namespace taut::gp

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "gp/low_rank_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "gp/low_rank_spectrum.hpp"
+
+namespace taut::gp {
+namespace {
+
+/// Lambdas tried on all inputs.
+constexpr size_t most_kept = 3;
+
+/// Of some lambdas the few that lose least: one after the other is taken, that with which the best
+/// values of all outputs have the least sum.
+/// @param values negative log likelihoods of the outputs, by log lambda
+std::vector<double> best_few(const std::map<double, Eigen::VectorXd>& values) {
+    std::vector<double> kept;
+    Eigen::VectorXd best = Eigen::VectorXd::Constant(values.begin()->second.size(),
+                                                     std::numeric_limits<double>::max());
+    while (kept.size() < std::min(most_kept, values.size())) {
+        const auto next = std::ranges::min_element(
+            values, {}, [&](const auto& at) { return best.cwiseMin(at.second).mean(); });
+        const Eigen::VectorXd with_it = best.cwiseMin(next->second);
+        if (with_it == best) {
+            break;
+        }
+        best = with_it;
+        kept.push_back(next->first);
+    }
+    return kept;
+}
+
+/// Those that serve the outputs best on a part of the inputs.
+std::vector<double> log_lambdas_of_part(const Eigen::MatrixXd& squared_distances,
+                                        const Eigen::MatrixXd& outputs,
+                                        const LambdaSearchSettings& settings,
+                                        const Progress& progress) {
+    std::vector<Eigen::Index> usable;  // constant on the part, an output has nothing to tell
+    for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
+        if (outputs.col(j).maxCoeff() > outputs.col(j).minCoeff()) {
+            usable.push_back(j);
+        }
+    }
+    if (usable.empty()) {
+        return {0.5 * (settings.lower_log_lambda + settings.upper_log_lambda)};
+    }
+    const Eigen::MatrixXd told = outputs(Eigen::all, usable);
+    const FoundLambdas found = search_lambdas(squared_distances, told, settings, progress);
+    std::map<double, Eigen::VectorXd> values;
+    for (const auto& [log_lambda, spectrum] : found.spectra) {
+        values[log_lambda] = profile_likelihood(spectrum, squared_distances, told,
+                                                settings.noise_ratio, Slope::left_out)
+                                 .value;
+    }
+    return best_few(values);
+}
+
+}  // namespace
+
+FoundLambdas search_by_low_rank(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
+                                const Eigen::MatrixXd& outputs,
+                                const std::vector<Eigen::Index>& part,
+                                const Eigen::MatrixXd& part_squared_distances,
+                                const LambdaSearchSettings& settings, Eigen::Index rank,
+                                const Progress& progress) {
+    const std::vector<double> log_lambdas = log_lambdas_of_part(
+        part_squared_distances, outputs(part, Eigen::all), settings, progress.part(0, 2));
+    std::vector<Eigen::Index> all(outputs.cols());
+    std::iota(all.begin(), all.end(), 0);
+    FoundLambdas found{.best = std::vector<BestLambda>(outputs.cols()), .spectra = {}};
+    const Progress steps = progress.part(1, 2);
+    for (size_t k = 0; k < log_lambdas.size(); ++k) {
+        steps("training", static_cast<int>(k), static_cast<int>(log_lambdas.size()));
+        const double at = log_lambdas[k];
+        KernelSpectrum spectrum = low_rank_spectrum(inputs, std::exp(at), rank, progress);
+        keep_better(found.best, at, all,
+                    profile_likelihood(spectrum, Eigen::MatrixXd(), outputs, settings.noise_ratio,
+                                       Slope::left_out));
+        found.spectra.emplace(at, std::move(spectrum));
+        found.forget_unused();
+    }
+    return found;
+}
+
+}  // namespace taut::gp

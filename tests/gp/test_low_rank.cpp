@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against processes of low rank that are surer than exact ones, that are further off than
+// they tell, or that learn less than they could.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "support/textbook.hpp"
+#include "taut/gp/fit.hpp"
+
+namespace taut::gp {
+namespace {
+
+using test::normal_matrix;
+
+constexpr Eigen::Index n = 400;
+
+/// Outputs of some roughness each, with noise: 0.02 of their size.
+Eigen::MatrixXd some_outputs(const Eigen::MatrixXd& inputs) {
+    Eigen::MatrixXd y = 0.02 * normal_matrix(inputs.cols(), 4, 2);
+    y.col(0) += inputs.row(0).transpose();
+    y.col(1) += inputs.row(0).cwiseProduct(inputs.row(1)).transpose();
+    y.col(2) += (1.5 * inputs.row(1)).array().sin().matrix().transpose();
+    y.col(3) += (inputs.row(0) + inputs.row(2)).array().tanh().matrix().transpose();
+    return y;
+}
+
+FitSettings low_rank(int most_decomposed, int rank) {
+    FitSettings settings;
+    settings.most_decomposed = most_decomposed;
+    settings.rank = rank;
+    // The textbook's factorisation loses its digits where there is hardly any noise.
+    settings.noise_ratio = NoiseRatioBounds{.lower = 1e-6};
+    return settings;
+}
+
+class LowRank : public testing::Test {
+protected:
+    Eigen::MatrixXd m_inputs = normal_matrix(3, n, 1);
+    Eigen::MatrixXd m_outputs = some_outputs(m_inputs);
+    Eigen::MatrixXd m_at = 1.2 * normal_matrix(3, 60, 3);
+};
+
+TEST_F(LowRank, IsChosenBeyondTheInputsThatAreDecomposed) {
+    EXPECT_EQ(fit(m_inputs, m_outputs, low_rank(n, 50)).rank(), std::nullopt);
+    EXPECT_EQ(fit(m_inputs, m_outputs, low_rank(n - 1, 50)).rank(), 50);
+}
+
+TEST_F(LowRank, PredictsNearlyAsTheExactOne) {
+    const FittedProcesses exact = fit(m_inputs, m_outputs, low_rank(n, 1));
+    const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 100));
+    const Eigen::MatrixXd truth = some_outputs(m_at).transpose();  // with noise of its own
+    const Prediction expected = exact.predict(m_at);
+    const Prediction found = fitted.predict(m_at);
+    for (Eigen::Index j = 0; j < m_outputs.cols(); ++j) {
+        SCOPED_TRACE(j);
+        EXPECT_NEAR(std::log(fitted.processes[j].hyperparameters.noise_std /
+                             exact.processes[j].hyperparameters.noise_std),
+                    0.0, 0.2);
+        // Four outputs share three lambdas, so not each has its best.
+        EXPECT_LT((found.mean - truth).row(j).squaredNorm(),
+                  1.25 * (expected.mean - truth).row(j).squaredNorm());
+    }
+}
+
+TEST_F(LowRank, TellsAboutTheLeaveOneOutErrorOfTheExactOneOfItsHyperparameters) {
+    const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 200));
+    for (Eigen::Index j = 0; j < m_outputs.cols(); ++j) {
+        const Process& process = fitted.processes[j];
+        const Eigen::MatrixXd inverse = test::textbook_covariance(m_inputs, process.hyperparameters)
+                                            .solve(Eigen::MatrixXd::Identity(n, n));
+        const Eigen::ArrayXd errors =
+            (inverse * m_outputs.col(j)).array() / inverse.diagonal().array();
+        const double expected = std::sqrt(errors.square().mean());
+        EXPECT_NEAR(process.leave_one_out_rmse, expected, 0.05 * expected) << j;
+    }
+}
+
+TEST_F(LowRank, IsNeverSurerThanTheExactOneOfItsHyperparameters) {
+    for (const int rank : {5, 20, 100}) {
+        const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, rank));
+        const Prediction found = fitted.predict(m_at);
+        for (Eigen::Index j = 0; j < m_outputs.cols(); ++j) {
+            const auto exact = test::textbook_prediction(m_inputs, m_outputs.col(j),
+                                                         fitted.processes[j].hyperparameters, m_at);
+            const Eigen::VectorXd surer = exact.std - found.std.row(j).transpose();
+            EXPECT_LT(surer.maxCoeff(), 1e-7) << rank << ' ' << j;
+        }
+    }
+}
+
+TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItTells) {
+    for (const int rank : {5, 20, 100}) {
+        const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, rank));
+        const Prediction found = fitted.predict(m_inputs);
+        for (Eigen::Index j = 0; j < m_outputs.cols(); ++j) {
+            const Process& process = fitted.processes[j];
+            const auto exact = test::textbook_prediction(m_inputs, m_outputs.col(j),
+                                                         process.hyperparameters, m_inputs);
+            const double off =
+                std::sqrt((found.mean.row(j).transpose() - exact.mean).cwiseAbs2().mean());
+            EXPECT_LE(off, process.approximation_error + 1e-8) << rank << ' ' << j;
+            EXPECT_GT(process.approximation_error, 0.0);
+        }
+    }
+}
+
+TEST_F(LowRank, IsCloserTheHigherItsRank) {
+    const auto largest_error = [&](int rank) {
+        double largest = 0.0;
+        for (const Process& process : fit(m_inputs, m_outputs, low_rank(200, rank)).processes) {
+            largest = std::max(largest, process.approximation_error);
+        }
+        return largest;
+    };
+    EXPECT_LT(largest_error(150), 0.1 * largest_error(15));
+}
+
+TEST_F(LowRank, MarksAConstantOutputAndTakesOneThatIsConstantOnAPart) {
+    m_outputs.col(1).setConstant(0.3);
+    m_outputs.col(2).setZero();
+    m_outputs(1, 2) = 1.0;  // of 200 inputs evenly spread over 400 it is none
+    const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 50));
+    EXPECT_EQ(fitted.processes[0].status, FitStatus::fitted);
+    EXPECT_EQ(fitted.processes[1].status, FitStatus::constant_output);
+    EXPECT_EQ(fitted.processes[2].status, FitStatus::fitted);
+    EXPECT_TRUE(fitted.predict(m_at).mean.allFinite());
+    m_outputs(Eigen::all, {0, 3}) = m_outputs(Eigen::all, {2, 2}).eval();
+    EXPECT_TRUE(fit(m_inputs, m_outputs, low_rank(200, 50)).predict(m_at).std.allFinite());
+}
+
+TEST_F(LowRank, TakesInputsOfWhichMostAreTheSame) {
+    m_inputs.rightCols(n - 6).setConstant(0.1);
+    m_inputs.col(200) = Eigen::Vector3d::Ones();
+    const FittedProcesses fitted = fit(m_inputs, some_outputs(m_inputs), low_rank(200, 50));
+    const Prediction found = fitted.predict(m_at);
+    EXPECT_TRUE(found.mean.allFinite());
+    EXPECT_TRUE(found.std.allFinite());
+}
+
+TEST_F(LowRank, GivesUpWhereAStopIsRequestedAfterTheSearch) {
+    bool is_by_low_rank = false;
+    const Progress progress{
+        .tell = [&](std::string_view, int done, int total) { is_by_low_rank = 2 * done >= total; },
+        .stop_requested = [&] { return is_by_low_rank; }};
+    EXPECT_THROW((void)fit(m_inputs, m_outputs, low_rank(200, 50), progress), Interrupted);
+}
+
+TEST_F(LowRank, RefusesSettingsOutOfRange) {
+    EXPECT_THROW((void)fit(m_inputs, m_outputs, low_rank(1, 50)), std::invalid_argument);
+    EXPECT_THROW((void)fit(m_inputs, m_outputs, low_rank(200, 0)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace taut::gp
