@@ -5,11 +5,13 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <optional>
 #include <stdexcept>
 
 #include "files/message.hpp"
 #include "identification/form_prior.hpp"
 #include "io/h5_head.hpp"
+#include "io/kernel_spectra_h5.hpp"
 #include "taut/files/file.hpp"
 
 namespace taut {
@@ -22,6 +24,7 @@ using gp::Process;
 
 const std::string model_format = "taut-model";
 constexpr std::uint64_t model_version = 3;
+/// Its spectra are whole, its approximation errors 0.
 constexpr std::uint64_t version_without_form_prior = 2;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
@@ -36,6 +39,7 @@ struct Column {
     const char* name;
     const char* units;
     double& (*of)(Process&);
+    std::uint64_t since = version_without_form_prior;  ///< files of this version have it
 };
 constexpr std::array process_columns{
     Column{"inverse_length_scale", "1/m",
@@ -44,7 +48,9 @@ constexpr std::array process_columns{
     Column{"noise_std", "m", [](Process& p) -> double& { return p.hyperparameters.noise_std; }},
     Column{"negative_log_likelihood", "1",
            [](Process& p) -> double& { return p.negative_log_likelihood; }},
-    Column{"leave_one_out_rmse", "m", [](Process& p) -> double& { return p.leave_one_out_rmse; }}};
+    Column{"leave_one_out_rmse", "m", [](Process& p) -> double& { return p.leave_one_out_rmse; }},
+    Column{"approximation_error", "m", [](Process& p) -> double& { return p.approximation_error; },
+           model_version}};
 
 /// The one of all settings whose name an attribute holds.
 template <typename Setting, size_t N>
@@ -78,8 +84,18 @@ bool read_as_in_paper(const hdf5::Reader& reader, MeanFunction mean, KernelMetri
     return true;
 }
 
-std::string spectrum_name(size_t index) {
-    return fmt::format("spectra/{}", index);
+/// @param spectrum that of the process, or null
+std::optional<std::string> contradiction_of(const Process& process,
+                                            const KernelSpectrum* spectrum) {
+    const double error = process.approximation_error;
+    if (error < 0.0) {
+        return "is negative";
+    }
+    if (error > 0.0 && (spectrum == nullptr || spectrum->is_whole())) {
+        return fmt::format("is {}, expected 0: it has no spectrum that leaves directions out",
+                           error);
+    }
+    return std::nullopt;
 }
 
 void check(const LengthModel& model, const CableNet& net) {
@@ -102,8 +118,15 @@ void check(const LengthModel& model, const CableNet& net) {
                        model.nominal_form.size(), model.nominal_form.size());
     }
     for (const KernelSpectrum& spectrum : processes.spectra) {
-        require_matrix("eigenvalues", spectrum.eigenvalues, n, 1);
-        require_matrix("eigenvectors", spectrum.eigenvectors, n, n);
+        check_spectrum(spectrum, n);
+    }
+    for (const Process& process : processes.processes) {
+        const bool has_spectrum =
+            process.spectrum >= 0 && process.spectrum < std::ssize(processes.spectra);
+        if (const auto found = contradiction_of(
+                process, has_spectrum ? &processes.spectra[process.spectrum] : nullptr)) {
+            throw std::invalid_argument(fmt::format("approximation_error {}", *found));
+        }
     }
 }
 
@@ -126,10 +149,13 @@ void write_processes(hdf5::Writer& writer, std::vector<Process> processes) {
     writer.integers("spectrum", spectra);
 }
 
-std::vector<Process> read_processes(const hdf5::Reader& reader, Eigen::Index m,
-                                    int spectrum_count) {
+std::vector<Process> read_processes(const hdf5::Reader& reader, std::uint64_t version,
+                                    Eigen::Index m, int spectrum_count) {
     std::vector<Process> processes(m);
     for (const Column& column : process_columns) {
+        if (column.since > version) {
+            continue;
+        }
         const Eigen::VectorXd values = reader.vector(column.name, m);
         for (size_t j = 0; j < processes.size(); ++j) {
             column.of(processes[j]) = values(static_cast<Eigen::Index>(j));
@@ -145,25 +171,6 @@ std::vector<Process> read_processes(const hdf5::Reader& reader, Eigen::Index m,
     return processes;
 }
 
-std::vector<KernelSpectrum> read_spectra(const hdf5::Reader& reader, Eigen::Index n) {
-    std::vector<KernelSpectrum> spectra(reader.group_size("spectra"));
-    for (size_t k = 0; k < spectra.size(); ++k) {
-        const std::string name = spectrum_name(k);
-        spectra[k] = {.inverse_length_scale = reader.number(name + "/inverse_length_scale"),
-                      .eigenvalues = reader.vector(name + "/eigenvalues", n),
-                      .eigenvectors = reader.matrix(name + "/eigenvectors", n, n)};
-        if (!(spectra[k].inverse_length_scale > 0.0)) {
-            reader.fail(
-                name + "/inverse_length_scale",
-                fmt::format("is {}, expected a positive number", spectra[k].inverse_length_scale));
-        }
-        if (n > 0 && spectra[k].eigenvalues.minCoeff() < 0.0) {
-            reader.fail(name + "/eigenvalues", "holds a negative number");
-        }
-    }
-    return spectra;
-}
-
 /// What prediction relies on: a fitted process divides by its signal std and uses a spectrum of its
 /// own length scale; another one has no spectrum.
 void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) {
@@ -175,6 +182,11 @@ void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) 
             reader.fail("spectrum", fmt::format("of process {} is {}, but it is marked as {}", j,
                                                 process.spectrum, to_string(process.status)));
         }
+        const KernelSpectrum* const spectrum =
+            is_fitted ? &fitted.spectra[static_cast<size_t>(process.spectrum)] : nullptr;
+        if (const auto found = contradiction_of(process, spectrum)) {
+            reader.fail("approximation_error", fmt::format("of process {} {}", j, *found));
+        }
         if (!is_fitted) {
             continue;
         }
@@ -182,12 +194,11 @@ void check_processes(const hdf5::Reader& reader, const FittedProcesses& fitted) 
             reader.fail(theta.signal_std > 0.0 ? "noise_std" : "signal_std",
                         fmt::format("of process {} is not positive", j));
         }
-        const auto index = static_cast<size_t>(process.spectrum);
-        if (theta.inverse_length_scale != fitted.spectra[index].inverse_length_scale) {
+        if (theta.inverse_length_scale != spectrum->inverse_length_scale) {
             reader.fail("inverse_length_scale",
                         fmt::format("of process {} is {}, expected {} as in its spectrum {}", j,
-                                    theta.inverse_length_scale,
-                                    fitted.spectra[index].inverse_length_scale, index));
+                                    theta.inverse_length_scale, spectrum->inverse_length_scale,
+                                    process.spectrum));
         }
     }
 }
@@ -242,15 +253,7 @@ std::string model_bytes(const LengthModel& model, const NetFile& net) {
         writer.vector("form_prior/variances", model.form_prior.variances, "m2");
         writer.matrix("form_prior/directions", model.form_prior.directions.transpose(), "1");
     }
-    writer.group("spectra");
-    for (size_t k = 0; k < fitted.spectra.size(); ++k) {
-        const std::string name = spectrum_name(k);
-        const KernelSpectrum& spectrum = fitted.spectra[k];
-        writer.group(name);
-        writer.number(name + "/inverse_length_scale", spectrum.inverse_length_scale, "1/m");
-        writer.vector(name + "/eigenvalues", spectrum.eigenvalues, "1");
-        writer.matrix(name + "/eigenvectors", spectrum.eigenvectors, "1");
-    }
+    write_spectra(writer, fitted.spectra);
     return writer.finish();
 }
 
@@ -265,11 +268,13 @@ StoredModel read_model(const std::filesystem::path& path) {
     const Eigen::Index m = file.net.interior_edge_count();
     const Eigen::Index coordinates = 3 * file.net.free_node_count();
     const Eigen::Index n = reader.row_count("training_inputs", coordinates);
+    const bool are_whole = head.version == version_without_form_prior;
     FittedProcesses fitted{.inputs = reader.matrix("training_inputs", coordinates, n),
-                           .spectra = read_spectra(reader, n),
+                           .spectra = read_spectra(reader, n, are_whole),
                            .processes = {},
                            .weights = reader.matrix("weights", n, m)};
-    fitted.processes = read_processes(reader, m, static_cast<int>(fitted.spectra.size()));
+    fitted.processes =
+        read_processes(reader, head.version, m, static_cast<int>(fitted.spectra.size()));
     check_processes(reader, fitted);
     Eigen::VectorXd scales = reader.vector("input_scales", coordinates);
     if (scales.size() > 0 && !(scales.minCoeff() > 0.0)) {

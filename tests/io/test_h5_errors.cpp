@@ -75,6 +75,16 @@ Change replace_numbers(const char* name, std::vector<hsize_t> shape, double valu
     };
 }
 
+/// The first spectrum as one of so many directions.
+Change with_rank(hsize_t rank, double tail_mean, double tail_largest) {
+    return [=](hid_t file) {
+        replace_numbers("spectra/0/eigenvalues", {rank}, 1.0)(file);
+        replace_numbers("spectra/0/eigenvectors", {rank, 30}, 0.0)(file);
+        replace_numbers("spectra/0/tail_mean", {}, tail_mean)(file);
+        replace_numbers("spectra/0/tail_largest", {}, tail_largest)(file);
+    };
+}
+
 Change replace_integers(const char* name, size_t count, int value) {
     return [=](hid_t file) {
         const std::vector<int> values(count, value);
@@ -284,7 +294,7 @@ INSTANTIATE_TEST_SUITE_P(
                 replace("training_inputs", {huge, 18}, H5T_NATIVE_DOUBLE, nullptr),
                 "training_inputs: has the shape [1000000000000, 18], more than the file can hold"},
         BadFile{"MoreTrainingInputs", true, replace_numbers("training_inputs", {31, 18}, 0.0),
-                "spectra/0/eigenvalues: has the shape [30], expected [31]"},
+                "spectra/0/eigenvectors: has the shape [30, 30], expected rows of 31"},
         BadFile{"NoWeights", true, remove("weights"), "weights: is missing"},
         BadFile{"WeightsTransposed", true, replace_numbers("weights", {30, 7}, 0.0),
                 "weights: has the shape [30, 7], expected [7, 30]"},
@@ -345,7 +355,33 @@ INSTANTIATE_TEST_SUITE_P(
                 "spectra/0/eigenvectors: is missing"},
         BadFile{"EigenvectorsOfAnotherSize", true,
                 replace_numbers("spectra/0/eigenvectors", {29, 30}, 0.0),
-                "spectra/0/eigenvectors: has the shape [29, 30], expected [30, 30]"}),
+                "spectra/0/eigenvalues: has the shape [30], expected [29]"},
+        BadFile{"EigenvectorsNone", true, replace_numbers("spectra/0/eigenvectors", {0, 30}, 0.0),
+                "spectra/0/eigenvectors: "},
+        BadFile{"EigenvectorsOfTooHighARank", true,
+                replace_numbers("spectra/0/eigenvectors", {31, 30}, 0.0),
+                "spectra/0/eigenvectors: has 31 rows, expected 1 to 30"},
+        BadFile{"NoTail", true, remove("spectra/0/tail_largest"),
+                "spectra/0/tail_largest: is missing"},
+        BadFile{"TailMeanOfAWholeSpectrum", true, replace_numbers("spectra/0/tail_mean", {}, 1e-3),
+                "spectra/0/tail_mean: is 0.001, expected 0: no direction is left out"},
+        BadFile{"TailOfAWholeSpectrum", true, replace_numbers("spectra/0/tail_largest", {}, 1e-3),
+                "spectra/0/tail_largest: is 0.001, expected 0: no direction is left out"},
+        BadFile{"NoTailOfALowRank", true, with_rank(29, 0.0, 0.0),
+                "spectra/0/tail_largest: is 0, expected a positive number"},
+        BadFile{"TailMeanNegative", true, with_rank(29, -1e-3, 1e-3),
+                "spectra/0/tail_mean: is negative"},
+        BadFile{"TailMeanBeyondTheLargest", true, with_rank(29, 1e-2, 1e-3),
+                "spectra/0/tail_largest: is 0.001, expected a positive number, not below tail_mean "
+                "0.01"},
+        BadFile{"NoApproximationError", true, remove("approximation_error"),
+                "approximation_error: is missing"},
+        BadFile{"ApproximationErrorNegative", true,
+                replace_numbers("approximation_error", {7}, -1e-3),
+                "approximation_error: of process 0 is negative"},
+        BadFile{"ApproximationErrorOfAWholeSpectrum", true,
+                replace_numbers("approximation_error", {7}, 1e-3),
+                "approximation_error: of process 0 is 0.001, expected 0"}),
     [](const auto& param) { return param.param.name; });
 
 /// Every byte is under the digest: whatever is flipped or cut, nothing is read.

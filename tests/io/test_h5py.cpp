@@ -139,6 +139,8 @@ TEST(H5py, FindsEveryNumberOfAModel) {
                    column([](const auto& p) { return p.negative_log_likelihood; }), "1");
     expect_numbers(*found, "leave_one_out_rmse",
                    column([](const auto& p) { return p.leave_one_out_rmse; }), "m");
+    expect_numbers(*found, "approximation_error",
+                   column([](const auto& p) { return p.approximation_error; }), "m");
     expect_numbers(*found, "form_prior/mean", model.form_prior.mean, "m");
     expect_numbers(*found, "form_prior/variances", model.form_prior.variances, "m2");
     expect_numbers(*found, "form_prior/directions", model.form_prior.directions.transpose(), "1");
@@ -149,6 +151,10 @@ TEST(H5py, FindsEveryNumberOfAModel) {
                        Eigen::MatrixXd::Constant(1, 1, spectrum.inverse_length_scale), "1/m");
         expect_numbers(*found, group + "/eigenvalues", spectrum.eigenvalues, "1");
         expect_numbers(*found, group + "/eigenvectors", spectrum.eigenvectors, "1");
+        expect_numbers(*found, group + "/tail_mean",
+                       Eigen::MatrixXd::Constant(1, 1, spectrum.tail_mean), "1");
+        expect_numbers(*found, group + "/tail_largest",
+                       Eigen::MatrixXd::Constant(1, 1, spectrum.tail_largest), "1");
     }
     const json& datasets = (*found)["datasets"];
     EXPECT_EQ(datasets["training_inputs"]["shape"], json({30, 18}));
@@ -157,7 +163,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     EXPECT_EQ(datasets["fit_status"]["attributes"]["meaning"],
               "0: fitted, 1: constant output, 2: non-finite output");
     EXPECT_EQ(datasets["spectrum"]["values"][6], model.processes.processes[6].spectrum);
-    EXPECT_EQ(datasets.size(), 18U + 3U * model.processes.spectra.size());
+    EXPECT_EQ(datasets.size(), 19U + 5U * model.processes.spectra.size());
 }
 
 }  // namespace

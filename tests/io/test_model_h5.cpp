@@ -5,6 +5,7 @@
 
 #include "taut/io/model_h5.hpp"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include "files/hdf5.hpp"
@@ -48,6 +49,8 @@ protected:
             EXPECT_EQ(s.inverse_length_scale, t.inverse_length_scale);
             EXPECT_TRUE(same_bits(s.eigenvalues, t.eigenvalues));
             EXPECT_TRUE(same_bits(s.eigenvectors, t.eigenvectors));
+            EXPECT_EQ(s.tail_mean, t.tail_mean);
+            EXPECT_EQ(s.tail_largest, t.tail_largest);
         }
         ASSERT_EQ(a.processes.processes.size(), b.processes.processes.size());
         for (size_t j = 0; j < a.processes.processes.size(); ++j) {
@@ -61,7 +64,15 @@ protected:
             EXPECT_EQ(p.hyperparameters.noise_std, q.hyperparameters.noise_std);
             EXPECT_EQ(p.negative_log_likelihood, q.negative_log_likelihood);
             EXPECT_EQ(p.leave_one_out_rmse, q.leave_one_out_rmse);
+            EXPECT_EQ(p.approximation_error, q.approximation_error);
         }
+    }
+
+    [[nodiscard]] LengthModel low_rank_model() const {
+        gp::FitSettings fit;
+        fit.most_decomposed = 20;
+        fit.rank = 12;
+        return test::example_model(m_net.net, m_data, {.fit = fit});
     }
 
     void expect_refused(const LengthModel& model, const std::string& what) const {
@@ -100,6 +111,13 @@ TEST_F(ModelH5, MakesTheFormPriorOfAFileThatHasNone) {
     {  // as a file of taut 0.2.0
         const hdf5::Handle file(H5Fopen(m_path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
         ASSERT_GE(H5Ldelete(file.get(), "form_prior", H5P_DEFAULT), 0);
+        ASSERT_GE(H5Ldelete(file.get(), "approximation_error", H5P_DEFAULT), 0);
+        for (size_t k = 0; k < model.processes.spectra.size(); ++k) {
+            for (const char* const name : {"tail_mean", "tail_largest"}) {
+                const std::string path = fmt::format("spectra/{}/{}", k, name);
+                ASSERT_GE(H5Ldelete(file.get(), path.c_str(), H5P_DEFAULT), 0);
+            }
+        }
         ASSERT_GE(H5Adelete(file.get(), "digest"), 0);
         const hdf5::Handle version(H5Aopen(file.get(), "version", H5P_DEFAULT), H5Aclose);
         const std::uint64_t two = 2;
@@ -117,6 +135,33 @@ TEST_F(ModelH5, PredictsAfterReadingAsBeforeToTheLastBit) {
     EXPECT_TRUE(same_bits(before.mean, after.mean));
     EXPECT_TRUE(same_bits(before.std, after.std));
     EXPECT_GT(before.std.minCoeff(), 0.0);
+}
+
+TEST_F(ModelH5, KeepsSpectraOfLowRankAndTheirErrors) {
+    const LengthModel model = low_rank_model();
+    ASSERT_EQ(model.processes.rank(), 12);
+    ASSERT_GT(model.processes.processes[0].approximation_error, 0.0);
+    write_model(m_path, model, m_net);
+    expect_same(read_model(m_path).model, model);
+    const LengthEstimates before = estimate_lengths(m_net.net, model, m_data.form_deviations);
+    const LengthEstimates after =
+        estimate_lengths(m_net.net, read_model(m_path).model, m_data.form_deviations);
+    EXPECT_TRUE(same_bits(before.std, after.std));
+}
+
+TEST_F(ModelH5, RefusesToWriteATailThatContradictsItsSpectrum) {
+    LengthModel whole = test::example_model(m_net.net, m_data);
+    whole.processes.spectra[0].tail_largest = 1e-3;
+    expect_refused(whole, "tail_largest is 0.001, expected 0: no direction is left out");
+    LengthModel model = low_rank_model();
+    model.processes.spectra[0].tail_largest = 0.0;
+    expect_refused(model, "tail_largest is 0, expected a positive number");
+}
+
+TEST_F(ModelH5, RefusesToWriteAnErrorOfAnExactProcess) {
+    LengthModel model = test::example_model(m_net.net, m_data);
+    model.processes.processes[0].approximation_error = 1e-3;
+    expect_refused(model, "approximation_error is 0.001, expected 0");
 }
 
 TEST_F(ModelH5, KeepsAProcessThatCouldNotBeFitted) {

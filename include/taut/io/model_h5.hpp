@@ -33,14 +33,17 @@ struct StoredModel {
 ///     signal_std, noise_std          [m_I] [m]
 ///     negative_log_likelihood        [m_I]
 ///     leave_one_out_rmse             [m_I] [m]
+///     approximation_error            [m_I] [m]: gp::Process::approximation_error
 ///     fit_status                     [m_I]: code of the gp::FitStatus
 ///     spectrum                       [m_I]: k of the group spectra/k, or -1 where not fitted
 ///     form_prior/mean                [3 n_I] [m]: FormPrior; not of a model as in the paper
 ///     form_prior/variances           [3 n_I] [m2]
 ///     form_prior/directions          [3 n_I, 3 n_I]: a row a direction
 ///     spectra/k/inverse_length_scale one number [1/m]
-///     spectra/k/eigenvalues          [n]
-///     spectra/k/eigenvectors         [n, n]: a row an eigenvector
+///     spectra/k/eigenvalues          [r], 1 <= r <= n
+///     spectra/k/eigenvectors         [r, n]: a row an eigenvector
+///     spectra/k/tail_mean            one number: gp::KernelSpectrum; 0 where r = n
+///     spectra/k/tail_largest         one number, not below tail_mean; 0 where r = n
 ///
 /// Not for two threads at the same time, as all that uses HDF5.
 /// @throws std::invalid_argument where model and net do not belong together (both fingerprints are
@@ -55,7 +58,7 @@ TAUT_IO_EXPORT void write_model(const std::filesystem::path& path, const LengthM
 [[nodiscard]] TAUT_IO_EXPORT std::string model_bytes(const LengthModel& model, const NetFile& net);
 
 /// Reads what write_model() wrote: predicts to the last bit as before. Version 2 has no form prior,
-/// which is then made anew. Every size is checked
+/// which is then made anew, and whole spectra only. Every size is checked
 /// against the net inside and the size of the file before anything is allocated. Not for two
 /// threads at the same time, likewise.
 /// @throws InputError naming the file and the HDF5 object
