@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
+#include <optional>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -84,6 +84,19 @@ void print_scales(const LengthModel& model) {
     }
 }
 
+/// Root mean square over the fitted processes.
+double mean_over_processes(const LengthModel& model, double gp::Process::* number) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (const gp::Process& process : model.processes.processes) {
+        if (process.status == gp::FitStatus::fitted) {
+            sum += process.*number * (process.*number);
+            count += 1.0;
+        }
+    }
+    return std::sqrt(sum / std::max(1.0, count));
+}
+
 void run(const TrainOptions& options) {
     const StoredDataSet stored = read_data_set(options.data);
     note_digest(options.data, stored.has_digest);
@@ -104,13 +117,10 @@ void run(const TrainOptions& options) {
 
     const CableNet& net = stored.net.net;
     const std::vector<int> unfitted = unfitted_edges(net, model);
-    const auto& processes = model.processes.processes;
-    const double mean_square =
-        std::accumulate(processes.begin(), processes.end(), 0.0,
-                        [](double sum, const gp::Process& p) {
-                            return sum + p.leave_one_out_rmse * p.leave_one_out_rmse;
-                        }) /
-        static_cast<double>(std::max<size_t>(1, processes.size() - unfitted.size()));
+    const size_t processes = model.processes.processes.size();
+    const double leave_one_out = mean_over_processes(model, &gp::Process::leave_one_out_rmse);
+    const double approximation = mean_over_processes(model, &gp::Process::approximation_error);
+    const std::optional<Eigen::Index> rank = model.processes.rank();
     if (options.json) {
         const nlohmann::ordered_json document{
             {"format", "taut-training"},
@@ -120,16 +130,18 @@ void run(const TrainOptions& options) {
             {"kernel", to_string(model.metric)},
             {"training_samples", samples.size()},
             {"left_out_not_converged", stored.data.not_converged()},
-            {"processes", processes.size()},
+            {"processes", processes},
             {"not_fitted", unfitted},
-            {"leave_one_out_rmse", std::sqrt(mean_square)},
+            {"leave_one_out_rmse", leave_one_out},
+            {"rank", rank ? nlohmann::ordered_json(*rank) : nlohmann::ordered_json()},
+            {"approximation_error", approximation},
             {"seconds", took.count()},
             {"output", options.output}};
         say("{}\n", to_text(document));
         return;
     }
     say("{}\n{} processes (mean: {}, kernel: {}) trained on {} samples in {:.1f} s\n",
-        counts_text(net), processes.size() - unfitted.size(), to_string(model.mean),
+        counts_text(net), processes - unfitted.size(), to_string(model.mean),
         to_string(model.metric), samples.size(), took.count());
     print_scales(model);
     if (stored.data.not_converged() > 0) {
@@ -138,8 +150,14 @@ void run(const TrainOptions& options) {
     if (!unfitted.empty()) {
         say("edges that could not be fitted: {}\n", edges_text(net, unfitted));
     }
-    say("leave-one-out error of the length deviations: {:.3g} mm RMS\nwritten to {}\n",
-        1e3 * std::sqrt(mean_square), options.output);
+    say("leave-one-out error of the length deviations: {:.3g} mm RMS\n", 1e3 * leave_one_out);
+    if (rank) {
+        say("by low rank, {} of {} directions: means at the samples off from the exact ones by at "
+            "most "
+            "{:.2g} mm RMS\n",
+            *rank, samples.size(), 1e3 * approximation);
+    }
+    say("written to {}\n", options.output);
 }
 
 }  // namespace
