@@ -47,16 +47,22 @@ Eigen::MatrixXd covariance(const gp::FittedProcesses& fitted, int output,
     if (process.status != gp::FitStatus::fitted) {
         return Eigen::MatrixXd::Zero(at.cols(), at.cols());
     }
-    // sigma_f^2 (R** - R*' Q (D + eta)^-1 Q' R*), with R = Q D Q'
+    // sigma_f^2 (R** - R*' Q (D + eta)^-1 Q' R*), with R = Q D Q'; what a spectrum leaves out is
+    // taken for noise, as in prediction (low-rank-variance).
     const auto& [lambda, signal, noise] = process.hyperparameters;
     const gp::KernelSpectrum& spectrum = fitted.spectra[static_cast<size_t>(process.spectrum)];
-    const Eigen::VectorXd shrunk =
-        (spectrum.eigenvalues.array() + std::pow(noise / signal, 2)).rsqrt();
+    const double ratio = std::pow(noise / signal, 2) + spectrum.tail_largest;
+    const Eigen::MatrixXd k = gp::correlation(gp::squared_distances(fitted.inputs, at), lambda);
+    const Eigen::MatrixXd along = spectrum.eigenvectors.transpose() * k;
     const Eigen::MatrixXd seen =
-        shrunk.asDiagonal() * (spectrum.eigenvectors.transpose() *
-                               gp::correlation(gp::squared_distances(fitted.inputs, at), lambda));
-    return signal * signal *
-           (gp::correlation(gp::squared_distances(at, at), lambda) - seen.transpose() * seen);
+        (spectrum.eigenvalues.array() + ratio).rsqrt().matrix().asDiagonal() * along;
+    Eigen::MatrixXd unexplained =
+        gp::correlation(gp::squared_distances(at, at), lambda) - seen.transpose() * seen;
+    if (!spectrum.is_whole()) {
+        const Eigen::MatrixXd left_out = k - spectrum.eigenvectors * along;
+        unexplained -= left_out.transpose() * left_out / ratio;
+    }
+    return signal * signal * unexplained;
 }
 
 /// In blocks, between which Ctrl-C is noticed.
@@ -105,6 +111,12 @@ void bind_gp(nb::module_& module) {
         .def_prop_ro("leave_one_out_rmse",
                      of_processes([](const gp::Process& of) { return of.leave_one_out_rmse; }),
                      "Of the mean at each training input, trained without it (m,).")
+        .def_prop_ro("approximation_error",
+                     of_processes([](const gp::Process& of) { return of.approximation_error; }),
+                     "By low rank: bound of what the mean is off from the exact one with the same "
+                     "hyperparameters, root mean square over the training inputs; else 0 (m,).")
+        .def_prop_ro("rank", &gp::FittedProcesses::rank,
+                     "Directions of the kernel matrix that were kept; None where all are.")
         .def_prop_ro(
             "status",
             [](const gp::FittedProcesses& self) {
@@ -141,24 +153,31 @@ void bind_gp(nb::module_& module) {
     module.def(
         "_fit_processes",
         [](const ArrayLike& inputs, const ArrayLike& outputs, double relative_tolerance,
-           int max_spectra, const nb::object& progress) {
+           int max_spectra, int most_decomposed, int rank, const nb::object& progress) {
             const Eigen::MatrixXd x = columns_argument(inputs, "inputs");
             const Eigen::MatrixXd y = columns_argument(outputs, "outputs").transpose();
             gp::FitSettings settings;
             settings.relative_tolerance = relative_tolerance;
             settings.max_spectra = max_spectra;
+            settings.most_decomposed = most_decomposed;
+            settings.rank = rank;
             return interruptible(
                 progress, [&](const Progress& told) { return gp::fit(x, y, settings, told); });
         },
         nb::arg("inputs"), nb::arg("outputs"), nb::kw_only(),
         nb::arg("relative_tolerance") = gp::FitSettings().relative_tolerance,
-        nb::arg("max_spectra") = gp::FitSettings().max_spectra, nb::arg("progress") = nb::none(),
+        nb::arg("max_spectra") = gp::FitSettings().max_spectra,
+        nb::arg("most_decomposed") = gp::FitSettings().most_decomposed,
+        nb::arg("rank") = gp::FitSettings().rank, nb::arg("progress") = nb::none(),
         R"(Estimates each output's hyperparameters by maximum marginal likelihood.
 
 Args:
     inputs: (n, d).
     outputs: (n, m).
-    max_spectra: decompositions that all outputs share, at most.)");
+    max_spectra: decompositions that all outputs share, at most.
+    most_decomposed: inputs that are decomposed, at most; with more of them processes are fitted
+        by low rank.
+    rank: directions of the kernel matrix that are then kept.)");
 }
 
 }  // namespace taut::python

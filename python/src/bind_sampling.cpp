@@ -158,6 +158,22 @@ void bind_model(nb::module_& module) {
             },
             "Of each interior edge: inverse length scale [1/m], signal and noise standard "
             "deviation [m] (m_I, 3).")
+        .def_prop_ro(
+            "rank", [](const LengthModel& self) { return self.processes.rank(); },
+            "Directions of the kernel matrix that were kept, where samples were too many to keep "
+            "all; else None.")
+        .def_prop_ro(
+            "approximation_error",
+            [](const LengthModel& self) {
+                Eigen::VectorXd values(std::ssize(self.processes.processes));
+                for (Eigen::Index i = 0; i < values.size(); ++i) {
+                    values(i) =
+                        self.processes.processes[static_cast<size_t>(i)].approximation_error;
+                }
+                return array_of(std::move(values));
+            },
+            "By low rank: bound of what the mean of each interior edge is off from the exact one, "
+            "root mean square over the training samples; else 0 [m] (m_I,).")
         .def(
             "save",
             [](const LengthModel& self, const std::filesystem::path& path, const CableNet& net) {

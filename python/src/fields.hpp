@@ -60,9 +60,10 @@ TAUT_FIELDS(EdgeTurned, edge, stroke, std)
 
 // gp
 TAUT_FIELDS(gp::Hyperparameters, inverse_length_scale, signal_std, noise_std)
-TAUT_FIELDS(gp::KernelSpectrum, inverse_length_scale, eigenvalues, eigenvectors)
+TAUT_FIELDS(gp::KernelSpectrum, inverse_length_scale, eigenvalues, eigenvectors, tail_mean,
+            tail_largest)
 TAUT_FIELDS(gp::Process, status, hyperparameters, negative_log_likelihood, leave_one_out_rmse,
-            spectrum)
+            spectrum, approximation_error)
 TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights)
 
 // estimation, identification

@@ -89,3 +89,19 @@ def test_it_works_in_a_pipeline(data):
     inputs, outputs = data
     scaled = make_pipeline(StandardScaler(), MultiOutputGP()).fit(inputs, outputs[:, :2])
     assert scaled.score(inputs, outputs[:, :2]) > 0.9
+
+
+def test_by_low_rank_it_tells_its_error_and_is_no_surer_than_exact(data):
+    inputs, outputs = data
+    exact = MultiOutputGP().fit(inputs, outputs)
+    ours = MultiOutputGP(most_decomposed=40, rank=25).fit(inputs, outputs)
+    assert (exact.approximation_error_ == 0.0).all()
+    assert (ours.approximation_error_[:2] > 0.0).all()
+    assert exact._processes.rank is None and ours._processes.rank == 25
+    at = np.random.default_rng(3).uniform(-3.0, 3.0, (30, 2))
+    mean, std = ours.predict(at, return_std=True)
+    expected, exact_std = exact.predict(at, return_std=True)
+    assert mean[:, :2] == pytest.approx(expected[:, :2], abs=0.3)
+    draws = ours.sample_y(at, n_samples=2000)
+    assert draws.std(axis=2)[:, :2] == pytest.approx(std[:, :2], rel=0.1)
+    assert (pickle.loads(pickle.dumps(ours)).predict(at) == mean).all()
