@@ -18,7 +18,7 @@ Eigen::MatrixXd correlation_product(const Eigen::Ref<const Eigen::MatrixXd>& inp
     const Eigen::ArrayXd squares = centred.colwise().squaredNorm();
     Eigen::MatrixXd result(n, b.cols());
     const SerialBlas serial;
-    by_parts(0, n, [&](Eigen::Index first, Eigen::Index count) {
+    by_parts(Parts::parallel, 0, n, [&](Eigen::Index first, Eigen::Index count) {
         progress.throw_if_stopped();
         Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, count);
         add_transposed_product(columns, -2.0, centred, centred.middleCols(first, count));

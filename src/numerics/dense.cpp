@@ -186,7 +186,7 @@ Eigen::MatrixXd Cholesky::solve_transposed_right(Eigen::MatrixXd b) const {
     const int lda = std::max(1, n);
     const int ldb = std::max(1, size_of(b.rows()));
     const SerialBlas serial;
-    by_parts(0, b.rows(), [&](Eigen::Index first, Eigen::Index count) {
+    by_parts(Parts::parallel, 0, b.rows(), [&](Eigen::Index first, Eigen::Index count) {
         const int rows = size_of(count);
         constexpr double one = 1.0;
         dtrsm_(&right, &lower, &transposed, &not_unit, &rows, &n, &one, m_L.data(), &lda,

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -143,10 +144,10 @@ TEST_F(LowRank, TakesInputsOfWhichMostAreTheSame) {
 }
 
 TEST_F(LowRank, GivesUpWhereAStopIsRequestedAfterTheSearch) {
-    bool is_by_low_rank = false;
+    std::atomic<bool> is_by_low_rank = false;
     const Progress progress{
         .tell = [&](std::string_view, int done, int total) { is_by_low_rank = 2 * done >= total; },
-        .stop_requested = [&] { return is_by_low_rank; }};
+        .stop_requested = [&] { return is_by_low_rank.load(); }};
     EXPECT_THROW((void)fit(m_inputs, m_outputs, low_rank(200, 50), progress), Interrupted);
 }
 
