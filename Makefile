@@ -9,16 +9,18 @@
 .SILENT: help
 
 configure := cmake --log-level=WARNING
+link_programs := for name in taut taut-mpi; do \
+	! test -e build/release/apps/$$name/$$name || ln -sfn release/apps/$$name/$$name build/$$name; done
 
 help: ## list the targets
 	awk -F ':.*## ' '/^[a-z]+:.*## / {printf "make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 # An existing configuration is kept, so that `make build` does not undo what `make test` set up.
-build: ## install what is missing, build the release; leaves the program at build/taut
+build: ## install what is missing, build the release; leaves the programs at build/taut and, with MPI, build/taut-mpi
 	scripts/install_dependencies.sh build
 	test -f build/release/build.ninja || $(configure) --preset release -DTAUT_BUILD_TESTS=OFF
-	cmake --build --preset release --target taut_app
-	ln -sfn release/apps/taut/taut build/taut
+	cmake --build --preset release --target taut_programs
+	$(link_programs)
 
 demo: build ## run the paper's experiment and plan a job on the built-in net, reports in build/demo
 	scripts/demo.sh
@@ -27,7 +29,7 @@ test: ## install what is missing, build, run every test
 	scripts/install_dependencies.sh test python
 	$(configure) --preset release -DTAUT_BUILD_TESTS=ON
 	cmake --build --preset release
-	ln -sfn release/apps/taut/taut build/taut
+	$(link_programs)
 	ctest --preset release
 	scripts/python.sh test
 

@@ -25,6 +25,9 @@ install(FILES src/results/result.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR
 if(TAUT_BUILD_APP)
     install(TARGETS taut_app COMPONENT program)
 endif()
+if(TAUT_BUILD_MPI)
+    install(TARGETS taut_mpi COMPONENT cluster)
+endif()
 
 # For pkg-config. A shared library finds for itself what it needs; with a static one, --static tells.
 if(NOT BUILD_SHARED_LIBS)

@@ -79,6 +79,20 @@ and which turnbuckle to turn how far. Surveys go in as they come from the
 instrument, results come out as JSON, CSV and reports for any browser.")
 endif()
 
+if(TAUT_BUILD_MPI)
+    list(APPEND CPACK_COMPONENTS_ALL cluster)
+    set(CPACK_DEBIAN_CLUSTER_PACKAGE_NAME taut-mpi)
+    set(CPACK_DEBIAN_CLUSTER_PACKAGE_SECTION science)
+    set(CPACK_DEBIAN_CLUSTER_PACKAGE_SHLIBDEPS ON)
+    if(BUILD_SHARED_LIBS)
+        set(CPACK_DEBIAN_CLUSTER_PACKAGE_DEPENDS "${library_package} ${same_version}")
+    endif()
+    set(CPACK_DEBIAN_CLUSTER_DESCRIPTION "lengths of a tensioned cable net from one survey (program for clusters)
+taut tells how long each cable of a built net is, how tight and how sure that
+is. This package holds the program that samples, trains and tries methods over
+the nodes of a cluster, by MPI.")
+endif()
+
 # Each package has the licence and the changes where Debian looks for them. Only who asks for a
 # component gets them there: a plain `cmake --install` does not.
 set(changes ${PROJECT_BINARY_DIR}/debian/changelog.Debian)

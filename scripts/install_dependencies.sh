@@ -14,7 +14,7 @@ set -euo pipefail
 # functions. OpenBLAS comes with pthreads, HDF5 in its serial form.
 build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev
     libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libfmt-dev libfast-float-dev libboost-dev libpugixml-dev
-    libmetis-dev)
+    libmetis-dev libopenmpi-dev openmpi-bin)
 test=(libgtest-dev libgmock-dev librapidcheck-dev python3-h5py python3-numpy chromium)
 bench=(time libbenchmark-dev libmumps-seq-dev python3-sklearn python3-h5py python3-scipy python3-matplotlib)
 lint=(clang-format-19 clang-tidy-19 python3-venv)
@@ -52,7 +52,7 @@ install_dependencies.sh: knows Debian 12 and 13 and Ubuntu 24.04, this is $syste
   a compiler of C++20 (GCC 12, Clang 14), CMake 3.25, Ninja, pkg-config
   Eigen 3.4, oneTBB 2021, NLopt 2.7, BLAS and LAPACK (OpenBLAS), Boost 1.74, nlohmann-json 3.11, fmt 9,
   fast_float 3.9, HDF5 1.10, pugixml 1.13; for the program CLI11 2.1
-  for large nets METIS 5.1
+  for large nets METIS 5.1; for clusters MPI (Open MPI 4.1, MPICH 4.0)
   for plans and the cone program cargo 1.71; for reports Node.js 18 with npm
   for the tests GoogleTest 1.12, RapidCheck, Chromium, Python 3 with h5py and numpy
 EOF
@@ -74,7 +74,8 @@ fuzz=("${build[@]}" "${fuzz[@]}")
 hostile=("${build[@]}" "${hostile[@]}")
 
 packages=()
-for group in "${@:-build}"; do
+groups=("${@:-build}")
+for group in "${groups[@]}"; do
     case "$group" in
         build | test | python | bench | lint | fuzz | hostile | compilers | reference)
             declare -n members="$group"
@@ -101,9 +102,10 @@ if ((${#missing[@]} == 0)); then
 fi
 
 # What taut builds and tests without: plans and the cone program, reports, the viewer's tests, a better
-# order of elimination.
+# order of elimination, and, unless it is to be tested, the program for clusters.
 is_optional() {
-    [[ "$1" =~ ^(cargo|cargo-web|nodejs|npm|chromium|chromium-browser|libmetis-dev)$ ]]
+    [[ "$1" =~ ^(cargo|cargo-web|nodejs|npm|chromium|chromium-browser|libmetis-dev)$ ]] ||
+        [[ "$1" =~ openmpi && ! " ${groups[*]} " =~ " test " ]]
 }
 
 as_root=()
@@ -121,7 +123,8 @@ if ((EUID != 0)); then
             echo "  apt-get install --no-install-recommends ${missing[*]}"
             if ((${#optional[@]} > 0)); then
                 echo "Optional of these: ${optional[*]} (cargo: plans and the cone program; nodejs, npm:" \
-                    "reports; chromium: tests of the reports; libmetis-dev: large nets)."
+                    "reports; chromium: tests of the reports; libmetis-dev: large nets;" \
+                    "libopenmpi-dev, openmpi-bin: taut-mpi)."
             fi
         } >&2
         if ((${#needed[@]} > 0)); then

@@ -8,7 +8,9 @@
 #include <charconv>
 #include <cstdio>
 
+#include "memory_limit.hpp"
 #include "taut/files/file.hpp"
+#include "taut/threads.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -19,9 +21,24 @@ CLI::App& add_command(CLI::App& program, const std::string& name, const std::str
     command.footer("Example:\n" + example);
     command.add_option("--threads", options.threads, "Threads to use (default: all)")
         ->check(CLI::Range(1, 1024));
+    command.add_option(
+        "--memory", options.memory,
+        "Most memory that this process may take, 8GiB say: kept, or refused beforehand "
+        "(default: all)");
     command.add_flag("--json", options.json, "Write the outcome to standard output as JSON");
     command.add_flag("--quiet", options.quiet, "No progress on standard error");
     return command;
+}
+
+void run_within(const CommonOptions& options, const std::function<void()>& work) {
+    if (!options.memory.empty()) {
+        limit_memory(options.memory, options.threads);
+    }
+    if (options.threads > 0) {
+        with_threads(options.threads, work);
+    } else {
+        work();
+    }
 }
 
 void add_output_option(CLI::App& command, std::string& output, const std::string& description) {

@@ -5,13 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "taut/threads.hpp"
 
 /// One file a subcommand: each adds itself to the program, with its options and what it runs.
 namespace taut::app {
@@ -23,7 +22,8 @@ class NumericalFailure : public std::runtime_error {
 
 /// Options that every subcommand has.
 struct CommonOptions {
-    int threads = 0;  ///< 0: all
+    int threads = 0;     ///< 0: all
+    std::string memory;  ///< most to take, "8GiB"; empty: all
     bool quiet = false;
     bool json = false;
 };
@@ -32,17 +32,14 @@ struct CommonOptions {
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description,
                       const std::string& example, CommonOptions& options);
 
-/// What the command does with its options, on the number of threads that they ask for.
+/// Does the work on the number of threads and within the memory that the options ask for.
+void run_within(const CommonOptions& options, const std::function<void()>& work);
+
+/// What the command does with its options.
 template <class Options>
 void set_action(CLI::App& command, const std::shared_ptr<Options>& options,
                 void (*run)(const Options&)) {
-    command.callback([options, run] {
-        if (options->threads > 0) {
-            with_threads(options->threads, [&] { run(*options); });
-        } else {
-            run(*options);
-        }
-    });
+    command.callback([options, run] { run_within(*options, [&] { run(*options); }); });
 }
 
 /// -o, --output of a command that always writes a file.

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
 #include "command.hpp"
 #include "comparison_table.hpp"
 #include "force_input.hpp"
+#include "memory_limit.hpp"
+#include "memory_needs.hpp"
 #include "net_summary.hpp"
 #include "output_directory.hpp"
 #include "progress_line.hpp"
@@ -19,6 +22,7 @@
 #include "taut/results/comparison_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/study/comparison.hpp"
+#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -103,14 +107,21 @@ void run(const CompareOptions& given) {
     parse(options);
     const CableNet net = read_net(options.net).net;
     options.comparison.unknowns = unknowns_of(net, options.unknowns, options.net);
+    const int most = std::ranges::max(options.comparison.training_samples);
+    require_memory(training_memory(net, most), fmt::format("{} training samples", most));
     const std::filesystem::path directory(options.directory);
-    check_output_directory(directory, {"comparison.json", "comparison.csv", "report.html"},
-                           {options.net});
+    if (team().is_first()) {
+        check_output_directory(directory, {"comparison.json", "comparison.csv", "report.html"},
+                               {options.net});
+    }
 
     const Comparison comparison = [&] {
         ProgressLine line(options.quiet);
         return compare_methods(net, options.comparison, line.progress());
     }();
+    if (!team().is_first()) {
+        return;
+    }
     const std::string json = comparison_to_json(comparison, run_record());
     std::vector<std::pair<std::string, std::string>> files{
         {"comparison.json", json}, {"comparison.csv", comparison_to_csv(comparison)}};

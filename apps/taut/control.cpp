@@ -17,6 +17,7 @@
 #include "taut/results/control_files.hpp"
 #include "taut/results/result_file.hpp"
 #include "taut/study/control.hpp"
+#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -84,10 +85,15 @@ void run(const ControlCommand& command) {
     const CableNet net = read_net(command.net).net;
     const ControlSettings settings = settings_of(command);
     const std::filesystem::path directory(command.directory);
-    check_output_directory(directory, {"control.json", "control.csv", "report.html"},
-                           {command.net});
+    if (team().is_first()) {
+        check_output_directory(directory, {"control.json", "control.csv", "report.html"},
+                               {command.net});
+    }
     ProgressLine line(command.quiet);
     const std::vector<ControlRecord> records = simulate_control(net, settings, line.progress());
+    if (!team().is_first()) {
+        return;
+    }
     const std::string json = control_to_json(records, net, settings, run_record());
     std::vector<std::pair<std::string, std::string>> files{
         {"control.json", json}, {"control.csv", control_to_csv(records)}};

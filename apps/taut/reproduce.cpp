@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "command.hpp"
+#include "memory_limit.hpp"
+#include "memory_needs.hpp"
 #include "net_summary.hpp"
 #include "output_directory.hpp"
 #include "paper_table.hpp"
@@ -61,6 +63,8 @@ void run(const ReproduceOptions& given) {
     options.study.law = parse_length_law(options.law);
     options.study.check();
     const NetFile file = net_of(options);
+    require_memory(training_memory(file.net, options.study.samples),
+                   fmt::format("{} samples", options.study.samples));
     check_directory(options);
 
     Study study = [&] {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,8 @@
 
 #include "command.hpp"
 #include "force_input.hpp"
+#include "memory_limit.hpp"
+#include "memory_needs.hpp"
 #include "net_summary.hpp"
 #include "progress_line.hpp"
 #include "taut/files/file.hpp"
@@ -17,6 +20,7 @@
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/plausibility.hpp"
+#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -24,8 +28,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A killed run loses no more than this.
-constexpr std::chrono::seconds checkpoint_interval{30};
+/// A killed run loses no more than the longest, and no more than about half of what it did.
+constexpr std::chrono::seconds first_checkpoint_interval{1};
+constexpr std::chrono::seconds longest_checkpoint_interval{30};
 
 struct SampleOptions : CommonOptions {
     std::string net;
@@ -82,13 +87,26 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
     ProgressLine line(options.quiet);
     const auto keep = [&] { write_data_set(options.partial(), data, net); };
     auto last_kept = Clock::now();
+    auto interval = first_checkpoint_interval;
     try {
-        sampler.extend(data, options.count, line.progress(), [&] {
-            if (Clock::now() - last_kept > checkpoint_interval) {
+        const auto keep_now_and_then = [&] {
+            if (Clock::now() - last_kept > interval) {
                 keep();
                 last_kept = Clock::now();
+                interval = std::min(2 * interval, longest_checkpoint_interval);
             }
-        });
+        };
+        sampler.extend(data, options.count, line.progress(), keep_now_and_then);
+    } catch (const TeammateFailed& failure) {
+        if (data.size() > 0) {
+            try {
+                keep();
+            } catch (const OutputError& error) {
+                throw TeammateFailed(fmt::format("{}; nor is what was finished kept: {}",
+                                                 failure.what(), error.what()));
+            }
+        }
+        throw;
     } catch (const Interrupted&) {
         if (data.size() == 0) {
             throw;
@@ -139,6 +157,12 @@ void run(const SampleOptions& options) {
     const Sampler sampler(net.net, parse_length_law(options.law), options.seed,
                           unknowns_of(net.net, options.unknowns, options.net));
     DataSet data = sampler.empty();
+    if (!team().is_first()) {
+        draw(options, net, sampler, data);
+        return;
+    }
+    require_memory(sampling_memory(net.net, options.count),
+                   fmt::format("{} samples", options.count));
     if (options.resume) {
         if (auto earlier = earlier_samples(options, data)) {
             data = std::move(*earlier);

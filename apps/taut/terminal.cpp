@@ -3,6 +3,7 @@
 #include "terminal.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -10,7 +11,24 @@
 #include "taut/files/printable.hpp"
 
 namespace taut::app {
+namespace {
+
+std::atomic<bool> silent{false};
+
+}  // namespace
+
+void be_silent() {
+    silent = true;
+}
+
+bool is_silent() {
+    return silent;
+}
+
 void print(std::string_view text) {
+    if (silent) {
+        return;
+    }
     const std::string content = printable(text, "\n\t");
     // The stream remembers where this fails.
     static_cast<void>(std::fwrite(content.data(), 1, content.size(), stdout));
@@ -21,6 +39,9 @@ bool standard_output_works() {
 }
 
 void tell(std::string_view kind, std::string_view line) noexcept {
+    if (silent) {
+        return;
+    }
     try {
         constexpr size_t longest = 4000;  // bytes: an argument may be far longer
         std::string one_line(line.substr(0, longest));

@@ -35,6 +35,10 @@ void prepare_streams();
 /// threads that come to no memory meanwhile, and of this one once it has told.
 void take_last_word() noexcept;
 
+/// From now on nothing is told and printed: another process does.
+void be_silent();
+[[nodiscard]] bool is_silent();
+
 /// Writes to standard output, control characters as printable() has them. Whether that went well is
 /// told by standard_output_works().
 void print(std::string_view text);
@@ -64,6 +68,9 @@ class Interruption {
 public:
     /// Call once. Signals that are ignored stay so.
     static void watch();
+
+    /// Whether a signal requested a stop of a command that asked for stop_request().
+    [[nodiscard]] static bool is_requested();
 
     /// From now on the first signal does no more than to request a stop: whether it came.
     [[nodiscard]] static std::function<bool()> stop_request();

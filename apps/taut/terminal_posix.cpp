@@ -16,6 +16,7 @@
 #include <system_error>
 #include <thread>
 
+#include "memory_limit.hpp"
 #include "taut/files/file.hpp"
 
 namespace taut::app {
@@ -42,6 +43,22 @@ void hand_over(int /*signal*/) {
     _exit(code);
 }
 
+/// "taut: error: not enough memory", with the limit where there is one. Asks for no memory.
+class NoMemoryLine {
+public:
+    NoMemoryLine() {
+        for (const std::string_view part : {std::string_view("taut: error: not enough memory"),
+                                            memory_limit_note(), std::string_view("\n")}) {
+            m_size += part.copy(m_text.data() + m_size, m_text.size() - m_size);
+        }
+    }
+    [[nodiscard]] std::string_view view() const { return {m_text.data(), m_size}; }
+
+private:
+    std::array<char, 128> m_text{};
+    size_t m_size = 0;
+};
+
 /// Of an exception that cannot be thrown on: where memory is short, what frees it may ask for more,
 /// destructors of libraries do, which must not throw.
 [[noreturn]] void end_unexpectedly() {
@@ -63,7 +80,7 @@ void hand_over(int /*signal*/) {
     while (true) {
         char byte = 0;
         if (::read(arrived[0], &byte, 1) == 1 && (!orderly || requested.exchange(true))) {
-            end_at_once("taut: error: interrupted\n", interrupted);
+            end_at_once(is_silent() ? "" : "taut: error: interrupted\n", interrupted);
         }
     }
 }
@@ -92,20 +109,20 @@ void take_last_word() noexcept {
 }
 
 void end_without_memory() {
-    constexpr std::string_view line = "taut: error: not enough memory\n";
+    const NoMemoryLine line;
     std::thread::id first{};
     if (!ending.compare_exchange_strong(first, std::this_thread::get_id())) {
         if (first == std::this_thread::get_id()) {  // what ends in order asks for memory, too
             if (!last_word_is_taken) {
                 [[maybe_unused]] const auto written =
-                    ::write(STDERR_FILENO, line.data(), line.size());
+                    ::write(STDERR_FILENO, line.view().data(), line.view().size());
             }
             _exit(numerical_failure);
         }
         // Another thread ends the program. Unless it waits for what this one holds: then this does.
         poll(nullptr, 0, long_enough);
     }
-    end_at_once(last_word_is_taken ? "" : line, numerical_failure);
+    end_at_once(last_word_is_taken ? "" : line.view(), numerical_failure);
 }
 
 void leave(int code) {
@@ -114,7 +131,7 @@ void leave(int code) {
 }
 
 bool is_watched() {
-    return isatty(STDERR_FILENO) == 1;
+    return !is_silent() && isatty(STDERR_FILENO) == 1;
 }
 
 void Interruption::watch() {
@@ -136,6 +153,10 @@ void Interruption::watch() {
         action.sa_flags = SA_RESTART;
         sigaction(signal, &action, nullptr);
     }
+}
+
+bool Interruption::is_requested() {
+    return requested;
 }
 
 std::function<bool()> Interruption::stop_request() {

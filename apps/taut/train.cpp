@@ -6,10 +6,13 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "command.hpp"
+#include "memory_limit.hpp"
+#include "memory_needs.hpp"
 #include "net_summary.hpp"
 #include "progress_line.hpp"
 #include "taut/files/file.hpp"
@@ -17,6 +20,7 @@
 #include "taut/identification/model.hpp"
 #include "taut/io/data_set_h5.hpp"
 #include "taut/io/model_h5.hpp"
+#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -98,6 +102,9 @@ double mean_over_processes(const LengthModel& model, double gp::Process::* numbe
 }
 
 void run(const TrainOptions& options) {
+    if (std::error_code none; std::filesystem::is_regular_file(options.data, none)) {
+        require_memory(static_cast<double>(std::filesystem::file_size(options.data)), options.data);
+    }
     const StoredDataSet stored = read_data_set(options.data);
     note_digest(options.data, stored.has_digest);
     const std::vector<int> samples = stored.data.converged_in(0, stored.data.size());
@@ -106,12 +113,19 @@ void run(const TrainOptions& options) {
             options.data, "",
             fmt::format("holds {} samples in equilibrium, expected at least 2", samples.size()));
     }
-    check_outputs({options.output}, {options.data});
+    require_memory(training_memory(stored.net.net, static_cast<double>(samples.size())),
+                   fmt::format("{} samples", samples.size()));
+    if (team().is_first()) {
+        check_outputs({options.output}, {options.data});
+    }
     const auto start = std::chrono::steady_clock::now();
     const LengthModel model = [&] {
         ProgressLine line(options.quiet);
         return train(stored.net.net, stored.data, samples, options.settings(), line.progress());
     }();
+    if (!team().is_first()) {
+        return;
+    }
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     write_model(options.output, model, stored.net);
 
@@ -153,8 +167,7 @@ void run(const TrainOptions& options) {
     say("leave-one-out error of the length deviations: {:.3g} mm RMS\n", 1e3 * leave_one_out);
     if (rank) {
         say("by low rank, {} of {} directions: means at the samples off from the exact ones by at "
-            "most "
-            "{:.2g} mm RMS\n",
+            "most {:.2g} mm RMS\n",
             *rank, samples.size(), 1e3 * approximation);
     }
     say("written to {}\n", options.output);

@@ -14,6 +14,7 @@
 #include "taut/results/settling_files.hpp"
 #include "taut/study/settling.hpp"
 #include "taut/study/settling_nets.hpp"
+#include "taut/team.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
@@ -107,7 +108,9 @@ void run(const TrialsOptions& options) {
     options.settings.check();
     const std::vector<CableNet> nets = nets_of(options);
     const std::filesystem::path directory(options.directory);
-    check_output_directory(directory, {"trials.json", "trials.csv"}, options.nets);
+    if (team().is_first()) {
+        check_output_directory(directory, {"trials.json", "trials.csv"}, options.nets);
+    }
     const std::vector<SettlingRecord> records = [&] {
         ProgressLine line(options.quiet);
         std::vector<SettlingRecord> result;
@@ -119,6 +122,9 @@ void run(const TrialsOptions& options) {
         }
         return result;
     }();
+    if (!team().is_first()) {
+        return;
+    }
     const std::string json = settling_to_json(records, options.settings, run_record());
     write_files(directory, {{"trials.json", json},
                             {"trials.csv", settling_to_csv(records, options.settings)}});

@@ -200,6 +200,15 @@ void bind_model(nb::module_& module) {
 void bind_sampling(nb::module_& module) {
     bind_data_set(module);
     bind_model(module);
+    nb::class_<SamplePart> part(module, "SamplePart",
+                                "Some of a sampler's samples, to be joined with others.");
+    make_picklable(part);
+    part.def_ro("first", &SamplePart::first)
+        .def("__len__", [](const SamplePart& self) { return self.samples.size(); })
+        .def("__repr__", [](const SamplePart& self) {
+            return fmt::format("SamplePart({} samples from {} on)", self.samples.size(),
+                               self.first);
+        });
     nb::class_<Sampler>(module, "Sampler",
                         "Draws length deviations and solves for the forms that follow, in parallel "
                         "(Algorithm 2 of the paper).")
@@ -238,7 +247,18 @@ void bind_sampling(nb::module_& module) {
                 });
             },
             nb::arg("data"), nb::arg("count"), nb::kw_only(), nb::arg("progress") = nb::none(),
-            "A data set of this sampler with more samples, `count` in all.");
+            "A data set of this sampler with more samples, `count` in all.")
+        .def(
+            "part",
+            [](const Sampler& self, int first, int count, const nb::object& progress) {
+                return interruptible(
+                    progress, [&](const Progress& told) { return self.part(first, count, told); });
+            },
+            nb::arg("first"), nb::arg("count"), nb::kw_only(), nb::arg("progress") = nb::none(),
+            "Samples `first` to `first` + `count` - 1, to be joined with others: for processes "
+            "that share them out.")
+        .def("joined", &Sampler::joined, nb::arg("parts"), nb::call_guard<nb::gil_scoped_release>(),
+             "The data set of all parts, in whatever order: bit for bit that of `draw`.");
     module.def(
         "built_net",
         [](const CableNet& net, const std::string& law, std::uint64_t seed) {

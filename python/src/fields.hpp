@@ -43,6 +43,7 @@ TAUT_FIELDS(Equilibrium, form, status, iterations, out_of_balance, mean_tension,
             energy_decreases)
 TAUT_FIELDS(DataSet, net_fingerprint, law, seed, unknowns, nominal_form, form_deviations,
             length_deviations, statuses, slack_counts)
+TAUT_FIELDS(SamplePart, first, samples)
 TAUT_FIELDS(TensionLaw, name, strain, tension)
 
 // survey

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "gp/length_scale_search.hpp"
+#include "team_work.hpp"
 
 namespace taut::gp {
 namespace {
@@ -16,6 +17,21 @@ namespace {
 /// Lambdas looked at together, one a thread: always as many, so that results do not depend on the
 /// number of threads. More would be chosen with less knowledge; of two, hardly one is lost by it.
 constexpr int lambdas_together = 2;
+
+/// What a look at one lambda shows.
+struct Seen {
+    KernelSpectrum spectrum;
+    LikelihoodProfile profile;
+};
+
+template <typename Packing>
+void pack(Packing& packing, Seen& seen) {
+    auto& [inverse_length_scale, eigenvalues, eigenvectors, tail_mean, tail_largest] =
+        seen.spectrum;
+    auto& [value, slope, noise_ratio, signal_variance] = seen.profile;
+    packing(inverse_length_scale, eigenvalues, eigenvectors, tail_mean, tail_largest, value, slope,
+            noise_ratio, signal_variance);
+}
 
 }  // namespace
 
@@ -52,20 +68,22 @@ FoundLambdas search_lambdas(const Eigen::MatrixXd& squared_distances,
             progress("training", made++, settings.max_spectra);
         }
         const bool is_last = made == settings.max_spectra;  // no slope will be asked for
-        std::vector<KernelSpectrum> seen(looks.size());
-        std::vector<LikelihoodProfile> profiles(looks.size());
-        tbb::parallel_for(size_t{0}, seen.size(), [&](size_t k) {
-            seen[k] = kernel_spectrum(squared_distances, std::exp(looks[k].log_lambda));
-            profiles[k] = profile_likelihood(
-                seen[k], squared_distances, outputs(Eigen::all, looks[k].outputs),
+        const std::vector<size_t> mine = share_of(looks.size());
+        std::vector<Seen> seen(mine.size());
+        tbb::parallel_for(size_t{0}, seen.size(), [&](size_t i) {
+            const LengthScaleSearch::Look& look = looks[mine[i]];
+            seen[i].spectrum = kernel_spectrum(squared_distances, std::exp(look.log_lambda));
+            seen[i].profile = profile_likelihood(
+                seen[i].spectrum, squared_distances, outputs(Eigen::all, look.outputs),
                 settings.noise_ratio, is_last ? Slope::left_out : Slope::wanted);
         });
+        seen = gathered(looks.size(), std::move(seen));
         for (size_t k = 0; k < seen.size(); ++k) {
-            keep_better(found.best, looks[k].log_lambda, looks[k].outputs, profiles[k]);
+            keep_better(found.best, looks[k].log_lambda, looks[k].outputs, seen[k].profile);
             if (!is_last) {
-                points.add(looks[k], profiles[k]);
+                points.add(looks[k], seen[k].profile);
             }
-            found.spectra.emplace(looks[k].log_lambda, std::move(seen[k]));
+            found.spectra.emplace(looks[k].log_lambda, std::move(seen[k].spectrum));
         }
         found.forget_unused();
     }

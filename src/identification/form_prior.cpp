@@ -29,9 +29,20 @@ bool has_orthonormal_directions(const FormPrior& prior) {
     return gram(prior.directions).isIdentity(rounding);
 }
 
-Eigen::MatrixXd inputs_along_directions(const LengthModel& model) {
-    return product(model.form_prior.directions * model.input_scales.asDiagonal(),
-                   model.processes.inputs);
+bool keeps_form_prior(const CableNet& net) {
+    constexpr int most_free_nodes = 1000;
+    return net.free_node_count() <= most_free_nodes;
+}
+
+void make_form_prior(const CableNet& net, LengthModel& model) {
+    if (model.form_prior.mean.size() == 0) {
+        model.form_prior = form_prior_of(net, model, model.form_deviations());
+        model.form_prior.inputs = inputs_along_directions(model, model.form_prior);
+    }
+}
+
+Eigen::MatrixXd inputs_along_directions(const LengthModel& model, const FormPrior& prior) {
+    return product(prior.directions * model.input_scales.asDiagonal(), model.processes.inputs);
 }
 
 }  // namespace taut

@@ -22,10 +22,18 @@ namespace taut {
 form_prior_of(const CableNet& net, const LengthModel& model,
               const Eigen::Ref<const Eigen::MatrixXd>& form_deviations);
 
+/// Whether models of a net keep their form prior: its directions take (3 n_I)^2 numbers and time of
+/// the third power, which a large net spends where a survey asks for it, and not before.
+[[nodiscard]] TAUT_CORE_EXPORT bool keeps_form_prior(const CableNet& net);
+
 /// What all that uses a prior relies on, to rounding.
 [[nodiscard]] TAUT_CORE_EXPORT bool has_orthonormal_directions(const FormPrior& prior);
 
-/// FormPrior::inputs of a model that has all other parts of its form prior.
-[[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd inputs_along_directions(const LengthModel& model);
+/// Makes the form prior of a model that has none, where many surveys will be asked of it.
+TAUT_CORE_EXPORT void make_form_prior(const CableNet& net, LengthModel& model);
+
+/// FormPrior::inputs of a prior that has all other parts.
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd inputs_along_directions(const LengthModel& model,
+                                                                       const FormPrior& prior);
 
 }  // namespace taut

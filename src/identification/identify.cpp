@@ -378,7 +378,8 @@ void check_model(const CableNet& net, const LengthModel& model,
         std::ssize(learnt.processes) != net.interior_edge_count() ||
         learnt.weights.rows() != learnt.inputs.cols() ||
         learnt.weights.cols() != net.interior_edge_count() ||
-        (!model.as_in_paper && model.form_prior.inputs.cols() != learnt.inputs.cols()) ||
+        (model.form_prior.mean.size() > 0 &&
+         model.form_prior.inputs.cols() != learnt.inputs.cols()) ||
         model.length_deviations.rows() != net.interior_edge_count() ||
         model.length_deviations.cols() != learnt.inputs.cols()) {
         throw std::invalid_argument(

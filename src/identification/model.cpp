@@ -11,7 +11,9 @@
 #include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
 #include "identification/train_together.hpp"
+#include "numerics/fnv1a.hpp"
 #include "taut/gp/input_scales.hpp"
+#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -41,6 +43,17 @@ void check(const CableNet& net, const DataSet& data, const std::vector<int>& sam
             throw std::invalid_argument(
                 fmt::format("training sample {}, expected 0 to {}", k, data.size() - 1));
         }
+    }
+}
+
+/// All processes of a team learn from the same.
+void require_same_samples(const DataSet& data, const std::vector<int>& samples) {
+    if (team().size() > 1) {
+        Fnv1a hash;
+        hash.add(data.form_deviations.data(), data.form_deviations.size());
+        hash.add(data.length_deviations.data(), data.length_deviations.size());
+        hash.add_list(samples);
+        require_same("data set", data.net_fingerprint + hash.text());
     }
 }
 
@@ -137,10 +150,12 @@ std::string_view to_string(KernelMetric metric) {
 LengthModel train(const CableNet& net, const DataSet& data, const std::vector<int>& samples,
                   const TrainingSettings& settings, const Progress& progress) {
     check(net, data, samples);
+    require_same_samples(data, samples);
     const Eigen::MatrixXd forms = data.form_deviations(Eigen::all, samples);
     LengthModel model = untrained(data, samples, settings);
     const Eigen::MatrixXd outputs = outputs_of(net, model, forms);
     model.input_scales = input_scales(settings.metric, forms, outputs, progress);
+    const bool keeps_prior = !settings.as_in_paper && keeps_form_prior(net);
     gp::FittedProcesses processes;
     FormPrior form_prior;
     tbb::parallel_invoke(
@@ -149,14 +164,14 @@ LengthModel train(const CableNet& net, const DataSet& data, const std::vector<in
                 gp::fit(model.input_scales.asDiagonal() * forms, outputs, settings.fit, progress);
         },
         [&] {
-            if (!settings.as_in_paper) {
+            if (keeps_prior) {
                 form_prior = form_prior_of(net, model, forms);
             }
         });
     model.processes = std::move(processes);
-    if (!settings.as_in_paper) {
+    if (keeps_prior) {
         model.form_prior = std::move(form_prior);
-        model.form_prior.inputs = inputs_along_directions(model);
+        model.form_prior.inputs = inputs_along_directions(model, model.form_prior);
     }
     return model;
 }

@@ -11,6 +11,7 @@
 #include "gp/gradient_weights.hpp"
 #include "identification/completion.hpp"
 #include "identification/form_conditioning.hpp"
+#include "identification/form_prior.hpp"
 #include "identification/mean_function.hpp"
 #include "numerics/dense.hpp"
 #include "taut/identification/length_estimates.hpp"
@@ -37,10 +38,10 @@ struct FormUncertainty {
     Eigen::VectorXd of_extension;  ///< of what the edge is longer than that (m_I) [m2]
 };
 
-FormUncertainty form_uncertainty(const CableNet& net, const LengthModel& model, const Points& form,
+FormUncertainty form_uncertainty(const CableNet& net, const LengthModel& model,
+                                 const FormPrior& prior, const Points& form,
                                  const Eigen::VectorXd& form_deviation,
                                  const ConditionedForm& after) {
-    const FormPrior& prior = model.form_prior;
     const Eigen::MatrixXd lengths = along_directions(prior, length_gradient(net, form));
     // Of the processes: the sum over training inputs x_i of a_i (x - x_i), along the directions.
     const Eigen::VectorXd input = model.input_scales.cwiseProduct(form_deviation);
@@ -54,8 +55,9 @@ FormUncertainty form_uncertainty(const CableNet& net, const LengthModel& model, 
 
 /// What the processes tell of each edge at one form, and how its uncertainty adds to theirs.
 /// @param estimates at that form
-/// @param after the form's distribution; null where the form is known
+/// @param after the form's distribution by `prior`; null where the form is known
 std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const LengthModel& model,
+                                                  const FormPrior& prior,
                                                   const LengthEstimates& estimates,
                                                   const Eigen::VectorXd& form_deviation,
                                                   const ConditionedForm* after) {
@@ -63,7 +65,7 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
     FormUncertainty uncertainty{.of_length = Eigen::VectorXd::Zero(net.interior_edge_count()),
                                 .of_extension = Eigen::VectorXd::Zero(net.interior_edge_count())};
     if (after != nullptr) {
-        uncertainty = form_uncertainty(net, model, form, form_deviation, *after);
+        uncertainty = form_uncertainty(net, model, prior, form, form_deviation, *after);
     }
     const Eigen::VectorXd lengths = edge_lengths(net, form);
     std::vector<LengthLikelihood> result;
@@ -87,8 +89,14 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
     Identification result{.method = "gp"};
     Eigen::VectorXd deviation = free_coordinates(net, survey.form) - model.nominal_form;
     std::optional<ConditionedForm> after;
+    FormPrior made;  // of a large net, whose model keeps none
+    const FormPrior& prior = model.form_prior.mean.size() > 0 ? model.form_prior : made;
     if (survey.is_noisy() || !survey.is_whole()) {
-        after.emplace(net, model.form_prior, survey, model.nominal_form,
+        if (&prior == &made) {
+            made = form_prior_of(net, model, model.form_deviations());
+            made.inputs = inputs_along_directions(model, made);
+        }
+        after.emplace(net, prior, survey, model.nominal_form,
                       default_false_alarm_rate);  // (conditioning), (snooping)
         deviation = after->mean();
         tell_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());
@@ -97,8 +105,9 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
                                           ? *at_survey
                                           : estimate_lengths(net, model, deviation);  // eq. ident
     result.law = model.law;
-    tell_edges(result, net, std::vector(net.interior_edge_count(), model.law),
-               process_likelihoods(net, model, estimates, deviation, after ? &*after : nullptr));
+    tell_edges(
+        result, net, std::vector(net.interior_edge_count(), model.law),
+        process_likelihoods(net, model, prior, estimates, deviation, after ? &*after : nullptr));
     predict_form(result, net, survey, with_free_coordinates(net, model.nominal_form + deviation));
     return result;
 }

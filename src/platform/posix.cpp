@@ -37,8 +37,11 @@ double physical_memory() {
 }
 
 bool can_map(double bytes) {
-    rlimit limit{};
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
+    const auto is_limited = [](auto resource) {
+        rlimit limit{};
+        return getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    };
+    if (!is_limited(RLIMIT_AS) && !is_limited(RLIMIT_DATA)) {
         return true;
     }
     const auto size = static_cast<size_t>(bytes);

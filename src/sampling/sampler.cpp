@@ -9,10 +9,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "taut/sampling/circumstances.hpp"
 #include "taut/statics/form_sensitivity.hpp"
+#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -25,6 +29,41 @@ Equilibrium nominal_equilibrium(const CableNet& net) {
             nominal.out_of_balance, nominal.iterations));
     }
     return nominal;
+}
+
+void resize(DataSet& data, int count) {
+    data.form_deviations.conservativeResize(Eigen::NoChange, count);
+    data.length_deviations.conservativeResize(Eigen::NoChange, count);
+    data.statuses.resize(count);
+    data.slack_counts.resize(count);
+}
+
+/// Of the same net, for samples alone.
+DataSet without_samples(const DataSet& data) {
+    DataSet part;
+    part.nominal_form = data.nominal_form;
+    part.form_deviations.resize(data.form_deviations.rows(), 0);
+    part.length_deviations.resize(data.length_deviations.rows(), 0);
+    return part;
+}
+
+void append(DataSet& data, const DataSet& part) {
+    const int before = data.size();
+    resize(data, before + part.size());
+    data.form_deviations.rightCols(part.size()) = part.form_deviations;
+    data.length_deviations.rightCols(part.size()) = part.length_deviations;
+    std::ranges::copy(part.statuses, data.statuses.begin() + before);
+    std::ranges::copy(part.slack_counts, data.slack_counts.begin() + before);
+}
+
+std::string packed_samples(DataSet& data) {
+    Packer packer;
+    packer(data.form_deviations, data.length_deviations, data.statuses, data.slack_counts);
+    return packer.take();
+}
+
+void unpack_samples(const std::string& bytes, DataSet& data) {
+    Unpacker{bytes}(data.form_deviations, data.length_deviations, data.statuses, data.slack_counts);
 }
 
 }  // namespace
@@ -54,6 +93,15 @@ struct Sampler::State {
     State(State&&) = delete;
     State& operator=(State&&) = delete;
 
+    /// Of all that a sample follows from, but its index.
+    [[nodiscard]] std::string fingerprint() const {
+        std::string text = fmt::format("{} {} {}", net.fingerprint(), law.to_string(), seed);
+        for (const Unknown& unknown : unknowns) {
+            text += ' ' + unknown.to_string();
+        }
+        return text;
+    }
+
     /// With what else is unknown drawn, too. A sample that leaves no net is none that converged.
     [[nodiscard]] Equilibrium solve_drawn(int k, const Eigen::VectorXd& lengths,
                                           const Points& start) const {
@@ -67,19 +115,20 @@ struct Sampler::State {
         }
     }
 
-    /// One pass of the loop of Algorithm 2.
-    void draw(DataSet& data, int k) const {
-        data.length_deviations.col(k) = draw_length_deviations(
+    /// One pass of the loop of Algorithm 2: sample k, into a column.
+    void draw(DataSet& data, Eigen::Index column, int k) const {
+        data.length_deviations.col(column) = draw_length_deviations(
             law, seed, static_cast<std::uint64_t>(k), net.interior_edge_count());
-        const Eigen::VectorXd lengths = with_length_deviations(net, data.length_deviations.col(k));
+        const Eigen::VectorXd lengths =
+            with_length_deviations(net, data.length_deviations.col(column));
         const Eigen::VectorXd predicted =
             data.nominal_form + sensitivity.apply(lengths - net.unstressed_lengths());
         const Equilibrium found =
             unknowns.empty() ? solvers.local().solve(lengths, with_free_coordinates(net, predicted))
                              : solve_drawn(k, lengths, with_free_coordinates(net, predicted));
-        data.form_deviations.col(k) = free_coordinates(net, found.form) - data.nominal_form;
-        data.statuses[k] = found.status;
-        data.slack_counts[k] = static_cast<int>(found.slack_edges.size());
+        data.form_deviations.col(column) = free_coordinates(net, found.form) - data.nominal_form;
+        data.statuses[column] = found.status;
+        data.slack_counts[column] = static_cast<int>(found.slack_edges.size());
     }
 };
 
@@ -108,51 +157,109 @@ DataSet Sampler::empty() const {
             .slack_counts = {}};
 }
 
-void Sampler::draw_block(DataSet& data, int count, const Progress& progress) const {
-    const int first = data.size();
-    const auto resize = [&data](int n) {
-        data.form_deviations.conservativeResize(Eigen::NoChange, n);
-        data.length_deviations.conservativeResize(Eigen::NoChange, n);
-        data.statuses.resize(n);
-        data.slack_counts.resize(n);
-    };
-    resize(count);
+void Sampler::draw_block(DataSet& data, int first, int count, const Progress& progress) const {
+    const int before = data.size();
+    resize(data, before + count);
     try {
-        tbb::parallel_for(first, count, [&](int k) {
+        tbb::parallel_for(0, count, [&](int i) {
             if (progress.stopped()) {
                 throw Interrupted();
             }
             // A thread that waits within takes no other sample up: the solver is this one's.
-            tbb::this_task_arena::isolate([&] { m_state->draw(data, k); });
+            tbb::this_task_arena::isolate(
+                [&] { m_state->draw(data, Eigen::Index{before} + i, first + i); });
         });
     } catch (...) {
-        resize(first);
+        resize(data, before);
         throw;
+    }
+}
+
+void Sampler::draw_block_together(DataSet& data, int first, int count,
+                                  const Progress& progress) const {
+    const auto begin = [count](int rank) {
+        return static_cast<int>(std::int64_t{count} * rank / team().size());
+    };
+    const int mine = begin(team().rank());
+    DataSet part = without_samples(data);
+    draw_block(part, first + mine, begin(team().rank() + 1) - mine, progress);
+    for (const std::string& bytes : team().gather(packed_samples(part), Receivers::first)) {
+        unpack_samples(bytes, part);
+        append(data, part);
     }
 }
 
 void Sampler::extend(DataSet& data, int count, const Progress& progress,
                      const std::function<void()>& after_block) const {
     using Clock = std::chrono::steady_clock;
-    int block = 16;
-    while (data.size() < count) {
-        progress("sampling", data.size(), count);
+    require_same("net, law, seed or unknowns", m_state->fingerprint());
+    int done = told_by_first(data.size());
+    int block = 16 * team().size();
+    while (done < count) {
+        progress("sampling", done, count);
         const auto start = Clock::now();
-        draw_block(data, std::min(count, data.size() + block), progress);
-        if (after_block) {
+        const int next = std::min(block, count - done);
+        if (team().size() == 1) {
+            draw_block(data, done, next, progress);
+        } else {
+            draw_block_together(data, done, next, progress);
+        }
+        done += next;
+        if (after_block && team().is_first()) {
             after_block();
         }
         // About a second each: long enough to copy little, short enough to tell and keep often.
-        if (Clock::now() - start < std::chrono::milliseconds(500)) {
+        if (told_by_first(Clock::now() - start < std::chrono::milliseconds(500))) {
             block *= 2;
         }
     }
-    progress("sampling", data.size(), data.size());
+    progress("sampling", done, done);
+}
+
+SamplePart Sampler::part(int first, int count, const Progress& progress) const {
+    if (first < 0 || count < 0 || count > std::numeric_limits<int>::max() - first) {
+        throw std::invalid_argument(
+            fmt::format("got {} samples from sample {} on, expected both 0 or more, and the last "
+                        "below 2^31",
+                        count, first));
+    }
+    SamplePart part{.first = first, .samples = empty()};
+    progress("sampling", 0, count);
+    draw_block(part.samples, first, count, progress);
+    progress("sampling", count, count);
+    return part;
+}
+
+DataSet Sampler::joined(std::vector<SamplePart> parts) const {
+    std::ranges::stable_sort(parts, {}, &SamplePart::first);
+    DataSet data = empty();
+    for (const auto& [first, samples] : parts) {
+        if (samples.net_fingerprint != data.net_fingerprint || samples.law != data.law ||
+            samples.seed != data.seed || samples.unknowns != data.unknowns ||
+            samples.form_deviations.rows() != data.form_deviations.rows() ||
+            samples.length_deviations.rows() != data.length_deviations.rows() ||
+            samples.length_deviations.cols() != samples.size() ||
+            std::ssize(samples.statuses) != samples.size() ||
+            std::ssize(samples.slack_counts) != samples.size()) {
+            throw std::invalid_argument(fmt::format(
+                "the part from sample {} on is of another net, law, seed or unknowns", first));
+        }
+        if (samples.size() > 0 && first != data.size()) {
+            throw std::invalid_argument(fmt::format(
+                "the parts have sample {} {}, expected each from 0 to the last once",
+                std::min(first, data.size()), first < data.size() ? "twice" : "nowhere"));
+        }
+        append(data, samples);
+    }
+    return data;
 }
 
 DataSet draw_samples(const Sampler& sampler, int count, const Progress& progress) {
     DataSet data = sampler.empty();
     sampler.extend(data, count, progress);
+    if (team().size() > 1) {
+        unpack_samples(team().gather(packed_samples(data), Receivers::all).front(), data);
+    }
     return data;
 }
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "identification/form_prior.hpp"
+#include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
 #include "taut/sampling/sampler.hpp"
 
@@ -103,7 +105,8 @@ private:
         const LengthModel paper = train_next(samples, TrainingSettings::paper());
         const double paper_seconds = paper_training.seconds();
         const Stopwatch best_training;
-        const LengthModel best = train_next(samples, {});
+        LengthModel best = train_next(samples, {});
+        make_form_prior(m_comparison.net, best);
         const double best_seconds = best_training.seconds();
         m_comparison.seconds.training += paper_seconds + best_seconds;
 
@@ -137,7 +140,8 @@ private:
         const DataSet data = draw_samples(sampler, count + settings.surveys, m_progress);
         m_comparison.seconds.sampling += sampling.seconds();
         const Stopwatch training;
-        const LengthModel model = train(net, data, data.converged_in(0, count), {}, m_progress);
+        LengthModel model = train(net, data, data.converged_in(0, count), {}, m_progress);
+        make_form_prior(net, model);
         const double training_seconds = training.seconds();
         m_comparison.seconds.training += training_seconds;
         std::vector told{method_by_processes(net, model),
@@ -154,7 +158,7 @@ private:
                      .model_errors = errors,
                      .training_samples =
                          method.training_samples ? std::optional(count) : std::nullopt,
-                     .result = evaluate(net, method, trials, m_progress).result,
+                     .result = evaluate_together(net, method, trials, m_progress),
                      .best_possible = {}});
             }
         };
@@ -203,9 +207,8 @@ private:
                     .first_failure = "needs a survey of all free nodes",
                     .training_seconds = method.training_seconds};
         }
-        return evaluate(m_comparison.net, method, trials,
-                        m_progress.part(m_evaluations++, evaluation_count(m_cells)))
-            .result;
+        return evaluate_together(m_comparison.net, method, trials,
+                                 m_progress.part(m_evaluations++, evaluation_count(m_cells)));
     }
 
     Comparison& m_comparison;
@@ -234,7 +237,7 @@ void compare_epochs(Comparison& comparison, const DataSet& data, const std::vect
                                          .training_samples = {},
                                          .epochs = epochs,
                                          .is_turned = is_turned,
-                                         .result = evaluate(net, method, trials, progress).result,
+                                         .result = evaluate_together(net, method, trials, progress),
                                          .best_possible = {}});
     };
     const std::vector<Trial> first = simulate_trials(net, data, surveyed, kind, settings.seed);
@@ -304,7 +307,6 @@ void ComparisonSettings::check() const {
         }
     }
     for (const int count : training_samples) {
-        // Kernel and data take some 16 n^2 bytes.
         constexpr int most_samples = 20'000;
         if (count < 2 || count > most_samples) {
             throw std::invalid_argument(

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -16,6 +17,7 @@
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/simulation.hpp"
+#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -278,20 +280,25 @@ ControlRecord::Round ControlRecord::after(int round) const {
 std::vector<ControlRecord> simulate_control(const CableNet& net, const ControlSettings& settings,
                                             const Progress& progress) {
     check_control(net, settings);
+    require_same("net", net.fingerprint());
     const FormTarget target(net, net.nodes());
-    std::vector<ControlRecord> records;
-    const int total = static_cast<int>(strategies.size()) * settings.trials;
-    for (const ControlStrategy strategy : strategies) {
-        ControlRecord record{.strategy = strategy, .states = {}};
-        for (int trial = 0; trial < settings.trials; ++trial) {
-            progress("control", static_cast<int>(records.size()) * settings.trials + trial, total);
-            Job job(net, settings, target, trial);
-            record.states.push_back(job.state(0, 0.0, false));
-            for (int round = 1; round <= settings.rounds; ++round) {
-                record.states.push_back(job.work(strategy, round));
-            }
+    const auto total = static_cast<int>(strategies.size()) * settings.trials;
+    std::vector<std::vector<ControlState>> jobs;  // of this process: each with all its rounds
+    for (const size_t k : share_of(total)) {
+        progress("control", static_cast<int>(k), total);
+        Job job(net, settings, target, static_cast<int>(k) % settings.trials);
+        jobs.push_back({job.state(0, 0.0, false)});
+        for (int round = 1; round <= settings.rounds; ++round) {
+            jobs.back().push_back(job.work(strategies[k / settings.trials], round));
         }
-        records.push_back(std::move(record));
+    }
+    jobs = gathered(total, std::move(jobs));
+    std::vector<ControlRecord> records;
+    for (size_t k = 0; k < jobs.size(); ++k) {
+        if (k % settings.trials == 0) {
+            records.push_back({.strategy = strategies[k / settings.trials], .states = {}});
+        }
+        std::ranges::copy(jobs[k], std::back_inserter(records.back().states));
     }
     progress("control", total, total);
     return records;

@@ -9,10 +9,13 @@
 #include <functional>
 #include <mutex>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 
+#include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
 #include "taut/identification/best_possible.hpp"
+#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -44,34 +47,73 @@ Outcome attempt(const std::function<Identification(size_t)>& identify, size_t k)
     return outcome;
 }
 
+/// Tries the method on some of the trials.
 std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>& trials,
-                                 const Progress& progress) {
-    std::vector<Outcome> outcomes(trials.size());
+                                 const std::vector<size_t>& chosen, const Progress& progress) {
+    std::vector<Outcome> outcomes(chosen.size());
     const Stopwatch preparing;
+    // Of all trials, whichever are chosen: what is done at once for more of them is rounded
+    // otherwise.
     const std::function<Identification(size_t)> identify =
         method.identify_each ? method.identify_each(trials)
                              : [&](size_t k) { return method.identify(trials[k]); };
     const double share =
-        preparing.seconds() / static_cast<double>(std::max<size_t>(1, trials.size()));
+        preparing.seconds() / static_cast<double>(std::max<size_t>(1, chosen.size()));
     std::mutex mutex;
     int done = 0;
-    const auto run = [&](size_t k) {
+    const auto run = [&](size_t i) {
         if (progress.stopped()) {
             throw Interrupted();
         }
-        outcomes[k] = attempt(identify, k);
-        outcomes[k].seconds += share;
+        outcomes[i] = attempt(identify, chosen[i]);
+        outcomes[i].seconds += share;
         const std::lock_guard lock(mutex);
-        progress("identification", ++done, static_cast<int>(trials.size()));
+        progress("identification", ++done, static_cast<int>(chosen.size()));
     };
     if (method.uses_all_threads) {
-        for (size_t k = 0; k < trials.size(); ++k) {
-            run(k);
+        for (size_t i = 0; i < chosen.size(); ++i) {
+            run(i);
         }
     } else {
-        tbb::parallel_for(size_t{0}, trials.size(), run);
+        tbb::parallel_for(size_t{0}, chosen.size(), run);
     }
     return outcomes;
+}
+
+/// What the truth makes of one identification.
+struct Judged {
+    bool is_identified = false;
+    std::string failure;
+    double seconds = 0.0;
+    Eigen::VectorXd estimate;     // of the length deviations
+    int inside = 0;               // true ones in their interval
+    bool is_balanced = false;     // the predicted form
+    FormErrorSummary form_error;  // of it, where it is balanced
+};
+
+Judged judge(const CableNet& net, const Trial& trial, const Outcome& outcome) {
+    Judged judged{.is_identified = outcome.identification.has_value(),
+                  .failure = outcome.failure,
+                  .seconds = outcome.seconds};
+    if (!judged.is_identified) {
+        return judged;
+    }
+    const Identification& identification = *outcome.identification;
+    judged.estimate.resize(net.interior_edge_count());
+    for (Eigen::Index i = 0; i < judged.estimate.size(); ++i) {
+        const IdentifiedEdge& edge = identification.edges[i];
+        judged.estimate(i) = edge.length_deviation;
+        const bool is_inside =
+            edge.lower <= trial.deviations(i) && trial.deviations(i) <= edge.upper;
+        judged.inside += is_inside ? 1 : 0;
+    }
+    judged.is_balanced = identification.predicted.balanced();
+    if (judged.is_balanced) {
+        judged.form_error =
+            summarise(node_distances(free_coordinates(net, trial.form),
+                                     free_coordinates(net, identification.predicted.form)));
+    }
+    return judged;
 }
 
 /// Sums over the edges and surveys of a mean.
@@ -83,40 +125,30 @@ struct Sums {
 
 /// Fills all numbers that need an identification.
 void fill(MethodResult& result, const CableNet& net, const std::vector<Trial>& trials,
-          const std::vector<std::optional<Identification>>& identifications) {
+          const std::vector<Judged>& all) {
     const Eigen::Index m = net.interior_edge_count();
     Eigen::MatrixXd truth(m, result.identified());
     Eigen::MatrixXd estimate(m, result.identified());
     Sums sums;
     Eigen::Index column = 0;
-    const auto balanced =
-        static_cast<int>(std::ranges::count_if(identifications, [](const auto& identification) {
-            return identification && identification->predicted.balanced();
-        }));
+    const auto balanced = static_cast<int>(std::ranges::count(all, true, &Judged::is_balanced));
     for (size_t k = 0; k < trials.size(); ++k) {
-        if (!identifications[k]) {
+        if (!all[k].is_identified) {
             continue;
         }
         const Trial& trial = trials[k];
         for (Eigen::Index i = 0; i < m; ++i) {
-            const IdentifiedEdge& edge = identifications[k]->edges[i];
-            const double error = trial.deviations(i) - edge.length_deviation;
-            estimate(i, column) = edge.length_deviation;
-            const bool is_inside =
-                edge.lower <= trial.deviations(i) && trial.deviations(i) <= edge.upper;
-            sums.inside += is_inside ? 1 : 0;
+            const double error = trial.deviations(i) - all[k].estimate(i);
             if (!trial.slack[i]) {
                 sums.squared_errors_of_taut += error * error;
                 ++sums.taut;
             }
         }
-        truth.col(column++) = trial.deviations;
-        if (identifications[k]->predicted.balanced()) {
-            add_to_mean(result.form_error,
-                        summarise(node_distances(
-                            free_coordinates(net, trial.form),
-                            free_coordinates(net, identifications[k]->predicted.form))),
-                        balanced);
+        sums.inside += all[k].inside;
+        truth.col(column) = trial.deviations;
+        estimate.col(column++) = all[k].estimate;
+        if (all[k].is_balanced) {
+            add_to_mean(result.form_error, all[k].form_error, balanced);
         }
     }
     result.errors = length_errors(truth, estimate);
@@ -125,42 +157,88 @@ void fill(MethodResult& result, const CableNet& net, const std::vector<Trial>& t
     result.forms_not_converged = result.identified() - balanced;
 }
 
+MethodResult result_of(const CableNet& net, const Method& method, const std::vector<Trial>& trials,
+                       const std::vector<Judged>& all) {
+    MethodResult result;
+    result.name = method.name;
+    result.surveys = static_cast<int>(trials.size());
+    result.training_seconds = method.training_seconds;
+    for (const Judged& judged : all) {
+        result.seconds += judged.seconds / static_cast<double>(trials.size());
+        if (!judged.is_identified) {
+            ++result.failed;
+            if (result.first_failure.empty()) {
+                result.first_failure = judged.failure;
+            }
+        }
+    }
+    if (result.identified() > 0) {
+        fill(result, net, trials, all);
+    }
+    return result;
+}
+
+std::vector<Judged> judge_all(const CableNet& net, const std::vector<Trial>& trials,
+                              const std::vector<size_t>& chosen,
+                              const std::vector<Outcome>& outcomes) {
+    std::vector<Judged> judged;
+    judged.reserve(chosen.size());
+    for (size_t i = 0; i < chosen.size(); ++i) {
+        judged.push_back(judge(net, trials[chosen[i]], outcomes[i]));
+    }
+    return judged;
+}
+
+template <typename Packing>
+void pack(Packing& packing, Judged& judged) {
+    auto& [is_identified, failure, seconds, estimate, inside, is_balanced, form_error] = judged;
+    packing(is_identified, failure, seconds, estimate, inside, is_balanced, form_error);
+}
+
 }  // namespace
 
 Evaluation evaluate(const CableNet& net, const Method& method, const std::vector<Trial>& trials,
                     const Progress& progress) {
-    Evaluation evaluation;
-    MethodResult& result = evaluation.result;
-    result.name = method.name;
-    result.surveys = static_cast<int>(trials.size());
-    result.training_seconds = method.training_seconds;
-    for (Outcome& outcome : attempt_all(method, trials, progress)) {
-        result.seconds += outcome.seconds / static_cast<double>(trials.size());
-        if (!outcome.identification) {
-            ++result.failed;
-            if (result.first_failure.empty()) {
-                result.first_failure = outcome.failure;
-            }
-        }
+    std::vector<size_t> all(trials.size());
+    std::iota(all.begin(), all.end(), size_t{0});
+    std::vector<Outcome> outcomes = attempt_all(method, trials, all, progress);
+    Evaluation evaluation{
+        .result = result_of(net, method, trials, judge_all(net, trials, all, outcomes)),
+        .identifications = {}};
+    for (Outcome& outcome : outcomes) {
         evaluation.identifications.push_back(std::move(outcome.identification));
-    }
-    if (result.identified() > 0) {
-        fill(result, net, trials, evaluation.identifications);
     }
     return evaluation;
 }
 
+MethodResult evaluate_together(const CableNet& net, const Method& method,
+                               const std::vector<Trial>& trials, const Progress& progress) {
+    const std::vector<size_t> mine = share_of(trials.size());
+    const std::vector<Outcome> outcomes = attempt_all(method, trials, mine, progress);
+    return result_of(net, method, trials,
+                     gathered(trials.size(), judge_all(net, trials, mine, outcomes)));
+}
+
 std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& law,
                                           const std::vector<Trial>& trials) {
-    Eigen::MatrixXd variances(net.interior_edge_count(), static_cast<Eigen::Index>(trials.size()));
+    const std::vector<size_t> mine = share_of(trials.size());
+    std::vector<Eigen::VectorXd> of_trials(mine.size());
     try {
-        tbb::parallel_for(Eigen::Index{0}, variances.cols(), [&](Eigen::Index k) {
-            const Trial& trial = trials[k];
-            variances.col(k) = best_possible_variances(
+        tbb::parallel_for(size_t{0}, mine.size(), [&](size_t i) {
+            const Trial& trial = trials[mine[i]];
+            of_trials[i] = best_possible_variances(
                 net, with_length_deviations(net, trial.deviations), trial.form, trial.survey, law);
         });
     } catch (const std::runtime_error&) {
-        return std::nullopt;
+        of_trials.assign(mine.size(), Eigen::VectorXd());
+    }
+    of_trials = gathered(trials.size(), std::move(of_trials));
+    Eigen::MatrixXd variances(net.interior_edge_count(), static_cast<Eigen::Index>(trials.size()));
+    for (Eigen::Index k = 0; k < variances.cols(); ++k) {
+        if (of_trials[k].size() == 0) {
+            return std::nullopt;
+        }
+        variances.col(k) = of_trials[k];
     }
     double sum_of_taut = 0.0;
     int taut = 0;

@@ -20,6 +20,7 @@
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
+#include "team_work.hpp"
 
 namespace taut {
 namespace {
@@ -169,6 +170,16 @@ SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
 
 }  // namespace
 
+template <typename Packing>
+static void pack(Packing& packing, SettlingOutcome& outcome) {
+    auto& [number, law, noise_std, hidden_nodes, gross_errors, slack_edges, settled, message,
+           seconds, inside, tensions_told, tensions_inside, slack_called, taut_as_slack,
+           slack_as_taut, slack_reliability] = outcome;
+    packing(number, law, noise_std, hidden_nodes, gross_errors, slack_edges, settled, message,
+            seconds, inside, tensions_told, tensions_inside, slack_called, taut_as_slack,
+            slack_as_taut, slack_reliability);
+}
+
 void SettlingSettings::check() const {
     if (surveys < 1) {
         throw std::invalid_argument(fmt::format("{} surveys, expected at least 1", surveys));
@@ -248,7 +259,9 @@ SettlingRecord try_settling(const CableNet& net, const SettlingSettings& setting
                           .free_nodes = static_cast<int>(net.free_nodes().size()),
                           .interior_edges = net.interior_edge_count(),
                           .outcomes = {}};
-    for (int k = 0; k < settings.surveys; ++k) {
+    require_same("net", net.fingerprint());
+    for (const size_t share : share_of(settings.surveys)) {
+        const auto k = static_cast<int>(share);
         if (progress.stopped()) {
             throw Interrupted();
         }
@@ -256,6 +269,7 @@ SettlingRecord try_settling(const CableNet& net, const SettlingSettings& setting
             try_survey(net, settling_survey(net, settings.seed, settings.first + k)));
         progress("identification", k + 1, settings.surveys);
     }
+    record.outcomes = gathered(settings.surveys, std::move(record.outcomes));
     return record;
 }
 

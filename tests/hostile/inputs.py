@@ -285,6 +285,8 @@ WORDS = [
     "--law",
     "uniform:1e9mm",
     "--threads",
+    "--memory",
+    "300MiB",
     "0",
     "99999999999",
     "--seed",

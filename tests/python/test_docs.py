@@ -23,6 +23,7 @@ RUN_BY = {
     ("python", "docs/python.md"): "tests/python/test_docs.py",
     ("python", "docs/howto.md"): "tests/python/test_docs.py",
     ("python", "docs/files.md"): "tests/python/test_docs.py",
+    ("python", "docs/clusters.md"): "tests/python/test_docs.py",
     ("json", "docs/files.md"): "tests/python/test_docs.py",
     ("cpp", "README.md"): CONSUMER,
     ("cpp", "docs/linking.md"): CONSUMER,
@@ -54,7 +55,7 @@ NUMBER = re.compile(r"[-+]?\d+(?:\.\d*)?(?:e[-+]?\d+)?")
 def run(page, capsys):
     """Runs the Python of a page and gives its names. What a page shows below a block, in one that
     names no language, is what the block printed, numbers to 2 %."""
-    names = {}
+    names = {"__name__": "__main__"}
     printed = None
     for language, line, text, _ in fenced(page):
         if language == "python":
@@ -109,6 +110,11 @@ def test_the_page_by_task(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     run("docs/howto.md", capsys)
     assert (tmp_path / "figures" / "length_intervals.pdf").exists()
+
+
+def test_the_page_on_clusters(capsys):
+    pytest.importorskip("distributed")
+    run("docs/clusters.md", capsys)
 
 
 def test_the_lines_of_the_readme(tmp_path, monkeypatch, capsys):

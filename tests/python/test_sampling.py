@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Guards against samples that depend on anything but law, seed and number."""
 
+import pickle
+
 import numpy as np
 import pytest
 import taut
@@ -70,3 +72,33 @@ def test_wrong_laws_and_counts_are_refused(net):
         taut.Sampler(net).draw(-1)
     with pytest.raises(ValueError, match="training sample 99"):
         taut.train(net, taut.Sampler(net).draw(5), samples=[0, 99])
+
+
+def test_parts_join_to_what_one_call_draws(net):
+    sampler = taut.Sampler(net, seed=7)
+    parts = [sampler.part(first, 5) for first in (10, 0, 5)]
+    parts = [pickle.loads(pickle.dumps(part)) for part in parts]
+    joined = sampler.joined(parts)
+    expected = sampler.draw(15)
+    assert np.array_equal(joined.form_deviations, expected.form_deviations)
+    assert np.array_equal(joined.slack_counts, expected.slack_counts)
+    with pytest.raises(ValueError, match="sample 5 nowhere"):
+        sampler.joined([parts[0], parts[1]])
+    with pytest.raises(ValueError, match="sample 0 twice"):
+        sampler.joined([*parts, parts[1]])
+    with pytest.raises(ValueError, match="another net, law, seed"):
+        taut.Sampler(net, seed=8).joined(parts)
+    with pytest.raises(ValueError, match="expected both 0 or more"):
+        sampler.part(-1, 5)
+
+
+def test_dask_shares_samples_out(net):
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        parts = client.map(lambda first: taut.Sampler(net, seed=7).part(first, 5), range(0, 20, 5))
+        data = taut.Sampler(net, seed=7).joined(client.gather(parts))
+    assert np.array_equal(
+        data.form_deviations, taut.Sampler(net, seed=7).draw(20).form_deviations
+    )

@@ -336,4 +336,41 @@ TEST(Sampler, TellsWhereTheNominalNetFindsNoEquilibrium) {
     }
 }
 
+TEST(SamplePart, JoinsToWhatOneCallDraws) {
+    const CableNet net = hypar(5, 4);
+    const Sampler sampler(net, uniform_5mm, 7);
+    std::vector<SamplePart> parts;
+    for (const int first : {12, 0, 5}) {
+        parts.push_back(sampler.part(first, first == 5 ? 7 : 5));
+    }
+    expect_same(sampler.joined(parts), draw(net, 17, uniform_5mm, 7));
+    expect_same(sampler.joined({}), sampler.empty());
+    expect_same(sampler.joined({sampler.part(0, 2), sampler.part(0, 0), sampler.part(2, 3)}),
+                draw(net, 5, uniform_5mm, 7));
+}
+
+TEST(SamplePart, ThatIsMissingDoubledOrAnothersIsRefused) {
+    const CableNet net = hypar(5, 4);
+    const Sampler sampler(net, uniform_5mm, 7);
+    const auto message_of = [&](const std::vector<SamplePart>& parts) -> std::string {
+        try {
+            static_cast<void>(sampler.joined(parts));
+        } catch (const std::invalid_argument& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(message_of({sampler.part(0, 3), sampler.part(4, 2)}),
+                testing::HasSubstr("have sample 3 nowhere"));
+    EXPECT_THAT(message_of({sampler.part(0, 3), sampler.part(2, 2)}),
+                testing::HasSubstr("have sample 2 twice"));
+    EXPECT_THAT(message_of({Sampler(net, uniform_5mm, 8).part(0, 3)}),
+                testing::HasSubstr("another net, law, seed or unknowns"));
+    SamplePart cut = sampler.part(0, 3);
+    cut.samples.statuses.push_back(EquilibriumStatus::converged);
+    EXPECT_NE(message_of({cut}), "");
+    EXPECT_THROW(static_cast<void>(sampler.part(-1, 3)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(sampler.part(2147483647, 1)), std::invalid_argument);
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
@@ -12,6 +13,13 @@
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut {
+
+/// Some of a sampler's samples. Not a data set: what has other samples than the first cannot be
+/// extended, and is to be joined.
+struct SamplePart {
+    int first = 0;    ///< index of its first sample
+    DataSet samples;  ///< these alone
+};
 
 /// Algorithm 2 of the paper: draws length deviations and solves for the forms that follow, in
 /// parallel on the threads of oneTBB. Each solve starts from the linear prediction r + (dr/dl_0)
@@ -44,15 +52,26 @@ public:
     ///   which is not checked; in no other thread's use meanwhile
     /// @param count in all; no more than there are: nothing is drawn
     /// @param progress told of the stage "sampling" before each block and at the end
-    /// @param after_block called in the calling thread where the data set has got a block more: to
+    /// @param after_block called in the calling thread, of a team by the first process alone, where the data set has got a block more: to
     ///   keep it, say; what it throws ends the call
     /// @throws Interrupted where a stop was requested; the data set then holds whole blocks, and
     ///   can be extended again
     void extend(DataSet& data, int count, const Progress& progress = {},
                 const std::function<void()>& after_block = {}) const;
 
+    /// Some of the samples, for those who share them out: to the tasks of a scheduler, say.
+    /// @param first 0 or more, @param count 0 or more
+    /// @throws std::invalid_argument for another, @throws Interrupted where a stop was requested
+    [[nodiscard]] SamplePart part(int first, int count, const Progress& progress = {}) const;
+
+    /// The data set of all parts, in whatever order: bit for bit that of one call.
+    /// @throws std::invalid_argument for a part of another net, law, seed or unknowns, and where
+    ///   samples between 0 and the last are missing, or told twice
+    [[nodiscard]] DataSet joined(std::vector<SamplePart> parts) const;
+
 private:
-    void draw_block(DataSet& data, int count, const Progress& progress) const;
+    void draw_block(DataSet& data, int first, int count, const Progress& progress) const;
+    void draw_block_together(DataSet& data, int first, int count, const Progress& progress) const;
 
     struct State;
     std::unique_ptr<State> m_state;

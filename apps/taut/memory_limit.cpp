@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "memory_limit.hpp"
+
+#include <fast_float/fast_float.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
+namespace taut::app {
+namespace {
+
+struct MemoryUnit {
+    std::string_view name;
+    double bytes;
+};
+constexpr double mebibyte = 1024.0 * 1024.0;
+constexpr double gibibyte = 1024.0 * mebibyte;
+constexpr std::array memory_units{MemoryUnit{"TiB", 1024.0 * gibibyte},
+                                  MemoryUnit{"GiB", gibibyte},
+                                  MemoryUnit{"MiB", mebibyte},
+                                  MemoryUnit{"TB", 1e12},
+                                  MemoryUnit{"GB", 1e9},
+                                  MemoryUnit{"MB", 1e6}};
+
+struct Limit {
+    double bytes;
+    double reserve;    ///< what libraries take when work begins [bytes]
+    std::string text;  ///< as it was told
+    std::string note;
+};
+std::optional<Limit> limit;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+/// "1.6 GiB", "12 MiB": no less than it is.
+std::string at_least_text(double bytes) {
+    return bytes < gibibyte ? fmt::format("{:.0f} MiB", std::ceil(bytes / mebibyte))
+                            : fmt::format("{:.1f} GiB", std::ceil(10.0 * bytes / gibibyte) / 10.0);
+}
+
+#ifdef __linux__
+/// What counts against the limit now, as the system tells it [bytes]; 0 where it does not.
+double memory_in_use() {
+    std::ifstream status("/proc/self/status");
+    for (std::string key; status >> key;) {
+        if (double kibibytes = 0.0; key == "VmData:" && status >> kibibytes) {
+            return 1024.0 * kibibytes;
+        }
+    }
+    return 0.0;
+}
+
+void keep_to(std::uint64_t bytes) {
+    rlimit kept{};
+    if (getrlimit(RLIMIT_DATA, &kept) != 0) {
+        throw std::system_error(errno, std::generic_category(), "--memory cannot be kept");
+    }
+    if (kept.rlim_cur == RLIM_INFINITY || kept.rlim_cur > bytes) {
+        kept.rlim_cur = bytes;
+        if (setrlimit(RLIMIT_DATA, &kept) != 0) {
+            throw std::system_error(errno, std::generic_category(), "--memory cannot be kept");
+        }
+    }
+}
+#else
+double memory_in_use() {
+    return 0.0;
+}
+
+void keep_to(std::uint64_t /*bytes*/) {
+    throw std::invalid_argument(
+        "--memory is told, but this system keeps no such limit: Linux does");
+}
+#endif
+
+}  // namespace
+
+std::uint64_t parse_memory(std::string_view text) {
+    constexpr double most = 1152921504606846976.0;  // 2^60
+    double number = 0.0;
+    const auto [end, error] =
+        fast_float::from_chars(text.data(), text.data() + text.size(), number);
+    std::string_view unit = text.substr(static_cast<size_t>(end - text.data()));
+    unit.remove_prefix(std::min(unit.size(), unit.find_first_not_of(' ')));
+    for (const auto& [name, bytes] : memory_units) {
+        if (error == std::errc() && unit == name && number > 0.0 && number * bytes <= most) {
+            return static_cast<std::uint64_t>(number * bytes);
+        }
+    }
+    throw std::invalid_argument(
+        fmt::format("--memory is '{}', expected a number with MB, MiB, GB, GiB, TB or TiB: 8GiB",
+                    text.substr(0, 40)));
+}
+
+void limit_memory(const std::string& text, int threads) {
+    const std::uint64_t bytes = parse_memory(text);
+    // A buffer of OpenBLAS and a stack for each thread.
+    constexpr double of_thread = (128.0 + 8.0) * mebibyte;
+    const int count =
+        threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const double reserve = of_thread * count;
+    const double least = memory_in_use() + reserve;
+    if (static_cast<double>(bytes) < least) {
+        throw std::invalid_argument(
+            fmt::format("--memory is {}, but the program takes {} before its work begins, on {} "
+                        "thread{} (--threads)",
+                        text, at_least_text(least), count, count == 1 ? "" : "s"));
+    }
+    keep_to(bytes);
+    limit = Limit{.bytes = static_cast<double>(bytes),
+                  .reserve = reserve,
+                  .text = text,
+                  .note = fmt::format(" (--memory is {})", text.substr(0, 40))};
+}
+
+std::string_view memory_limit_note() noexcept {
+    return limit ? std::string_view(limit->note) : std::string_view();
+}
+
+void require_memory(double bytes, std::string_view what) {
+    if (!limit) {
+        return;
+    }
+    if (const double need = bytes + memory_in_use() + limit->reserve; need > limit->bytes) {
+        throw std::invalid_argument(fmt::format("--memory is {}, but the command needs {} for {}",
+                                                limit->text, at_least_text(need), what));
+    }
+}
+
+}  // namespace taut::app

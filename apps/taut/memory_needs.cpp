@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "memory_needs.hpp"
+
+#include "taut/gp/fit.hpp"
+
+namespace taut::app {
+namespace {
+
+constexpr double number = sizeof(double);
+
+double data_set_size(const CableNet& net, double samples) {
+    constexpr double status_and_slack_edges = 5.0;
+    return samples * (number * (3.0 * net.free_node_count() + net.interior_edge_count()) +
+                      status_and_slack_edges);
+}
+
+}  // namespace
+
+double sampling_memory(const CableNet& net, double samples) {
+    return 2.0 * data_set_size(net, samples);
+}
+
+double training_memory(const CableNet& net, double samples) {
+    const gp::FitSettings settings;
+    // The forms among the samples, and as inputs with what each tells less.
+    const double inputs = 2.0 * samples * 3.0 * net.free_node_count();
+    double at_work = 0.0;
+    if (samples <= settings.most_decomposed) {
+        // The decompositions, nearly all of which are the best for some edge; and the same again in
+        // the bytes of the model's file, or as what the next ones are made in.
+        at_work = 2.0 * settings.max_spectra * samples * samples;
+    } else {
+        // Of each of up to three lambdas the directions; and what the next ones are made of.
+        at_work = 6.0 * samples * settings.rank;
+    }
+    return data_set_size(net, samples) + number * (inputs + at_work);
+}
+
+}  // namespace taut::app

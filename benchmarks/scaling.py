@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""How `taut-mpi sample` scales over processes of one machine; prints two tables in Markdown.
+
+    PATH=$PWD/build/release/apps/taut:$PWD/build/release/apps/taut-mpi:$PATH \
+        /usr/bin/python3 benchmarks/scaling.py [--net hilo-quarter] [--samples 2000] [--repeat 3]
+
+Strong: the same samples over more processes of one thread. Weak: as many samples for each process. Beside the time
+stands the processor time of all processes, which tells what the sharing itself costs also where the machine is busy
+with other work. Each number is the least of the repetitions, which take turns.
+"""
+
+import argparse
+import os
+import pathlib
+import resource
+import subprocess
+import tempfile
+import time
+
+PROCESSES = [1, 2, 3, 4]
+OPEN_MPI = {
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+}
+
+
+def processor_seconds():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def measured(words, folder):
+    """Wall and processor time of a command [s]."""
+    begin, used = time.monotonic(), processor_seconds()
+    subprocess.run(words, cwd=folder, check=True, capture_output=True, env={**os.environ, **OPEN_MPI})
+    return time.monotonic() - begin, processor_seconds() - used
+
+
+def by_threads(threads, samples):
+    return ["taut", "sample", "net.json", "-n", str(samples), "--threads", str(threads), "-o", "data.h5"]
+
+
+def by_processes(processes, samples):
+    return ["mpiexec", "-n", str(processes), "taut-mpi", "sample", "net.json", "-n", str(samples), "--threads", "1",
+            "-o", "data.h5"]
+
+
+def least(runs, repeat, folder):
+    """The least wall and processor time of each run."""
+    times = [[measured(words, folder) for words in runs] for _ in range(repeat)]
+    return [tuple(map(min, zip(*of_run))) for of_run in zip(*times)]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--net", default="hilo-quarter")
+    parser.add_argument("--samples", type=int, default=2000)
+    parser.add_argument("--repeat", type=int, default=3)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        subprocess.run(["taut", "example", options.net, "-o", "net.json"], cwd=folder, check=True, capture_output=True)
+        runs = [(f"`taut`, {n} thread{'s' * (n > 1)}", by_threads(n, options.samples)) for n in (1, 2)]
+        runs += [(f"`taut-mpi`, {n}", by_processes(n, options.samples)) for n in PROCESSES]
+        found = least([words for _, words in runs], options.repeat, folder)
+        print(f"{options.samples} samples of `{options.net}` on {os.cpu_count()} cores:\n")
+        print("| processes | time [s] | processor time [s] | of one thread's |\n|---|---|---|---|")
+        for (label, _), (wall, used) in zip(runs, found):
+            print(f"| {label} | {wall:.2f} | {used:.2f} | {100 * used / found[0][1]:.0f} % |")
+        share = options.samples // 2
+        found = least([by_processes(n, n * share) for n in PROCESSES], options.repeat, folder)
+        print(f"\n{share} samples for each process:\n")
+        print("| processes | time [s] | processor time for each process [s] |\n|---|---|---|")
+        for n, (wall, used) in zip(PROCESSES, found):
+            print(f"| {n} | {wall:.2f} | {used / n:.2f} |")
+
+
+if __name__ == "__main__":
+    main()

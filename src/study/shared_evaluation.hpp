@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "taut/export/adjustment.hpp"
+#include "taut/study/evaluation.hpp"
+
+namespace taut {
+
+/// What evaluate() tells of all surveys, of which each process of the team tries its share.
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT MethodResult
+evaluate_together(const CableNet& net, const Method& method, const std::vector<Trial>& trials,
+                  const Progress& progress);
+
+}  // namespace taut

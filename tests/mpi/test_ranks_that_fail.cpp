@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against work lost with a process, against processes that wait for ever for one that is
+// gone, and against a failure that is told by each of them, or by none.
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+#include "app/program.hpp"
+#include "taut/io/data_set_h5.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+using std::chrono::milliseconds;
+
+const std::string endless = "10000000";
+
+/// Process ids of taut-mpi in a folder, but for that of the first process of the team.
+std::vector<pid_t> others_at_work(const std::filesystem::path& folder) {
+    std::vector<pid_t> found;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename();
+        pid_t id = 0;
+        if (std::from_chars(name.data(), name.data() + name.size(), id).ec != std::errc() ||
+            !std::filesystem::equivalent(entry.path() / "exe", TAUT_MPI_PROGRAM, ignored) ||
+            std::filesystem::read_symlink(entry.path() / "cwd", ignored) != folder) {
+            continue;
+        }
+        std::ifstream stream(entry.path() / "environ", std::ios::binary);
+        std::string environment{std::istreambuf_iterator<char>(stream), {}};
+        environment.insert(environment.begin(), '\0');
+        using namespace std::string_literals;
+        if (environment.find("\0OMPI_COMM_WORLD_RANK=0\0"s) == std::string::npos &&
+            environment.find("\0PMI_RANK=0\0"s) == std::string::npos) {
+            found.push_back(id);
+        }
+    }
+    return found;
+}
+
+std::ptrdiff_t errors_told(const Outcome& outcome) {
+    std::ptrdiff_t count = 0;
+    for (size_t at = outcome.err.find("taut: error: "); at != std::string::npos;
+         at = outcome.err.find("taut: error: ", at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+class RanksThatFail : public ProgramTest {
+protected:
+    RanksThatFail() { must_run({"taut", "example", "hypar:6x6", "-o", "net.json"}); }
+
+    /// The line that taut tells, once, and its exit code.
+    void expect_fails_as_taut(const std::vector<std::string>& words) const {
+        const auto by = [&](const std::string& who) {
+            std::vector<std::string> all{who};
+            all.insert(all.end(), words.begin(), words.end());
+            return run(all);
+        };
+        const Files before = files();
+        const Outcome expected = by("taut");
+        expect_error(expected, 2, "");
+        for (const std::string processes : {"1", "3"}) {
+            const Outcome outcome = by(processes);
+            EXPECT_EQ(outcome.exit_code, expected.exit_code);
+            EXPECT_EQ(outcome.out, "");
+            EXPECT_THAT(outcome.err, testing::HasSubstr(expected.err));
+            EXPECT_EQ(errors_told(outcome), 1) << outcome.err;
+        }
+        EXPECT_EQ(files(), before);
+    }
+
+    [[nodiscard]] int partial_size() const {
+        return exists("data.h5.partial") ? read_data_set(folder() / "data.h5.partial").data.size()
+                                         : 0;
+    }
+
+    /// One of so many processes, once all are at work, which is not the first.
+    [[nodiscard]] pid_t another_at_work(size_t processes) const {
+        std::vector<pid_t> others;
+        for (int k = 0; k < 6000 && others.size() + 1 < processes; ++k) {
+            std::this_thread::sleep_for(milliseconds(10));
+            others = others_at_work(folder());
+        }
+        if (others.empty()) {
+            throw std::runtime_error("no processes of taut-mpi came to work");
+        }
+        return others.front();
+    }
+
+    /// Does to a run what ends it, with more time until something was kept.
+    template <typename Deed>
+    Outcome ended(const std::string& processes, Deed deed) const {
+        for (milliseconds delay{1000}; delay < milliseconds(60'000); delay *= 2) {
+            RunningProgram run =
+                start({processes, "sample", "net.json", "-n", endless, "-o", "data.h5", "--quiet"});
+            std::this_thread::sleep_for(delay);
+            deed(run);
+            Outcome outcome = run.wait();
+            if (partial_size() > 0) {
+                return outcome;
+            }
+        }
+        ADD_FAILURE() << "no samples were ever kept";
+        return {};
+    }
+
+    void expect_resumes_to_the_same_bytes(const std::string& processes) const {
+        const std::string count = std::to_string(partial_size() + 37);
+        EXPECT_EQ(run({processes, "sample", "net.json", "-n", count, "-o", "data.h5", "--resume"})
+                      .exit_code,
+                  0);
+        must_run({"taut", "sample", "net.json", "-n", count, "-o", "straight.h5"});
+        EXPECT_EQ(read("data.h5") == read("straight.h5"), true) << "of " << count << " samples";
+        EXPECT_FALSE(exists("data.h5.partial"));
+    }
+};
+
+TEST_F(RanksThatFail, AllAtOnceAreToldInOneLine) {
+    expect_fails_as_taut({"sample", "nothing.json", "-n", "5", "-o", "data.h5"});
+    expect_fails_as_taut({"sample", "net.json", "-n", "five", "-o", "data.h5"});
+    expect_fails_as_taut({"trials", "net.json", "-o", "out", "--surveys", "0"});
+    expect_fails_as_taut({"compare", "net.json", "-o", "out", "--training", "1"});
+}
+
+TEST_F(RanksThatFail, WhereTheFirstAloneFailsAllEnd) {
+    expect_fails_as_taut({"sample", "net.json", "-n", "5", "-o", "nowhere/data.h5"});
+    write("data.h5", "no data set");
+    expect_fails_as_taut({"sample", "net.json", "-n", "5", "-o", "data.h5", "--resume"});
+    std::filesystem::create_directories(folder() / "out/trials.csv");
+    expect_fails_as_taut({"trials", "net.json", "-o", "out", "--surveys", "2"});
+}
+
+TEST_F(RanksThatFail, WhereAnotherFailsTheFirstTellsIt) {
+    must_run({"taut", "example", "hypar:6x7", "-o", "other.json"});
+    const Files before = files();
+    const auto with_second = [this](const std::string& net) {
+        return run({"1", "sample", "net.json", "-n", "50", "-o", "data.h5", ":", "-n", "1",
+                    TAUT_MPI_PROGRAM, "sample", net, "-n", "50", "-o", "data.h5"});
+    };
+    const Outcome missing = with_second("nothing.json");
+    EXPECT_EQ(missing.exit_code, 2);
+    EXPECT_EQ(errors_told(missing), 1) << missing.err;
+    EXPECT_THAT(missing.err, testing::HasSubstr("nothing.json"));
+    const Outcome another = with_second("other.json");
+    EXPECT_EQ(another.exit_code, 1);
+    EXPECT_EQ(errors_told(another), 1) << another.err;
+    EXPECT_THAT(another.err, testing::HasSubstr("process 1 of 2 has another net"));
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(RanksThatFail, ByAKillLoseNothingThatWasFinished) {
+    const Outcome outcome =
+        ended("3", [this](const RunningProgram& /*run*/) { kill(another_at_work(3), SIGKILL); });
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_FALSE(exists("data.h5"));
+    expect_resumes_to_the_same_bytes("2");
+}
+
+TEST_F(RanksThatFail, ByASignalToOneOfThemKeepWhatWasFinishedAndSayWhere) {
+    const Outcome outcome =
+        ended("2", [this](const RunningProgram& /*run*/) { kill(another_at_work(2), SIGTERM); });
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(errors_told(outcome), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, testing::HasSubstr("data.h5.partial"));
+    EXPECT_FALSE(exists("data.h5"));
+    expect_resumes_to_the_same_bytes("4");
+}
+
+// What is told then does not always come through mpiexec, which ends itself.
+TEST_F(RanksThatFail, ByASignalToAllKeepWhatWasFinished) {
+    const Outcome outcome = ended("2", [](const RunningProgram& run) { run.send(SIGTERM); });
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_FALSE(exists("data.h5"));
+    expect_resumes_to_the_same_bytes("1");
+}
+
+TEST_F(RanksThatFail, AreNotStartedByACommandThatHasNoShares) {
+    const Outcome outcome = run({"2", "identify", "net.json", "survey.csv"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, testing::HasSubstr("'identify' is no command; taut-mpi --help"));
+    EXPECT_EQ(errors_told(outcome), 1) << outcome.err;
+}
+
+TEST_F(RanksThatFail, PrintTheHelpOnce) {
+    const Outcome outcome = run({"3", "--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    const std::string last = "taut-mpi COMMAND --help";
+    EXPECT_THAT(outcome.out, testing::HasSubstr(last));
+    EXPECT_EQ(outcome.out.find(last), outcome.out.rfind(last)) << outcome.out;
+}
+
+}  // namespace

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against results that depend on how many processes shared the work: samples of other random
+// numbers, sums in another order, trials lost or counted twice.
+
+#include "app/program.hpp"
+
+namespace {
+
+using namespace taut::test;
+using nlohmann::json;
+
+using Words = std::vector<std::string>;
+
+Words put_before(const std::string& word, Words words) {
+    words.insert(words.begin(), word);
+    return words;
+}
+
+/// Times, and when it was: all that two runs may differ in.
+void remove_times(json& document) {
+    if (document.is_object()) {
+        for (const std::string key :
+             {"seconds", "training_seconds", "median_seconds", "largest_seconds", "date"}) {
+            document.erase(key);
+        }
+    }
+    if (document.is_structured()) {
+        for (json& value : document) {
+            remove_times(value);
+        }
+    }
+}
+
+class OverRanks : public ProgramTest, public testing::WithParamInterface<std::string> {
+protected:
+    OverRanks() { must_run({"taut", "example", "hypar:5x5", "-o", "net.json"}); }
+
+    /// What taut prints and writes into a file, which is removed.
+    [[nodiscard]] std::pair<std::string, std::string> by_taut(const Words& words,
+                                                              const std::string& file) const {
+        return by("taut", words, file);
+    }
+    [[nodiscard]] std::pair<std::string, std::string> by_ranks(const Words& words,
+                                                               const std::string& file) const {
+        return by(GetParam(), words, file);
+    }
+
+    void expect_same_json(const Words& words, const std::string& file) const {
+        json expected = json::parse(by_taut(words, file).second);
+        json found = json::parse(by_ranks(words, file).second);
+        remove_times(expected);
+        remove_times(found);
+        EXPECT_EQ(found, expected);
+    }
+
+private:
+    [[nodiscard]] std::pair<std::string, std::string> by(const std::string& who, const Words& words,
+                                                         const std::string& file) const {
+        const Outcome outcome = run(put_before(who, words));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::pair<std::string, std::string> result{outcome.out, read(file)};
+        std::filesystem::remove(folder() / file);
+        return result;
+    }
+};
+
+TEST_P(OverRanks, SampleGivesTheSameDataSetAndSaysTheSame) {
+    for (const Words& words :
+         {Words{"sample", "net.json", "-n", "150", "-o", "data.h5"},
+          Words{"sample", "net.json", "-n", "5", "-o", "data.h5", "--seed", "7", "--law",
+                "normal:2mm", "--unknown", "supports:2mm", "--json"}}) {
+        EXPECT_EQ(by_ranks(words, "data.h5"), by_taut(words, "data.h5"));
+    }
+    EXPECT_EQ(files().size(), 1U) << "the net alone";
+}
+
+TEST_P(OverRanks, SampleExtendsADataSetOfTautToTheSameBytes) {
+    must_run({"taut", "sample", "net.json", "-n", "41", "-o", "data.h5"});
+    const Words words{"sample", "net.json", "-n", "97", "-o", "data.h5", "--resume"};
+    const std::string found = by_ranks(words, "data.h5").second;
+    EXPECT_EQ(found == by_taut(words, "data.h5").second, true);
+}
+
+TEST_P(OverRanks, TrainGivesTheSameModel) {
+    must_run({"taut", "sample", "net.json", "-n", "70", "-o", "data.h5"});
+    const Words words{"train", "data.h5", "-o", "model.h5"};
+    EXPECT_EQ(by_ranks(words, "model.h5").second == by_taut(words, "model.h5").second, true);
+    const Words scaled{"train", "data.h5", "-o", "model.h5", "--kernel", "direction"};
+    EXPECT_EQ(by_ranks(scaled, "model.h5").second == by_taut(scaled, "model.h5").second, true);
+}
+
+TEST_P(OverRanks, CompareGivesTheSameNumbers) {
+    expect_same_json(
+        {"compare", "net.json", "-o", "out", "--noise", "0,0.5mm", "--training", "20,30",
+         "--hidden", "0,25%", "--surveys", "5", "--unknown", "supports:2mm", "--epochs", "2"},
+        "out/comparison.json");
+}
+
+TEST_P(OverRanks, ControlGivesTheSameNumbers) {
+    const Words words{"control",  "net.json", "-o",      "out", "--trials",  "3",
+                      "--rounds", "2",        "--draws", "40",  "--tension", "0.1kN..100kN"};
+    expect_same_json(words, "out/control.json");
+    EXPECT_EQ(by_ranks(words, "out/control.csv"), by_taut(words, "out/control.csv"));
+}
+
+TEST_P(OverRanks, TrialsGiveTheSameNumbers) {
+    must_run({"taut", "example", "hypar:4x5", "-o", "other.json"});
+    expect_same_json({"trials", "net.json", "other.json", "-o", "out", "--surveys", "5"},
+                     "out/trials.json");
+}
+
+INSTANTIATE_TEST_SUITE_P(Processes, OverRanks, testing::Values("1", "2", "3", "4"),
+                         [](const auto& processes) { return processes.param; });
+
+}  // namespace
