@@ -10,6 +10,7 @@ import json
 import math
 import pathlib
 import platform
+import re
 import statistics
 import subprocess
 import sys
@@ -59,7 +60,11 @@ def main():
     rows = {}
     for name in ("statics", "learning", "identification", "factorisation", "adjustment", "threads", "roofline"):
         rows |= medians(folder / f"{name}.json")
+    header = pathlib.Path("include/taut/gp/fit.hpp").read_text()
+    decomposed = int(re.search(r"most_decomposed = (\d+)", header).group(1))
     grown = growth(folder / "growth.json")
+    memory = load("memory.json")
+    low_rank = {row["name"]: row for row in load("low_rank.json")["benchmarks"]}
     study = load("reproduce.json")
     whole = load("reproduce_process.json")
     large = load("hypar300_process.json")
@@ -193,6 +198,34 @@ def main():
                 title = power = ""
         return "".join(lines)
 
+    def memory_rows():
+        """Table rows of the largest memory of each command."""
+
+        def mib(row):
+            return f"{row['bytes'] / 2**20:.0f} MiB"
+
+        lines = []
+        for group, size in (("nets", "net"), ("samples", "samples")):
+            commands = list(dict.fromkeys(row["command"] for row in memory[group]))
+            for command in commands:
+                runs = [row for row in memory[group] if row["command"] == command]
+                cells = ", ".join(
+                    f"{mib(run)} (`{run[size]}`)" if size == "net" else f"{mib(run)} ({run[size]:,} samples)"
+                    for run in runs
+                )
+                lines.append(f"| `{command}`{' --model' if size == 'samples' and command == 'identify' else ''} | {cells} |\n")
+        lines += [f"| `{run['command']}` | {mib(run)} |\n" for run in memory["studies"]]
+        return "".join(lines)
+
+    def low_rank_rows():
+        return "".join(
+            f"| {way} | {int(name.split('/')[1]):,} | {row['real_time']:.3g} s | {row['squared_error_mm2']:.3g} mm^2 | "
+            f"{row['mean_std_mm']:.3g} mm | {row['approximation_error_mm']:.2g} mm |\n"
+            for prefix, way in (("by_decompositions", "decompositions"), ("by_low_rank", "low rank"))
+            for name, row in low_rank.items()
+            if name.startswith(prefix)
+        )
+
     def report_rows():
         nets = ("built-in net, `reproduce`", "`hypar:300x300`, `identify`")
         return "".join(
@@ -230,6 +263,15 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 | estimate the 536 lengths of one form | {ms('estimate_lengths_of_one_form')} |
 | identify from one survey with 0.5 mm of noise, gross errors looked for | {ms('identify_by_processes_from_a_noisy_survey')} |
 
+## More samples than are decomposed
+
+Beyond {decomposed:,} samples processes are trained by low rank ([theory](theory.md)); below, both ways on the same samples
+(`benchmarks/bench_low_rank.cpp`), with the errors of the lengths of 500 forms that were not trained on, the standard deviations told
+of them, and the bound of what low rank loses that `taut train` tells.
+
+| by | samples | time | mean squared error | standard deviation | told loss |
+|---|---|---|---|---|---|
+{low_rank_rows()}
 ## Identification, built-in net, standard deviations included
 
 | method | survey's noise | time |
@@ -295,6 +337,15 @@ All cores, each run once (`benchmarks/bench_growth.cpp`); the exponent b of time
 | work | size | time | exponent |
 |---|---|---|---|
 {growth_rows()}
+## Memory
+
+The largest resident memory of a command (`benchmarks/memory.py`); those over samples on the built-in net, studies with their default
+numbers of samples. `--memory 8GiB` keeps a command within a limit: where what `sample`, `train`, `reproduce` and `compare` need is more,
+they say so before their work, and where another command asks for more, it ends with a line and leaves its outputs as they were.
+
+| command | memory |
+|---|---|
+{memory_rows()}
 ## Reports
 
 From opening the file in a browser of its own until the page answers, and a frame while the net is orbited:

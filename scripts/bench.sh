@@ -37,6 +37,10 @@ build/release/benchmarks/bench_growth --benchmark_out="$out/growth.json" \
     --benchmark_out_format=json
 /usr/bin/python3 benchmarks/growth_figure.py "$out/growth.json" docs/images/growth.svg
 
+build/release/benchmarks/bench_low_rank --benchmark_out="$out/low_rank.json" \
+    --benchmark_out_format=json
+/usr/bin/python3 benchmarks/memory.py build/taut "$out/memory.json"
+
 # One plan with SciPy, from the same identified net.
 build/taut example hilo-quarter -o "$out/net.json" > /dev/null
 build/taut form "$out/net.json" --law uniform:5mm --seed 1 -o "$out/site.csv" > /dev/null

@@ -196,7 +196,7 @@ MpiTeam::Ending MpiTeam::agree_on_ending(const Ending& own) {
                                   .message = "internal error: processes came to different ends"};
             }
         } catch (const Interrupted&) {
-            // The first gave up on the others.
+            m_is_lost = true;  // the first gave up on the others, as meet() has noted
         }
     }
     return m_is_lost ? own : *m_ending;

@@ -62,10 +62,10 @@ class TAUT_CORE_EXPORT TeammateFailed : public std::runtime_error {
 ///     compare_methods(), simulate_control(), try_settling()
 ///                          does every size()th trial
 ///
-/// and all that uses these, as identify() by processes without a model does,
-/// and is given what the others made. Who shares other work out must not call these in it. What comes out is the same, bit for bit, as of one process,
-/// but for times; on machines of one kind.
-/// @param team for all threads of this process while the work is done; meanwhile no other may be set
+/// and all that uses these, as identify() by processes without a model does, and is given what the
+/// others made. Who shares other work out must not call these in it. What comes out is the same,
+/// bit for bit, as of one process, but for times; on machines of one kind.
+/// @param team for all threads of this process while the work is done; meanwhile none may be set
 /// @param work called once, in the calling thread; may not be empty
 /// @throws std::bad_function_call for empty work; what the work throws; and as Team::gather()
 TAUT_CORE_EXPORT void with_team(Team& team, const std::function<void()>& work);

@@ -16,6 +16,7 @@
 #include "taut/identification/model.hpp"
 #include "taut/identification/survey_prospect.hpp"
 #include "taut/sampling/data_set.hpp"
+#include "taut/sampling/sampler.hpp"
 
 namespace taut::python {
 

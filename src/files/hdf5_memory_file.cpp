@@ -4,9 +4,35 @@
 
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <stdexcept>
+#include <utility>
 
 namespace taut::hdf5 {
+namespace {
+
+/// The address where the file ends, out of a superblock of version 2 (HDF5 file format, II.A.).
+size_t end_of_file(const unsigned char* bytes) {
+    constexpr int offset = 28;
+    std::uint64_t end = 0;
+    for (int k = 7; k >= 0; --k) {
+        end = end << 8U | bytes[offset + k];
+    }
+    return end;
+}
+
+}  // namespace
+
+void Image::append(std::string_view more) {
+    void* longer = std::realloc(m_bytes.get(), m_size + more.size());
+    if (longer == nullptr) {
+        throw std::bad_alloc();
+    }
+    static_cast<void>(m_bytes.release());
+    m_bytes.reset(static_cast<unsigned char*>(longer));
+    std::memcpy(m_bytes.get() + m_size, more.data(), more.size());
+    m_size += more.size();
+}
 
 /// What HDF5 asks for its memory. The image that H5Fget_file_image() gives of an open file has a
 /// superblock whose checksum is wrong (1.10.8), so the bytes are taken over when the file is
@@ -25,7 +51,8 @@ struct ImageCallbacks {
     }
     static herr_t release(void* memory, H5FD_file_image_op_t op, void* file) {
         if (op == H5FD_FILE_IMAGE_OP_FILE_CLOSE) {
-            static_cast<MemoryFile*>(file)->m_bytes.reset(static_cast<unsigned char*>(memory));
+            auto* bytes = static_cast<unsigned char*>(memory);
+            static_cast<MemoryFile*>(file)->m_left = Image(bytes, end_of_file(bytes));
         } else {
             std::free(memory);
         }
@@ -71,23 +98,13 @@ Handle create(const Handle& creation, MemoryFile* file) {
     return checked(H5Fcreate("taut", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
 }
 
-/// The address where the file ends, out of a superblock of version 2 (HDF5 file format, II.A.).
-size_t end_of_file(const unsigned char* bytes) {
-    constexpr int offset = 28;
-    std::uint64_t end = 0;
-    for (int k = 7; k >= 0; --k) {
-        end = end << 8U | bytes[offset + k];
-    }
-    return end;
-}
-
 }  // namespace
 
 MemoryFile::MemoryFile(const Handle& creation) : m_file(create(creation, this)) {}
 
-std::string MemoryFile::finish() {
+Image MemoryFile::finish() {
     check(m_file.close());
-    return {reinterpret_cast<const char*>(m_bytes.get()), end_of_file(m_bytes.get())};
+    return std::move(m_left);
 }
 
 }  // namespace taut::hdf5

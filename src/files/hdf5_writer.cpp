@@ -143,9 +143,10 @@ void Writer::codes(const std::string& name, const std::vector<std::uint8_t>& cod
     write_attribute(object.get(), "meaning", meaning);
 }
 
-std::string Writer::finish() {
-    std::string bytes = m_file.finish();
-    return bytes + digest_line(bytes);
+Image Writer::finish() {
+    Image image = m_file.finish();
+    image.append(digest_line(image.view()));
+    return image;
 }
 
 }  // namespace taut::hdf5

@@ -40,7 +40,7 @@ public:
                const std::string& meaning);
 
     /// Ends the writing, and gives the file's bytes.
-    [[nodiscard]] std::string finish();
+    [[nodiscard]] Image finish();
 
 private:
     Handle dataset(const std::string& name, const std::vector<hsize_t>& shape, hid_t stored_type,

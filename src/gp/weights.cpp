@@ -67,7 +67,7 @@ RefinedWeights refined_weights(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
             energy = next;
         }
     }
-    residuals = outputs - apply(weights);  // the steps have rounded theirs
+    residuals = outputs - apply(weights);  // (told-error): the steps have rounded theirs
     return {.weights = std::move(weights),
             .residuals = residuals.cwiseAbs2().colwise().mean().cwiseSqrt()};
 }

@@ -33,9 +33,7 @@ void check(const DataSet& data, const CableNet& net) {
     }
 }
 
-}  // namespace
-
-std::string data_set_bytes(const DataSet& data, const NetFile& net) {
+hdf5::Image data_set_image(const DataSet& data, const NetFile& net) {
     check(data, net.net);
     hdf5::Writer writer;
     write_head(writer,
@@ -59,8 +57,14 @@ std::string data_set_bytes(const DataSet& data, const NetFile& net) {
     return writer.finish();
 }
 
+}  // namespace
+
+std::string data_set_bytes(const DataSet& data, const NetFile& net) {
+    return std::string(data_set_image(data, net).view());
+}
+
 void write_data_set(const std::filesystem::path& path, const DataSet& data, const NetFile& net) {
-    write_file(path, data_set_bytes(data, net));
+    write_file(path, data_set_image(data, net).view());
 }
 
 StoredDataSet read_data_set(const std::filesystem::path& path) {

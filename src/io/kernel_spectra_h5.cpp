@@ -115,6 +115,7 @@ std::vector<KernelSpectrum> read_spectra(const hdf5::Reader& reader, Eigen::Inde
                                          bool are_whole) {
     std::vector<KernelSpectrum> spectra;
     const auto count = static_cast<size_t>(reader.group_size("spectra"));
+    spectra.reserve(std::min<size_t>(count, 64));  // what a file claims may be more than it holds
     for (size_t k = 0; k < count; ++k) {
         spectra.push_back(read_spectrum(reader, name_of(k), n, are_whole));
     }

@@ -110,7 +110,7 @@ void check(const LengthModel& model, const CableNet& net) {
         throw std::invalid_argument(fmt::format("{} processes, expected {}, one an interior edge",
                                                 processes.processes.size(), m));
     }
-    if (!model.as_in_paper) {
+    if (!model.as_in_paper && (keeps_form_prior(net) || model.form_prior.mean.size() > 0)) {
         require_matrix("form_prior.mean", model.form_prior.mean, model.nominal_form.size(), 1);
         require_matrix("form_prior.variances", model.form_prior.variances,
                        model.nominal_form.size(), 1);
@@ -224,9 +224,7 @@ FormPrior read_form_prior(const hdf5::Reader& reader, std::uint64_t version, con
     return prior;
 }
 
-}  // namespace
-
-std::string model_bytes(const LengthModel& model, const NetFile& net) {
+hdf5::Image model_image(const LengthModel& model, const NetFile& net) {
     const FittedProcesses& fitted = model.processes;
     check(model, net.net);
     hdf5::Writer writer;
@@ -247,7 +245,7 @@ std::string model_bytes(const LengthModel& model, const NetFile& net) {
     writer.matrix("training_outputs", model.length_deviations, "m");
     writer.matrix("weights", fitted.weights, "m");
     write_processes(writer, fitted.processes);
-    if (!model.as_in_paper) {
+    if (model.form_prior.mean.size() > 0) {
         writer.group("form_prior");
         writer.vector("form_prior/mean", model.form_prior.mean, "m");
         writer.vector("form_prior/variances", model.form_prior.variances, "m2");
@@ -257,8 +255,14 @@ std::string model_bytes(const LengthModel& model, const NetFile& net) {
     return writer.finish();
 }
 
+}  // namespace
+
+std::string model_bytes(const LengthModel& model, const NetFile& net) {
+    return std::string(model_image(model, net).view());
+}
+
 void write_model(const std::filesystem::path& path, const LengthModel& model, const NetFile& net) {
-    write_file(path, model_bytes(model, net));
+    write_file(path, model_image(model, net).view());
 }
 
 StoredModel read_model(const std::filesystem::path& path) {
@@ -294,9 +298,9 @@ StoredModel read_model(const std::filesystem::path& path) {
                       .length_deviations = reader.matrix("training_outputs", m, n),
                       .processes = std::move(fitted),
                       .form_prior = {}};
-    if (!model.as_in_paper) {
+    if (!model.as_in_paper && keeps_form_prior(file.net)) {
         model.form_prior = read_form_prior(reader, head.version, file.net, model);
-        model.form_prior.inputs = inputs_along_directions(model);
+        model.form_prior.inputs = inputs_along_directions(model, model.form_prior);
     }
     return {.model = std::move(model), .net = std::move(file), .has_digest = reader.has_digest()};
 }

@@ -36,7 +36,7 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     }
     writer.matrix("form", draws.forms, "m");
     writer.matrix("tension", draws.tensions, "N");
-    return writer.finish();
+    return std::string(writer.finish().view());
 }
 
 std::string fingerprint_of(const PosteriorDraws& draws) {

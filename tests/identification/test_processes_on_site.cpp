@@ -100,6 +100,21 @@ TEST(ProcessesOnSite, IntervalsAllButHoldWithFewSamplesAndLittleNoise) {
     }
 }
 
+TEST(ProcessesOnSite, AFormPriorThatTheModelDoesNotKeepIsMadeWhereItIsAskedFor) {
+    const CableNet net = hypar(4, 5);
+    LengthModel model = model_of(net, uniform_law);
+    auto s = test::simulate(net, uniform_law, 0.0005, 7);
+    test::hide(net, s.survey, net.free_nodes()[3]);
+    const Identification kept = identify_by_processes(net, model, s.survey);
+    model.form_prior = {};  // as of a net of more than 1,000 free nodes
+    const Identification made = identify_by_processes(net, model, s.survey);
+    ASSERT_EQ(made.edges.size(), kept.edges.size());
+    for (size_t i = 0; i < kept.edges.size(); ++i) {
+        EXPECT_DOUBLE_EQ(made.edges[i].length_deviation, kept.edges[i].length_deviation);
+        EXPECT_DOUBLE_EQ(made.edges[i].std, kept.edges[i].std);
+    }
+}
+
 TEST(ProcessesOnSite, AnEdgeAtASupportMayBeOneToIdentify) {
     CableNetData net_data = hypar(4, 4).data();
     net_data.adjustable = std::vector<int>{hypar(4, 4).adjustable_edges().front()};

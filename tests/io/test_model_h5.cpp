@@ -11,8 +11,10 @@
 #include "files/hdf5.hpp"
 #include "support/examples.hpp"
 #include "support/scratch.hpp"
+#include "taut/design/builtin_nets.hpp"
 #include "taut/identification/length_estimates.hpp"
 #include "taut/identification/result.hpp"
+#include "taut/sampling/sampler.hpp"
 
 namespace taut {
 namespace {
@@ -103,6 +105,15 @@ TEST_F(ModelH5, KeepsMeanFunctionAndKernel) {
         write_model(m_path, model, m_net);
         expect_same(read_model(m_path).model, model);
     }
+}
+
+TEST_F(ModelH5, HasNoFormPriorOfALargeNet) {
+    const NetFile large{.net = hypar(26, 40), .unknown_keys = "{}"};
+    const DataSet data = draw_samples(Sampler(large.net, {}, 1), 3);
+    const LengthModel model = train(large.net, data, {0, 1, 2});
+    EXPECT_EQ(model.form_prior.mean.size(), 0);
+    write_model(m_path, model, large);
+    expect_same(read_model(m_path).model, model);
 }
 
 TEST_F(ModelH5, MakesTheFormPriorOfAFileThatHasNone) {

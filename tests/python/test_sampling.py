@@ -94,11 +94,12 @@ def test_parts_join_to_what_one_call_draws(net):
 
 def test_dask_shares_samples_out(net):
     distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
-    ) as cluster, distributed.Client(cluster) as client:
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
         parts = client.map(lambda first: taut.Sampler(net, seed=7).part(first, 5), range(0, 20, 5))
         data = taut.Sampler(net, seed=7).joined(client.gather(parts))
-    assert np.array_equal(
-        data.form_deviations, taut.Sampler(net, seed=7).draw(20).form_deviations
-    )
+    assert np.array_equal(data.form_deviations, taut.Sampler(net, seed=7).draw(20).form_deviations)

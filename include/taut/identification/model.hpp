@@ -73,7 +73,9 @@ struct LengthModel {
     /// Inputs: form deviations times input_scales; outputs: length deviations less their mean
     /// function [m].
     gp::FittedProcesses processes;
-    FormPrior form_prior;  ///< for surveys with noise or missing nodes; empty if as_in_paper
+    /// For surveys with noise or missing nodes; empty if as_in_paper, and for nets of more than
+    /// 1,000 free nodes, for which each such survey makes it.
+    FormPrior form_prior;
 
     /// n, the samples that it was trained on.
     [[nodiscard]] int training_count() const { return static_cast<int>(processes.inputs.cols()); }

@@ -36,7 +36,8 @@ struct StoredModel {
 ///     approximation_error            [m_I] [m]: gp::Process::approximation_error
 ///     fit_status                     [m_I]: code of the gp::FitStatus
 ///     spectrum                       [m_I]: k of the group spectra/k, or -1 where not fitted
-///     form_prior/mean                [3 n_I] [m]: FormPrior; not of a model as in the paper
+///     form_prior/mean                [3 n_I] [m]: FormPrior; not of a model as in the
+///                                    paper, nor of a net of more than 1,000 free nodes
 ///     form_prior/variances           [3 n_I] [m2]
 ///     form_prior/directions          [3 n_I, 3 n_I]: a row a direction
 ///     spectra/k/inverse_length_scale one number [1/m]

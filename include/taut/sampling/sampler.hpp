@@ -52,8 +52,8 @@ public:
     ///   which is not checked; in no other thread's use meanwhile
     /// @param count in all; no more than there are: nothing is drawn
     /// @param progress told of the stage "sampling" before each block and at the end
-    /// @param after_block called in the calling thread, of a team by the first process alone, where the data set has got a block more: to
-    ///   keep it, say; what it throws ends the call
+    /// @param after_block called in the calling thread, of a team by the first process alone, where
+    ///   the data set has got a block more: to keep it, say; what it throws ends the call
     /// @throws Interrupted where a stop was requested; the data set then holds whole blocks, and
     ///   can be extended again
     void extend(DataSet& data, int count, const Progress& progress = {},
