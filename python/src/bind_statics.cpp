@@ -4,6 +4,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/tuple.h>
 
+#include <mutex>
 #include <optional>
 #include <tuple>
 
@@ -30,6 +31,7 @@ struct Solver {
     CableNet net;
     EquilibriumSettings settings;
     EquilibriumSolver solver;
+    std::mutex at_work;  ///< the solver serves one thread at a time
 };
 
 void bind_equilibrium(nb::module_& module) {
@@ -97,7 +99,8 @@ Args:
 Returns:
     The form with its status: forces that do not balance raise nothing.)");
     nb::class_<Solver>(module, "EquilibriumSolver",
-                       "Solves one net for many sets of unstressed lengths. One a thread.")
+                       "Solves one net for many sets of unstressed lengths. Threads that "
+                       "share one wait for each other.")
         .def(
             "__init__",
             [](Solver* self, const CableNet& net, int max_iterations, double relative_tolerance) {
@@ -124,9 +127,12 @@ Returns:
                     unstressed_lengths, "unstressed_lengths", self.net.edge_count());
                 const Points from = start ? points_argument(*start, "start", self.net.node_count())
                                           : self.net.nodes();
-                return without_lock([&] { return self.solver.solve(lengths, from); });
+                return without_lock([&] {
+                    const std::scoped_lock alone(self.at_work);
+                    return self.solver.solve(lengths, from);
+                });
             },
-            nb::arg("unstressed_lengths"), nb::arg("start") = nb::none(), nb::lock_self(),
+            nb::arg("unstressed_lengths"), nb::arg("start") = nb::none(),
             R"(The form for these lengths.
 
 Args:

@@ -73,7 +73,7 @@ def test_one_solver_serves_one_thread_at_a_time_and_many_serve_many(net):
     wrong = []
 
     def work(solver):
-        for _ in range(20):
+        for _ in range(500):
             if not np.array_equal(solver.solve(net.unstressed_lengths * 0.999).form, expected):
                 wrong.append(solver)
 
