@@ -3,17 +3,38 @@
 #include "command.hpp"
 
 #include <fmt/core.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
 
 #include "memory_limit.hpp"
+#include "run_record.hpp"
 #include "taut/files/file.hpp"
+#include "taut/team.hpp"
 #include "taut/threads.hpp"
 #include "terminal.hpp"
 
 namespace taut::app {
+namespace {
+
+/// Processes that share the work must have been told the same.
+void require_same_arguments() {
+    if (team().size() == 1) {
+        return;
+    }
+    const std::vector<std::string> all = team().gather(run_record().command, Receivers::all);
+    const auto other = std::ranges::find_if(
+        all, [&](const std::string& command) { return command != all.front(); });
+    if (other != all.end()) {
+        throw std::invalid_argument(
+            fmt::format("process {} of {} has other arguments than the first, expected the same",
+                        other - all.begin(), all.size()));
+    }
+}
+
+}  // namespace
 
 CLI::App& add_command(CLI::App& program, const std::string& name, const std::string& description,
                       const std::string& example, CommonOptions& options) {
@@ -31,13 +52,17 @@ CLI::App& add_command(CLI::App& program, const std::string& name, const std::str
 }
 
 void run_within(const CommonOptions& options, const std::function<void()>& work) {
-    if (!options.memory.empty()) {
-        limit_memory(options.memory, options.threads);
-    }
-    if (options.threads > 0) {
-        with_threads(options.threads, work);
-    } else {
+    require_same_arguments();
+    const auto within = [&] {
+        if (!options.memory.empty()) {
+            limit_memory(options.memory, tbb::this_task_arena::max_concurrency());
+        }
         work();
+    };
+    if (options.threads > 0) {
+        with_threads(options.threads, within);
+    } else {
+        within();
     }
 }
 

@@ -164,7 +164,7 @@ void add_compare(CLI::App& program) {
         ->capture_default_str();
     command
         .add_option("--training", options->training,
-                    "Numbers of samples to train on; 5000 take minutes and some 5 GB")
+                    "Numbers of samples to train on; 3000 take a minute and 2 GB")
         ->capture_default_str();
     command.add_option("--hidden", options->hidden, "Parts of the free nodes that stay hidden")
         ->capture_default_str();

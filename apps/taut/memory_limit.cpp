@@ -9,14 +9,15 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 
 #ifdef __linux__
 #include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 namespace taut::app {
@@ -103,25 +104,38 @@ std::uint64_t parse_memory(std::string_view text) {
                     text.substr(0, 40)));
 }
 
+void restart_for_memory(char** argv) noexcept {
+#ifdef __linux__
+    constexpr const char* variable = "OPENBLAS_NUM_THREADS";
+    constexpr std::string_view option = "--memory";
+    bool is_told = false;
+    for (char** argument = argv; *argument != nullptr; ++argument) {
+        is_told = is_told || std::string_view(*argument).starts_with(option);
+    }
+    if (is_told && std::getenv(variable) == nullptr && setenv(variable, "1", 0) == 0) {
+        execv("/proc/self/exe", argv);  // where that fails, the program goes on with the threads
+    }
+#endif
+}
+
 void limit_memory(const std::string& text, int threads) {
     const std::uint64_t bytes = parse_memory(text);
+    const std::string shown = text.substr(0, 40);
     // A buffer of OpenBLAS and a stack for each thread.
     constexpr double of_thread = (128.0 + 8.0) * mebibyte;
-    const int count =
-        threads > 0 ? threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const double reserve = of_thread * count;
+    const double reserve = of_thread * threads;
     const double least = memory_in_use() + reserve;
     if (static_cast<double>(bytes) < least) {
         throw std::invalid_argument(
             fmt::format("--memory is {}, but the program takes {} before its work begins, on {} "
                         "thread{} (--threads)",
-                        text, at_least_text(least), count, count == 1 ? "" : "s"));
+                        shown, at_least_text(least), threads, threads == 1 ? "" : "s"));
     }
     keep_to(bytes);
     limit = Limit{.bytes = static_cast<double>(bytes),
                   .reserve = reserve,
-                  .text = text,
-                  .note = fmt::format(" (--memory is {})", text.substr(0, 40))};
+                  .text = shown,
+                  .note = fmt::format(" (--memory is {})", shown)};
 }
 
 std::string_view memory_limit_note() noexcept {

@@ -62,7 +62,9 @@ Eigen::MatrixXd covariance(const gp::FittedProcesses& fitted, int output,
         const Eigen::MatrixXd left_out = k - spectrum.eigenvectors * along;
         unexplained -= left_out.transpose() * left_out / ratio;
     }
-    return signal * signal * unexplained;
+    Eigen::MatrixXd result = signal * signal * unexplained;
+    result.diagonal().array() += std::pow(process.approximation_error, 2);
+    return result;
 }
 
 /// In blocks, between which Ctrl-C is noticed.
@@ -114,9 +116,14 @@ void bind_gp(nb::module_& module) {
         .def_prop_ro("approximation_error",
                      of_processes([](const gp::Process& of) { return of.approximation_error; }),
                      "By low rank: bound of what the mean is off from the exact one with the same "
-                     "hyperparameters, root mean square over the training inputs; else 0 (m,).")
+                     "hyperparameters, root mean square over the training inputs; else 0 (m,). Standard "
+                     "deviations and leave-one-out errors contain it.")
         .def_prop_ro("rank", &gp::FittedProcesses::rank,
                      "Directions of the kernel matrix that were kept; None where all are.")
+        .def_prop_ro("left_out", &gp::FittedProcesses::left_out,
+                     "Part of the kernel matrix, of its trace, that these directions leave out. "
+                     "Where it is larger than that of the noise, signal is taken for noise: the "
+                     "rank is too low.")
         .def_prop_ro(
             "status",
             [](const gp::FittedProcesses& self) {

@@ -33,16 +33,21 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
             more than this, relative to its log likelihood.
         max_spectra: decompositions that all outputs share, at most. Each takes O(n^3).
         most_decomposed: samples that are decomposed, at most. With more of them processes are
-            fitted by low rank, in O(n^2 rank) and without any n x n matrix.
-        rank: directions of the kernel matrix that are then kept.
+            fitted by low rank, in O(n^2 rank) and without any n x n matrix, with length scales
+            found from so many samples, or 2000.
+        rank: directions of the kernel matrix that are then kept, at most.
 
     Attributes:
         length_scale_, signal_std_, noise_std_: hyperparameters of each output (m,); 0 where an
             output is constant. The kernel is signal_std^2 exp(-|x - x'|^2 / (2 length_scale^2)).
         log_marginal_likelihood_: of each output (m,).
         leave_one_out_rmse_: of each output (m,), of predictions at each input, trained without it.
+        rank_: directions that were kept; None where samples were decomposed.
+        left_out_: part of the kernel matrix, of its trace, that they leave out. Where it is larger
+            than that of the noise, signal is taken for noise: the rank is too low.
         approximation_error_: by low rank, bound of what each output's mean is off from the exact
-            one, root mean square over the training inputs; else 0 (m,).
+            one with the same hyperparameters, root mean square over the training inputs; else 0
+            (m,). Standard deviations and leave-one-out errors contain it.
     """
 
     def __init__(
@@ -80,6 +85,8 @@ class MultiOutputGP(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.noise_std_ = self._processes.noise_std
         self.log_marginal_likelihood_ = -self._processes.negative_log_likelihood
         self.leave_one_out_rmse_ = self._processes.leave_one_out_rmse
+        self.rank_ = self._processes.rank
+        self.left_out_ = self._processes.left_out
         self.approximation_error_ = self._processes.approximation_error
         return self
 

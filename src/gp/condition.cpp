@@ -3,12 +3,15 @@
 #include "gp/condition.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "gp/weights.hpp"
 #include "numerics/dense.hpp"
 
 namespace taut::gp {
 namespace {
+
+constexpr double tiny = std::numeric_limits<double>::min();
 
 /// Diagonals of (R + eta I)^-1, sum_k Q_ik^2 / (d_k + eta), of each eta (n x k).
 Eigen::MatrixXd inverse_diagonals(const KernelSpectrum& spectrum,
@@ -20,21 +23,27 @@ Eigen::MatrixXd inverse_diagonals(const KernelSpectrum& spectrum,
     }
     Eigen::MatrixXd diagonals = product(squares, inverses);
     if (!spectrum.is_whole()) {
-        const Eigen::VectorXd left_out = 1.0 - squares.rowwise().sum().array();
-        const Eigen::VectorXd tail = (noise_ratios.array() + spectrum.tail_mean).inverse();
-        diagonals += left_out * tail.transpose();
+        // Of input i the directions leave out l_i = 1 - |Q_i|^2 of a unit vector, and e_i of R_ii.
+        // Its part of the diagonal is no less than l_i / (e_i / l_i + eta), by Jensen's inequality,
+        // (low-rank-diagonal).
+        const Eigen::VectorXd remainder = (1.0 - (squares * spectrum.eigenvalues).array()).max(0.0);
+        const Eigen::ArrayXd left_out = (1.0 - squares.rowwise().sum().array()).max(0.0);
+        for (Eigen::Index j = 0; j < diagonals.cols(); ++j) {
+            diagonals.col(j).array() +=
+                left_out.square() / (remainder.array() + noise_ratios(j) * left_out).max(tiny);
+        }
     }
     return diagonals;
 }
 
 RefinedWeights weights_of(const FittedProcesses& result, const KernelSpectrum& spectrum,
                           const Eigen::MatrixXd& outputs, const Eigen::VectorXd& noise_ratios,
-                          const Progress& progress) {
+                          const Eigen::VectorXd& tolerances, const Progress& progress) {
     if (spectrum.is_whole()) {
         return {.weights = weights_by_spectrum(spectrum, outputs, noise_ratios),
                 .residuals = Eigen::VectorXd::Zero(outputs.cols())};
     }
-    return refined_weights(result.inputs, spectrum, outputs, noise_ratios, progress);
+    return refined_weights(result.inputs, spectrum, outputs, noise_ratios, tolerances, progress);
 }
 
 }  // namespace
@@ -43,12 +52,16 @@ void condition(FittedProcesses& result, size_t index, const std::vector<BestLamb
                const FittableOutputs& outputs, const std::vector<Eigen::Index>& members,
                const Progress& progress) {
     const KernelSpectrum& spectrum = result.spectra[index];
+    constexpr double of_noise = 0.1;  // an error that does not count
     Eigen::VectorXd noise_ratios(std::ssize(members));
+    Eigen::VectorXd tolerances(std::ssize(members));
     for (Eigen::Index k = 0; k < noise_ratios.size(); ++k) {
-        noise_ratios(k) = best[members[k]].noise_ratio;
+        const BestLambda& of = best[members[k]];
+        noise_ratios(k) = of.noise_ratio;
+        tolerances(k) = of_noise * std::sqrt(of.signal_variance * of.noise_ratio);
     }
-    const auto [weights, residuals] =
-        weights_of(result, spectrum, outputs.values(Eigen::all, members), noise_ratios, progress);
+    const auto [weights, residuals] = weights_of(
+        result, spectrum, outputs.values(Eigen::all, members), noise_ratios, tolerances, progress);
     // The error at input i of the process trained without it is a_i / [C^-1]_ii (Rasmussen and
     // Williams, eq. 5.12), up to sigma_f^2 the same of R + eta I.
     const Eigen::MatrixXd diagonals = inverse_diagonals(spectrum, noise_ratios);
@@ -62,8 +75,9 @@ void condition(FittedProcesses& result, size_t index, const std::vector<BestLamb
                                 .signal_std = std::sqrt(of.signal_variance),
                                 .noise_std = std::sqrt(of.signal_variance * of.noise_ratio)},
             .negative_log_likelihood = of.value,
-            .leave_one_out_rmse =
+            .leave_one_out_rmse = std::hypot(
                 std::sqrt((weights.col(k).array() / diagonals.col(k).array()).square().mean()),
+                residuals(k)),
             .spectrum = static_cast<int>(index),
             .approximation_error = residuals(k)};
     }

@@ -142,7 +142,7 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     const bool is_decomposed = n <= settings.most_decomposed;
     // Of many inputs some tell as well how far all are apart, and where lambda lies.
     const std::vector<Eigen::Index> part =
-        evenly_spread(n, is_decomposed ? n : std::min(settings.most_decomposed, inputs_to_search));
+        spread_part(n, is_decomposed ? n : std::min(settings.most_decomposed, inputs_to_search));
     const Eigen::MatrixXd distances = squared_distances(inputs(Eigen::all, part));
     const LambdaSearchSettings search =
         search_settings(settings, input_spread(inputs(Eigen::all, part), distances), n);
@@ -176,6 +176,16 @@ std::optional<Eigen::Index> FittedProcesses::rank() const {
         }
     }
     return rank;
+}
+
+double FittedProcesses::left_out() const {
+    double largest = 0.0;
+    for (const KernelSpectrum& spectrum : spectra) {
+        const auto n = static_cast<double>(spectrum.eigenvectors.rows());
+        const auto r = static_cast<double>(spectrum.eigenvectors.cols());
+        largest = std::max(largest, spectrum.tail_mean * (n - r) / n);  // the trace is n
+    }
+    return largest;
 }
 
 }  // namespace taut::gp

@@ -11,8 +11,12 @@
 
 namespace taut::gp {
 
-/// The indices of `most` of n, evenly spread, or of all; none for n = 0.
-[[nodiscard]] std::vector<Eigen::Index> evenly_spread(Eigen::Index n, Eigen::Index most);
+/// The indices of `most` of n, ascending, one at random of each of as many pieces of the same
+/// length; or of all. The same at each call.
+[[nodiscard]] std::vector<Eigen::Index> spread_part(Eigen::Index n, Eigen::Index most);
+
+/// Least eta that a low rank of n inputs can tell from rounding.
+[[nodiscard]] double least_noise_ratio(Eigen::Index n);
 
 /// The directions of the correlation matrix R of n inputs that count at one lambda, and how large
 /// the others are: docs/theory.md, (nystroem) to (left-out). R is never formed: time is

@@ -38,6 +38,7 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     const std::vector<Eigen::Index> members = members_of(fitted, s);
     const KernelSpectrum& spectrum = fitted.spectra[s];
     Eigen::VectorXd signal_stds(members.size());
+    Eigen::VectorXd errors(members.size());
     // (d + eta)^-1 of each. What a spectrum leaves out is taken for noise, of the largest that any
     // direction has of it: the variance is then no smaller than the exact one. (low-rank-variance)
     Eigen::MatrixXd inverse(spectrum.eigenvalues.size(), members.size());
@@ -47,6 +48,7 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
         const double ratio = theta.noise_std / theta.signal_std;
         const auto column = static_cast<Eigen::Index>(i);
         signal_stds(column) = theta.signal_std;
+        errors(column) = fitted.processes[members[i]].approximation_error;
         const double noise = ratio * ratio + spectrum.tail_largest;
         inverse.col(column) = (spectrum.eigenvalues.array() + noise).inverse();
         tail_inverse(column) = 1.0 / noise;
@@ -61,8 +63,20 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
             tail_inverse * (k - product(spectrum.eigenvectors, along)).colwise().squaredNorm();
     }
     result.mean(members, Eigen::all) = transposed_product(fitted.weights(Eigen::all, members), k);
+    Eigen::MatrixXd unexplained = 1.0 - explained.array();
+    if (!spectrum.is_whole()) {
+        // Below zero the largest that is left out was found too small: nothing is claimed there.
+        unexplained = (unexplained.array() < 0.0).select(1.0, unexplained);
+    }
     result.std(members, Eigen::all) =
-        signal_stds.asDiagonal() * (1.0 - explained.array()).cwiseMax(0.0).sqrt().matrix();
+        (signal_stds.asDiagonal() * unexplained.cwiseMax(0.0).cwiseSqrt()).eval();
+    if (!spectrum.is_whole()) {
+        // What the mean may be off, (told-error), is not known of it either.
+        result.std(members, Eigen::all) =
+            (result.std(members, Eigen::all).array().square().colwise() + errors.array().square())
+                .sqrt()
+                .eval();
+    }
 }
 
 }  // namespace

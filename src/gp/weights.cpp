@@ -40,9 +40,10 @@ Eigen::MatrixXd weights_by_spectrum(const KernelSpectrum& spectrum, const Eigen:
 
 RefinedWeights refined_weights(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                                const KernelSpectrum& spectrum, const Eigen::MatrixXd& outputs,
-                               const Eigen::VectorXd& noise_ratios, const Progress& progress) {
+                               const Eigen::VectorXd& noise_ratios,
+                               const Eigen::VectorXd& tolerances, const Progress& progress) {
     // With the spectrum as preconditioner the error falls by a factor of some ten a step at first.
-    constexpr int steps = 3;
+    constexpr int most_steps = 12;
     const auto precondition = [&](const Eigen::MatrixXd& r) {
         return weights_by_spectrum(spectrum, r, noise_ratios);
     };
@@ -50,26 +51,29 @@ RefinedWeights refined_weights(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
         return correlation_product(inputs, spectrum.inverse_length_scale, w, progress) +
                w * noise_ratios.asDiagonal();
     };
+    const auto sizes = [](const Eigen::MatrixXd& r) -> Eigen::VectorXd {
+        return r.cwiseAbs2().colwise().mean().cwiseSqrt();
+    };
     Eigen::MatrixXd weights = precondition(outputs);
     Eigen::MatrixXd residuals = outputs - apply(weights);
     Eigen::MatrixXd preconditioned = precondition(residuals);
     Eigen::MatrixXd direction = preconditioned;
     Eigen::RowVectorXd energy = dots(residuals, preconditioned);
-    for (int step = 1; step <= steps; ++step) {
+    for (int step = 0; step < most_steps; ++step) {
+        if ((sizes(residuals).array() <= tolerances.array()).all()) {
+            break;
+        }
         const Eigen::MatrixXd applied = apply(direction);
         const Eigen::RowVectorXd length = ratios(energy, dots(direction, applied));
         weights += direction * length.asDiagonal();
-        if (step < steps) {
-            residuals -= applied * length.asDiagonal();
-            preconditioned = precondition(residuals);
-            const Eigen::RowVectorXd next = dots(residuals, preconditioned);
-            direction = preconditioned + direction * ratios(next, energy).asDiagonal();
-            energy = next;
-        }
+        residuals -= applied * length.asDiagonal();
+        preconditioned = precondition(residuals);
+        const Eigen::RowVectorXd next = dots(residuals, preconditioned);
+        direction = preconditioned + direction * ratios(next, energy).asDiagonal();
+        energy = next;
     }
     residuals = outputs - apply(weights);  // (told-error): the steps have rounded theirs
-    return {.weights = std::move(weights),
-            .residuals = residuals.cwiseAbs2().colwise().mean().cwiseSqrt()};
+    return {.weights = std::move(weights), .residuals = sizes(residuals)};
 }
 
 }  // namespace taut::gp

@@ -29,6 +29,6 @@ struct RefinedWeights {
 [[nodiscard]] TAUT_CORE_EXPORT RefinedWeights
 refined_weights(const Eigen::Ref<const Eigen::MatrixXd>& inputs, const KernelSpectrum& spectrum,
                 const Eigen::MatrixXd& outputs, const Eigen::VectorXd& noise_ratios,
-                const Progress& progress = {});
+                const Eigen::VectorXd& tolerances, const Progress& progress = {});
 
 }  // namespace taut::gp

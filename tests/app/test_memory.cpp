@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <regex>
 #include <string>
 
@@ -26,15 +25,13 @@ using testing::HasSubstr;
 #define TAUT_MEMORY_IS_A_SANITIZERS
 #endif
 
-/// On one thread, so that what the program takes by itself is much the same on any machine.
+/// On one thread, so that what the program takes by itself is the same on any machine.
 class Memory : public ProgramTest {
 protected:
     void SetUp() override {
 #ifdef TAUT_MEMORY_IS_A_SANITIZERS
         GTEST_SKIP() << "only Linux keeps such a limit, and a sanitizer takes all there is";
 #endif
-        // Its threads take their memory some time after the start.
-        setenv("OPENBLAS_NUM_THREADS", "1", 1);
         must_run({"example", "hypar:3x4", "-o", "net.json"});
     }
 
@@ -91,6 +88,13 @@ TEST_F(Memory, IsRefusedBeforehandWhereTheNeedIsKnown) {
     expect_error(run_within("500MB", {"compare", "net.json", "-o", "out", "--training", "2900"}), 2,
                  "for 2900 training samples");
     EXPECT_EQ(files(), before);
+}
+
+TEST_F(Memory, IsJudgedTheSameEachTime) {
+    const double program = of_the_program();
+    for (int k = 0; k < 20; ++k) {
+        ASSERT_EQ(of_the_program(), program) << k;
+    }
 }
 
 TEST_F(Memory, ThatIsToldSuffices) {

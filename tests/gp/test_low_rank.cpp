@@ -94,6 +94,49 @@ TEST_F(LowRank, IsNeverSurerThanTheExactOneOfItsHyperparameters) {
     }
 }
 
+TEST_F(LowRank, IsNotSureOfWhatItDoesNotKnowWhereThereIsNoNoise) {
+    const auto truth = [](const Eigen::MatrixXd& at) -> Eigen::MatrixXd {
+        return (5.0 * at.row(0)).array().sin().matrix().transpose();
+    };
+    const Eigen::MatrixXd inputs = normal_matrix(1, 1200, 1).array().tanh();
+    const Eigen::MatrixXd at = normal_matrix(1, 100, 2).array().tanh();
+    FitSettings settings = low_rank(600, 300);
+    settings.noise_ratio.reset();
+    const Prediction found = fit(inputs, truth(inputs), settings).predict(at);
+    const Eigen::VectorXd off = (found.mean.transpose() - truth(at)).cwiseAbs();
+    EXPECT_LT(off.cwiseQuotient(found.std.transpose()).maxCoeff(), 5.0);
+    EXPECT_LT(found.std.maxCoeff(), 1e-5);
+}
+
+TEST_F(LowRank, TellsTheLeaveOneOutErrorOfInputsThatStandAlone) {
+    // One of twenty far out, where most are not among those that the directions come from.
+    for (Eigen::Index i = 0; i < n; ++i) {
+        m_inputs.col(i) *= i % 20 == 7 ? 50.0 : 0.01;
+    }
+    const Eigen::ArrayXd wave = (100.0 * m_inputs.row(0)).array().sin();
+    const Eigen::ArrayXd envelope = (-m_inputs.colwise().squaredNorm()).array().exp();
+    m_outputs = wave * envelope + 0.01 * m_inputs.row(1).transpose().array();
+    const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 100));
+    for (Eigen::Index j = 0; j < m_outputs.cols(); ++j) {
+        const Process& process = fitted.processes[j];
+        const Eigen::MatrixXd inverse = test::textbook_covariance(m_inputs, process.hyperparameters)
+                                            .solve(Eigen::MatrixXd::Identity(n, n));
+        const Eigen::ArrayXd errors =
+            (inverse * m_outputs.col(j)).array() / inverse.diagonal().array();
+        EXPECT_GT(process.leave_one_out_rmse, 0.98 * std::sqrt(errors.square().mean())) << j;
+    }
+}
+
+TEST_F(LowRank, TakesInputsOfWhichEverySecondIsTheSame) {
+    for (Eigen::Index i = 0; i < n; i += 2) {
+        m_inputs.col(i).setConstant(0.1);
+    }
+    m_outputs = some_outputs(m_inputs);
+    for (const Process& process : fit(m_inputs, m_outputs, low_rank(200, 100)).processes) {
+        EXPECT_LT(process.leave_one_out_rmse, 0.1);
+    }
+}
+
 TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItTells) {
     for (const int rank : {5, 20, 100}) {
         const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, rank));
@@ -108,6 +151,17 @@ TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItTells) {
             EXPECT_GT(process.approximation_error, 0.0);
         }
     }
+}
+
+TEST_F(LowRank, TellsHowMuchItLeavesOut) {
+    EXPECT_EQ(fit(m_inputs, m_outputs, low_rank(n, 1)).left_out(), 0.0);
+    const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 1));
+    double expected = 0.0;
+    for (const KernelSpectrum& spectrum : fitted.spectra) {
+        expected = std::max(expected, 1.0 - spectrum.eigenvalues.sum() / n);
+    }
+    EXPECT_NEAR(fitted.left_out(), expected, 1e-12);
+    EXPECT_GT(expected, 1e-3);
 }
 
 TEST_F(LowRank, IsCloserTheHigherItsRank) {

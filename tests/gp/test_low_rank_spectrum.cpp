@@ -80,6 +80,36 @@ TEST(LowRankSpectrum, LeavesOutAtMostTwiceAsMuchAsTheBestOfItsRank) {
     }
 }
 
+TEST(LowRankSpectrum, LeavesOutNoMoreThanItTellsOfInputsThatAreTogetherOutsideItsPart) {
+    constexpr Eigen::Index many = 1500;
+    constexpr Eigen::Index rank = 200;
+    constexpr double lambda = 3.0;
+    for (const int together : {4, 5}) {
+        Eigen::MatrixXd inputs = normal_matrix(6, many, 1);
+        for (Eigen::Index i = 0; i + 1 < many; i += 2) {
+            inputs.col(i + 1) = inputs.col(i) + 1e-3 * normal_matrix(6, 1, 2).col(0);
+        }
+        // The middle one of each of two neighbours of the part, as long as there are some.
+        const std::vector<Eigen::Index> part = spread_part(many, rank);
+        std::vector<Eigen::Index> outside;
+        for (size_t k = 0; k + 1 < part.size() && std::ssize(outside) < together; k += 35) {
+            if (part[k + 1] - part[k] > 1) {
+                outside.push_back(part[k] + 1);
+            }
+        }
+        ASSERT_EQ(std::ssize(outside), together);
+        for (const Eigen::Index i : outside) {
+            inputs.col(i).setConstant(2.0);
+        }
+        const KernelSpectrum spectrum = low_rank_spectrum(inputs, lambda, rank);
+        const Eigen::MatrixXd left_out = correlation(squared_distances(inputs), lambda) -
+                                         spectrum.eigenvectors * spectrum.eigenvalues.asDiagonal() *
+                                             spectrum.eigenvectors.transpose();
+        EXPECT_LE(eigenvalues_of(left_out).maxCoeff(), spectrum.tail_largest) << together;
+        EXPECT_LE(spectrum.tail_largest, 1.6 * eigenvalues_of(left_out).maxCoeff()) << together;
+    }
+}
+
 TEST(LowRankSpectrum, OfFullRankIsTheWholeOne) {
     const Eigen::MatrixXd inputs = normal_matrix(3, n, 1);
     const KernelSpectrum spectrum = low_rank_spectrum(inputs, 3.0, n);

@@ -60,7 +60,8 @@ TEST(RefinedWeights, TellTheirResidualsWhichAreSmallerThanBefore) {
     const Equations it;
     const KernelSpectrum spectrum = low_rank_spectrum(it.inputs, lambda, 30);
     const Eigen::MatrixXd before = weights_by_spectrum(spectrum, it.outputs, it.noise_ratios);
-    const RefinedWeights after = refined_weights(it.inputs, spectrum, it.outputs, it.noise_ratios);
+    const RefinedWeights after =
+        refined_weights(it.inputs, spectrum, it.outputs, it.noise_ratios, Eigen::VectorXd::Zero(4));
     for (Eigen::Index j = 0; j < 4; ++j) {
         const Eigen::MatrixXd A = it.matrix(j);
         const Eigen::VectorXd exact = A.llt().solve(it.outputs.col(j));

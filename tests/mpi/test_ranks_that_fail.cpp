@@ -144,17 +144,24 @@ TEST_F(RanksThatFail, WhereTheFirstAloneFailsAllEnd) {
 }
 
 TEST_F(RanksThatFail, WhereAnotherFailsTheFirstTellsIt) {
-    must_run({"taut", "example", "hypar:6x7", "-o", "other.json"});
+    std::filesystem::create_directories(folder() / "empty");
+    std::filesystem::create_directories(folder() / "other");
+    must_run({"taut", "example", "hypar:6x7", "-o", "other/net.json"});
     const Files before = files();
-    const auto with_second = [this](const std::string& net) {
-        return run({"1", "sample", "net.json", "-n", "50", "-o", "data.h5", ":", "-n", "1",
-                    TAUT_MPI_PROGRAM, "sample", net, "-n", "50", "-o", "data.h5"});
+    const auto with_second = [this](const std::string& its_folder, const std::string& its_samples) {
+        return run({"1", "sample", "net.json", "-n", "50", "-o", "data.h5", ":", "-n", "1", "-wdir",
+                    folder() / its_folder, TAUT_MPI_PROGRAM, "sample", "net.json", "-n",
+                    its_samples, "-o", "data.h5"});
     };
-    const Outcome missing = with_second("nothing.json");
+    const Outcome missing = with_second("empty", "50");
     EXPECT_EQ(missing.exit_code, 2);
     EXPECT_EQ(errors_told(missing), 1) << missing.err;
-    EXPECT_THAT(missing.err, testing::HasSubstr("nothing.json"));
-    const Outcome another = with_second("other.json");
+    EXPECT_THAT(missing.err, testing::HasSubstr("net.json"));
+    const Outcome told_otherwise = with_second(".", "5000");
+    EXPECT_EQ(told_otherwise.exit_code, 2);
+    EXPECT_EQ(errors_told(told_otherwise), 1) << told_otherwise.err;
+    EXPECT_THAT(told_otherwise.err, testing::HasSubstr("process 1 of 2 has other arguments"));
+    const Outcome another = with_second("other", "50");
     EXPECT_EQ(another.exit_code, 1);
     EXPECT_EQ(errors_told(another), 1) << another.err;
     EXPECT_THAT(another.err, testing::HasSubstr("process 1 of 2 has another net"));

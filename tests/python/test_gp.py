@@ -97,8 +97,9 @@ def test_by_low_rank_it_tells_its_error_and_is_no_surer_than_exact(data):
     ours = MultiOutputGP(most_decomposed=40, rank=25).fit(inputs, outputs)
     assert (exact.approximation_error_ == 0.0).all()
     assert (ours.approximation_error_[:2] > 0.0).all()
-    assert exact._processes.rank is None
-    assert ours._processes.rank == 25
+    assert (exact.rank_, exact.left_out_) == (None, 0.0)
+    assert ours.rank_ == 25
+    assert 0.001 < ours.left_out_ < 1.0
     at = np.random.default_rng(3).uniform(-3.0, 3.0, (30, 2))
     mean, std = ours.predict(at, return_std=True)
     expected, expected_std = exact.predict(at, return_std=True)

@@ -33,7 +33,8 @@ struct Process {
     double leave_one_out_rmse = 0.0;  ///< of the mean at each training input, trained without it
     int spectrum = -1;                ///< which of FittedProcesses::spectra it uses
     /// By low rank: bound of what its mean is off from the exact one with the same hyperparameters,
-    /// root mean square over the training inputs; else 0.
+    /// root mean square over the training inputs; else 0. Its variance and leave-one-out error
+    /// contain it.
     double approximation_error = 0.0;
 };
 
@@ -61,6 +62,11 @@ struct TAUT_CORE_EXPORT FittedProcesses {
 
     /// The largest rank of its spectra, where these are not whole; else nothing.
     [[nodiscard]] std::optional<Eigen::Index> rank() const;
+
+    /// Largest part of a correlation matrix, of its trace, that spectra which are not whole leave
+    /// out: with a larger one than that of the noise, the rank is too low for the length scale, and
+    /// signal is taken for noise. 0 where all are whole.
+    [[nodiscard]] double left_out() const;
 };
 
 /// Where hyperparameters are looked for, and for how long.
@@ -80,7 +86,7 @@ struct FitSettings {
     double relative_tolerance = 1e-7;
     int max_spectra = 12;  ///< decompositions at most, 1 or more
     /// Inputs that are decomposed, at most, 2 or more: with more of them processes are fitted by
-    /// low rank, docs/theory.md (low-rank).
+    /// low rank, docs/theory.md (low-rank), with length scales from so many of them, or 2000.
     int most_decomposed = 3000;
     int rank = 1500;  ///< there: directions of each spectrum, 1 or more
 };
