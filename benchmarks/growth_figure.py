@@ -10,6 +10,7 @@ import pathlib
 import sys
 
 import matplotlib
+import matplotlib.ticker
 from performance_page import exponent, growth
 
 matplotlib.use("svg")
@@ -35,6 +36,10 @@ def main():
         axis.loglog(sizes, times, "o", color="#1f6f8b", label="measured")
         axis.loglog(sizes, [a * s**power for s in sizes], "-", color="#9aa5ab", label=f"size$^{{{power:.2f}}}$")
         axis.set(title=title, xlabel=unit)
+        # Of a narrow range Matplotlib labels the ticks between, one over the other.
+        named = (0, len(sizes) // 2, len(sizes) - 1)
+        axis.set_xticks(sizes, [f"{size:,.0f}" if k in named else "" for k, size in enumerate(sizes)])
+        axis.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
         axis.legend(frameon=False)
         axis.grid(True, which="major", color="#e3e7e9")
     axes[0].set_ylabel("time [s]")
