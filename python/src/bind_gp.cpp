@@ -113,11 +113,12 @@ void bind_gp(nb::module_& module) {
         .def_prop_ro("leave_one_out_rmse",
                      of_processes([](const gp::Process& of) { return of.leave_one_out_rmse; }),
                      "Of the mean at each training input, trained without it (m,).")
-        .def_prop_ro("approximation_error",
-                     of_processes([](const gp::Process& of) { return of.approximation_error; }),
-                     "By low rank: bound of what the mean is off from the exact one with the same "
-                     "hyperparameters, root mean square over the training inputs; else 0 (m,). Standard "
-                     "deviations and leave-one-out errors contain it.")
+        .def_prop_ro(
+            "approximation_error",
+            of_processes([](const gp::Process& of) { return of.approximation_error; }),
+            "By low rank: bound of what the mean is off from the exact one with the same "
+            "hyperparameters, root mean square over the training inputs; else 0 (m,). Standard "
+            "deviations and leave-one-out errors contain it.")
         .def_prop_ro("rank", &gp::FittedProcesses::rank,
                      "Directions of the kernel matrix that were kept; None where all are.")
         .def_prop_ro("left_out", &gp::FittedProcesses::left_out,
