@@ -74,14 +74,16 @@ FoundLambdas search_by_low_rank(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     std::vector<Eigen::Index> all(outputs.cols());
     std::iota(all.begin(), all.end(), 0);
     FoundLambdas found{.best = std::vector<BestLambda>(outputs.cols()), .spectra = {}};
-    const double least = least_noise_ratio(inputs.cols());
-    const NoiseRatioBounds noise_ratio{.lower = std::max(least, settings.noise_ratio.lower),
-                                       .upper = std::max(least, settings.noise_ratio.upper)};
     const Progress steps = progress.part(1, 2);
     for (size_t k = 0; k < log_lambdas.size(); ++k) {
         steps("training", static_cast<int>(k), static_cast<int>(log_lambdas.size()));
         const double at = log_lambdas[k];
         KernelSpectrum spectrum = low_rank_spectrum(inputs, std::exp(at), rank, progress);
+        // Noise below what is left out cannot be told from it: the likelihood would have none, and
+        // the weights follow it.
+        const double least = std::max(least_noise_ratio(inputs.cols()), spectrum.tail_mean);
+        const NoiseRatioBounds noise_ratio{.lower = std::max(least, settings.noise_ratio.lower),
+                                           .upper = std::max(least, settings.noise_ratio.upper)};
         keep_better(
             found.best, at, all,
             profile_likelihood(spectrum, Eigen::MatrixXd(), outputs, noise_ratio, Slope::left_out));

@@ -153,6 +153,14 @@ TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItTells) {
     }
 }
 
+TEST_F(LowRank, TellsNoLessNoiseThanItLeavesOut) {
+    const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 20));
+    for (const Process& process : fitted.processes) {
+        const auto& [lambda, signal, noise] = process.hyperparameters;
+        EXPECT_GE(std::pow(noise / signal, 2), 0.999 * fitted.spectra[process.spectrum].tail_mean);
+    }
+}
+
 TEST_F(LowRank, TellsHowMuchItLeavesOut) {
     EXPECT_EQ(fit(m_inputs, m_outputs, low_rank(n, 1)).left_out(), 0.0);
     const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 1));
