@@ -167,10 +167,9 @@ void run(const TrainOptions& options) {
     }
     say("leave-one-out error of the length deviations: {:.3g} mm RMS\n", 1e3 * leave_one_out);
     if (rank) {
-        say("by low rank, {} of {} directions, which leave out {:.2g} % of the correlation: means "
-            "at "
-            "the samples off from the exact ones of these hyperparameters by at most {:.2g} mm "
-            "RMS over all edges\n",
+        say("by low rank, {} of {} directions: {:.2g} % of the correlation is left out,\n"
+            "  means at the samples are off from the exact ones of these hyperparameters\n"
+            "  by at most {:.2g} mm RMS\n",
             *rank, samples.size(), 100.0 * model.processes.left_out(), 1e3 * approximation);
     }
     say("written to {}\n", options.output);
