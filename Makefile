@@ -5,7 +5,7 @@
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help build demo test wheel examples bench reference docs lint format sanitize fuzz hostile clean
+.PHONY: help build demo test wheel examples bench reference docs lint format sanitize fuzz hostile nightly clean
 .SILENT: help
 
 configure := cmake --log-level=WARNING
@@ -56,7 +56,7 @@ docs: build reference ## build the site of docs/ in build/site
 	scripts/install_dependencies.sh build python reference
 	scripts/docs.sh
 
-lint: ## check format, names, rooms and licence lines
+lint: ## check format, rooms, licence lines, and names and bugs in what has changed
 	scripts/install_dependencies.sh lint
 	scripts/lint.sh
 
@@ -66,9 +66,7 @@ format: ## format all C++ sources in place
 
 sanitize: ## run the tests with the address and undefined behaviour sanitizers
 	scripts/install_dependencies.sh test fuzz
-	$(configure) --preset asan
-	cmake --build --preset asan
-	ctest --preset asan
+	scripts/sanitize.sh
 
 fuzz: ## feed the readers damaged files, SECONDS=600 each
 	scripts/install_dependencies.sh fuzz
@@ -78,6 +76,9 @@ hostile: build ## hostile inputs, surroundings and faults, SECONDS=3600 of them,
 	scripts/install_dependencies.sh hostile
 	/usr/bin/python3 tests/hostile/run.py --program build/taut --every-fault --keep --seconds $(or $(SECONDS),3600) \
 	    --write docs/reliability.md
+
+nightly: ## what .ci/run leaves out for time; a release needs it
+	scripts/nightly.sh $(SECONDS)
 
 clean: ## remove the build folder
 	rm -rf build

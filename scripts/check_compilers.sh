@@ -21,7 +21,7 @@ for name in "${@:-14}"; do
     build=build/compilers/$name
     echo "$("$compiler" --version | head -1) $flags"
     cmake --log-level=WARNING -S tests/consumer -B "$build" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" \
-        -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_UNITY_BUILD=ON -DTAUT_SOURCE_DIR="$PWD" -DREADME="$PWD/README.md"
+        -DCMAKE_CXX_FLAGS="$flags" -DTAUT_SOURCE_DIR="$PWD" -DREADME="$PWD/README.md"
     cmake --build "$build" --target "$targets"
     "$build/consumer_core"
     if [[ "$targets" == all ]]; then

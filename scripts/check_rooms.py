@@ -22,7 +22,7 @@ MAY_INCLUDE = {
     "gp": ["numerics"],
     "statics": ["numerics", "net"],
     "design": ["numerics", "net", "statics"],
-    "survey": ["net"],
+    "survey": ["numerics", "net"],
     "sampling": ["numerics", "net", "statics"],
     "estimation": ["numerics", "net", "statics", "survey", "sampling"],
     "identification": [
@@ -59,6 +59,7 @@ MAY_INCLUDE = {
     "files": ["platform", "numerics"],
     "interchange": ["net", "statics", "design", "survey", "files"],
     "io": [
+        "numerics",
         "net",
         "gp",
         "statics",

@@ -2,13 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 #
-# Checks licence lines, rooms, format and clang-tidy. Fails when one of them does, after all of them.
+# Checks licence lines, rooms, format, and by clang-tidy what has changed, or all with --all. Fails when
+# one of them does, after all of them.
+# Usage: scripts/lint.sh [--all]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# A check that passed is skipped until a source of ours or the settings change.
-stamps=build/lint
-
+all=
+[[ "${1:-}" != --all ]] || all=yes
 mapfile -t sources < <(scripts/list_sources.sh)
 status=0
 
@@ -29,24 +30,59 @@ check_licence_lines() {
     return $bad
 }
 
-# clang-tidy on the sources of the library and the program, some as one: what they include is read
-# once, which takes most of the time. Names of other sources are then in sight, and may be shadowed.
+# The commit that a source is compared with: where this branch left main, or, on main itself, the one whose
+# whole tree scripts/nightly.sh last looked at. Nothing where neither is known.
+compared_with() {
+    local head base
+    head=$(git rev-parse HEAD 2>/dev/null) || return 0
+    base=$(git merge-base HEAD origin/main 2>/dev/null) || base=$head
+    if [[ "$base" == "$head" ]]; then
+        base=$(cat .ci/checked 2>/dev/null) || return 0
+        git merge-base --is-ancestor "$base" HEAD 2>/dev/null || return 0
+    fi
+    echo "$base"
+}
+
+# Sources that have changed since a commit, and for each header that has, one that includes it.
+changed_since() {
+    local file
+    { git diff --name-only --diff-filter=d "$1" && git ls-files --others --exclude-standard; } |
+        grep --extended-regexp '^(src|apps|include)/.*pp$' | sort --unique | while IFS= read -r file; do
+        if [[ "$file" == *.cpp ]]; then
+            echo "$file"
+        else
+            grep --recursive --files-with-matches --fixed-strings --include='*.cpp' \
+                "#include \"$(sed -E 's,^(include|src|apps/[^/]*)/,,' <<<"$file")\"" src apps | sort | head -n 1
+        fi
+    done | sort --unique
+}
+
+# clang-tidy on the library and the program: on each source that has changed, or, where that is not known
+# or with --all, on all of them. Then some sources are taken as one: what they include is read once, which
+# takes most of the time. Names of other sources are then in sight, and may be shadowed.
 clang_tidy() {
-    local folder=build/tidy checks="-bugprone-suspicious-include,-clang-diagnostic-shadow" checked seen file stamp
-    cmake --log-level=WARNING --preset release -B "$folder" -DCMAKE_UNITY_BUILD_BATCH_SIZE=24 -DTAUT_WARNINGS_AS_ERRORS=OFF \
+    local folder=build/tidy checks="" base="" files=() unity=OFF
+    [[ $all ]] || base=$(compared_with)
+    if [[ "$base" ]]; then
+        echo "lint: what has changed since ${base:0:10}"
+        mapfile -t files < <(changed_since "$base")
+        ((${#files[@]} > 0)) || return 0
+    else
+        unity=ON
+        checks="-bugprone-suspicious-include,-clang-diagnostic-shadow"
+    fi
+    cmake --log-level=WARNING --preset release -B "$folder" -DCMAKE_UNITY_BUILD=$unity -DCMAKE_UNITY_BUILD_BATCH_SIZE=24 \
+        -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DTAUT_WARNINGS_AS_ERRORS=OFF \
         -DTAUT_BUILD_TESTS=OFF -DTAUT_BUILD_EXAMPLES=OFF -DTAUT_BUILD_BENCHMARKS=OFF || return 1
-    mapfile -t checked < <(printf '%s\n' "${sources[@]}" | grep --invert-match '^python/')
-    seen=$(cat .clang-tidy "${checked[@]}" <(printf '%s\n' "$checks" "${checked[@]}") | sha256sum)
-    mkdir -p $stamps
-    /usr/bin/python3 -c 'import json, sys; [print(entry["file"]) for entry in json.load(sys.stdin)]' \
-        <"$folder/compile_commands.json" | grep --invert-match --extended-regexp 'viewer|result_schema|verify_interface' |
-        while IFS= read -r file; do
-            stamp=$stamps/$(echo "$seen $file" | sha256sum | cut -c 1-32)
-            [[ -e $stamp ]] || printf '%s\0%s\0' "$file" "$stamp"
-        done | xargs --null --no-run-if-empty --max-args=2 --max-procs="$(nproc)" \
+    if [[ ! "$base" ]]; then
+        mapfile -t files < <(/usr/bin/python3 -c \
+            'import json, sys; [print(entry["file"]) for entry in json.load(sys.stdin)]' <"$folder/compile_commands.json" |
+            grep --invert-match --extended-regexp 'viewer_page|result_schema|verify_interface')
+    fi
+    printf '%s\0' "${files[@]}" | xargs --null --max-args=1 --max-procs="$(nproc)" \
         bash -c 'set -o pipefail
-            clang-tidy-19 --quiet -p "$0" --checks="$1" "$2" 2>&1 | { grep -v "warnings generated\.$" || true; } \
-                && touch "$3"' "$folder" "$checks"
+            clang-tidy-19 --quiet -p "$0" --checks="$1" "$2" 2>&1 | { grep -v "warnings generated\.$" || true; }' \
+        "$folder" "$checks"
 }
 
 step "licence lines" check_licence_lines

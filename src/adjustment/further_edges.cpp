@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "adjustment/check_plan.hpp"
 #include "adjustment/force_ranges.hpp"
 #include "adjustment/stroke_search.hpp"
+#include "numerics/small_dense.hpp"
 #include "statics/arguments.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 
@@ -101,17 +101,13 @@ public:
                 giving_way.push_back(set.edges[static_cast<size_t>(k)]);
             }
         }
-        Eigen::MatrixXd theirs;
-        std::optional<Eigen::ColPivHouseholderQR<Eigen::MatrixXd>> factor;
-        if (!giving_way.empty()) {
-            theirs = weighted_columns(giving_way);
-            factor.emplace(theirs);
-        }
-        const auto without_theirs = [&](const auto& columns) -> Eigen::MatrixXd {
-            if (!factor) {
+        const Eigen::MatrixXd theirs =
+            giving_way.empty() ? Eigen::MatrixXd() : weighted_columns(giving_way);
+        const auto without_theirs = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+            if (giving_way.empty()) {
                 return columns;
             }
-            return columns - theirs * factor->solve(columns);
+            return columns - theirs * minimum_norm_solution(theirs, columns);
         };
         std::vector<int> others;
         for (int edge = 0; edge < m_net->edge_count(); ++edge) {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "adjustment/stroke_program.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/small_dense.hpp"
 #include "statics/conic_solver.hpp"
 
 namespace taut {
@@ -338,10 +338,7 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd
         // |Z x + z| = |R x + r| with the triangle of Z, z: as many rows as columns.
         Eigen::MatrixXd both(m_rates.rows(), k + 1);
         both << m_rates, m_deviation;
-        const Eigen::HouseholderQR<Eigen::MatrixXd> factor(both);
-        const Eigen::Index size = std::min(both.rows(), k + 1);
-        const Eigen::MatrixXd triangle =
-            factor.matrixQR().topRows(size).triangularView<Eigen::Upper>();
+        const Eigen::MatrixXd triangle = triangle_of(both);
         add_cone(bound * std::sqrt(static_cast<double>(nodes)), triangle.leftCols(k),
                  triangle.rightCols(1));
     }

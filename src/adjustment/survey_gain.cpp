@@ -3,7 +3,7 @@
 #include "adjustment/survey_gain.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -54,15 +54,17 @@ std::vector<SurveyGain> gains_of_targets(const Eigen::MatrixXd& forms,
         }
         is_taken[static_cast<size_t>(best)] = true;
         // (survey-gain): T^2 = 1 - Y_s' (Y_s Y_s' + noise)^-1 Y_s
+        // With Y_s Y_s' = U S^2 U' and r = sqrt(S^2 + noise): T = 1 - Y_s' U (r (r + noise_std))^-1
+        // U' Y_s
         const Eigen::MatrixXd at = Y.middleRows(3 * best, 3);
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(at, Eigen::ComputeThinU | Eigen::ComputeThinV);
-        const Eigen::VectorXd squares = svd.singularValues().cwiseAbs2();
-        const Eigen::VectorXd kept =
-            (noise_std / (squares.array() + noise_std * noise_std).sqrt()).matrix();
-        const Eigen::MatrixXd& V = svd.matrixV();
-        const auto told = (1.0 - kept.array()).matrix().asDiagonal();
-        X -= (X * V) * told * V.transpose();
-        Y -= (Y * V) * told * V.transpose();
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(at * at.transpose());
+        const Eigen::Array3d r =
+            (eigen.eigenvalues().array().max(0.0) + noise_std * noise_std).sqrt();
+        const Eigen::Matrix3d seen = eigen.eigenvectors() *
+                                     (r * (r + noise_std)).inverse().matrix().asDiagonal() *
+                                     eigen.eigenvectors().transpose();
+        X -= (X * at.transpose()) * (seen * at);
+        Y -= (Y * at.transpose()) * (seen * at);
         result.push_back({.place = static_cast<int>(best),
                           .left_over = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
     }

@@ -3,11 +3,12 @@
 #include "estimation/epoch_evidence.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "numerics/small_dense.hpp"
 
 namespace taut {
 namespace {
@@ -175,10 +176,13 @@ void EvidenceTest::let_go(Eigen::Index entry) {
 ///
 ///   g = (1 + J A)^-1 (p - J m),   W = (1 + J A)^-1 J
 void EvidenceTest::update() {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
-        Eigen::MatrixXd::Identity(m_own.rows(), m_own.cols()) + m_own * m_covariance);
-    m_gradient = factor.solve(m_pull - m_own * m_mean);
-    m_information = symmetric(factor.solve(m_own));
+    const Eigen::Index size = m_own.cols();
+    Eigen::MatrixXd right(m_own.rows(), size + 1);
+    right << m_own, m_pull - m_own * m_mean;
+    const Eigen::MatrixXd solution =
+        lu_solution(Eigen::MatrixXd::Identity(size, size) + m_own * m_covariance, right);
+    m_gradient = solution.col(size);
+    m_information = symmetric(solution.leftCols(size));
 }
 
 EvidenceTest::Changes EvidenceTest::changes() const {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "gp/low_rank_spectrum.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "gp/correlation_product.hpp"
 #include "numerics/dense.hpp"
 #include "numerics/random_numbers.hpp"
+#include "numerics/small_dense.hpp"
 #include "taut/gp/kernel.hpp"
 
 namespace taut::gp {
@@ -65,8 +65,7 @@ double largest_left_out(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     for (int k = 0; k < rounds; ++k) {
         for (int twice = 0; twice < 2; ++twice) {  // once loses digits
             next -= product(space, transposed_product(space, next));
-            next = Eigen::HouseholderQR<Eigen::MatrixXd>(next).householderQ() *
-                   Eigen::MatrixXd::Identity(n, next.cols());
+            next = orthonormal_basis(next);
         }
         const Eigen::Index width = space.cols() + next.cols();
         space.conservativeResize(Eigen::NoChange, width);

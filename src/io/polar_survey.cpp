@@ -4,13 +4,13 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "numerics/small_dense.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "taut/files/input_error.hpp"
 
@@ -77,7 +77,7 @@ std::optional<double> misfit_of_shape(const CableNet& net, const std::vector<Sur
         known.col(i) = net.nodes().col(named[i].first);
         measured.col(i) = named[i].second;
     }
-    const Eigen::Matrix4d motion = Eigen::umeyama(measured, known, false);
+    const Eigen::Matrix4d motion = rigid_motion(measured, known);
     const Eigen::Matrix3Xd left =
         known - ((motion.topLeftCorner<3, 3>() * measured).colwise() + motion.col(3).head<3>());
     return std::sqrt(left.squaredNorm() / static_cast<double>(count));

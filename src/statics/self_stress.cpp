@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "statics/self_stress.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
+
+#include "numerics/small_dense.hpp"
 
 namespace taut {
 namespace {
@@ -40,9 +41,7 @@ Eigen::MatrixXd SelfStress::basis() const {
                             static_cast<double>((i + 1) * (j + 1) % 7919));
         });
     for (int round = 0; round < rounds && m_count > 0; ++round) {
-        vectors = m_factor.solve(vectors).eval();
-        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(vectors);
-        vectors = qr.householderQ() * Eigen::MatrixXd::Identity(m_columns, m_count);
+        vectors = orthonormal_basis(m_factor.solve(vectors));
     }
     return vectors;
 }

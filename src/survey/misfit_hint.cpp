@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "numerics/small_dense.hpp"
 #include "survey/match_by_place.hpp"
 #include "survey/mean_edge_length.hpp"
 
@@ -96,7 +96,7 @@ SimilarityFit fit_similarity(const Eigen::Matrix3Xd& measured, const Eigen::Matr
     const Eigen::Matrix3Xd a = measured.colwise() - from;
     const Eigen::Matrix3Xd b = nominal.colwise() - to;
     SimilarityFit fit;
-    fit.rotation = Eigen::umeyama(a, b, false).topLeftCorner<3, 3>();
+    fit.rotation = rigid_motion(a, b).topLeftCorner<3, 3>();
     const Eigen::Matrix3Xd turned = fit.rotation * a;
     fit.scale = turned.cwiseProduct(b).sum() / a.squaredNorm();
     fit.median = median_distance(fit.scale * turned, b);

@@ -4,13 +4,12 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "numerics/small_dense.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "taut/survey/covariance.hpp"
 
@@ -32,8 +31,8 @@ Eigen::Matrix3Xd centred(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& 
 }
 
 void check_spread(const Eigen::Matrix3Xd& points, const char* which) {
-    const Eigen::Vector3d spread = Eigen::JacobiSVD<Eigen::Matrix3Xd>(points).singularValues();
-    if (!(spread(1) > line_ratio * spread(0))) {
+    const Eigen::Vector3d spread = spread_of(points);
+    if (!(spread(1) > line_ratio * spread(2))) {
         throw SurveyError(0, fmt::format("the {} places of the {} control points lie on a line, "
                                          "expected three that do not",
                                          which, points.cols()));
@@ -88,7 +87,7 @@ Registration register_rigidly(const std::vector<ControlPoint>& points) {
     check_spread(b, "known");
     check_spread(a, "measured");
     check_scale(b, a);
-    result.motion.rotation = Eigen::umeyama(a, b, false).topLeftCorner<3, 3>();
+    result.motion.rotation = rigid_motion(a, b).topLeftCorner<3, 3>();
     for (Eigen::Index i = 0; i < count; ++i) {
         result.residuals.push_back(
             {.id = points[i].id, .residual = result.motion.rotation * a.col(i) - b.col(i)});

@@ -6,7 +6,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "numerics/small_dense.hpp"
 #include "survey/polar_residual.hpp"
 #include "taut/survey/covariance.hpp"
 
@@ -316,10 +316,9 @@ std::pair<Eigen::MatrixXd, Eigen::RowVectorXd> StationBlock::common_modes_by_pos
         A += H.transpose() * m_blocks[t].N * H;
         B += H.transpose() * m_blocks[t].N * by_poses(t);
     }
-    const auto solved = [](const auto& left, const auto& right) -> Eigen::MatrixXd {
-        return left.completeOrthogonalDecomposition().solve(right);  // of targets on a line, too
-    };
-    return {solved(A.topLeftCorner<6, 6>(), B.topRows<6>()), solved(A, B).row(6)};
+    // Of least norm, since A is singular where the targets lie on a line.
+    return {minimum_norm_solution(A.topLeftCorner<6, 6>(), B.topRows<6>()),
+            minimum_norm_solution(A, B).row(6)};
 }
 
 StationAdjustment StationBlock::result() const {

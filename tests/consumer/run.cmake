@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 
-# What whoever links taut would do, with every compiler of COMPILERS. KIND static: against the libraries
-# of TAUT_BINARY_DIR, installed: as they were built, and with flags that change how Eigen and the
-# standard library lay out memory. KIND shared: taut as a part of the consumer's project, with shared
-# libraries; then these, installed.
+# What whoever links taut would do. KIND static: against the libraries of TAUT_BINARY_DIR, installed, with the
+# compiler that built them. KIND flags: with every compiler of COMPILERS, and with flags that change how
+# Eigen and the standard library lay out memory. KIND shared: taut as a part of the consumer's project,
+# with shared libraries and without precompiled headers, so that each source must include what it uses;
+# then these, installed.
 set(prefix ${CONSUMER_BINARY_DIR}/prefix)
 file(REMOVE_RECURSE ${CONSUMER_BINARY_DIR})
 
@@ -73,7 +74,7 @@ if(KIND STREQUAL "shared")
     build_and_run(subproject ${compiler} ""
         -DTAUT_SOURCE_DIR=${TAUT_SOURCE_DIR}
         -DTAUT_INSTALL=ON -DBUILD_SHARED_LIBS=ON
-        -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16)
+        -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
     cmake_path(GET compiler FILENAME compiler_name)
     set(build ${CONSUMER_BINARY_DIR}/subproject_${compiler_name})
     file(STRINGS ${build}/CMakeCache.txt cached REGEX "^CMAKE_BUILD_TYPE:[A-Z]+=.+")
@@ -92,15 +93,16 @@ if(NOT CXX_FLAGS)
     run_shown_command()
 endif()
 list(GET COMPILERS 0 own_compiler)
+if(KIND STREQUAL "static")
+    build_and_run(plain ${own_compiler} "")
+    return()
+endif()
 foreach(compiler ${COMPILERS})
-    build_and_run(plain ${compiler} "")
-    if(CXX_FLAGS MATCHES "-fsanitize")  # a library with sanitizers needs a consumer with the same
-        continue()
-    endif()
     if(compiler STREQUAL own_compiler)
         build_and_run(native ${compiler} "-march=native")
         build_and_run(asan ${compiler} "-fsanitize=address")
     else()
+        build_and_run(plain ${compiler} "")
         build_and_run(avx2 ${compiler} "-mavx2 -mfma")
     endif()
 
