@@ -9,6 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 into=build/docs
 tools="$into/tools/bin"
+/usr/bin/python3 scripts/check_links.py
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1 PIP_NO_COMPILE=1
 
 if ! [[ -x "$tools/mkdocs" && "$tools/mkdocs" -nt scripts/docs.sh ]]; then
