@@ -66,6 +66,9 @@ def on_files(files, config):
     for name, path in {
         "katex/auto-render.min.js": KATEX / "contrib" / "auto-render.min.js",
         "search/iframe-worker.js": MODULES / "iframe-worker" / "shim" / "index.js",
+        # Their licences ask to go with every copy.
+        "katex/LICENSE": MODULES / "katex" / "LICENSE",
+        "search/iframe-worker.LICENSE": MODULES / "iframe-worker" / "LICENSE",
     }.items():
         files.append(File.generated(config, name, abs_src_path=str(path)))
     for path in sorted((KATEX / "fonts").glob("*.woff2")):
