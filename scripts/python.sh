@@ -5,7 +5,8 @@
 # The Python package.
 #   build   a wheel for this machine, in build/python/dist: out of build/release, where `make build`
 #           and `make test` have built the libraries
-#   wheel   a wheel for other machines, in build/python/wheels, with all libraries in it
+#   wheel   a wheel for other machines, in build/python/wheels, with all libraries in it and their
+#           licences: out of build/wheel, with an HDF5 of its own
 #   test    a wheel for this machine, installed into an environment of its own, and its tests there;
 #           the notebooks as they ran go into build/python/notebooks
 #   lint    format and names of all Python sources, by ruff
@@ -46,9 +47,12 @@ build_wheel() {
 }
 
 if [[ "$task" == wheel ]]; then
-    build_wheel build/release
+    packaging/hdf5/build.sh
+    PKG_CONFIG_PATH="$PWD/build/hdf5/installed/lib/pkgconfig" build_wheel build/wheel \
+        -C cmake.define.TAUT_BUILD_VIEWER=ON -C cmake.define.TAUT_WITH_CLARABEL=ON -C cmake.define.TAUT_WITH_METIS=ON
     rm -rf "$into/wheels"
     PATH="$tools:$PATH" "$tools/auditwheel" repair --strip --wheel-dir "$into/wheels" "$into"/dist/taut-*.whl
+    "$tools/python" scripts/wheel_licences.py "$into"/wheels/taut-*.whl build/wheel
     ls -lh "$into"/wheels/*.whl
     exit 0
 fi
