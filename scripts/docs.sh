@@ -8,14 +8,15 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 into=build/docs
-tools="$into/tools/bin"
-export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1 PIP_NO_COMPILE=1
+tools="build/venv/docs/bin"
 
-if ! [[ -x "$tools/mkdocs" && "$tools/mkdocs" -nt scripts/docs.sh ]]; then
-    python3 -m venv --clear "$into/tools"
-    "$tools/pip" install 'mkdocs-material>=9.5' 'mkdocstrings[python]>=0.27' mkdocs-jupyter ruff
-    npm install --silent --no-audit --no-fund --prefix "$into" katex@0.16 iframe-worker@1
-    touch "$tools/mkdocs"
+/usr/bin/python3 scripts/check_links.py
+scripts/venv.sh docs
+npm=scripts/requirements/docs-npm
+if ! cmp --silent "$npm/package-lock.json" "$into/package-lock.json" || ! [[ -e "$into/node_modules/.package-lock.json" ]]; then
+    mkdir -p "$into"
+    cp "$npm/package.json" "$npm/package-lock.json" "$into"
+    npm ci --silent --ignore-scripts --no-audit --no-fund --prefix "$into"
 fi
 for notebook in docs/notebooks/*.ipynb; do
     ran="build/python/notebooks/$(basename "$notebook")"
@@ -24,7 +25,7 @@ for notebook in docs/notebooks/*.ipynb; do
         break
     fi
 done
-"$tools/pip" install --no-deps --force-reinstall build/python/dist/taut-*.whl
+build/venv/uv/bin/uv pip install --quiet --python "$tools/python" --no-deps --reinstall build/python/dist/taut-*.whl
 
 PATH="$PWD/$tools:$PATH" NO_MKDOCS_2_WARNING=1 "$tools/mkdocs" build --strict
 if grep --recursive --include='*.html' --extended-regexp --max-count=1 \

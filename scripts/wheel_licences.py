@@ -1,0 +1,267 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Puts the licences of all foreign code in a wheel into it, and checks that each library has one.
+
+Whose code that is comes from the build: the libraries that auditwheel brought along, the headers
+that the compiler read, and the crates of the conic solver. A licence that is not found is an error.
+
+Usage: wheel_licences.py WHEEL BUILD   adds those of the build folder BUILD, and checks
+       wheel_licences.py WHEEL         checks
+"""
+
+import email
+import hashlib
+import html
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+FOLDER = "third-party"
+# What may come along. Another library is a decision: in a wheel it ages without the updates of the
+# system. Debian's HDF5, for one, would bring a network stack.
+LIBRARIES = re.compile(
+    r"lib(fmt|gfortran|metis|nlopt|openblas|pugixml|quadmath|tbb)\b|libopenblasp"
+)
+# The system's, the compiler's and the interpreter's: what a program takes of their headers carries
+# no conditions.
+TOOLCHAIN = re.compile(
+    r"(libc6|libcrypt|linux-libc|libstdc\+\+-\d+|libgcc-\d+|libpython[\d.]+)-dev$"
+)
+PYTHON = re.compile(r"/include/python3\.\d+/")
+LICENCE = re.compile(r"(licen[cs]e|copying|copyright|notice|unlicense)", re.IGNORECASE)
+
+
+class MissingLicenceError(Exception):
+    """No licence was found of what is in the wheel."""
+
+
+def output_of(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=False).stdout
+
+
+def owners(*patterns):
+    """The Debian package of each installed file that a pattern names: {path: package}."""
+    found = {}
+    for start in range(0, len(patterns), 500):
+        for line in output_of("dpkg", "-S", *patterns[start : start + 500]).splitlines():
+            packages, _, path = line.partition(": ")
+            if not packages.startswith("diversion by "):
+                found[path] = packages.split(",")[0].split(":")[0]
+    return found
+
+
+def text_of(files):
+    return "\n\n".join(file.read_text(encoding="utf-8", errors="replace") for file in files)
+
+
+def licence_files(folder):
+    return sorted(file for file in folder.iterdir() if file.is_file() and LICENCE.match(file.name))
+
+
+class Notices:
+    """Texts by the name of what they are for, and what in the wheel that is."""
+
+    def __init__(self):
+        self.texts = {}
+        self.index = []
+
+    def add(self, what, name, text, version=""):
+        if not text.strip():
+            raise MissingLicenceError(f"{what}: no licence found of {name}")
+        same = next((other for other, known in self.texts.items() if known == text), name)
+        self.texts[same] = text
+        entry = f"{what}\t{name}{version}\t{same}.txt"
+        if entry not in self.index:
+            self.index.append(entry)
+
+    def add_debian(self, what, package):
+        """Debian's copyright file, and what it points to on a Debian system."""
+        file = Path("/usr/share/doc", package, "copyright")
+        if not file.is_file():
+            raise MissingLicenceError(f"{what}: expected {file}, the licence of {package}")
+        text = text_of([file])
+        version = output_of("dpkg-query", "--show", "--showformat", "${Version}", package)
+        self.add(what, package, text, f" {version}")
+        for name in re.findall(r"/usr/share/common-licenses/([\w.+-]*\w)", text):
+            common = Path("/usr/share/common-licenses", name)
+            if common.is_file():
+                self.texts[f"common-licenses/{name}"] = text_of([common])
+
+
+def add_libraries(notices, names):
+    """Of the libraries that auditwheel brought along: its names hold the start of a SHA-256."""
+    for name in names:
+        parts = re.fullmatch(r"(.*)-([0-9a-f]{8})(\..*)", Path(name).name)
+        if not parts:
+            raise MissingLicenceError(f"{name}: expected a name with a hash, as auditwheel gives")
+        plain, digest = parts[1] + parts[3], parts[2]
+        for path, package in owners(f"*/{plain}").items():
+            if hashlib.sha256(Path(path).read_bytes()).hexdigest().startswith(digest):
+                notices.add_debian(name, package)
+                break
+        else:
+            raise MissingLicenceError(f"{name}: no Debian package here has this {plain}")
+
+
+def headers_read(build):
+    """The headers of others that the compiler read, as ninja knows."""
+    said = output_of("ninja", "-C", str(build), "-t", "deps")
+    read = {Path(line.strip()).resolve() for line in said.splitlines() if line.startswith("    /")}
+    if not read:
+        raise MissingLicenceError(f"{build}: ninja knows of no header, expected a build")
+    ours = [build, *(ROOT / name for name in ("include", "src", "apps", "python", "extern"))]
+    return sorted(file for file in read if not any(file.is_relative_to(part) for part in ours))
+
+
+def add_headers(notices, build):
+    """Of the headers that were read: Debian's, HDF5's and those of Python packages."""
+    hdf5 = ROOT / "build/hdf5/installed"
+    read = headers_read(build)
+    debian = owners(*map(str, read))
+    for package in sorted(set(debian.values())):
+        if not TOOLCHAIN.match(package):
+            notices.add_debian("headers", package)
+    others = [file for file in read if str(file) not in debian]
+    if any(file.is_relative_to(hdf5) for file in others):
+        notices.add("library", "HDF5", text_of(licence_files(hdf5 / "share")))
+    folders = set()
+    for file in others:
+        if "site-packages" in file.parts:
+            folders.add(Path(*file.parts[: file.parts.index("site-packages") + 2]))
+            if "ext" in file.parts:  # a package within the package: its licence heads its files
+                name = file.parts[file.parts.index("ext") + 1]
+                head = re.match(r"\s*/\*.*?\*/", file.read_text(encoding="utf-8"), re.DOTALL)
+                notices.add("headers", name, head.group() if head else "")
+        elif not file.is_relative_to(hdf5) and not PYTHON.search(str(file)):
+            raise MissingLicenceError(f"{file}: no package says whose header this is")
+    for folder in sorted(folders):
+        info = next(folder.parent.glob(f"{folder.name}-*.dist-info"))
+        files = [*licence_files(info), *sorted(f for f in info.glob("licenses/*") if f.is_file())]
+        notices.add("headers", info.name.removesuffix(".dist-info"), text_of(files))
+
+
+def add_crates(notices, cargo):
+    """Of the crates that are linked: those that work while others are compiled are not."""
+    said = output_of(cargo, "metadata", "--locked", "--format-version=1", "--filter-platform",
+                     re.search(r"host: (.*)", output_of(cargo, "--version", "--verbose")).group(1),
+                     "--manifest-path", str(ROOT / "extern/clarabel_c/Cargo.toml"))  # fmt: skip
+    metadata = json.loads(said)
+    packages = {package["id"]: package for package in metadata["packages"]}
+    links = {node["id"]: node["deps"] for node in metadata["resolve"]["nodes"]}
+    root = metadata["resolve"]["root"]
+    linked, waiting = set(), [root]
+    while waiting:
+        crate = waiting.pop()
+        if crate in linked or any("proc-macro" in t["kind"] for t in packages[crate]["targets"]):
+            continue
+        linked.add(crate)
+        waiting += [
+            d["pkg"] for d in links[crate] if any(k["kind"] is None for k in d["dep_kinds"])
+        ]
+    for crate in sorted(linked - {root}):
+        package = packages[crate]
+        files = licence_files(Path(package["manifest_path"]).parent)
+        notices.add("crate", f"{package['name']}-{package['version']}", text_of(files))
+    add_rust(notices, Path(cargo).with_name("rustc"))
+
+
+def add_rust(notices, rustc):
+    """Of Rust's own library: Debian's, or that of rustup."""
+    libraries = Path(output_of(str(rustc), "--print", "target-libdir").strip())
+    owner = owners(f"{libraries}/libstd-*.rlib")
+    if owner:
+        notices.add_debian("crate", next(iter(owner.values())))
+        return
+    documents = Path(output_of(str(rustc), "--print", "sysroot").strip(), "share/doc/rust")
+    page = documents / "COPYRIGHT-library.html"
+    text = text_of([page] if page.exists() else licence_files(documents))
+    plain = html.unescape(re.sub(r"<[^>]*>", "", text)) if page.exists() else text
+    notices.add("crate", "rust-standard-library", plain)
+
+
+def problems(wheel):
+    """What the wheel has no licence of, or should not have at all."""
+    with zipfile.ZipFile(wheel) as archive:
+        sizes = {entry.filename: entry.file_size for entry in archive.infolist()}
+        folder = next(
+            (n.split("/")[0] for n in sizes if n.split("/")[0].endswith(".dist-info")), ""
+        )
+        notices = f"{folder}/licenses/{FOLDER}"
+        index = {}
+        if f"{notices}/INDEX.txt" in sizes:
+            for line in archive.read(f"{notices}/INDEX.txt").decode().splitlines():
+                what, _, file = line.split("\t")
+                index.setdefault(what, []).append(file)
+        declared = email.message_from_bytes(archive.read(f"{folder}/METADATA")).get_all(
+            "License-File", []
+        )
+    found = []
+    for name in sizes:
+        if ".so" in Path(name).name and name.split("/")[0].endswith(".libs"):
+            if name not in index:
+                found.append(f"{name}: no licence in the wheel")
+            if not LIBRARIES.match(Path(name).name):
+                found.append(f"{name}: not among the libraries that may come along")
+    for file in sorted({file for files in index.values() for file in files}):
+        if not sizes.get(f"{notices}/{file}"):
+            found.append(f"{notices}/{file}: missing or empty")
+        if f"{FOLDER}/{file}" not in declared:
+            found.append(f"{notices}/{file}: METADATA has no License-File of it")
+    if not index:
+        found.append(f"{notices}/INDEX.txt: missing, expected the licences of what is compiled in")
+    return [f"{wheel}: {problem}" for problem in found]
+
+
+def add(wheel, build):
+    notices = Notices()
+    with zipfile.ZipFile(wheel) as archive:
+        names = [n for n in archive.namelist() if n.split("/")[0].endswith(".libs") and ".so" in n]
+    add_libraries(notices, sorted(names))
+    add_headers(notices, build.resolve())
+    cargo = re.search(r"TAUT_CARGO:FILEPATH=(.*)", (build / "CMakeCache.txt").read_text()).group(1)
+    add_crates(notices, cargo)
+    with tempfile.TemporaryDirectory() as temporary:
+        subprocess.run([sys.executable, "-m", "wheel", "unpack", wheel, "--dest", temporary],
+                       check=True, stdout=subprocess.DEVNULL)  # fmt: skip
+        unpacked = next(Path(temporary).iterdir())
+        info = next(unpacked.glob("*.dist-info"))
+        files = {f"{name}.txt": text for name, text in notices.texts.items()}
+        files["INDEX.txt"] = "\n".join(notices.index) + "\n"
+        for name, text in files.items():
+            file = info / "licenses" / FOLDER / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+        metadata = info / "METADATA"
+        lines = "".join(f"License-File: {FOLDER}/{name}\n" for name in sorted(files))
+        head, _, rest = metadata.read_text(encoding="utf-8").partition("License-File: LICENSE\n")
+        metadata.write_text(f"{head}License-File: LICENSE\n{lines}{rest}", encoding="utf-8")
+        subprocess.run([sys.executable, "-m", "wheel", "pack", unpacked, "--dest-dir", temporary],
+                       check=True, stdout=subprocess.DEVNULL)  # fmt: skip
+        shutil.move(next(Path(temporary).glob("*.whl")), wheel)
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        print(__doc__, file=sys.stderr)
+        return 2
+    wheel = Path(sys.argv[1])
+    try:
+        if len(sys.argv) == 3:
+            add(wheel, Path(sys.argv[2]))
+    except MissingLicenceError as missing:
+        print(f"wheel_licences.py: {missing}", file=sys.stderr)
+        return 1
+    found = problems(wheel)
+    print("\n".join(found), end="\n" if found else "", file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
