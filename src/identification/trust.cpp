@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string>
 
+#include "net/rounded_length.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/units.hpp"
 
@@ -140,7 +141,7 @@ private:
         add(noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
             fmt::format("the noise told, {}, is contradicted: the survey shows {}, {:.2f} times "
                         "that, where chance gives 1 +- {:.2f}",
-                        format_length(told), found, noise.ratio, noise.std),
+                        rounded_length(told), found, noise.ratio, noise.std),
             noise.ratio > 1.0
                 ? "if the frame is right, and no target stands off the cables (--offset), " + again
                 : again);
