@@ -329,13 +329,13 @@ private:
                     fmt::format("{} ({:.3g} m)", m_net.node_id(point.nearest), point.distance));
             }
         }
-        if (!far.empty()) {
-            add(Verdict::passed,
-                fmt::format(
-                    "{} far from the {} named, and left out: {}",
-                    far.size() == 1 ? "a target lies" : fmt::format("{} targets lie", far.size()),
-                    far.size() == 1 ? "node that is" : "nodes that are", and_more(std::move(far))),
-                "are their names exchanged?");
+        if (const size_t count = far.size(); count > 0) {
+            add(Verdict::doubtful,
+                fmt::format("{} far from the {} named, and left out: {}",
+                            count == 1 ? "a target lies" : fmt::format("{} targets lie", count),
+                            count == 1 ? "node that is" : "nodes that are",
+                            and_more(std::move(far))),
+                "are their names right, and those of the others?");
         }
         if (!pairs.empty()) {
             add(Verdict::passed,
