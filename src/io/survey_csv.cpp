@@ -152,7 +152,7 @@ private:
 
 std::vector<SurveyPoint> parse_survey_points(std::string_view text, const std::string& file_name) {
     std::vector<SurveyPoint> points;
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     Layout layout;
     while (const auto record = reader.next()) {
         const PointParser parser(*record, file_name);
@@ -170,7 +170,7 @@ std::vector<SurveyPoint> parse_survey_points(std::string_view text, const std::s
 }
 
 std::vector<SurveyPoint> parse_pts_points(std::string_view text, const std::string& file_name) {
-    return read_pts(std::string(plain_text(text, file_name)), file_name).points;
+    return read_pts(std::string(table_text(text, file_name)), file_name).points;
 }
 
 std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path) {
