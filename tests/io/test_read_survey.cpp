@@ -302,8 +302,11 @@ TEST_F(IncompleteStd, OfOnePointIsRefusedWithItsLine) {
 TEST_F(IncompleteStd, TakesTheNoiseThatIsGivenAndSaysWhere) {
     const ReadSurveyOptions options{.noise_std = 1e-3};
     for (const char* const of_one : {",0.0005,0,0.0006", ",0,0,0", ",-,-,-"}) {
+        const bool is_own = std::string(of_one) != ",-,-,-";
         const Survey survey =
-            read(text("Name,X,Y,Z,sX,sY,sZ\n", ';', of_one, ""), "a.csv", options);
+            read(text(is_own ? "id,x,y,z,sx,sy,sz\n" : "Name,X,Y,Z,sX,sY,sZ\n", ',', of_one, ""),
+                 "a.csv", options);
+        EXPECT_EQ(!survey.notes.empty() && survey.notes.front().starts_with("read as"), !is_own);
         EXPECT_THAT(survey.warnings, Contains(HasSubstr("2 of 38 points give no standard "
                                                         "deviations above 0: --noise 1mm holds "
                                                         "for lines 9, 10")));
