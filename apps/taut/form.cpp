@@ -142,8 +142,7 @@ nlohmann::ordered_json to_json(const FormOptions& options, const CableNet& net, 
 
 void run(const FormOptions& options) {
     const CableNet designed = read_net(options.net).net;
-    const CableNet nominal = as_turned(options, designed);
-    const CableNet net = net_of(options, nominal);
+    const CableNet net = net_of(options, as_turned(options, designed));
     check_outputs({options.output, options.lengths}, {options.net, options.turned});
     const std::vector<std::string> warnings = unit_warnings(designed);
     warn(options.net, warnings);
@@ -154,7 +153,7 @@ void run(const FormOptions& options) {
         files.emplace_back(options.output, form_to_csv(net, found.form));
     }
     if (!options.lengths.empty()) {
-        files.emplace_back(options.lengths, lengths_to_csv(nominal, net));
+        files.emplace_back(options.lengths, lengths_to_csv(designed, net));
     }
     write_files(files);
     const double move = (found.form - net.nodes()).colwise().norm().maxCoeff();

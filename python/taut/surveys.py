@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 from collections.abc import Iterable, Mapping
 
@@ -43,24 +44,29 @@ def _of_table(table, ids):
         )
     positions = _of_columns({name: _column(table, name) for name in "xyz"})
     if ids is None and "id" in table:
-        ids = np.asarray(table["id"])
+        ids = table["id"]
+        if len(ids) == len(positions):
+            ids = np.asarray(ids)
     stds = {name: _column(table, name) for name in ("sx", "sy", "sz") if name in table}
     if 0 < len(stds) < 3:
         raise ValueError("source: has some of the columns sx, sy, sz, expected all or none")
     return positions, ids, _of_columns(stds) if stds else None
 
 
-def _names(ids):
-    """Names as text; a column of whole numbers that went through floats keeps none of the '.0'."""
+def _names(ids, count):
+    """Names as text; a column of whole numbers that went through floats keeps none of the '.0'.
+    No more are taken than there are points, and one."""
     if ids is None:
         return None
     if isinstance(ids, str) or not isinstance(ids, Iterable):
         raise TypeError(f"ids: got {type(ids).__name__}, expected a name of each point")
     names = []
-    for one in ids:
+    for one in itertools.islice(ids, count + 1):
         if isinstance(one, (float, np.floating)):
             one = "" if np.isnan(one) else int(one) if one == int(one) else one
         names.append("" if one is None else str(one))
+    if len(names) > count:
+        raise ValueError(f"ids: got more than {count} names, expected {count}")
     return names
 
 
@@ -171,6 +177,7 @@ def read_survey(
         positions, stds = source, None
     if stds is not None and noise is not None:
         raise ValueError("noise: is told by the columns sx, sy, sz of source, too: leave out one")
+    count = np.shape(positions)[0] if np.ndim(positions) else 0
     if stds is None:
-        noise, stds = _noise(noise, np.shape(positions)[0] if np.ndim(positions) else 0)
-    return _taut._survey_of_points(net, positions, _names(ids), stds, noise, told)
+        noise, stds = _noise(noise, count)
+    return _taut._survey_of_points(net, positions, _names(ids, count), stds, noise, told)

@@ -90,11 +90,17 @@ public:
     }
 
 private:
-    /// To a hundredth of a millimetre, where that is little of it: nobody reads more.
+    /// To a hundredth of a millimetre, or to two digits where that is much of it: nobody reads
+    /// more.
     static double rounded(double scale) {
-        constexpr double steps_a_millimetre = 100.0;
-        const double steps = std::round(1e3 * scale * steps_a_millimetre);
-        return steps > 10.0 ? steps / steps_a_millimetre / 1e3 : scale;  // as "4.89mm" is read
+        constexpr double finest = 1e9;
+        double steps_a_millimetre = 100.0;
+        const auto steps_of = [&] { return std::round(1e3 * scale * steps_a_millimetre); };
+        while (steps_of() <= 10.0 && steps_a_millimetre < finest) {
+            steps_a_millimetre *= 10.0;
+        }
+        const double steps = steps_of();
+        return steps > 0.0 ? steps / steps_a_millimetre / 1e3 : scale;  // as "4.89mm" is read
     }
 
     double m_outlier_std;

@@ -35,6 +35,9 @@ std::filesystem::path resolve_target(const std::filesystem::path& target) {
     if (!resolved.has_filename()) {
         throw OutputError(target, "has no file name");
     }
+    if (exists(status) && !platform::is_writable(resolved)) {
+        throw OutputError(target, "is read-only, expected a file that may be replaced");
+    }
     return resolved;
 }
 
@@ -106,13 +109,26 @@ AtomicFile::AtomicFile(const std::filesystem::path& target)
       m_state(std::make_unique<State>(directory_of(m_target))) {
     if (m_state->nameless.valid()) {
         m_temporary = m_state->nameless.path();
-        return;
+    } else {
+        m_temporary = make_beside(m_target, m_told, platform::make_new_file);
+        m_state->has_name = true;
     }
-    m_temporary = make_beside(m_target, m_told, platform::make_new_file);
-    m_state->has_name = true;
+    // While it is empty: what nobody else may read was never to be read.
+    std::error_code none;
+    if (exists(m_target, none)) {
+        if (const std::error_code error = platform::copy_access(m_target, m_temporary)) {
+            remove_temporary();
+            throw OutputError(target,
+                              "cannot be replaced with its access rights: " + error.message());
+        }
+    }
 }
 
 AtomicFile::~AtomicFile() {
+    remove_temporary();
+}
+
+void AtomicFile::remove_temporary() {
     if (m_state->has_name) {
         const auto lock = lock_output_places();
         std::error_code ignored;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "files/csv_field.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut {
@@ -146,7 +147,8 @@ std::optional<CsvRecord> CsvReader::next() {
             throw InputError(m_file_name, std::to_string(record.line),
                              fmt::format("has more than {} fields", most_fields));
         }
-        record.fields.push_back(m_rest.starts_with('"') ? quoted_field() : plain_field());
+        record.fields.push_back(
+            without_formula_guard(m_rest.starts_with('"') ? quoted_field() : plain_field()));
         if (record.fields.back().size() > longest_field) {
             throw InputError(m_file_name, std::to_string(record.line),
                              fmt::format("has a field of more than {} bytes", longest_field));

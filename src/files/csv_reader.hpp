@@ -19,7 +19,8 @@ struct CsvRecord {
 /// where it holds one, else a comma where it holds one, else any number of blanks and tabs. A comma
 /// inside each of several blank separated words ("A 1,5 2,5 3,5") is taken as a decimal sign.
 /// Leaves out empty lines and those that start with #. A field may stand in quotes, "" within them
-/// is a quote, and then hold separators and ends of lines. Ends of lines are LF or CR LF.
+/// is a quote, and then hold separators and ends of lines. Ends of lines are LF or CR LF. Of a name
+/// that csv_field() led by an apostrophe gives the name.
 class CsvReader {
 public:
     /// @param text without byte order mark; @param file_name for messages; both outlive the reader

@@ -48,6 +48,9 @@ bool has_checksums_alone(const Handle& properties) {
                H5Z_FILTER_FLETCHER32;
 }
 
+/// Of Fletcher's checksum, behind each piece.
+constexpr std::uint64_t checksum_size = 4;
+
 Handle open(const std::filesystem::path& path, const std::string& format) {
     const std::string name = path.string();
     static_cast<void>(open_file(path));  // throws in the system's words where it cannot be opened
@@ -196,11 +199,53 @@ Reader::Shape Reader::shape_of(const Handle& dataset, const std::string& name) c
     return {sizes.begin(), sizes.end()};
 }
 
+/// That each piece takes the room in the file that it must. HDF5 takes the size that is stored for
+/// granted, and reads and writes beyond its memory by a false one.
+void Reader::require_pieces(const Handle& dataset, const std::string& name,
+                            const Shape& shape) const {
+    const Handle properties(H5Dget_create_plist(dataset.get()), H5Pclose);
+    if (H5Pget_layout(properties.get()) != H5D_CHUNKED ||
+        std::ranges::find(shape, 0U) != shape.end()) {
+        return;
+    }
+    std::vector<hsize_t> piece(shape.size());
+    const Handle type(H5Dget_type(dataset.get()), H5Tclose);
+    std::uint64_t size = H5Tget_size(type.get());
+    if (H5Pget_chunk(properties.get(), static_cast<int>(piece.size()), piece.data()) !=
+        static_cast<int>(piece.size())) {
+        fail(name, "is stored in pieces of another rank than its shape");
+    }
+    for (const hsize_t along : piece) {
+        size = along == 0 || size > m_file_size / along ? m_file_size + 1 : size * along;
+    }
+    if (size > m_file_size) {
+        fail(name, fmt::format("is stored in pieces of {}, more than the file can hold", piece));
+    }
+    std::vector<hsize_t> corner(shape.size(), 0);
+    for (;;) {
+        hsize_t stored = 0;
+        if (H5Dget_chunk_storage_size(dataset.get(), corner.data(), &stored) < 0 ||
+            stored != size + checksum_size) {
+            fail(name, fmt::format("is damaged: the piece at {} takes {} bytes of the file, "
+                                   "expected {}",
+                                   corner, stored, size + checksum_size));
+        }
+        size_t k = shape.size();
+        while (k > 0 && (corner[k - 1] += piece[k - 1]) >= shape[k - 1]) {
+            corner[--k] = 0;
+        }
+        if (k == 0) {
+            return;
+        }
+    }
+}
+
 void Reader::require_shape(const Handle& dataset, const std::string& name,
                            const Shape& shape) const {
     if (const Shape found = shape_of(dataset, name); found != shape) {
         fail(name, fmt::format("has the shape {}, expected {}", found, shape));
     }
+    require_pieces(dataset, name, shape);
 }
 
 Eigen::Index Reader::row_count(const std::string& name, Eigen::Index columns) const {

@@ -13,9 +13,9 @@
 namespace taut::hdf5 {
 
 /// Reads what Writer wrote, and trusts nothing: an object is read only where it stands in the file
-/// itself, has the type and shape that were expected and is no larger than the file; and where the
-/// file has a digest, nothing is read unless it is that of the content. All members throw
-/// InputError naming the file and the object.
+/// itself, has the type and shape that were expected, is no larger than the file and is stored in
+/// pieces of the size that they must have; and where the file has a digest, nothing is read unless
+/// it is that of the content. All members throw InputError naming the file and the object.
 class Reader {
 public:
     /// @param format that the file should have, "taut-model": for messages
@@ -56,6 +56,7 @@ private:
     [[nodiscard]] Handle open_dataset(const std::string& name, H5T_class_t type_class) const;
     [[nodiscard]] Shape shape_of(const Handle& dataset, const std::string& name) const;
     void require_shape(const Handle& dataset, const std::string& name, const Shape& shape) const;
+    void require_pieces(const Handle& dataset, const std::string& name, const Shape& shape) const;
     void read(const Handle& dataset, const std::string& name, hid_t type, void* data) const;
     /// @param shape in the file, @param rows, cols of the result, which hold as many
     [[nodiscard]] Eigen::MatrixXd numbers(const std::string& name, const Shape& shape,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <string>
 
+#include "net/rounded_length.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/units.hpp"
 
@@ -140,7 +141,7 @@ private:
         add(noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
             fmt::format("the noise told, {}, is contradicted: the survey shows {}, {:.2f} times "
                         "that, where chance gives 1 +- {:.2f}",
-                        format_length(told), found, noise.ratio, noise.std),
+                        rounded_length(told), found, noise.ratio, noise.std),
             noise.ratio > 1.0
                 ? "if the frame is right, and no target stands off the cables (--offset), " + again
                 : again);
@@ -328,13 +329,13 @@ private:
                     fmt::format("{} ({:.3g} m)", m_net.node_id(point.nearest), point.distance));
             }
         }
-        if (!far.empty()) {
-            add(Verdict::passed,
-                fmt::format(
-                    "{} far from the {} named, and left out: {}",
-                    far.size() == 1 ? "a target lies" : fmt::format("{} targets lie", far.size()),
-                    far.size() == 1 ? "node that is" : "nodes that are", and_more(std::move(far))),
-                "are their names exchanged?");
+        if (const size_t count = far.size(); count > 0) {
+            add(Verdict::doubtful,
+                fmt::format("{} far from the {} named, and left out: {}",
+                            count == 1 ? "a target lies" : fmt::format("{} targets lie", count),
+                            count == 1 ? "node that is" : "nodes that are",
+                            and_more(std::move(far))),
+                "are their names right, and those of the others?");
         }
         if (!pairs.empty()) {
             add(Verdict::passed,

@@ -24,7 +24,7 @@ void support_named(ImportedStructure& structure, std::string_view text,
     for (ImportedNode& node : structure.nodes) {
         node_of.emplace(node.id, &node);
     }
-    text = plain_text(text, file_name);
+    text = table_text(text, file_name);
     bool any = false;
     for (int line = 1; !text.empty(); ++line) {
         const size_t end = std::min(text.find('\n'), text.size());

@@ -22,7 +22,7 @@ public:
     /// @param leading names of the first columns, whatever the header calls them
     Table(std::string_view text, const std::string& file_name, std::vector<std::string> leading)
         : m_file_name(file_name),
-          m_reader(plain_text(text, file_name), file_name),
+          m_reader(table_text(text, file_name), file_name),
           m_names(std::move(leading)) {
         const size_t least = m_names.size();
         next(least);

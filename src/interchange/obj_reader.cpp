@@ -89,7 +89,7 @@ private:
 }  // namespace
 
 ImportedStructure parse_obj(std::string_view text, const std::string& file_name) {
-    return ObjReader(file_name).read(plain_text(text, file_name));
+    return ObjReader(file_name).read(table_text(text, file_name));
 }
 
 }  // namespace taut

@@ -16,6 +16,7 @@
 
 #include "files/message.hpp"
 #include "files/parse_number.hpp"
+#include "files/plain_text.hpp"
 #include "interchange/polygon_triangles.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/files/printable.hpp"
@@ -64,7 +65,11 @@ public:
         : m_rest(content), m_file_name(std::move(file_name)) {}
 
     PlyContent read() {
+        const std::string_view whole = m_rest;
         read_header();
+        if (m_is_text) {
+            require_last_line_break(whole, m_file_name);
+        }
         for (const PlyElement& element : m_elements) {
             read_element(element);
         }

@@ -35,7 +35,7 @@ double number_in(const CsvRecord& record, size_t column, const char* name,
 }  // namespace
 
 StressStrain parse_stress_strain(std::string_view text, const std::string& file_name) {
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     const auto head = reader.next();
     if (!head || head->fields != std::vector<std::string>{"strain", "stress"}) {
         throw InputError(file_name, head ? std::to_string(head->line) : "",

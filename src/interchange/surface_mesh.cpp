@@ -51,7 +51,7 @@ bool is_surface_mesh_name(const std::filesystem::path& path) {
 SurfaceMesh parse_surface_mesh(std::string_view content, const std::string& file_name) {
     const bool is_ply = content.starts_with("ply\n") || content.starts_with("ply\r\n");
     const PlyContent read = is_ply ? read_ply(content, file_name)
-                                   : read_obj_faces(plain_text(content, file_name), file_name);
+                                   : read_obj_faces(table_text(content, file_name), file_name);
     if (read.faces.empty()) {
         throw InputError(
             file_name, "",

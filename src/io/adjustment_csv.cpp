@@ -37,7 +37,7 @@ std::array<double, N> numbers_in(const CsvRecord& record, const std::string& fil
 /// The records of a table behind its header, if it has one.
 std::vector<CsvRecord> records_of(std::string_view text, const std::string& file_name,
                                   const std::vector<std::string>& header) {
-    const std::string plain(plain_text(text, file_name));
+    const std::string plain(table_text(text, file_name));
     CsvReader reader(plain, file_name);
     std::vector<CsvRecord> records;
     bool is_first = true;

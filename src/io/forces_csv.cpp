@@ -34,7 +34,7 @@ double force_in(const EdgeColumn& edges, const CsvRecord& record, size_t column,
 std::vector<ForceReading> parse_force_readings(const CableNet& net, std::string_view text,
                                                const std::string& file_name,
                                                const ForceFormat& format) {
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     EdgeColumn edges(net, file_name);
     std::vector<ForceReading> readings;
     size_t columns = 0;
@@ -88,7 +88,7 @@ std::vector<ForceReading> parse_force_readings(const CableNet& net, std::string_
 
 std::vector<int> parse_edge_list(const CableNet& net, std::string_view text,
                                  const std::string& file_name) {
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     EdgeColumn edges(net, file_name);
     std::vector<int> result;
     bool is_first = true;

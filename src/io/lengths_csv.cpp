@@ -62,7 +62,7 @@ std::string lengths_to_csv(const CableNet& nominal, const CableNet& built) {
 
 Eigen::VectorXd parse_lengths(const CableNet& nominal, std::string_view text,
                               const std::string& file_name) {
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     const auto head = reader.next();
     if (!head || head->fields != columns) {
         throw InputError(file_name, head ? std::to_string(head->line) : "",

@@ -305,7 +305,7 @@ bool is_polar_csv(std::string_view text) {
 
 PolarSurvey parse_polar_csv(std::string_view text, const std::string& file_name,
                             std::optional<double> told_unit) {
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     const auto first = reader.next();
     if (!first) {
         throw InputError(file_name, "",

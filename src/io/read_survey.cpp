@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "io/survey_file.hpp"
+#include "net/rounded_length.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "survey/misfit_hint.hpp"
 #include "survey/point_names.hpp"
@@ -126,31 +127,70 @@ struct RoundedNoise {
     double rounding_std = 0.0;  ///< 0 where it adds nothing [m]
 };
 
-/// Points that tell standard deviations of 0, where a noise was told beside the file, tell none; of
-/// one that tells some, the others hold.
-void take_told_noise(const ReadSurveyOptions& options, SurveyFile& found) {
-    if (options.noise_std.value_or(0.0) == 0.0) {
+bool has_whole_std(const SurveyPoint& point) {
+    return point.noise_std && (point.noise_std->array() > 0.0).all();
+}
+
+/// "line 7", "lines 7, 9 and 3 more".
+std::string lines_text(const std::vector<SurveyPoint*>& points) {
+    constexpr size_t shown = 6;
+    std::string text = points.size() == 1 ? "line" : "lines";
+    for (size_t i = 0; i < std::min(shown, points.size()); ++i) {
+        text += fmt::format("{} {}", i == 0 ? "" : ",", points[i]->line);
+    }
+    return points.size() <= shown ? text
+                                  : fmt::format("{} and {} more", text, points.size() - shown);
+}
+
+/// Where some points have standard deviations, one without, or with one of 0, was cut or mistyped,
+/// and would count as exact. It takes the noise that was given beside the file. Where no point has
+/// any above 0, they are as good as none.
+/// @throws SurveyError with the first line, where no noise was given
+void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
+    const double noise_std = options.noise_std.value_or(0.0);
+    const bool has_any = std::ranges::any_of(found.points, [](const SurveyPoint& point) {
+        return point.noise_std && point.noise_std->maxCoeff() > 0.0;
+    });
+    std::vector<SurveyPoint*> without;
+    for (SurveyPoint& point : found.points) {
+        const bool is_known = found.has_known_points && noise_std == 0.0 && point.noise_std &&
+                              point.noise_std->isZero(0.0);
+        if (!has_whole_std(point) && (has_any || point.noise_std) && !is_known) {
+            without.push_back(&point);
+        }
+    }
+    if (without.empty() || (!has_any && noise_std == 0.0)) {
         return;
     }
-    int count = 0;
-    for (SurveyPoint& point : found.points) {
-        if (!point.noise_std || (point.noise_std->array() != 0.0).all()) {
-            continue;
+    if (noise_std == 0.0) {
+        const int first = without.front()->line;
+        const std::string others =
+            without.size() == 1 ? "" : fmt::format(" ({} in all)", lines_text(without));
+        throw SurveyError(
+            first, fmt::format("gives no standard deviations above 0{}, as {} of {} points do: "
+                               "expected sx, sy, sz of every point, or --noise for those without",
+                               others, found.points.size() - without.size(), found.points.size()));
+    }
+    for (SurveyPoint* const point : without) {
+        if (point->noise_std) {
+            point->noise_std = point->noise_std->unaryExpr(
+                [&](double std) { return std == 0.0 ? noise_std : std; });
         }
-        ++count;
-        if (point.noise_std->isZero(0.0)) {
-            point.noise_std.reset();
-        } else {
-            for (double& std : *point.noise_std) {
-                std = std == 0.0 ? *options.noise_std : std;
-            }
+        if (!has_any) {
+            point->noise_std.reset();
         }
     }
-    if (count > 0) {
+    const std::string noise = format_length(noise_std);
+    if (has_any) {
+        found.warnings.push_back(
+            fmt::format("{} of {} points give no standard deviations above 0: --noise {} holds for "
+                        "{}",
+                        without.size(), found.points.size(), noise, lines_text(without)));
+    } else {
         found.notes.push_back(
             fmt::format("{} points tell standard deviations of 0, which no survey has: --noise {} "
                         "holds for them",
-                        count, format_length(*options.noise_std)));
+                        without.size(), noise));
     }
 }
 
@@ -195,7 +235,7 @@ RoundedNoise with_rounding(const CableNet& net, const ReadSurveyOptions& options
         found.notes.push_back(
             fmt::format("coordinates are given to {}, which adds {:.2g} mm to their noise: {} "
                         "becomes {:.3g} mm",
-                        step, 1e3 * rounding, format_length(before), 1e3 * after));
+                        step, 1e3 * rounding, rounded_length(before), 1e3 * after));
     }
     return result;
 }
@@ -214,7 +254,7 @@ std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& contr
 /// @param file for messages
 Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesystem::path& file,
                     const ReadSurveyOptions& options) {
-    take_told_noise(options, found);
+    with_points_of(file, [&] { complete_std(options, found); });
     const std::vector<SurveyPoint> as_read = found.points;
     const RoundedNoise noise = with_rounding(net, options, found);
     bool frame_is_fitted = true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/survey_file.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
@@ -23,19 +23,26 @@
 namespace taut {
 namespace {
 
-/// Whether the first line is text, and not the header of taut's own CSV: an error of such a file is
-/// told in the words of a foreign table.
-/// Whether the header is that of taut's own CSV with correlations.
-bool tells_correlations(const std::string& text, const std::string& file_name) {
+/// Whether the header is that of taut's own CSV, as taut writes it. What its reader refuses is then
+/// not for one that leaves out lines, averages points of one name and guesses the unit.
+bool has_own_header(const std::string& text, const std::string& file_name) {
     try {
         CsvReader reader(plain_text(text, file_name), file_name);
         const auto first = reader.next();
-        return first && std::ranges::find(first->fields, "rxy") != first->fields.end();
+        if (!first) {
+            return false;
+        }
+        const std::string header = fmt::format("{}", fmt::join(first->fields, ","));
+        const bool has_commas = text.find(header) != std::string::npos;
+        return std::ranges::find(first->fields, "rxy") != first->fields.end() ||
+               (has_commas && (header == "id,x,y,z" || header == "id,x,y,z,sx,sy,sz"));
     } catch (const InputError&) {
         return false;
     }
 }
 
+/// Whether the first line is text, and not the header of taut's own CSV: an error of such a file is
+/// told in the words of a foreign table.
 bool starts_with_foreign_header(const std::string& text, const std::string& file_name) {
     try {
         CsvReader reader(plain_text(text, file_name), file_name);
@@ -110,7 +117,9 @@ SurveyFile from_foreign(const CableNet& net, ForeignSurvey survey, const std::st
         add_left_out(survey.left_out, file.notes);
         return file;
     }
-    SurveyFile file{.points = std::move(survey.points), .warnings = std::move(survey.guesses)};
+    SurveyFile file{.points = std::move(survey.points),
+                    .warnings = std::move(survey.guesses),
+                    .has_known_points = survey.has_known_points};
     double unit = options.unit.value_or(survey.unit.value_or(0.0));
     file.notes.push_back(fmt::format("read as {}, {}", survey.format,
                                      options.unit ? fmt::format("in {} as told", unit_text(unit))
@@ -159,8 +168,8 @@ SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& pa
             own_error = std::current_exception();
         }
     }
-    if (own_error && tells_correlations(text, name)) {
-        std::rethrow_exception(own_error);  // no other table has such columns
+    if (own_error && has_own_header(text, name)) {
+        std::rethrow_exception(own_error);
     }
     std::optional<ForeignSurvey> survey;
     try {

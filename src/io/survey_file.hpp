@@ -18,6 +18,7 @@ struct SurveyFile {
     bool is_own = false;                ///< whether it is taut's own CSV, to be kept to strictly
     std::string unit_hint;              ///< what to tell where the survey does not fit the net
     double unit = 1.0;                  ///< that its numbers were taken in [m]
+    bool has_known_points = false;      ///< as ForeignSurvey has them
     bool is_of_readings = false;        ///< of angles and distances, not of coordinates
     double scale_std = 0.0;  ///< common to all points, of readings from several stations [-]
     double rounding = 0.0;   ///< the step to which coordinates are written; 0: as doubles are [m]

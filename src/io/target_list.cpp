@@ -12,7 +12,7 @@ namespace taut {
 
 std::optional<std::vector<PlannedTarget>> parse_target_list(std::string_view text,
                                                             const std::string& file_name) {
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     std::vector<PlannedTarget> targets;
     while (auto record = reader.next()) {
         if (record->fields.size() != 1) {

@@ -16,7 +16,7 @@ namespace taut {
 
 std::map<std::string, TargetOffset> parse_target_offsets(std::string_view text,
                                                          const std::string& file_name) {
-    CsvReader reader(plain_text(text, file_name), file_name);
+    CsvReader reader(table_text(text, file_name), file_name);
     std::map<std::string, TargetOffset> offsets;
     size_t columns = 0;
     while (const auto record = reader.next()) {

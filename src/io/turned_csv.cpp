@@ -148,7 +148,7 @@ private:
 
 std::vector<EdgeTurned> parse_turned(const CableNet& net, std::string_view text,
                                      const std::string& file_name) {
-    const std::string plain(plain_text(text, file_name));
+    const std::string plain(table_text(text, file_name));
     return TurnedReader(net, file_name).read(plain);
 }
 

@@ -31,6 +31,16 @@ TAUT_CORE_EXPORT void prefer_large_pages(void* memory, std::size_t bytes);
 /// @return std::errc::file_exists, say, where it cannot
 [[nodiscard]] TAUT_CORE_EXPORT std::error_code make_new_file(const std::filesystem::path& path);
 
+/// Whether a file may be written to, by its mode: of a mode without any write bit the superuser may
+/// not either, although the system would let him.
+[[nodiscard]] TAUT_CORE_EXPORT bool is_writable(const std::filesystem::path& path);
+
+/// Gives a file the access rights of another: its mode, and where the system allows that, its
+/// owner, its group and its access control list. Where the group cannot be kept, its rights become
+/// those of all others, where these are less.
+[[nodiscard]] TAUT_CORE_EXPORT std::error_code copy_access(const std::filesystem::path& from,
+                                                           const std::filesystem::path& to);
+
 /// A file that stands in a directory's file system, but under no name until it is given one: a
 /// process that ends leaves nothing of it behind.
 class TAUT_CORE_EXPORT NamelessFile {

@@ -3,12 +3,17 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
+#if defined(__linux__)
+#include <sys/xattr.h>
+#endif
 
 #include <cerrno>
 #include <csignal>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "platform/platform.hpp"
 
@@ -28,6 +33,30 @@ std::error_code flush(const std::filesystem::path& path, int flags) {
     close(file);
     return error;
 }
+
+#if defined(__linux__)
+/// The access control list of a file, or none, as that of another. A file system that knows no such
+/// lists gives none of either.
+std::error_code copy_access_list(const char* from, const char* to) {
+    constexpr const char* name = "system.posix_acl_access";
+    const ssize_t size = getxattr(from, name, nullptr, 0);
+    if (size <= 0) {
+        // A new file takes over a list of its directory, which may let in more.
+        removexattr(to, name);
+        return {};
+    }
+    std::vector<char> list(static_cast<size_t>(size));
+    const ssize_t read = getxattr(from, name, list.data(), list.size());
+    if (read < 0 || setxattr(to, name, list.data(), static_cast<size_t>(read), 0) != 0) {
+        return last_error();
+    }
+    return {};
+}
+#else
+std::error_code copy_access_list(const char* /*from*/, const char* /*to*/) {
+    return {};
+}
+#endif
 
 }  // namespace
 
@@ -77,6 +106,36 @@ std::error_code make_new_file(const std::filesystem::path& path) {
     return {};
 }
 
+bool is_writable(const std::filesystem::path& path) {
+    struct stat status{};
+    return stat(path.c_str(), &status) == 0 &&
+           (status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) != 0 && access(path.c_str(), W_OK) == 0;
+}
+
+std::error_code copy_access(const std::filesystem::path& from, const std::filesystem::path& to) {
+    struct stat wanted{};
+    struct stat found{};
+    if (stat(from.c_str(), &wanted) != 0 || stat(to.c_str(), &found) != 0) {
+        return last_error();
+    }
+    mode_t mode = wanted.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+    const bool has_owner = wanted.st_uid == found.st_uid && wanted.st_gid == found.st_gid;
+    if (!has_owner && chown(to.c_str(), wanted.st_uid, wanted.st_gid) != 0 &&
+        wanted.st_gid != found.st_gid &&
+        chown(to.c_str(), static_cast<uid_t>(-1), wanted.st_gid) != 0) {
+        const mode_t of_others = (mode & S_IRWXO) << 3U;
+        mode &= ~static_cast<mode_t>(S_IRWXG) | of_others;
+        return chmod(to.c_str(), mode) == 0 ? std::error_code() : last_error();
+    }
+    if (const std::error_code error = copy_access_list(from.c_str(), to.c_str())) {
+        return error;
+    }
+    if (stat(to.c_str(), &found) == 0 && (found.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO)) == mode) {
+        return {};  // some file systems have one mode for all, and refuse to set it
+    }
+    return chmod(to.c_str(), mode) == 0 ? std::error_code() : last_error();
+}
+
 #ifdef O_TMPFILE
 NamelessFile::NamelessFile(const std::filesystem::path& directory)
     : m_descriptor(open(directory.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666)) {
@@ -106,7 +165,7 @@ std::error_code NamelessFile::give_name(const std::filesystem::path& name) const
 }
 
 std::error_code flush_file(const std::filesystem::path& path) {
-    return flush(path, O_RDWR);
+    return flush(path, O_WRONLY);
 }
 
 std::error_code flush_directory(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "net/rounded_length.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "taut/net/units.hpp"
 #include "taut/survey/survey.hpp"
@@ -23,7 +24,7 @@ std::string question(double noise_std) {
     constexpr double smallest_meant = 1e-5;
     const double meant = 1e-3 * noise_std;
     return meant >= smallest_meant ? fmt::format("is {} meant? A number without unit is in metres",
-                                                 format_length(meant))
+                                                 rounded_length(meant))
                                    : "is that meant?";
 }
 
@@ -35,7 +36,7 @@ std::vector<std::string> noise_warnings(const CableNet& net, double noise_std) {
         return {};
     }
     return {fmt::format("noise of {} on edges of {:.4g} mm in the mean: {}",
-                        format_length(noise_std), 1e3 * length, question(noise_std))};
+                        rounded_length(noise_std), 1e3 * length, question(noise_std))};
 }
 
 void refuse_absurd_noise(const CableNet& net, double noise_std) {
@@ -43,7 +44,7 @@ void refuse_absurd_noise(const CableNet& net, double noise_std) {
     if (noise_std > length) {
         throw SurveyError(
             0, fmt::format("noise of {}, expected less than the mean edge length, {:.4g} mm: {}",
-                           format_length(noise_std), 1e3 * length, question(noise_std)));
+                           rounded_length(noise_std), 1e3 * length, question(noise_std)));
     }
 }
 

@@ -4,6 +4,7 @@
 // Guards the way from a first survey over turns to a second one on the command line: that both are
 // used, that what was turned is kept for all who read the result, and one line for what cannot be
 // meant.
+#include <algorithm>
 #include <cmath>
 
 #include "app/program.hpp"
@@ -69,6 +70,36 @@ TEST_F(EpochCommand, LeadsToAPlanOfWhatIsLeft) {
                 designed["unstressed_lengths"][edge].get<double>() + turned["stroke"].get<double>(),
                 1e-9);
     must_run({"report", "both.json", "-o", "both.html"});
+}
+
+TEST_F(EpochCommand, HasTheEdgesThatWereTurnedInTheTruth) {
+    must_run({"form", "net.json", "--law", "uniform:3mm", "--seed", "7", "--turned", "turns.csv",
+              "--lengths", "turned_truth.csv", "-o", "form.csv"});
+    const std::string before = read("truth.csv");
+    const std::string after = read("turned_truth.csv");
+    ASSERT_TRUE(after.starts_with(before));
+    const json plan = json::parse(read("plan.json"));
+    EXPECT_EQ(std::ranges::count(after.substr(before.size()), '\n'), plan["touched"].get<int>());
+    must_run({"export", "net.json", "form.csv", "--lengths", "turned_truth.csv", "--to", "csv",
+              "-o", "nodes.csv"});
+}
+
+TEST_F(EpochCommand, ShowsWidthsOfAFewDigits) {
+    ASSERT_EQ(identify("second.csv:turns.csv").exit_code, 0);
+    std::string turned = "edge,stroke,std\n";
+    for (const json& one : json::parse(read("both.json"))["turned"]) {
+        turned += one["id"].get<std::string>() + "," + one["stroke"].dump() + ",0.000123456789\n";
+    }
+    write("turned.csv", turned);
+    ASSERT_EQ(identify("second.csv:turned.csv").exit_code, 0);
+    const json result = json::parse(read("both.json"));
+    int widths = 0;
+    for (const json& unknown : result["unknowns"]) {
+        const auto told = unknown["told"].get<std::string>();
+        widths += told.starts_with("adjustable:") ? 1 : 0;
+        EXPECT_EQ(told, "adjustable:0.13mm");
+    }
+    EXPECT_GT(widths, 0);
 }
 
 TEST_F(EpochCommand, TellsInOneLineWhatCannotBeMeant) {

@@ -45,6 +45,19 @@ TEST_F(WorstCase, ComesOutWithAllCulpritsNamed) {
                 AllOf(HasSubstr("names of targets are swapped"), HasSubstr("30 and 41")));
 }
 
+TEST_F(WorstCase, IsNotPassedWhereATargetLiesFarFromItsNode) {
+    survey({"--noise", "0.5mm"});
+    std::string text = read("survey.csv");
+    const size_t start = text.find("\n17,") + 4;
+    text.insert(start, "1");  // 10 m and more off along x
+    write("survey.csv", text);
+    const json result = identify("survey.csv").result;
+    ASSERT_EQ(result["survey"]["unmatched"].size(), 1U);
+    EXPECT_EQ(result["trust"]["verdict"], "doubtful");
+    EXPECT_THAT(result["trust"].dump(),
+                HasSubstr("a target lies far from the node that is named, and left out: 17 ("));
+}
+
 TEST_F(WorstCase, NamesSwappedTargetsThatAreFarApart) {
     survey({"--noise", "0.5mm"});
     std::string text = read("survey.csv");

@@ -157,6 +157,55 @@ TEST(AtomicFile, GivesANewFileTheModeThatAnyNewFileGets) {
     EXPECT_EQ(ours.st_mode, any.st_mode);
 }
 
+mode_t mode_of(const std::filesystem::path& path) {
+    struct stat status{};
+    EXPECT_EQ(stat(path.c_str(), &status), 0);
+    return status.st_mode & 07777U;
+}
+
+TEST(AtomicFile, KeepsTheModeOfWhatItReplacesWhileItIsWrittenToo) {
+    const ScratchDirectory scratch;
+    std::filesystem::create_symlink("out", scratch / "link");
+    for (const mode_t mode : {0600U, 0640U, 0664U, 0755U, 0200U}) {
+        put_bytes(scratch / "out", "before");
+        ASSERT_EQ(chmod((scratch / "out").c_str(), mode), 0);
+        AtomicFile file(scratch / "link");
+        EXPECT_EQ(mode_of(file.temporary()), mode);
+        put_bytes(file.temporary(), "after");
+        file.commit();
+        EXPECT_EQ(mode_of(scratch / "out"), mode);
+        EXPECT_EQ(bytes_of(scratch / "out"), "after");
+        std::filesystem::remove(scratch / "out");
+    }
+}
+
+TEST(AtomicFile, KeepsOwnerAndGroupWhereItMay) {
+    if (getuid() != 0) {
+        GTEST_SKIP() << "only the superuser gives files away";
+    }
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "out", "before");
+    ASSERT_EQ(chown((scratch / "out").c_str(), 1234, 2345), 0);
+    write_file(scratch / "out", "after");
+    struct stat status{};
+    ASSERT_EQ(stat((scratch / "out").c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 1234U);
+    EXPECT_EQ(status.st_gid, 2345U);
+}
+
+TEST(AtomicFile, RefusesWhatIsReadOnlyEvenForTheSuperuser) {
+    const ScratchDirectory scratch;
+    put_bytes(scratch / "out", "before");
+    ASSERT_EQ(chmod((scratch / "out").c_str(), 0444), 0);
+    EXPECT_EQ(output_error_of([&] { write_file(scratch / "out", "after"); }),
+              (scratch / "out").string() + ": is read-only, expected a file that may be replaced");
+    EXPECT_EQ(
+        output_error_of([&] { write_files({{scratch / "new", "a"}, {scratch / "out", "after"}}); }),
+        (scratch / "out").string() + ": is read-only, expected a file that may be replaced");
+    EXPECT_EQ(bytes_of(scratch / "out"), "before");
+    EXPECT_THAT(scratch.files(), ElementsAre("out"));
+}
+
 TEST(AtomicFile, KeepsASymbolicLinkAndReplacesWhatItLeadsTo) {
     const ScratchDirectory scratch;
     std::filesystem::create_directory(scratch / "store");

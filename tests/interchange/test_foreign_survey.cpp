@@ -345,7 +345,7 @@ INSTANTIATE_TEST_SUITE_P(
     Text, BadForeignSurvey,
     testing::Values(
         BadText{"Empty", "", "a.csv: holds no point"},
-        BadText{"CutLine", "Name;X;Y;Z\nA;1;2;3\nB;1;2",
+        BadText{"ShortLine", "Name;X;Y;Z\nA;1;2;3\nB;1;2\n",
                 "a.csv:3: has 3 fields, expected id, x, y, z: is the file whole?"},
         BadText{"NotANumber", "Name;X;Y;Z\nA;1;2;3\nB;1;2;3m\n",
                 "a.csv:3: z is '3m', expected a finite number"},

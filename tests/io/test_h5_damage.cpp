@@ -6,8 +6,11 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdint>
+#include <cstring>
 #include <random>
 
+#include "files/digest.hpp"
 #include "support/errors.hpp"
 #include "support/examples.hpp"
 #include "support/scratch.hpp"
@@ -101,6 +104,28 @@ TEST_F(DamagedH5, GivesAnErrorWhereverItsStructureIsChanged) {
         refused += reads_data_set(bytes) ? 0 : 1;
     }
     EXPECT_GT(refused, 100);
+}
+
+TEST_F(DamagedH5, IsRefusedWhereAPieceHasAnotherSizeThanItMustHave) {
+    // A node of the B-tree of pieces begins with TREE, type 1 and level 0; behind the number of its
+    // entries and two siblings stands the size of the first piece (HDF5 file format, III.A.1.).
+    constexpr size_t size_at = 24;
+    const std::string data = test::bytes_of(m_data);
+    const std::string content = data.substr(0, data.rfind("\ndigest "));
+    const std::string start("TREE\1\0", 6);
+    int count = 0;
+    for (size_t node = content.find(start); node != std::string::npos;
+         node = content.find(start, node + 1), ++count) {
+        for (const std::uint32_t size : {1U, 3U, 4U, 5U, 0xFFU, 0xFFFFFFFFU}) {
+            std::string bytes = content;
+            std::memcpy(bytes.data() + node + size_at, &size, sizeof size);
+            test::put_bytes(m_damaged, bytes + digest_line(bytes));
+            EXPECT_THAT(input_error_of([&] { return read_data_set(m_damaged); }),
+                        HasSubstr("is damaged: the piece at [0"))
+                << size;
+        }
+    }
+    EXPECT_GT(count, 3);
 }
 
 TEST_F(DamagedH5, IsToldApartFromFilesThatAreNoHdf5) {

@@ -233,6 +233,102 @@ TEST_F(ReadSurvey, TellsErrorsOfItsOwnFormatInItsOwnWords) {
               "a.csv:3: has 3 fields, expected id, x, y, z: is the file whole?");
 }
 
+TEST_F(ReadSurvey, LeavesNothingThatItsOwnReaderRefusedToThatOfForeignTables) {
+    const std::string header = "id,x,y,z\n";
+    const auto nominal = [](int node, double x, double y, double z) {
+        return fmt::format("{},{},{},{}", node, x, y, z);
+    };
+    for (const char* const row : {"no coordinates here\n", "7,1,,\n", "7,,,\n", "7\n"}) {
+        EXPECT_THAT(refusal(table(header, nominal) + row, "a.csv"),
+                    HasSubstr(fmt::format("a.csv:{}: ", 2 + m_net.node_count())))
+            << row;
+    }
+    // A name of two words, which would be read as one and a coordinate.
+    EXPECT_THAT(refusal(table("id x y z\n",
+                              [](int node, double x, double y, double z) {
+                                  return fmt::format("{}{} {} {} {}", node == 3 ? "A " : "", node,
+                                                     x, y, z);
+                              }),
+                        "a.csv"),
+                HasSubstr("a.csv:5: has 5 fields, expected 4"));
+}
+
+TEST_F(ReadSurvey, ShowsANoiseThatWasComputedToAFewDigits) {
+    const std::string text = table("", [](int node, double x, double y, double z) {
+        constexpr const char* std = ",0.000512345678901,0.000512345678901,0.000512345678901";
+        return fmt::format("{},{:.3f},{:.3f},{:.3f}{}", node, x, y, z + 0.00123, std);
+    });
+    EXPECT_THAT(read(text, "a.csv").notes, Contains(HasSubstr(": 0.5123mm becomes ")));
+}
+
+class IncompleteStd : public ReadSurvey {
+protected:
+    /// A table with standard deviations, but for what stands behind the coordinates of node 7.
+    std::string text(const std::string& header, char separator, const std::string& of_seventh,
+                     const std::string& of_eighth) const {
+        std::string all = table(header, [&](int node, double x, double y, double z) {
+            const std::string std = node == 7   ? of_seventh
+                                    : node == 8 ? of_eighth
+                                                : ",0.0005,0.0005,0.0006";
+            return fmt::format("{},{:.4f},{:.4f},{:.4f}{}", node, x, y, z + 0.00123 * (node % 3),
+                               std);
+        });
+        std::ranges::replace(all, ',', separator);
+        return all;
+    }
+};
+
+TEST_F(IncompleteStd, OfOnePointIsRefusedWithItsLine) {
+    const std::string whole = ",0.0005,0.0005,0.0006";
+    for (const char* const of_one : {"", ",0.0005", ",0.0005,0,0.0006", ",0,0,0", ",-,-,-",
+                                     ",0.0005,,0.0006", ",0.0005,0.0005"}) {
+        for (const char separator : {',', ';', ' '}) {
+            if (separator == ' ' && std::string(of_one).find(",,") != std::string::npos) {
+                continue;
+            }
+            for (const char* const header : {"", "id,x,y,z,sx,sy,sz\n", "Name,X,Y,Z,sX,sY,sZ\n"}) {
+                SCOPED_TRACE(std::string(header) + of_one + separator);
+                const int line = 8 + (*header == '\0' ? 0 : 1);
+                EXPECT_THAT(refusal(text(header, separator, of_one, whole), "a.csv"),
+                            HasSubstr(fmt::format("a.csv:{}: ", line)));
+            }
+        }
+    }
+    EXPECT_THAT(refusal(text("", ',', ",0.0005,0,0.0006", ",0,0,0"), "a.csv"),
+                HasSubstr("a.csv:8: gives no standard deviations above 0 (lines 8, 9 in all), as"));
+    EXPECT_THAT(read(text("", ',', whole, whole), "a.csv").warnings, IsEmpty());
+}
+
+TEST_F(IncompleteStd, TakesTheNoiseThatIsGivenAndSaysWhere) {
+    const ReadSurveyOptions options{.noise_std = 1e-3};
+    for (const char* const of_one : {",0.0005,0,0.0006", ",0,0,0", ",-,-,-"}) {
+        const bool is_own = std::string(of_one) != ",-,-,-";
+        const Survey survey =
+            read(text(is_own ? "id,x,y,z,sx,sy,sz\n" : "Name,X,Y,Z,sX,sY,sZ\n", ',', of_one, ""),
+                 "a.csv", options);
+        EXPECT_EQ(!survey.notes.empty() && survey.notes.front().starts_with("read as"), !is_own);
+        EXPECT_THAT(survey.warnings, Contains(HasSubstr("2 of 38 points give no standard "
+                                                        "deviations above 0: --noise 1mm holds "
+                                                        "for lines 9, 10")));
+        for (const int node : survey.surveyed) {
+            EXPECT_NEAR(survey.noise_std(1, node), node == 7 || node == 8 ? 1e-3 : 0.5e-3, 1e-5);
+        }
+    }
+}
+
+TEST_F(IncompleteStd, IsRefusedInAnArrayToo) {
+    std::vector<SurveyPoint> points;
+    for (const int node : m_net.free_nodes()) {
+        points.push_back({.id = m_net.node_id(node),
+                          .position = m_net.nodes().col(node),
+                          .line = static_cast<int>(points.size()) + 1,
+                          .noise_std = Eigen::Vector3d::Constant(1e-3)});
+    }
+    points[2].noise_std->z() = 0.0;
+    EXPECT_THAT(input_error_of([&] { return read_survey(m_net, points); }),
+                HasSubstr("points:3: gives no standard deviations above 0"));
+}
+
 // Points of a table, an array or another program's memory: the same rules as for a file's.
 TEST_F(ReadSurvey, TakesPointsThatComeFromNoFile) {
     std::vector<SurveyPoint> points;

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
         GoodText{"WithSemicolons", "A;1.5;-2.25;3e-3\nB 2;4;5;.125\n"},
         GoodText{"WithBlanks", "A 1.5 -2.25 3e-3\n\"B 2\" 4 5 .125\n"},
         GoodText{"WithTabsAndRunsOfBlanks", " A\t1.5   -2.25 \t3e-3 \n\"B 2\"\t4\t5\t.125\t\n"},
-        GoodText{"WithBlanksAroundCommas", "A , 1.5,\t-2.25 , 3e-3 \n \"B 2\" , 4, 5, .125"},
+        GoodText{"WithBlanksAroundCommas", "A , 1.5,\t-2.25 , 3e-3 \n \"B 2\" , 4, 5, .125\n"},
         GoodText{"WithHeader", "id,x,y,z\nA,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
         GoodText{"WithUpperCaseHeader", "ID;X;Y;Z\nA;1.5;-2.25;3e-3\nB 2;4;5;.125\n"},
         GoodText{"WithStandardDeviations",
@@ -52,21 +52,20 @@ INSTANTIATE_TEST_SUITE_P(
                  "A,1.5,-2.25,3e-3,0,0.001,1\nB 2,4,5,.125,0,0,0\n"},
         GoodText{"WithCommentsAndEmptyLines",
                  "# total station, 2026; x,y,z\n\nid,x,y,z\n  # more\nA,1.5,-2.25,3e-3\n \t\n"
-                 "B 2,4,5,.125\n#end"},
+                 "B 2,4,5,.125\n#end\n"},
         GoodText{"WithCrLf", "id,x,y,z\r\nA,1.5,-2.25,3e-3\r\n\r\nB 2,4,5,.125\r\n"},
         GoodText{"EndingInCr", "A,1.5,-2.25,3e-3\r\nB 2,4,5,.125\r"},
         GoodText{"WithByteOrderMark", "\xEF\xBB\xBFid,x,y,z\nA,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
         GoodText{
             "AllInQuotes",
             "\"id\",\"x\",\"y\",\"z\"\n\"A\",\"1.5\",\"-2.25\",\"3e-3\"\n\"B 2\",\"4\",\"5\",\""
-            ".125\""},
-        GoodText{"WithPlusSigns", "A,+1.5,-2.25,+3e-3\nB 2,4,5,+.125\n"},
-        GoodText{"WithoutLastLineEnd", "A,1.5,-2.25,3e-3\nB 2,4,5,.125"}),
+            ".125\"\n"},
+        GoodText{"WithPlusSigns", "A,+1.5,-2.25,+3e-3\nB 2,4,5,+.125\n"}),
     [](const auto& param) { return param.param.name; });
 
 TEST(SurveyCsv, UnquotesIdsAndKeepsSeparatorsQuotesAndLineEndsInThem) {
     const auto points = parse_survey_points(
-        "\"a,b\",1,2,3\n\"say \"\"x\"\"\",1,2,3\n\"two\nlines\",1,2,3\nP#7,1,2,3", "survey.csv");
+        "\"a,b\",1,2,3\n\"say \"\"x\"\"\",1,2,3\n\"two\nlines\",1,2,3\nP#7,1,2,3\n", "survey.csv");
     ASSERT_EQ(points.size(), 4U);
     EXPECT_EQ(points[0].id, "a,b");
     EXPECT_EQ(points[1].id, "say \"x\"");
@@ -252,6 +251,7 @@ TEST(SurveyCsv, OfAFileCutShortGivesTheFirstPointsOrAnErrorAndNothingElse) {
             for (size_t i = 0; i < points.size(); ++i) {
                 ASSERT_EQ(points[i].id, whole[i].id) << "cut after " << length;
                 ASSERT_EQ(points[i].position, whole[i].position) << "cut after " << length;
+                ASSERT_EQ(points[i].noise_std, whole[i].noise_std) << "cut after " << length;
             }
         } catch (const InputError&) {
             ++refused;

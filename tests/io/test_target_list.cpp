@@ -13,7 +13,7 @@ namespace taut {
 namespace {
 
 TEST(TargetList, HoldsTheNamesWithTheirLines) {
-    const auto targets = parse_target_list("# north side\nA1\n\n \"B 2\" \r\n17", "plan.txt");
+    const auto targets = parse_target_list("# north side\nA1\n\n \"B 2\" \r\n17\n", "plan.txt");
     ASSERT_TRUE(targets);
     ASSERT_EQ(targets->size(), 3U);
     EXPECT_EQ((*targets)[0].id, "A1");

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Guards against a survey on the wrong nodes, or of other noise than was told."""
 
+import itertools
+
 import numpy as np
 import pytest
 import taut
@@ -83,7 +85,22 @@ def test_millimetres_are_told(net, positions):
         ({"x": [1.0], "y": [1.0]}, {}, ValueError, "expected x, y and z"),
         ({"x": [1.0], "y": [1.0], "z": [1.0], "sx": [1.0]}, {}, ValueError, "sx, sy, sz"),
         (np.zeros((3, 3)), {"ids": ["1"]}, ValueError, "ids: got 1 names, expected 3"),
+        # Far more than could be walked through.
+        (np.zeros((3, 3)), {"ids": range(10**15)}, ValueError, "ids: got more than 3 names"),
+        (np.zeros((3, 3)), {"ids": itertools.count()}, ValueError, "ids: got more than 3 names"),
+        (
+            {"x": np.zeros(3), "y": np.zeros(3), "z": np.zeros(3), "id": range(10**15)},
+            {},
+            ValueError,
+            "ids: got more than 3 names",
+        ),
         (np.zeros((3, 3)), {"ids": ["a", "b", "c"]}, ValueError, "0 of 3 targets"),
+        (
+            np.zeros((3, 3)),
+            {"noise": np.array([[1e-3] * 3, [1e-3, 0, 1e-3], [1e-3] * 3])},
+            ValueError,
+            "points:2: gives no standard deviations above 0",
+        ),
         (np.zeros((0, 3)), {}, ValueError, "none"),
         (np.full((2, 3), np.nan), {}, ValueError, "not finite"),
         (np.zeros((2, 3)), {"noise": -1.0}, ValueError, "-1"),

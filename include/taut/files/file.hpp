@@ -36,12 +36,14 @@ public:
 /// same directory, which commit() puts in the place of the target. The temporary file has no name
 /// where the file system allows that, so that a process that is killed leaves nothing behind; else
 /// it is called ".NAME.PROCESS-NUMBER.tmp". A target that is a symbolic link keeps being one, and
-/// what it leads to is written.
+/// what it leads to is written. A target that is replaced keeps its access rights: its mode, and
+/// its owner, group and access control list where the system allows that.
 class TAUT_IO_EXPORT AtomicFile {
 public:
     /// Makes the temporary file, empty.
-    /// @throws OutputError where the target is anything but a regular file or nothing yet, or its
-    ///   directory does not exist or cannot be written to
+    /// @throws OutputError where the target is anything but a regular file or nothing yet, is
+    ///   read-only or cannot keep its access rights, or its directory does not exist or cannot be
+    ///   written to
     explicit AtomicFile(const std::filesystem::path& target);
     /// Removes the temporary file if it was not committed.
     ~AtomicFile();
@@ -63,6 +65,8 @@ public:
     void commit();
 
 private:
+    void remove_temporary();
+
     struct State;
     std::filesystem::path m_told;    ///< the target as it was told, for messages
     std::filesystem::path m_target;  ///< what it leads to

@@ -89,6 +89,7 @@ struct ForeignSurvey {
     PolarSurvey readings;  ///< angles and distances, where the file has these in place of points
     std::optional<double> unit;         ///< of coordinates, where the file tells it [m]
     std::optional<double> std_unit;     ///< of their standard deviations; empty: as of coordinates
+    bool has_known_points = false;      ///< those of noise 0 were given, not measured
     std::vector<std::string> notes;     ///< how it was understood, a line each
     std::vector<std::string> guesses;   ///< what was taken for granted, a line each
     std::vector<LeftOutLine> left_out;  ///< what is no point

@@ -61,9 +61,12 @@ struct ReadSurveyOptions {
 /// it is rounded where that counts as noise; what was guessed in its warnings.
 /// @throws std::invalid_argument for a noise that is negative or not finite, and a unit that is not
 ///   positive
+/// Where some points have standard deviations, one without, or with one of 0, takes the noise of
+/// the options, which is warned of.
 /// @throws InputError naming the file, its line and the rule: as the functions named, and where two
-///   points of one name lie apart, no unit fits, no free node was surveyed or the noise exceeds the
-///   mean edge length
+///   points of one name lie apart, a point has no standard deviations where others have and no
+///   noise is given, no unit fits, no free node was surveyed or the noise exceeds the mean edge
+///   length
 [[nodiscard]] TAUT_IO_EXPORT Survey read_survey(const CableNet& net,
                                                 const std::filesystem::path& file,
                                                 const ReadSurveyOptions& options = {});

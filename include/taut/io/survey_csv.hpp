@@ -16,9 +16,10 @@ namespace taut {
 /// deviations sx, sy, sz of their noise [m], and behind these or not its correlations rxy, rxz,
 /// ryz. Without an id, or with an empty one, the point is a target without a name. The fields are
 /// separated by commas, semicolons, or blanks and tabs, as in the first line that holds any, and
-/// are as many in every line: 3, 4, 6, 7, 9 or 10. That line may be the header with these names, in
-/// lower or upper case. An id may stand in quotes, "" within them means a quote. Left out are empty
-/// lines and those that start with #. Numbers have a decimal point.
+/// are as many in every line: 3, 4, 6, 7, 9 or 10; but of 6 or 7, sx, sy, sz may be left out of a
+/// line behind the first, which then has no standard deviations. That line may be the header with
+/// these names, in lower or upper case. An id may stand in quotes, "" within them means a quote.
+/// Left out are empty lines and those that start with #. Numbers have a decimal point.
 /// @param file_name for messages
 /// @return the points in the order of the file, at least one, positions finite [m]
 /// @throws InputError with the line, for anything else

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "files/message.hpp"
+#include "files/plain_text.hpp"
 #include "interchange/surveys/survey_format_names.hpp"
 #include "interchange/surveys/survey_reader.hpp"
 #include "interchange/surveys/text_encoding.hpp"
@@ -36,8 +37,17 @@ constexpr FormatNames survey_formats[] = {
     {SurveyFormat::dxf, "dxf", "a DXF file"},
 };
 
+/// Of formats that are lines of fields. XML and DXF tell themselves where they end.
+bool is_of_lines(SurveyFormat format) {
+    return format == SurveyFormat::table || format == SurveyFormat::xyz ||
+           format == SurveyFormat::pts || format == SurveyFormat::gsi;
+}
+
 ForeignSurvey read_decoded(const std::string& text, const std::string& file_name,
                            SurveyFormat format, const SurveyFileOptions& told) {
+    if (is_of_lines(format)) {
+        require_last_line_break(text, file_name);
+    }
     switch (format) {
         case SurveyFormat::table:
             return read_survey_table(text, file_name, told, false);

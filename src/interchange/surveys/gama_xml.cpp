@@ -134,6 +134,7 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
                                      .line = xml.line_of(node)});
             if (matrix) {
                 survey.points.back().noise_std = Eigen::Vector3d::Zero();
+                survey.has_known_points = true;
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "files/csv_field.hpp"
 #include "files/message.hpp"
 #include "interchange/surveys/survey_reader.hpp"
 #include "interchange/surveys/table_header.hpp"
@@ -17,15 +18,16 @@ namespace {
 constexpr const char* spread_names[] = {"sx", "sy", "sz"};
 constexpr const char* place_names[] = {"x", "y", "z"};
 
-bool says_nothing(const std::string& field) {
-    return field.empty() || field == "-" || field == "--" || field == "*" || field == "?";
-}
-
 /// The lines of a table as points.
 class TableParser {
 public:
-    TableParser(const TableHead& head, std::optional<char> decimal, const std::string& file_name)
-        : m_head(head), m_decimal(decimal.value_or('\0')), m_file_name(file_name) {}
+    /// @param is_cloud as of read_survey_table()
+    TableParser(const TableHead& head, std::optional<char> decimal, bool is_cloud,
+                const std::string& file_name)
+        : m_head(head),
+          m_decimal(decimal.value_or('\0')),
+          m_is_cloud(is_cloud),
+          m_file_name(file_name) {}
 
     /// @param ends_empty whether the last field is empty, so that the line is not cut
     void add(const TextLine& line, const std::vector<std::string>& fields, bool may_be_longer,
@@ -55,7 +57,10 @@ public:
             fail(fmt::format("has {} fields, expected {}: is the file whole?", fields.size(),
                              layout.to_string()));
         }
-        if (fields.size() > layout.count && !may_be_longer) {
+        // Behind blanks a remark may stand, but no number: a name of two words moves all columns.
+        const bool is_moved = !m_is_cloud && fields.size() > layout.count &&
+                              parse_number_field(fields[layout.count]).has_value();
+        if (fields.size() > layout.count && (!may_be_longer || is_moved)) {
             fail(
                 fmt::format("has {} fields, expected {}: {} (decimal commas between commas, or a "
                             "separator in a name?)",
@@ -63,7 +68,7 @@ public:
         }
         SurveyPoint point{.line = m_line};
         if (layout.id) {
-            point.id = fields[*layout.id];
+            point.id = without_formula_guard(fields[*layout.id]);
         }
         if (layout.code && *layout.code < fields.size()) {
             point.code = fields[*layout.code];
@@ -131,6 +136,7 @@ private:
 
     const TableHead& m_head;
     char m_decimal;
+    bool m_is_cloud;
     int m_decimal_line = 0;
     const std::string& m_file_name;
     int m_line = 0;
@@ -181,7 +187,7 @@ ForeignSurvey read_survey_table(const std::string& text, const std::string& file
             "the formats that taut reads");
     }
     const TableHead head = read_table_head(lines, *separator, told, is_cloud, file_name);
-    TableParser parser(head, told.decimal, file_name);
+    TableParser parser(head, told.decimal, is_cloud, file_name);
     ForeignSurvey survey{.format = is_cloud ? "XYZ points" : "text table",
                          .unit = head.unit,
                          .std_unit = head.spread_unit,

@@ -168,7 +168,7 @@ private:
             for (size_t k = 0; k < result.size(); ++k) {
                 const auto number =
                     k < here.size() ? parse_number_field(here[k]) : std::optional<NumberField>();
-                const bool is_empty = k >= here.size() || here[k].empty();
+                const bool is_empty = k >= here.size() || says_nothing(here[k]);
                 result[k].is_number &= number || is_empty;
                 result[k].is_whole &= (number && number->decimal == '\0') || is_empty;
                 result[k].is_positive &= !number || !number->value || *number->value >= 0.0;

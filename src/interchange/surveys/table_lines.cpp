@@ -41,6 +41,10 @@ std::optional<NumberField> parse_number_field(std::string_view field) {
     return number;
 }
 
+bool says_nothing(std::string_view field) {
+    return field.empty() || field == "-" || field == "--" || field == "*" || field == "?";
+}
+
 bool is_comment(std::string_view line) {
     const std::string_view text = trimmed(line);
     return text.starts_with('#') || text.starts_with("//") || text.starts_with('!') ||

@@ -20,6 +20,9 @@ struct NumberField {
 /// What a field says where it is written as a number, with a decimal point or a decimal comma.
 [[nodiscard]] std::optional<NumberField> parse_number_field(std::string_view field);
 
+/// An empty field, or a sign for one: -, --, * or ?.
+[[nodiscard]] bool says_nothing(std::string_view field);
+
 /// A line that starts with #, //, ! or %.
 [[nodiscard]] bool is_comment(std::string_view line);
 
