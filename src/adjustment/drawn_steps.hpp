@@ -17,9 +17,9 @@ struct DrawnLimits {
     std::function<DrawnStrokes(const StrokedState&)> draws;
 };
 
-/// Moves strokes by whole steps until limits hold over the draws, then as long as a step lowers the
-/// merit and they still do. Draws follow a step by the tangent of the estimate; exact equilibria of
-/// all decide. docs/theory.md (whole-steps).
+/// Moves strokes by whole steps, one or two at a time, until limits hold over the draws or no move
+/// brings them nearer to hold. Draws follow a step by the tangent of the estimate; exact equilibria
+/// of all decide. docs/theory.md (whole-steps).
 /// @param responses with the limits as given
 /// @param start in whole steps
 [[nodiscard]] StrokedState steps_holding_draws(std::vector<LimitedResponse>& responses,

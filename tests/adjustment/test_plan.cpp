@@ -405,7 +405,7 @@ TEST(Plan, IsNotMadeOnAFailedIdentificationUnlessThatIsAccepted) {
 
 TEST(Plan, StandsOnAFailedIdentificationWhereItsTestsFailed) {
     const CableNet net = hypar(3, 3);
-    Identification identification{.form = net.nodes()};
+    Identification identification;
     identification.trust.findings = {
         {.verdict = Trust::Verdict::doubtful, .reason = "a length is odd", .next = ""}};
     EXPECT_EQ(built_net_of(net, identification).failed_since, "");
