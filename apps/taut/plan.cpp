@@ -408,8 +408,7 @@ Plan planned(const std::string& result, const BuiltNet& built, const FormTarget&
         return plan_strokes(built, target, limits, options, progress);
     } catch (const FailedIdentification& failed) {
         throw InputError(result, "",
-                         fmt::format("{}. Correct that and identify again; --accept-failed plans "
-                                     "on it all the same, for study only",
+                         fmt::format("{}; --accept-failed plans on it all the same, for study only",
                                      failed.what()));
     }
 }

@@ -78,8 +78,7 @@ Plan plan_on(const BuiltNet& built, const FormTarget& target, const Limits& limi
         return plan_strokes(built, target, limits, options, progress);
     } catch (const FailedIdentification& failed) {
         throw std::invalid_argument(fmt::format(
-            "identification: {}. Correct that and identify again; accept_failed=True plans on it "
-            "all the same, for study only",
+            "identification: {}; accept_failed=True plans on it all the same, for study only",
             failed.what()));
     }
 }

@@ -69,7 +69,8 @@ std::string failure_of(const Trust& trust) {
         return {};
     }
     const Trust::Finding& worst = trust.findings.front();
-    return worst.next.empty() ? worst.reason : fmt::format("{}; {}", worst.reason, worst.next);
+    return fmt::format("{}; {}", worst.reason,
+                       worst.next.empty() ? "correct that and identify again" : worst.next);
 }
 
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {

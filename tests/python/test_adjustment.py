@@ -48,8 +48,8 @@ def test_a_plan_on_a_doubtful_identification_says_so(found, survey):
 
 
 def test_a_plan_on_a_failed_identification_is_made_only_where_that_is_accepted(net, columns):
-    # Half a millimetre of noise, taken for a hundredth.
-    sure = {**columns, **{axis: np.full(len(columns["x"]), 1e-5) for axis in ("sx", "sy", "sz")}}
+    # Half a millimetre of noise, taken for far less.
+    sure = {**columns, **{axis: np.full(len(columns["x"]), 1.5e-4) for axis in ("sx", "sy", "sz")}}
     failed = taut.identify(net, taut.read_survey(net, sure), law="uniform:3mm", draws=0)
     assert failed.trust == "failed"
     with pytest.raises(ValueError, match="accept_failed=True"):
