@@ -52,6 +52,7 @@ struct PlanCommand : CommonOptions {
     std::string csv;
     int crews = 1;
     int further = 0;
+    bool accept_failed = false;
     std::uint64_t seed = 1;
 };
 
@@ -217,7 +218,8 @@ PlanOptions options_of(const PlanCommand& command, std::vector<int> edges) {
                         .turn = parse_turn(command.turn, command.step),
                         .tolerance = {},
                         .survey_noise = {},
-                        .seed = command.seed};
+                        .seed = command.seed,
+                        .accept_failed = command.accept_failed};
     if (!command.tolerance.empty()) {
         options.tolerance = parse_length(command.tolerance);
     }
@@ -294,10 +296,57 @@ void print_breaches(const CableNet& net, const Plan& plan) {
     }
 }
 
+void print_limits(const PlanRecord& record) {
+    const Plan& plan = *record.plan;
+    const bool is_limited = record.limits->has_forces();
+    if (!is_limited) {
+        say("no limits of tension or reaction were given\n");
+    }
+    if (plan.draws > 0) {
+        const double kept = std::round(plan.limit_probability * plan.draws);
+        const double needed = std::ceil(record.options->confidence * (plan.draws + 1.0));
+        say("{} in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n",
+            is_limited ? "all limits are kept" : "no cable goes slack", kept, plan.draws,
+            100.0 * plan.limit_probability, 100.0 * record.options->confidence, needed);
+        if (!plan.is_feasible && kept >= needed) {
+            say("  but the estimate itself breaks limits: do not rely on the draws here\n");
+        }
+    } else {
+        const std::string_view kept = is_limited ? "limits are kept" : "no cable goes slack";
+        const std::string_view broken = is_limited ? "limits are broken" : "cables go slack";
+        say("{} by the estimate; how surely is not known, since {}\n",
+            plan.is_feasible ? kept : broken, plan.no_draws_since);
+    }
+}
+
+void print_order(const PlanRecord& record) {
+    const Plan& plan = *record.plan;
+    const TurnOrder& order = *record.order;
+    say("order: {} pass{}, {} crew{}, {:.0f} m to walk in all; {}\n", order.passes,
+        order.passes == 1 ? "" : "es", record.crews, record.crews == 1 ? "" : "s", order.walk,
+        order.is_safe ? "no step breaks a limit that was kept before" : "no safe order was found");
+    if (plan.draws > 0 && !plan.strokes.empty()) {
+        say("  probability that no step breaks a limit: {:.1f} % (required: {:g} %)\n",
+            100.0 * order.safe_probability, 100.0 * record.options->confidence);
+    }
+    if (!order.is_safe && order.worst.moment >= 0) {
+        say("  at moment {} {}{}\n", order.worst.moment + 1,
+            where_text(*record.net, order.worst.breach),
+            order.worst.breach.probability > 0.0
+                ? fmt::format(", kept in {:.0f} % of the draws",
+                              100.0 * order.worst.breach.probability)
+                : "");
+    }
+}
+
 void print(const PlanCommand& command, const PlanRecord& record) {
     const CableNet& net = *record.net;
     const Plan& plan = *record.plan;
-    if (!record.trust->findings.empty()) {
+    for (const std::string& warning : plan_warnings(record)) {
+        say("{}\n", warning);
+    }
+    if (!record.trust->findings.empty() &&
+        record.trust->verdict() != Trust::Verdict::failed) {  // of which the first warning tells
         say("identification {}: {}\n", to_string(record.trust->verdict()),
             record.trust->findings.front().reason);
     }
@@ -334,26 +383,9 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     }
     say("tension: {:.3g} to {:.3g} kN as planned\n", 1e-3 * plan.tensions.minCoeff(),
         1e-3 * plan.tensions.maxCoeff());
-    if (plan.draws > 0) {
-        const double kept = std::round(plan.limit_probability * plan.draws);
-        const double needed = std::ceil(record.options->confidence * (plan.draws + 1.0));
-        say("all limits are kept in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n", kept,
-            plan.draws, 100.0 * plan.limit_probability, 100.0 * record.options->confidence, needed);
-        if (!plan.is_feasible && kept >= needed) {
-            say("  but the estimate itself breaks limits: do not rely on the draws here\n");
-        }
-    } else {
-        say("limits are {} by the estimate; how surely is not known, since {}\n",
-            plan.is_feasible ? "kept" : "broken", plan.no_draws_since);
-    }
+    print_limits(record);
     print_breaches(net, plan);
-    const TurnOrder& order = *record.order;
-    say("order: {} pass{}, {} crew{}, {:.0f} m to walk in all; {}\n", order.passes,
-        order.passes == 1 ? "" : "es", record.crews, record.crews == 1 ? "" : "s", order.walk,
-        order.is_safe ? "at no moment is a limit broken that was kept before"
-                      : fmt::format("no safe order was found: at moment {} {}{}",
-                                    order.worst.moment + 1, where_text(net, order.worst.breach),
-                                    plan.draws > 0 && plan.is_feasible ? " with its margin" : ""));
+    print_order(record);
     if (record.further) {
         say("{}\n", record.further->empty()
                         ? "no further edge would help"
@@ -370,6 +402,17 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     }
 }
 
+Plan planned(const std::string& result, const BuiltNet& built, const FormTarget& target,
+             const Limits& limits, const PlanOptions& options, const Progress& progress) {
+    try {
+        return plan_strokes(built, target, limits, options, progress);
+    } catch (const FailedIdentification& failed) {
+        throw InputError(result, "",
+                         fmt::format("{}; --accept-failed plans on it all the same, for study only",
+                                     failed.what()));
+    }
+}
+
 void run(const PlanCommand& command) {
     const CableNet net = read_net(command.net).net;
     const IdentifiedNet identified = read_identified_net(net, command.result);
@@ -381,16 +424,16 @@ void run(const PlanCommand& command) {
                                  command.target.target, command.target.node_weights,
                                  command.adjustable, command.stroke});
     check_outputs({command.output, command.csv}, inputs);
-    if (identified.trust.verdict() == Trust::Verdict::failed) {
-        warn(command.result, {"the identification failed its tests: what is planned on it may do "
-                              "harm. Mend what it names first"});
-    }
     ProgressLine line(command.quiet);
-    const Plan plan = plan_strokes(identified.built, target, limits, options, line.progress());
-    const TurnOrder order =
-        order_turns(identified.built, limits, plan,
-                    {.crews = command.crews, .step = options.turn ? options.turn->step() : 0.0},
-                    line.progress());
+    const Plan plan =
+        planned(command.result, identified.built, target, limits, options, line.progress());
+    const TurnOrder order = order_turns(identified.built, limits, plan,
+                                        {.crews = command.crews,
+                                         .step = options.turn ? options.turn->step() : 0.0,
+                                         .confidence = options.confidence,
+                                         .actuator_std = options.actuator_std,
+                                         .seed = options.seed},
+                                        line.progress());
     std::optional<std::vector<FurtherEdge>> further;
     if (command.further > 0) {
         further = further_edges(identified.built, target, limits, options, plan, command.further,
@@ -498,6 +541,9 @@ void add_plan(CLI::App& program) {
                     "Tell so many further edges that would help most if they were made adjustable "
                     "or cut to another length")
         ->check(CLI::Range(1, 1000));
+    command.add_flag("--accept-failed", options->accept_failed,
+                     "Plan on an identification that failed its tests, too; all that is written "
+                     "says that it is not to be used");
     command.add_option("--csv", options->csv, "List for the crews to write (CSV)");
     add_seed_option(command, options->seed);
     set_action(command, options, run);

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,21 +34,21 @@
 namespace taut::python {
 namespace {
 
-/// What plan_to_json() or plan_to_csv() write of a plan.
+/// What plan_to_json(), plan_to_csv() or plan_warnings() tell of a plan.
 template <class Write>
-std::string written(const Planned& planned, Write write) {
+auto written(const Planned& planned, Write write) {
     const FormTarget target(planned.net, planned.target);
-    return write({.net = &planned.net,
-                  .built = &planned.built,
-                  .trust = &planned.trust,
-                  .target = &target,
-                  .limits = &planned.limits,
-                  .options = &planned.options,
-                  .plan = &planned.plan,
-                  .order = &planned.order,
-                  .further = {},
-                  .crews = planned.crews,
-                  .thread = planned.thread});
+    return write(PlanRecord{.net = &planned.net,
+                            .built = &planned.built,
+                            .trust = &planned.trust,
+                            .target = &target,
+                            .limits = &planned.limits,
+                            .options = &planned.options,
+                            .plan = &planned.plan,
+                            .order = &planned.order,
+                            .further = {},
+                            .crews = planned.crews,
+                            .thread = planned.thread});
 }
 
 std::string plan_json(const Planned& planned) {
@@ -71,16 +72,29 @@ TensionLimits tension_limits(const CableNet& net, const std::optional<Range>& ra
     return limits;
 }
 
+Plan plan_on(const BuiltNet& built, const FormTarget& target, const Limits& limits,
+             const PlanOptions& options, const Progress& progress) {
+    try {
+        return plan_strokes(built, target, limits, options, progress);
+    } catch (const FailedIdentification& failed) {
+        throw std::invalid_argument(fmt::format(
+            "identification: {}; accept_failed=True plans on it all the same, for study only",
+            failed.what()));
+    }
+}
+
 Planned planned(const Identified& identified, const std::optional<ArrayLike>& target, double stroke,
                 const std::optional<Range>& tension, const std::optional<ArrayLike>& edges,
                 const std::optional<double>& turn, const std::optional<double>& step,
                 const std::optional<double>& tolerance, double confidence, double actuator_std,
-                int crews, const std::optional<std::string>& thread, const nb::object& progress) {
+                int crews, const std::optional<std::string>& thread, bool accept_failed,
+                const nb::object& progress) {
     const CableNet& net = identified.net;
     PlanOptions options{.edges = edges ? indices_argument(*edges, "edges") : net.adjustable_edges(),
                         .confidence = confidence,
                         .actuator_std = actuator_std,
-                        .tolerance = tolerance};
+                        .tolerance = tolerance,
+                        .accept_failed = accept_failed};
     if (edges && options.edges.empty()) {
         throw nb::value_error("edges: got none, expected those that may be turned");
     }
@@ -104,10 +118,14 @@ Planned planned(const Identified& identified, const std::optional<ArrayLike>& ta
     }
     return interruptible(progress, [&](const Progress& told) {
         BuiltNet built = built_net_of(net, identified.found);
-        Plan plan = plan_strokes(built, form, limits, options, told);
-        TurnOrder order =
-            order_turns(built, limits, plan,
-                        {.crews = crews, .step = options.turn ? options.turn->step() : 0.0}, told);
+        Plan plan = plan_on(built, form, limits, options, told);
+        TurnOrder order = order_turns(built, limits, plan,
+                                      {.crews = crews,
+                                       .step = options.turn ? options.turn->step() : 0.0,
+                                       .confidence = options.confidence,
+                                       .actuator_std = options.actuator_std,
+                                       .seed = options.seed},
+                                      told);
         return Planned{.net = net,
                        .built = std::move(built),
                        .trust = identified.found.trust,
@@ -162,7 +180,15 @@ void bind_plan(nb::module_& module) {
             "Whether all limits are kept, with the confidence wanted.")
         .def_prop_ro(
             "is_safe", [](const Planned& self) { return self.order.is_safe; },
-            "Whether no limit is broken at any moment of the work.")
+            "Whether no step of the work breaks a limit that was kept before, with the confidence "
+            "wanted.")
+        .def_prop_ro(
+            "safe_probability", [](const Planned& self) { return self.order.safe_probability; },
+            "That no step of the work breaks a limit that was kept before, over the draws; 0 or 1 "
+            "without draws.")
+        .def_prop_ro(
+            "warnings", [](const Planned& self) { return written(self, &plan_warnings); },
+            "What forbids to turn by the plan, the worst first: the first lines of its lists.")
         .def_prop_ro(
             "limit_probability", [](const Planned& self) { return self.plan.limit_probability; },
             "That all limits are kept, over the draws.")
@@ -240,7 +266,8 @@ void bind_adjustment(nb::module_& module) {
                nb::arg("edges") = nb::none(), nb::arg("turn") = nb::none(),
                nb::arg("step") = nb::none(), nb::arg("tolerance") = nb::none(),
                nb::arg("confidence") = 0.95, nb::arg("actuator_std") = 0.0, nb::arg("crews") = 1,
-               nb::arg("thread") = nb::none(), nb::arg("progress") = nb::none(),
+               nb::arg("thread") = nb::none(), nb::arg("accept_failed") = false,
+               nb::arg("progress") = nb::none(),
                R"(Strokes that bring the net near a target and keep its limits, and their order.
 
 Args:
@@ -256,6 +283,8 @@ Args:
     actuator_std: of what is turned, from what was told [m].
     crews: that turn at once.
     thread: 'right' or 'left', of all turnbuckles, where the net does not tell.
+    accept_failed: plan on an identification that failed its tests, too; the lists say in their
+        first line that they are not to be used.
     progress: called with stage, done, total.)");
 }
 

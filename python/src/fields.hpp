@@ -109,14 +109,15 @@ TAUT_FIELDS(TensionProspect, edge, tension, std, mean_std_with_reading)
 TAUT_FIELDS(SurveyProspect, prior_std, edges, mean_tension, mean_tension_std, readings)
 
 // adjustment
-TAUT_FIELDS(BuiltNet, net, length_draws, no_draws_since)
+TAUT_FIELDS(BuiltNet, net, length_draws, no_draws_since, failed_since)
 TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)
 TAUT_FIELDS(LoadCase, name, loads, tension)
 TAUT_FIELDS(ForceRange, lower, upper)
 TAUT_FIELDS(Limits, shortest_stroke, longest_stroke, tension, reactions, load_cases)
 TAUT_FIELDS(TurnSize, pitch, smallest)
-TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, survey_noise, seed)
+TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, survey_noise, seed,
+            accept_failed)
 TAUT_FIELDS(PlannedStroke, edge, stroke)
 TAUT_FIELDS(LimitBreach, kind, index, load_case, value, limit, probability)
 TAUT_FIELDS(FurtherTarget, node, normal_unknown)
@@ -127,7 +128,7 @@ TAUT_FIELDS(Plan, strokes, as_built, planned, unavoidable, normal_unknown, furth
             is_within_tolerance, fewest_bound, iterations)
 TAUT_FIELDS(Turning, edge, stroke, pass, crew, moment)
 TAUT_FIELDS(WorstMoment, moment, breach)
-TAUT_FIELDS(TurnOrder, turnings, passes, walk, is_safe, worst)
+TAUT_FIELDS(TurnOrder, turnings, passes, walk, safe_probability, is_safe, worst)
 TAUT_FIELDS(Planned, net, built, trust, target, limits, options, plan, order, crews, thread)
 
 #undef TAUT_FIELDS

@@ -64,12 +64,22 @@ void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& dr
     }
 }
 
+std::string failure_of(const Trust& trust) {
+    if (trust.verdict() != Trust::Verdict::failed) {
+        return {};
+    }
+    const Trust::Finding& worst = trust.findings.front();
+    return fmt::format("{}; {}", worst.reason,
+                       worst.next.empty() ? "correct that and identify again" : worst.next);
+}
+
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {
     const CableNet turned = turned_net(net, identification.turned);
     BuiltNet built{.net = net_as_identified(turned, identification.edges, identification.unknowns,
                                             identification.boundary_outliers),
                    .length_draws = {},
-                   .no_draws_since = "none were made"};
+                   .no_draws_since = "the identification was made without draws",
+                   .failed_since = failure_of(identification.trust)};
     if (identification.draws) {
         built.no_draws_since.clear();
         add_draws(built, turned, *identification.draws, identification.unknowns);

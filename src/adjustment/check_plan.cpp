@@ -42,9 +42,8 @@ void check_plan(const CableNet& net, const Limits& limits, const Plan& plan) {
                         limits.load_cases.size() + 1));
     }
     const auto reactions = static_cast<Eigen::Index>(supports_of(limits.reactions).size());
-    for (size_t i = 0; i < plan.held.size(); ++i) {
-        const Eigen::Index expected = net.edge_count() + (i == 0 ? reactions : 0);
-        const ForceRange& held = plan.held[i];
+    const Eigen::Index expected = net.edge_count() + reactions;
+    for (const ForceRange& held : plan.held) {
         if (held.lower.size() != expected || held.upper.size() != expected) {
             throw std::invalid_argument(
                 fmt::format("the plan held limits of {} and {} forces, expected {}",

@@ -19,6 +19,22 @@ constexpr double smallest_std = 1e-9;
 
 }  // namespace
 
+Eigen::VectorXd strokes_with_play(Eigen::VectorXd strokes, double actuator_std, std::uint64_t seed,
+                                  Eigen::Index draw) {
+    RandomNumbers random(seed, static_cast<std::uint32_t>(draw));
+    for (double& stroke : strokes) {
+        const double play = actuator_std * random.normal();
+        stroke += std::abs(stroke) >= negligible_stroke ? play : 0.0;
+    }
+    return strokes;
+}
+
+int draws_needed(double confidence, Eigen::Index draws) {
+    // Another draw lies below the value of rank p (N + 1) with p.
+    return static_cast<int>(std::min(static_cast<double>(draws),
+                                     std::ceil(confidence * (static_cast<double>(draws) + 1.0))));
+}
+
 DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedResponse>& responses,
                           const StrokedState& state, double actuator_std, std::uint64_t seed) {
     const Eigen::Index count = built.length_draws.cols();
@@ -38,12 +54,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
     });
     tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
         const Eigen::VectorXd lengths = built.length_draws.col(d);
-        Eigen::VectorXd strokes = state.strokes;
-        RandomNumbers random(seed, static_cast<std::uint32_t>(d));
-        for (double& stroke : strokes) {
-            const double play = actuator_std * random.normal();
-            stroke += std::abs(stroke) >= negligible_stroke ? play : 0.0;
-        }
+        const Eigen::VectorXd strokes = strokes_with_play(state.strokes, actuator_std, seed, d);
         std::vector<StrokeResponse>& local = workspaces.local();
         for (size_t i = 0; i < local.size(); ++i) {
             const StrokedNet drawn = local[i].at(lengths, strokes, state.nets[i].equilibrium.form);
@@ -101,9 +112,7 @@ double LimitMargins::probability() const {
 }
 
 double LimitMargins::shortfall(double confidence) const {
-    // Another draw lies below the value of rank p (N + 1) with p.
-    const double rank = std::ceil(confidence * (static_cast<double>(m_worst.size()) + 1.0));
-    return m_worst[std::min(m_worst.size(), static_cast<size_t>(rank)) - 1];
+    return m_worst[static_cast<size_t>(draws_needed(confidence, std::ssize(m_worst))) - 1];
 }
 
 std::vector<ForceRange> LimitMargins::narrowed(double factor) const {

@@ -17,6 +17,13 @@ struct DrawnStrokes {
     std::vector<char> unbalanced;         ///< of each draw: no equilibrium was found
 };
 
+/// What is turned where strokes are told, in one draw: of those that are not 0.
+[[nodiscard]] Eigen::VectorXd strokes_with_play(Eigen::VectorXd strokes, double actuator_std,
+                                                std::uint64_t seed, Eigen::Index draw);
+
+/// How many of some draws must keep all limits so that these hold with a confidence.
+[[nodiscard]] int draws_needed(double confidence, Eigen::Index draws);
+
 /// Exact equilibria of all draws under some strokes, each with its own play of what is turned.
 [[nodiscard]] DrawnStrokes draw_strokes(const BuiltNet& built,
                                         const std::vector<LimitedResponse>& responses,
@@ -36,6 +43,8 @@ public:
     /// By how many standard deviations of each force the limits would have to be narrower
     /// (negative: may be wider) so that they hold with a confidence.
     [[nodiscard]] double shortfall(double confidence) const;
+    /// Standard deviations of the forces, one vector a set of loads [N].
+    [[nodiscard]] const std::vector<Eigen::VectorXd>& std() const { return m_std; }
     /// By how many standard deviations of each force the mean of the draws keeps all limits.
     [[nodiscard]] double kept() const { return m_kept; }
     /// Limits that are `factor` standard deviations inside those told, and corrected for the

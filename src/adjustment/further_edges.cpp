@@ -162,9 +162,8 @@ private:
         std::vector<LimitedResponse> responses;
         for (size_t i = 0; i <= m_case_nets.size(); ++i) {
             responses.push_back(
-                {.response =
-                     StrokeResponse(i == 0 ? *m_net : m_case_nets[i - 1], set.edges,
-                                    i == 0 ? supports_of(m_limits->reactions) : std::vector<int>{}),
+                {.response = StrokeResponse(i == 0 ? *m_net : m_case_nets[i - 1], set.edges,
+                                            supports_of(m_limits->reactions)),
                  .range = m_plan->held[i],
                  .start = m_plan->form});
         }

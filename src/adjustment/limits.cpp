@@ -66,6 +66,11 @@ TensionLimits TensionLimits::no_slack(const CableNet& net) {
                                                std::numeric_limits<double>::infinity())};
 }
 
+bool Limits::has_forces() const {
+    return tension.lower.maxCoeff() > 0.0 || std::isfinite(tension.upper.minCoeff()) ||
+           !reactions.empty() || !load_cases.empty();
+}
+
 Limits limits_of_stroke(const CableNet& net, size_t edges, double stroke) {
     const auto count = static_cast<Eigen::Index>(edges);
     return {.shortest_stroke = Eigen::VectorXd::Constant(count, -stroke),

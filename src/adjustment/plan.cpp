@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "adjustment/drawn_forces.hpp"
+#include "adjustment/drawn_steps.hpp"
 #include "adjustment/fewest_strokes.hpp"
 #include "adjustment/force_ranges.hpp"
 #include "adjustment/stroke_program.hpp"
@@ -113,7 +114,7 @@ public:
         }
         add_response(built.net, limits.tension, limits.reactions);
         for (size_t i = 0; i < m_case_nets.size(); ++i) {
-            add_response(m_case_nets[i], limits.load_cases[i].tension, {});
+            add_response(m_case_nets[i], limits.load_cases[i].tension, limits.reactions);
         }
         m_told = limits_now();
         m_task = {.target = m_target,
@@ -146,6 +147,16 @@ public:
         plan.normal_rmse_of_free_strokes = deviation(state).normal_rmse;
         if (m_options->turn && m_options->turn->step() > 0.0) {
             state = in_whole_steps(m_responses, m_task, state, m_options->turn->step());
+            if (draws() > 0) {
+                const std::vector<ForceRange> held = limits_now();
+                hold(m_told);
+                const DrawnLimits limits{
+                    .confidence = m_options->confidence,
+                    .draws = [this](const StrokedState& at) { return drawn(at); }};
+                state = steps_holding_draws(m_responses, m_task, state, m_options->turn->step(),
+                                            limits);
+                hold(held);
+            }
         }
         tell(4);
         plan.held = limits_now();
@@ -473,6 +484,10 @@ double Plan::largest_stroke() const {
 
 Plan plan_strokes(const BuiltNet& built, const FormTarget& target, const Limits& limits,
                   const PlanOptions& options, const Progress& progress) {
+    if (!built.failed_since.empty() && !options.accept_failed) {
+        throw FailedIdentification(
+            fmt::format("the identification failed its tests: {}", built.failed_since));
+    }
     return Planning(built, target, limits, options, progress).make();
 }
 

@@ -58,6 +58,9 @@ StrokedState state_at(std::vector<LimitedResponse>& responses, const StrokeTask&
 StrokeSearch search_strokes(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                             const StrokedState& start) {
     StrokeSearch search{.found = start};
+    if (!start.balanced()) {  // no tangent, and no merit that a step could lower
+        return search;
+    }
     double radius = first_radius;
     StrokeProgram program(responses, task, search.found);
     while (search.iterations < most_searches) {

@@ -58,6 +58,7 @@ struct StrokeTask {
 /// Sequential convex programming with an exact penalty and a trust region (R. Fletcher, Practical
 /// Methods of Optimization, Wiley 1987, section 12.4): docs/theory.md (stroke-program).
 /// @param responses one a set of loads; the form of the first is to come near the target
+/// @param start where it is not balanced, it is given back as not converged
 [[nodiscard]] StrokeSearch search_strokes(std::vector<LimitedResponse>& responses,
                                           const StrokeTask& task, const StrokedState& start);
 

@@ -6,23 +6,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "adjustment/check_plan.hpp"
-#include "adjustment/force_ranges.hpp"
+#include "adjustment/drawn_forces.hpp"
+#include "adjustment/order_work.hpp"
 #include "adjustment/station_tour.hpp"
-#include "adjustment/stroke_search.hpp"
 
 namespace taut {
 namespace {
 
-constexpr double negligible_excess = 1e-5;  ///< of the mean tension
 constexpr int most_passes = 8;
-
-/// Of the margin that a plan keeps for what is not known, this part is kept on the way.
-constexpr double margin_on_the_way = 0.9;
 
 /// Where a crew stands to turn an edge: its support, else its middle.
 Eigen::Vector3d station_of(const CableNet& net, int edge) {
@@ -36,117 +33,6 @@ Eigen::Vector3d station_of(const CableNet& net, int edge) {
     return 0.5 * (net.nodes().col(s) + net.nodes().col(t));
 }
 
-ForceRange range_on_the_way(ForceRange told, const Plan& plan) {
-    const auto between = [](double from, double to) {
-        return std::isinf(from) ? from : from + margin_on_the_way * (to - from);
-    };
-    told.lower = told.lower.binaryExpr(plan.held.front().lower, between).eval();
-    told.upper = told.upper.binaryExpr(plan.held.front().upper, between).eval();
-    return told;
-}
-
-/// Work under way: the strokes done, and how much worse than before the work forces are beyond.
-class Work {
-public:
-    Work(const BuiltNet& built, const Limits& limits, const Plan& plan)
-        : m_net(&built.net), m_limits(&limits) {
-        std::vector<int> edges;
-        edges.reserve(plan.strokes.size());
-        for (const PlannedStroke& stroke : plan.strokes) {
-            edges.push_back(stroke.edge);
-        }
-        // Later loads do not act yet while the crews turn.
-        m_response.emplace_back(LimitedResponse{
-            .response = StrokeResponse(built.net, edges, supports_of(limits.reactions)),
-            .range = range_on_the_way(range_of(built.net, limits.tension, limits.reactions), plan),
-            .start = built.net.nodes()});
-        m_strokes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(edges.size()));
-        m_now = at(m_strokes);
-        Eigen::VectorXd all = m_strokes;
-        for (Eigen::Index k = 0; k < all.size(); ++k) {
-            all(k) = plan.strokes[static_cast<size_t>(k)].stroke;
-        }
-        // Where the plan ends it was accepted, though the limits that it held may be missed by
-        // little there.
-        const StrokedNet end = at(all);
-        m_allowed = beyond(m_now).cwiseMax(beyond(end)).cwiseMax(0.0);
-        m_unit = std::max(1e-9, m_now.equilibrium.mean_tension);
-        const ForceRange told = range_of(built.net, limits.tension, limits.reactions);
-        const auto beyond_told = [&](const StrokedNet& net) -> Eigen::VectorXd {
-            return (told.lower - net.forces).cwiseMax(net.forces - told.upper).cwiseMax(0.0);
-        };
-        const Eigen::VectorXd worse = beyond_told(end) - beyond_told(m_now);
-        if (worse.maxCoeff() > negligible_excess * m_unit) {
-            m_breach_at_end = breach(end, worse, told);
-        }
-    }
-
-    [[nodiscard]] StrokedNet at(const Eigen::VectorXd& strokes) {
-        const Points& near =
-            m_now.equilibrium.form.cols() > 0 ? m_now.equilibrium.form : m_response.front().start;
-        return m_response.front().response.at(m_net->unstressed_lengths(), strokes, near);
-    }
-
-    /// How far the forces are beyond their limits, the most of what is more than before the work,
-    /// in mean tensions; infinite where there is no equilibrium.
-    [[nodiscard]] double excess(const StrokedNet& net) const {
-        return net.equilibrium.balanced() ? (beyond(net) - m_allowed).maxCoeff() / m_unit
-                                          : std::numeric_limits<double>::infinity();
-    }
-
-    /// The worst limit that all strokes together break and that was kept before, or by more.
-    [[nodiscard]] const std::optional<LimitBreach>& breach_at_end() const {
-        return m_breach_at_end;
-    }
-
-    [[nodiscard]] const Eigen::VectorXd& strokes() const { return m_strokes; }
-    void accept(Eigen::VectorXd strokes, StrokedNet net) {
-        m_strokes = std::move(strokes);
-        m_now = std::move(net);
-    }
-    void restart() {
-        m_strokes.setZero();
-        m_now = at(m_strokes);
-    }
-
-    [[nodiscard]] LimitBreach worst_breach(const StrokedNet& net) const {
-        return breach(net, beyond(net) - m_allowed, m_response.front().range);
-    }
-
-private:
-    /// The one of the largest excess.
-    [[nodiscard]] LimitBreach breach(const StrokedNet& net, const Eigen::VectorXd& excess,
-                                     const ForceRange& range) const {
-        Eigen::Index row = 0;
-        excess.maxCoeff(&row);
-        const bool is_edge = row < m_net->edge_count();
-        return {
-            .kind = is_edge ? LimitBreach::Kind::tension : LimitBreach::Kind::reaction,
-            .index = is_edge
-                         ? static_cast<int>(row)
-                         : supports_of(
-                               m_limits->reactions)[static_cast<size_t>(row - m_net->edge_count())],
-            .load_case = "",
-            .value = is_edge ? std::max(0.0, net.forces(row)) : net.forces(row),
-            .limit = net.forces(row) < range.lower(row) ? range.lower(row) : range.upper(row),
-            .probability = 0.0};
-    }
-
-    [[nodiscard]] Eigen::VectorXd beyond(const StrokedNet& net) const {
-        const ForceRange& range = m_response.front().range;
-        return (range.lower - net.forces).cwiseMax(net.forces - range.upper);
-    }
-
-    const CableNet* m_net;
-    const Limits* m_limits;
-    std::vector<LimitedResponse> m_response;
-    Eigen::VectorXd m_strokes;
-    StrokedNet m_now;
-    Eigen::VectorXd m_allowed;
-    std::optional<LimitBreach> m_breach_at_end;
-    double m_unit = 1.0;
-};
-
 /// The tour cut into as many stretches as there are crews, each with its stations in order.
 std::vector<std::vector<int>> stretches(const std::vector<int>& tour, int crews) {
     std::vector<std::vector<int>> result(static_cast<size_t>(crews));
@@ -156,15 +42,63 @@ std::vector<std::vector<int>> stretches(const std::vector<int>& tour, int crews)
     return result;
 }
 
+/// Strokes of the work after a moment, and the forces of the estimate then.
+using States = std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>;
+
 struct PassAttempt {
     TurnOrder order;
-    double excess = 0.0;  ///< the most at any moment
+    States states;        ///< after each moment
+    double excess = 0.0;  ///< of the estimate, the most at any moment [mean tensions]
+    int kept = 0;         ///< draws in which no step breaks a limit, as predicted until judged
+    bool is_judged = false;
+    [[nodiscard]] bool is_better_than(const PassAttempt& other) const {
+        return std::tuple(excess, -kept) < std::tuple(other.excess, -other.kept);
+    }
 };
+
+/// A station that a crew turns next, and what comes of it.
+struct NextStation {
+    size_t at = 0;  ///< among those that are left
+    Harm harm;
+    StrokedNet net;
+};
+
+/// The first of the stations left that breaks no limit now, else the one that does least harm: the
+/// tangents choose, exact equilibrium decides.
+/// @param net at `strokes`
+NextStation next_station(OrderWork& work, const Eigen::VectorXd& strokes, const StrokedNet& net,
+                         const std::vector<int>& left, const auto& goal) {
+    constexpr size_t tries = 3;
+    using Ranked = std::pair<Harm, size_t>;
+    std::vector<Ranked> ranked;
+    size_t harmless = 0;
+    for (size_t i = 0; i < left.size() && harmless < tries; ++i) {
+        ranked.emplace_back(work.predicted_harm(strokes, net, left[i], goal(left[i])), i);
+        harmless += ranked.back().first.is_none() ? 1 : 0;
+    }
+    std::ranges::stable_sort(ranked, {}, &Ranked::first);
+    NextStation best;
+    for (size_t i = 0; i < std::min(tries, ranked.size()); ++i) {
+        const size_t at = ranked[i].second;
+        Eigen::VectorXd tried = strokes;
+        tried(left[at]) = goal(left[at]);
+        StrokedNet there = work.at(tried);
+        const Harm harm = work.harm(tried, there);
+        if (i == 0 || harm < best.harm) {
+            best = {.at = at, .harm = harm, .net = std::move(there)};
+        }
+        if (harm.is_none()) {
+            break;
+        }
+    }
+    return best;
+}
 
 /// Passes over the net, each crew along its stretch; a station that would break a limit now is
 /// left for later, and one that always does is turned where it does least harm.
-PassAttempt try_passes(Work& work, const Plan& plan, const std::vector<std::vector<int>>& crews,
-                       int passes, double step, const Progress& progress) {
+PassAttempt try_passes(OrderWork& work, const Plan& plan,
+                       const std::vector<std::vector<int>>& crews, int passes,
+                       const TurnOrderOptions& options, const Progress& progress) {
     PassAttempt result;
     result.order.passes = passes;
     work.restart();
@@ -173,7 +107,9 @@ PassAttempt try_passes(Work& work, const Plan& plan, const std::vector<std::vect
         std::vector<std::vector<int>> left = crews;
         const auto goal = [&](int j) {
             const double part = plan.strokes[static_cast<size_t>(j)].stroke * pass / passes;
-            return pass == passes || step == 0.0 ? part : step * std::round(part / step);
+            return pass == passes || options.step == 0.0
+                       ? part
+                       : options.step * std::round(part / options.step);
         };
         for (std::vector<int>& stations : left) {
             std::erase_if(stations, [&](int j) {
@@ -183,54 +119,55 @@ PassAttempt try_passes(Work& work, const Plan& plan, const std::vector<std::vect
         while (std::ranges::any_of(left, [](const auto& stations) { return !stations.empty(); })) {
             progress("ordering", 0, 0);
             Eigen::VectorXd strokes = work.strokes();
-            StrokedNet net;
-            double excess = 0.0;
+            NextStation next{.net = work.now()};
             for (size_t crew = 0; crew < left.size(); ++crew) {
                 if (left[crew].empty()) {
                     continue;
                 }
-                size_t best = 0;
-                double least = std::numeric_limits<double>::infinity();
-                StrokedNet best_net;
-                constexpr size_t tries = 12;
-                for (size_t i = 0; i < std::min(tries, left[crew].size()); ++i) {
-                    Eigen::VectorXd tried = strokes;
-                    tried(left[crew][i]) = goal(left[crew][i]);
-                    StrokedNet there = work.at(tried);
-                    const double harm = work.excess(there);
-                    if (harm < least || i == 0) {
-                        least = harm;
-                        best = i;
-                        best_net = std::move(there);
-                    }
-                    if (harm <= negligible_excess) {
-                        break;
-                    }
-                }
-                const int j = left[crew][best];
+                next = next_station(work, strokes, next.net, left[crew], goal);
+                const int j = left[crew][next.at];
                 result.order.turnings.push_back({.edge = plan.strokes[static_cast<size_t>(j)].edge,
                                                  .stroke = goal(j) - work.strokes()(j),
                                                  .pass = pass,
                                                  .crew = static_cast<int>(crew) + 1,
                                                  .moment = moment});
                 strokes(j) = goal(j);
-                left[crew].erase(left[crew].begin() + static_cast<std::ptrdiff_t>(best));
-                net = std::move(best_net);
-                excess = least;
+                left[crew].erase(left[crew].begin() + static_cast<std::ptrdiff_t>(next.at));
             }
-            if (excess > std::max(result.excess, negligible_excess)) {
-                result.excess = excess;
-                result.order.worst = {.moment = moment, .breach = work.worst_breach(net)};
+            if (next.harm.excess > result.excess) {
+                result.excess = next.harm.excess;
+                result.order.worst = {.moment = moment, .breach = work.worst_breach(next.net)};
             }
-            work.accept(std::move(strokes), std::move(net));
+            result.states.emplace_back(strokes, next.net.forces);
+            work.accept(std::move(strokes), std::move(next.net));
             ++moment;
         }
     }
-    if (result.excess <= negligible_excess && work.breach_at_end()) {
-        result.order.worst = {.moment = moment - 1, .breach = *work.breach_at_end()};
-    }
-    result.order.is_safe = result.excess <= negligible_excess && !work.breach_at_end();
+    result.kept = work.predicted_kept();
     return result;
+}
+
+/// How surely an order is safe, and where it is not.
+void judge(const OrderWork& work, const TurnOrderOptions& options, PassAttempt& attempt) {
+    TurnOrder& order = attempt.order;
+    attempt.is_judged = true;
+    if (attempt.excess == 0.0 && work.breach_at_end()) {
+        order.worst = {.moment = static_cast<int>(attempt.states.size()) - 1,
+                       .breach = *work.breach_at_end()};
+    }
+    order.is_safe = order.worst.moment < 0;
+    order.safe_probability = order.is_safe ? 1.0 : 0.0;
+    if (work.draws() == 0) {
+        return;
+    }
+    const DrawnWork drawn = work.drawn(attempt.states);
+    attempt.kept = drawn.kept;
+    order.safe_probability = static_cast<double>(drawn.kept) / static_cast<double>(work.draws());
+    if (order.is_safe && drawn.kept < draws_needed(options.confidence, work.draws())) {
+        order.is_safe = false;
+        order.worst = drawn.worst.value_or(
+            WorstMoment{.moment = static_cast<int>(attempt.states.size()) - 1, .breach = {}});
+    }
 }
 
 double walk_of(const CableNet& net, const TurnOrder& order, int crews) {
@@ -263,26 +200,42 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
         throw std::invalid_argument(
             fmt::format("a step of {:g} m, expected at least 0", options.step));
     }
+    if (!(options.confidence > 0.0 && options.confidence < 1.0)) {
+        throw std::invalid_argument(fmt::format(
+            "the confidence is {:g}, expected more than 0 and less than 1", options.confidence));
+    }
+    if (!(options.actuator_std >= 0.0) || std::isinf(options.actuator_std)) {
+        throw std::invalid_argument(fmt::format(
+            "the play of what is turned is {:g} m, expected at least 0", options.actuator_std));
+    }
     check_force_limits(built.net, limits);
     check_plan(built.net, limits, plan);
     if (plan.strokes.empty()) {
-        return {.turnings = {}, .is_safe = true, .worst = {}};
+        return {.turnings = {}, .safe_probability = 1.0, .is_safe = true, .worst = {}};
     }
     Points places(3, static_cast<Eigen::Index>(plan.strokes.size()));
     for (size_t j = 0; j < plan.strokes.size(); ++j) {
         places.col(static_cast<Eigen::Index>(j)) = station_of(built.net, plan.strokes[j].edge);
     }
     const auto crews = stretches(short_tour(places), options.crews);
-    Work work(built, limits, plan);
+    OrderWork work(built, limits, plan, options);
+    const int needed = draws_needed(options.confidence, work.draws());
     PassAttempt best;
     for (int passes = 1; passes <= most_passes; passes *= 2) {
-        PassAttempt tried = try_passes(work, plan, crews, passes, options.step, progress);
-        if (passes == 1 || tried.excess < best.excess) {
+        PassAttempt tried = try_passes(work, plan, crews, passes, options, progress);
+        if (tried.excess == 0.0 && tried.kept >= needed) {
+            judge(work, options, tried);
+        }
+        if (passes == 1 || tried.is_better_than(best)) {
             best = std::move(tried);
         }
-        if (best.excess <= negligible_excess) {
+        // What is broken when all is done no order can spare.
+        if (best.order.is_safe || (best.excess == 0.0 && best.kept >= work.kept_at_end())) {
             break;
         }
+    }
+    if (!best.is_judged) {
+        judge(work, options, best);
     }
     best.order.walk = walk_of(built.net, best.order, options.crews);
     return best.order;

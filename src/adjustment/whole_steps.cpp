@@ -26,20 +26,17 @@ StrokedState fixed_by_quarters(std::vector<LimitedResponse>& responses, const St
     StrokedState state = free;
     std::vector<int> open(static_cast<size_t>(free.strokes.size()));
     std::iota(open.begin(), open.end(), 0);
-    const auto multiple = [&](int j) {
-        return nearest_multiple(state.strokes(j), step, task.shortest(j), task.longest(j));
-    };
+    Eigen::VectorXd multiples(free.strokes.size());
     while (!open.empty()) {
-        std::ranges::sort(open, {},
-                          [&](int j) { return std::abs(state.strokes(j) - multiple(j)); });
-        const size_t some = std::max<size_t>(8, open.size() / 4);
-        const size_t count = std::min(open.size(), some);
-        Eigen::VectorXd strokes = state.strokes;
-        for (size_t i = 0; i < count; ++i) {
-            const int j = open[i];
-            strokes(j) = left.shortest(j) = left.longest(j) = multiple(j);
+        for (const int j : open) {
+            multiples(j) =
+                nearest_multiple(state.strokes(j), step, task.shortest(j), task.longest(j));
         }
-        open.erase(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count));
+        Eigen::VectorXd strokes = state.strokes;
+        for (const int j : next_to_fix(open, state.strokes, multiples)) {
+            strokes(j) = left.shortest(j) = left.longest(j) = multiples(j);
+            std::erase(open, j);
+        }
         state = state_at(responses, task, strokes, &state);
         if (!open.empty()) {
             state = search_strokes(responses, left, state).found;
@@ -49,6 +46,13 @@ StrokedState fixed_by_quarters(std::vector<LimitedResponse>& responses, const St
 }
 
 }  // namespace
+
+std::vector<int> next_to_fix(std::vector<int> open, const Eigen::VectorXd& strokes,
+                             const Eigen::VectorXd& multiples) {
+    std::ranges::sort(open, {}, [&](int j) { return std::abs(strokes(j) - multiples(j)); });
+    open.resize(std::min(open.size(), std::max<size_t>(8, open.size() / 4)));
+    return open;
+}
 
 StrokedState in_whole_steps(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                             const StrokedState& free, double step) {

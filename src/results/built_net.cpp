@@ -28,11 +28,12 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
             .built = {.net = net_as_identified(turned, result->edges, result->unknowns,
                                                result->boundary_outliers),
                       .length_draws = {},
-                      .no_draws_since = {}},
+                      .no_draws_since = {},
+                      .failed_since = failure_of(result->trust)},
             .trust = result->trust};
         const std::filesystem::path draws = draws_path(result_path);
         if (result->draws == 0) {
-            identified.built.no_draws_since = "the result was made without";
+            identified.built.no_draws_since = "the result was made without draws";
         } else if (std::filesystem::exists(draws)) {
             const PosteriorDraws drawn = read_draws(net, draws);
             if (drawn.count() != result->draws ||

@@ -10,6 +10,7 @@
 
 #include "files/csv_field.hpp"
 #include "results/result_parts.hpp"
+#include "taut/files/printable.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/version.hpp"
 
@@ -110,6 +111,7 @@ Json turn_order_json(const PlanRecord& record) {
             {"crews", record.crews},
             {"walk", order.walk},
             {"safe", order.is_safe},
+            {"safe_probability", order.safe_probability},
             {"worst", order.worst.moment < 0
                           ? Json()
                           : Json{{"moment", order.worst.moment},
@@ -171,6 +173,28 @@ std::optional<std::string_view> rotation_of(double stroke, std::optional<Thread>
     return (stroke < 0.0) == (*thread == Thread::right) ? "clockwise" : "counterclockwise";
 }
 
+std::vector<std::string> plan_warnings(const PlanRecord& record) {
+    const Plan& plan = *record.plan;
+    const TurnOrder& order = *record.order;
+    std::vector<std::string> warnings;
+    if (const std::string failure = failure_of(*record.trust); !failure.empty()) {
+        warnings.push_back(fmt::format(
+            "DO NOT TURN BY THIS LIST: the identification failed its tests: {}", failure));
+    }
+    if (!plan.is_feasible) {
+        warnings.emplace_back("DO NOT TURN BY THIS LIST: limits of the plan are broken by it");
+    } else if (!order.is_safe && order.worst.breach.probability > 0.0) {
+        warnings.push_back(fmt::format(
+            "NO SAFE ORDER WAS FOUND: the probability that no step breaks a limit is {:.1f} % "
+            "(required: {:g} %)",
+            100.0 * order.safe_probability, 100.0 * record.options->confidence));
+    } else if (!order.is_safe) {
+        warnings.push_back(fmt::format("NO SAFE ORDER WAS FOUND: a limit is broken at moment {}",
+                                       order.worst.moment + 1));
+    }
+    return warnings;
+}
+
 std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
     const Plan& plan = *record.plan;
     const CableNet& net = *record.net;
@@ -200,10 +224,12 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"program", "taut " + std::string(version())},
         {"net_fingerprint", net.fingerprint()},
         {"net", counts_json(net)},
+        {"warnings", plan_warnings(record)},
         {"identification", verdict_json(*record.trust)},
         {"turns", turns},
         {"touched", plan.strokes.size()},
         {"largest_stroke", plan.largest_stroke()},
+        {"limits_given", record.limits->has_forces()},
         {"feasible", plan.is_feasible},
         {"converged", plan.has_converged},
         {"violations", violations},
@@ -244,11 +270,8 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
 
 std::string plan_to_csv(const PlanRecord& record) {
     std::string text;
-    if (!record.plan->is_feasible) {
-        text = "# DO NOT TURN BY THIS LIST: limits of the plan are broken by it\n";
-    } else if (!record.order->is_safe) {
-        text = fmt::format("# NO SAFE ORDER WAS FOUND: a limit is broken at moment {}\n",
-                           record.order->worst.moment + 1);
+    for (const std::string& warning : plan_warnings(record)) {
+        text += fmt::format("# {}\n", printable(warning));
     }
     text +=
         "crew,pass,moment,edge,sense,rotation,stroke_mm,turns,reading_after_mm,tension_after_kN\n";

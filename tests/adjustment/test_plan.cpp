@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -357,6 +358,64 @@ TEST(Plan, KeepsReactionsAndLaterLoadsWithinTheirLimits) {
     }
 }
 
+TEST(Plan, KeepsReactionsWithinTheirLimitsUnderLaterLoads) {
+    const CableNet net = hypar(6, 6);
+    const BuiltNet built = random_built(net, 5, 2e-3);
+    const FormTarget target(net, net.nodes());
+    Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
+    Points wet = Points::Zero(3, net.node_count());
+    wet.row(2).setConstant(-60.0);
+    limits.load_cases = {{.name = "wet", .loads = wet, .tension = limits.tension}};
+    CableNetData loaded = built.net.data();
+    loaded.loads = wet;
+    const CableNet under(loaded);
+    // One edge at each support: its tension is the reaction.
+    const auto most_then = [&](const Plan& plan) {
+        const Eigen::VectorXd lengths = lengths_after(built, plan);
+        const Eigen::VectorXd then = tensions(
+            under, lengths, EquilibriumSolver(under).solve(lengths, built.net.nodes()).form);
+        return then(net.adjustable_edges()).maxCoeff();
+    };
+    const double most = 0.98 * most_then(plan_strokes(built, target, limits));
+    limits.reactions = {{.name = "all", .supports = net.supports(), .upper = most}};
+    const Plan plan = plan_strokes(built, target, limits);
+    EXPECT_TRUE(plan.is_feasible);
+    EXPECT_LT(most_then(plan), most + 0.1);
+    // Where they cannot be kept, it says under which loads.
+    limits.reactions[0].upper = 0.5 * most;
+    limits.shortest_stroke.setConstant(-1e-4);
+    limits.longest_stroke.setConstant(1e-4);
+    const Plan broken = plan_strokes(built, target, limits);
+    EXPECT_FALSE(broken.is_feasible);
+    EXPECT_TRUE(std::ranges::any_of(broken.breaches, [](const LimitBreach& breach) {
+        return breach.kind == LimitBreach::Kind::reaction && breach.load_case == "wet";
+    }));
+}
+
+TEST(Plan, IsNotMadeOnAFailedIdentificationUnlessThatIsAccepted) {
+    const CableNet net = hypar(3, 3);
+    BuiltNet built = random_built(net, 1, 1e-3);
+    built.failed_since = "the noise is contradicted";
+    const FormTarget target(net, net.nodes());
+    const Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 5e-3);
+    EXPECT_THAT([&] { static_cast<void>(plan_strokes(built, target, limits)); },
+                ThrowsMessage<FailedIdentification>(HasSubstr("the noise is contradicted")));
+    EXPECT_FALSE(plan_strokes(built, target, limits, {.accept_failed = true}).strokes.empty());
+}
+
+TEST(Plan, StandsOnAFailedIdentificationWhereItsTestsFailed) {
+    const CableNet net = hypar(3, 3);
+    Identification identification;
+    identification.trust.findings = {
+        {.verdict = Trust::Verdict::doubtful, .reason = "a length is odd", .next = ""}};
+    EXPECT_EQ(built_net_of(net, identification).failed_since, "");
+    identification.trust.findings = {{.verdict = Trust::Verdict::failed,
+                                      .reason = "the noise is contradicted",
+                                      .next = "estimate it"}};
+    EXPECT_EQ(built_net_of(net, identification).failed_since,
+              "the noise is contradicted; estimate it");
+}
+
 TEST(Plan, RefusesOptionsThatCannotBeMeant) {
     const CableNet net = hypar(3, 3);
     const BuiltNet built = random_built(net, 1, 1e-3);
@@ -381,6 +440,11 @@ TEST(Plan, RefusesOptionsThatCannotBeMeant) {
     expect_refused({.turn = TurnSize{.pitch = 5.0, .smallest = 0.25}}, "a turn is 5 m");
     expect_refused({.turn = TurnSize{.pitch = 0.0, .smallest = 0.25}}, "a turn is 0");
     expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = 2.0}}, "smallest part");
+    expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = -0.25}}, "smallest part");
+    const PlanOptions any_part{.turn = TurnSize{.pitch = 5e-3, .smallest = 0.0}};
+    EXPECT_NO_THROW(static_cast<void>(
+        plan_strokes(built, FormTarget(net, net.nodes()),
+                     limits_of_stroke(net, net.adjustable_edges().size(), 5e-3), any_part)));
     expect_refused({.tolerance = 0.0}, "tolerance is 0");
     BuiltNet with_draws = built;
     with_draws.length_draws = Eigen::MatrixXd::Ones(2, 50);

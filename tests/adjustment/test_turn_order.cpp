@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "support/random_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -94,7 +95,100 @@ TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
     const TurnOrder order = order_turns(built, limits, plan);
     EXPECT_FALSE(order.is_safe);
     EXPECT_GE(order.worst.moment, 0);
-    EXPECT_GT(order.worst.breach.limit, 0.0);
+    // The end of the range that is named is the one that is broken.
+    const LimitBreach& worst = order.worst.breach;
+    ASSERT_EQ(worst.kind, LimitBreach::Kind::tension);
+    const double lower = limits.tension.lower(worst.index);
+    const double upper = limits.tension.upper(worst.index);
+    EXPECT_TRUE(worst.value < lower || worst.value > upper);
+    EXPECT_EQ(worst.limit, worst.value < lower ? lower : upper);
+    EXPECT_EQ(order.safe_probability, 0.0);
+}
+
+/// A net whose lengths are known to half a millimetre, and a plan that holds its limits so.
+class TurnOrderOfDraws : public ::testing::Test {
+protected:
+    TurnOrderOfDraws() {
+        test::Random random(7);
+        CableNetData data = net.data();
+        data.unstressed_lengths = with_length_deviations(
+            net, test::uniform_vector(random, net.interior_edge_count(), 3e-3));
+        data.nodes = EquilibriumSolver(net).solve(data.unstressed_lengths, net.nodes()).form;
+        built.net = CableNet(data);
+        built.length_draws = lengths_drawn(200, 11);
+        limits = limits_of_stroke(net, net.adjustable_edges().size(), 15e-3);
+        limits.tension.lower.setConstant(least);
+        plan = plan_strokes(built, FormTarget(net, net.nodes()), limits);
+    }
+
+    /// Lengths as they may be, one set a column.
+    [[nodiscard]] Eigen::MatrixXd lengths_drawn(int count, std::uint64_t seed) const {
+        test::Random random(seed);
+        std::normal_distribution<double> error(0.0, 0.5e-3);
+        Eigen::MatrixXd lengths = built.net.unstressed_lengths().replicate(1, count);
+        for (auto column : lengths.colwise()) {
+            for (const int edge : net.interior_edges()) {
+                column(edge) += error(random);
+            }
+        }
+        return lengths;
+    }
+
+    /// The part of some nets in which no step takes a tension below the limit that was above it.
+    [[nodiscard]] double part_kept(const TurnOrder& order, const Eigen::MatrixXd& nets) const {
+        int kept = 0;
+        for (Eigen::VectorXd lengths : nets.colwise()) {
+            Points form = EquilibriumSolver(built.net).solve(lengths, built.net.nodes()).form;
+            const Eigen::VectorXd allowed =
+                tensions(built.net, lengths, form).cwiseMin(least).array() - 0.1;
+            bool is_kept = true;
+            for (size_t i = 0; i < order.turnings.size() && is_kept; ++i) {
+                lengths(order.turnings[i].edge) += order.turnings[i].stroke;
+                if (i + 1 < order.turnings.size() &&
+                    order.turnings[i + 1].moment == order.turnings[i].moment) {
+                    continue;
+                }
+                form = EquilibriumSolver(built.net).solve(lengths, form).form;
+                is_kept = (tensions(built.net, lengths, form) - allowed).minCoeff() >= 0.0;
+            }
+            kept += is_kept ? 1 : 0;
+        }
+        return static_cast<double>(kept) / static_cast<double>(nets.cols());
+    }
+
+    static constexpr double least = 2.2e3;
+    CableNet net = hypar(6, 6);
+    BuiltNet built{.net = net, .length_draws = {}, .no_draws_since = {}};
+    Limits limits;
+    Plan plan;
+};
+
+TEST_F(TurnOrderOfDraws, IsSafeInAsManyDrawsAsItSays) {
+    ASSERT_TRUE(plan.is_feasible);
+    for (const int crews : {1, 2}) {
+        const TurnOrder order = order_turns(built, limits, plan, {.crews = crews});
+        EXPECT_NEAR(order.safe_probability, part_kept(order, built.length_draws), 1e-9);
+        EXPECT_EQ(order.is_safe, order.safe_probability >= 191.0 / 200.0);
+    }
+}
+
+TEST_F(TurnOrderOfDraws, KeepsItsConfidenceInOtherDrawsThanItsOwn) {
+    const TurnOrder order = order_turns(built, limits, plan);
+    ASSERT_TRUE(order.is_safe);
+    EXPECT_GE(part_kept(order, lengths_drawn(200, 12)), 0.9);  // 95 % wanted
+}
+
+TEST_F(TurnOrderOfDraws, IsNotSafeWhereTheConfidenceCannotBeKept) {
+    // More than the plan itself has.
+    const double most = plan.limit_probability + 0.5 * (1.0 - plan.limit_probability);
+    const TurnOrder order = order_turns(built, limits, plan, {.confidence = most});
+    ASSERT_LT(plan.limit_probability, 1.0);
+    EXPECT_FALSE(order.is_safe);
+    EXPECT_GT(order.safe_probability, 0.0);
+    ASSERT_GE(order.worst.moment, 0);
+    EXPECT_EQ(order.worst.breach.limit, least);
+    EXPECT_LT(order.worst.breach.probability, 1.0);
+    EXPECT_GT(order.worst.breach.probability, 0.0);
 }
 
 TEST_F(TurnOrderOfHilo, RefusesCrewsAndStepsThatCannotBeMeant) {
@@ -102,6 +196,11 @@ TEST_F(TurnOrderOfHilo, RefusesCrewsAndStepsThatCannotBeMeant) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("0 crews")));
     EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.step = -1.0})); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("step")));
+    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.confidence = 1.0})); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("confidence is 1")));
+    EXPECT_THAT(
+        [&] { static_cast<void>(order_turns(built, limits, plan, {.actuator_std = -1.0})); },
+        ThrowsMessage<std::invalid_argument>(HasSubstr("play")));
 }
 
 TEST_F(TurnOrderOfHilo, RefusesAPlanOfAnotherNetOrOtherLimits) {

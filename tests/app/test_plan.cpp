@@ -48,7 +48,9 @@ TEST_F(PlanCommand, WritesTheKeysAndTheListThatOthersRead) {
     const Outcome outcome =
         plan({"--csv", "turns.csv", "--turn", "4mm", "--step", "1/4", "--crews", "2"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("all limits are kept in"));
+    EXPECT_THAT(outcome.out, HasSubstr("no limits of tension or reaction were given\n"
+                                       "no cable goes slack in"));
+    EXPECT_THAT(outcome.out, Not(HasSubstr("limits are kept")));
     const json document = json::parse(read("plan.json"));
     EXPECT_EQ(document["format"].get<std::string>(), "taut-plan");
     EXPECT_EQ(document["version"], 1);
@@ -340,7 +342,8 @@ TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {
     const Outcome outcome = run({"plan", "net.json", "bare.json", "-o", "plan.json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("by the estimate; how surely is not known, since the "
-                                       "result was made without"));
+                                       "result was made without draws\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("no cable goes slack by the estimate"));
     // Draws of a result that stood there before are not taken for its own.
     must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "0", "-o",
               "result.json"});
@@ -399,6 +402,64 @@ TEST_F(PlanCommand, MarksAListByWhichLimitsAreBroken) {
     ASSERT_EQ(plan({"--tension", "20kN..", "--csv", "turns.csv"}).exit_code, 1);
     EXPECT_THAT(read("turns.csv"), testing::StartsWith("# DO NOT TURN BY THIS LIST"));
     EXPECT_FALSE(json::parse(read("plan.json"))["order"]["safe"].get<bool>());
+}
+
+TEST_F(PlanCommand, RefusesAFailedIdentificationUnlessThatIsAccepted) {
+    // 0.3 mm of noise, taken for 0.1 mm.
+    std::istringstream survey(read("survey.csv"));
+    std::string bare;
+    for (std::string line; std::getline(survey, line);) {
+        size_t end = 0;
+        for (int comma = 0; comma < 4; ++comma) {
+            end = line.find(',', end + 1);
+        }
+        bare += line.substr(0, end) + "\n";
+    }
+    write("bare.csv", bare);
+    ASSERT_EQ(run({"identify", "net.json", "bare.csv", "--noise", "0.1mm", "--law", "uniform:3mm",
+                   "--draws", "50", "-o", "result.json"})
+                  .exit_code,
+              0);
+    const json trust = json::parse(read("result.json"))["trust"];
+    ASSERT_EQ(trust["verdict"], "failed");
+    const std::string reason = trust["findings"][0]["reason"];
+    const Outcome refused = plan({"--csv", "turns.csv"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, testing::StartsWith("taut: error: result.json: the identification "
+                                                 "failed its tests: " +
+                                                 reason));
+    EXPECT_THAT(refused.err, HasSubstr("--accept-failed"));
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1);
+    EXPECT_FALSE(exists("plan.json"));
+    EXPECT_FALSE(exists("turns.csv"));
+    const Outcome accepted = plan({"--csv", "turns.csv", "--accept-failed"});
+    ASSERT_EQ(accepted.exit_code, 0) << accepted.err;
+    const std::string first = "DO NOT TURN BY THIS LIST: the identification failed its tests: ";
+    EXPECT_THAT(accepted.out, testing::StartsWith(first + reason));
+    EXPECT_THAT(read("turns.csv"), testing::StartsWith("# " + first + reason));
+    EXPECT_THAT(json::parse(read("plan.json"))["warnings"][0].get<std::string>(),
+                testing::StartsWith(first));
+}
+
+// Where the free strokes hold their limits without a margin, whole steps used to go right up to
+// them.
+TEST_F(PlanCommand, KeepsTheConfidenceOfFreeStrokesInWholeSteps) {
+    for (const char* tension : {"2.2kN..", "2.4kN.."}) {
+        ASSERT_EQ(plan({"--tension", tension}).exit_code, 0);
+        const Outcome outcome = plan({"--tension", tension, "--turn", "5mm", "--step", "1/4"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const json document = json::parse(read("plan.json"));
+        EXPECT_GE(document["tension"]["limit_probability"].get<double>(), 49.0 / 50.0);
+        EXPECT_GE(document["order"]["safe_probability"].get<double>(), 49.0 / 50.0);
+    }
+}
+
+TEST_F(PlanCommand, SaysHowSurelyItsOrderIsSafe) {
+    const Outcome outcome = plan({"--tension", "2kN.."});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("all limits are kept in"));
+    EXPECT_THAT(outcome.out, HasSubstr("probability that no step breaks a limit: "));
+    EXPECT_TRUE(json::parse(read("plan.json"))["limits_given"].get<bool>());
 }
 
 TEST_F(PlanCommand, EndsWithOneWhereLimitsCannotBeKeptAndNamesThem) {

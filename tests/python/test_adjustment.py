@@ -40,10 +40,31 @@ def test_edges_come_in_any_order(found):
 
 def test_a_plan_on_a_doubtful_identification_says_so(found, survey):
     assert taut.plan(found).trust == found.trust == "passed"
+    assert taut.plan(found).warnings == []
     few = taut.identify(found.net, survey, law="uniform:0.2mm", draws=0)
     assert few.trust != "passed"
-    plan = taut.plan(few)
+    plan = taut.plan(few, accept_failed=True)
     assert f"the identification is {few.trust}" in repr(plan)
+
+
+def test_a_plan_on_a_failed_identification_is_made_only_where_that_is_accepted(net, columns):
+    # Half a millimetre of noise, taken for far less.
+    sure = {**columns, **{axis: np.full(len(columns["x"]), 1.5e-4) for axis in ("sx", "sy", "sz")}}
+    failed = taut.identify(net, taut.read_survey(net, sure), law="uniform:3mm", draws=0)
+    assert failed.trust == "failed"
+    with pytest.raises(ValueError, match="accept_failed=True"):
+        taut.plan(failed)
+    plan = taut.plan(failed, accept_failed=True)
+    assert plan.warnings[0].startswith("DO NOT TURN BY THIS LIST: the identification failed")
+    assert plan.to_csv().startswith(f"# {plan.warnings[0]}")
+    assert plan.to_dict()["warnings"] == plan.warnings
+
+
+def test_a_plan_says_how_surely_its_steps_break_no_limit(found):
+    plan = taut.plan(found)
+    assert plan.is_safe
+    assert 0.95 <= plan.safe_probability <= 1.0
+    assert plan.to_dict()["order"]["safe_probability"] == plan.safe_probability
 
 
 def test_a_table_of_strokes(found):

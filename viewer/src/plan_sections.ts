@@ -22,7 +22,7 @@ export function planSection(plan: Plan): HTMLElement {
     plainTable("Distance from the target", ["Distance from the target [mm]", "as built", "as planned", "no stroke removes"],
       rows.map(([label, key]) => [label, millimetres(as_built[key]), millimetres(planned[key]), millimetres(unavoidable[key])]), ["", "", "here", ""]),
     h("p", { class: "quiet" }, unknown, " The last column is what the best strokes without limits leave; as they make the weighted RMS small, single numbers may be above those planned."),
-    plan.violations.length === 0 ? h("p", { class: "quiet" }, `Every limit is kept${plan.draws > 0 ? " as surely as was asked for" : " by the estimate"}.`)
+    plan.violations.length === 0 ? h("p", { class: "quiet" }, `${plan.limits_given === false ? "No limits of tension or reaction were given; no cable goes slack, which is kept" : "Every limit is kept"}${plan.draws > 0 ? " as surely as was asked for" : " by the estimate"}.`)
       : plainTable("Limits that are not kept, or not surely", [plan.feasible ? "Least sure limits" : "Limits in the way", "under the loads", "as planned [kN]", "limit [kN]", "kept with [%]"],
         violations.map((b) => [`${b.kind === "tension" ? "tension of edge" : "reaction of support"} ${b.id}`, b.load_case ?? "of the net", number(b.value / 1e3), number(b.limit / 1e3), plan.draws > 0 ? percent(b.probability) : "–"]), ["", "text", "", "", ""]),
     plan.violations.length > most ? h("p", { class: "quiet" }, `and ${plan.violations.length - most} more, all of them in the plan's file`) : null);
@@ -71,6 +71,7 @@ function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
 
 /** What must be known before the first turn, on the sheets of each crew. */
 function warningsOf(plan: Plan): string[] {
+  if (plan.warnings) return plan.warnings;
   return [
     ...(plan.identification.verdict === "failed" ? ["The identification that this plan stands on failed its tests: do not work from it before what the report names is mended."] : []),
     ...(plan.feasible ? [] : ["This plan does not keep all limits: do not work from it before they are cleared."]),

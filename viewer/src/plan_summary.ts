@@ -45,24 +45,37 @@ function toleranceWords(plan: Plan): string {
 function limitSentence(plan: Plan): string {
   const { tension, draws, options } = plan;
   const range = `Tensions go from ${kN(tension.least)} to ${kN(tension.most)} kN, where they are ${kN(tension.least_as_built)} to ${kN(tension.most_as_built)} kN as built.`;
+  if (plan.limits_given === false) {
+    const sure = draws > 0 ? `with a probability of ${percent(tension.limit_probability)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for` : `by the estimate; how surely is not known${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}`;
+    return `No limits of tension or reaction were given; ${plan.feasible ? "" : "not surely enough "}no cable goes slack ${sure}. ${range}`;
+  }
   if (draws > 0) {
     return `${plan.feasible ? "All limits are kept together with a probability of" : "Not all limits are kept: the probability that they are is"} ${percent(tension.limit_probability)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for. ${range}`;
   }
   return `Limits are ${plan.feasible ? "kept" : "not all kept"} by the estimate; how surely is not known${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}. ${range}`;
 }
 
-function orderSentence({ order, turns }: Plan): string {
+/** How surely the work breaks no limit; nothing where that is not known. */
+function orderProbability({ order, draws, options }: Plan): string {
+  if (draws === 0 || order.safe_probability === undefined) return "";
+  return `, with a probability of ${percent(order.safe_probability)} % (required: ${short(100 * options.confidence)} %)`;
+}
+
+function orderSentence(plan: Plan): string {
+  const { order, turns } = plan;
   if (turns.length === 0) return "There is no work for a crew.";
   const work = `${counted(order.crews, "crew")} ${order.crews === 1 ? "goes" : "go"} over the net ${order.passes === 1 ? "once" : `${order.passes} times`}, ${number(order.walk)} m between stations in all`;
-  if (order.safe) return `${work}; at no moment of the work is a limit broken that was kept before it.`;
-  const worst = order.worst ? `: at step ${order.worst.moment + 1}, ${breachWords(order.worst.breach)}` : "";
-  return `${work}. No safe order was found; this is the least unsafe one${worst}.`;
+  if (order.safe) return `${work}; no step breaks a limit that was kept before the work${orderProbability(plan)}.`;
+  const sure = orderProbability(plan) ? ` Its steps break no limit${orderProbability(plan)}.` : "";
+  const worst = order.worst ? ` At step ${order.worst.moment + 1} it is worst: ${breachWords(order.worst.breach)}${order.worst.breach.probability > 0 ? `, kept in ${percent(order.worst.breach.probability)} % of the draws` : ""}.` : "";
+  return `${work}. No safe order was found; this is the least unsafe one.${sure}${worst}`;
 }
 
 /** What the plan is for; nothing where there is nothing to do. */
 function aimOf(plan: Plan): string {
   if (plan.turns.length === 0) return "";
   if (!plan.feasible) return ", and breaks the limits, which no strokes can all keep, the least";
+  if (plan.limits_given === false) return isNearer(plan) ? ", and brings the form nearer to its target while no cable goes slack" : ", and keeps cables from going slack, which takes the form from its target";
   return isNearer(plan) ? ", and brings the form nearer to its target while no cable leaves its limits" : ", and brings all cables into their limits, which takes the form from its target";
 }
 
@@ -84,6 +97,11 @@ export function ofPlan(plan: Plan): Summary {
   };
 }
 
+function limitsKept({ feasible, limits_given }: Plan): string {
+  if (limits_given === false) return `No limits of tension or reaction were given; ${feasible ? "no cable goes slack" : "cables may go slack"}`;
+  return feasible ? "All limits are kept" : "Limits cannot all be kept";
+}
+
 /** May one act on it: the verdict of what it stands on, and whether limits are kept. */
 export function planLines(plan: Plan): HTMLElement[] {
   const { verdict, reasons } = plan.identification;
@@ -99,10 +117,13 @@ export function planLines(plan: Plan): HTMLElement[] {
   const more = plan.violations.length - shown;
   const words = plan.feasible ? (plan.order.safe ? "" : "; but no safe order was found") : "; the plan breaks them the least. In the way stand:";
   const limits = h("div", { class: `trust ${!plan.feasible ? "failed" : plan.order.safe && plan.draws > 0 ? "passed" : "doubtful"}`, id: "verdict" },
-    h("p", {}, h("strong", {}, plan.feasible ? "All limits are kept" : "Limits cannot all be kept"),
+    h("p", {}, h("strong", {}, limitsKept(plan)),
       !plan.feasible ? "" : plan.draws === 0 ? ", by the estimate alone" : `, with the ${short(100 * plan.options.confidence)} % that were asked for`, words),
     ...(plan.feasible ? [] : plan.violations.slice(0, shown).map((breach) => h("p", {}, `${breachWords(breach)}.`))),
     !plan.feasible && more > 0 ? h("p", {}, `And ${more} more, in the table below.`) : null,
     plan.converged ? null : h("p", {}, "The search for the best plan ended before it had converged: another may be nearer to the target."));
-  return [stands, limits];
+  const warnings = plan.warnings ?? [];
+  return [
+    ...(warnings.length === 0 ? [] : [h("div", { class: "trust failed", id: "warnings" }, ...warnings.map((text) => h("p", {}, h("strong", {}, text))))]),
+    stands, limits];
 }

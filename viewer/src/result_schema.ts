@@ -72,6 +72,10 @@ export type Indices1 = Index[];
 export type Indices2 = Index[];
 export type CountOrNull = number | null;
 /**
+ * What forbids to turn by the plan, the worst first; the first lines of its lists.
+ */
+export type Texts1 = string[];
+/**
  * Of each coordinate, over the draws; 0 without.
  */
 export type Points1 = Point[];
@@ -798,6 +802,7 @@ export interface Plan {
   command?: string;
   net_fingerprint: string;
   net: Counts;
+  warnings?: Texts1;
   /**
    * Trust in the result that the plan stands on.
    */
@@ -817,6 +822,10 @@ export interface Plan {
    * [m].
    */
   largest_stroke: number;
+  /**
+   * Whether forces were limited beyond that no edge goes slack.
+   */
+  limits_given?: boolean;
   /**
    * Whether all limits are kept with the confidence wanted.
    */
@@ -863,9 +872,13 @@ export interface Plan {
      */
     walk: number;
     /**
-     * Whether at no moment a limit is broken that was kept before the work.
+     * Whether at no moment a limit is broken that was kept before the work, with the confidence wanted.
      */
     safe: boolean;
+    /**
+     * That at no moment a limit is broken that was kept before; 0 or 1 without draws.
+     */
+    safe_probability?: number;
     /**
      * When it is worst, where it is not safe.
      */

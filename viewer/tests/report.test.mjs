@@ -536,6 +536,8 @@ test("the head of a plan tells what it stands on, whether limits are kept, and h
   assert.ok(top.includes(`The identification that this plan stands on: ${result.identification.verdict}`));
   assert.ok(result.feasible);
   assert.match(await page.textContent("#verdict"), /All limits are kept, with the 95 % that were asked for/);
+  assert.ok(result.order.safe);
+  assert.match(top, /no step breaks a limit that was kept before the work, with a probability of [\d.]+ % \(required: 95 %\)/);
   const [, probability] = /probability of ([\d.]+) % \(50 draws\), where 95 % was asked for/.exec(top);
   assert.ok(Math.abs(Number(probability) - 100 * result.tension.limit_probability) < 0.06);
   const keys = ["normal_rmse", "normal_mean", "normal_max", "rmse", "mean", "max"];
@@ -554,10 +556,11 @@ test("a plan that cannot keep its limits says so, and names those in the way", a
   const verdict = await page.textContent("#verdict");
   assert.match(verdict, /Limits cannot all be kept/);
   assert.ok(verdict.includes(`tension of edge ${result.violations[0].id}: `), verdict);
-  assert.match(await page.textContent("#crews"), /do not work from it/);
+  assert.match(await page.textContent("#warnings"), /^DO NOT TURN BY THIS LIST/);
+  assert.match(await page.textContent("#crews"), /DO NOT TURN BY THIS LIST/);
   // A crew may have no other sheet than its own.
   await page.emulateMedia({ media: "print" });
-  assert.match(await page.innerText("[data-crew='1']"), /do not work from it/);
+  assert.match(await page.innerText("[data-crew='1']"), /DO NOT TURN BY THIS LIST/);
   assert.match(await page.textContent("header"), /limits, which no strokes can all keep/);
   assert.doesNotMatch(await page.textContent("header"), /All limits are kept|no cable leaves its limits/);
   await close(page);
@@ -566,7 +569,8 @@ test("a plan that cannot keep its limits says so, and names those in the way", a
 test("a plan without draws, pitch or turns says what it does not tell", async () => {
   const unsure = await open(reports.unsure.page);
   assert.equal(reports.unsure.result.draws, 0);
-  assert.match(await unsure.textContent("#verdict"), /by the estimate alone/);
+  assert.match(await unsure.textContent("#verdict"), /No limits of tension or reaction were given; no cable goes slack, by the estimate alone/);
+  assert.doesNotMatch(await unsure.textContent("header"), /limits are kept/i);
   assert.match(await unsure.textContent(".sentences"), /how surely is not known: /);
   assert.equal((await crewRows(unsure, 1))[0].length, 7, "neither turns nor which way to turn");
   assert.match(await unsure.textContent("#crews"), /the thread is not known/);

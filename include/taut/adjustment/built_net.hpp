@@ -8,6 +8,7 @@
 
 #include "taut/export/adjustment.hpp"
 #include "taut/identification/result.hpp"
+#include "taut/identification/trust.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -19,6 +20,8 @@ struct BuiltNet {
     /// held for the estimate alone.
     Eigen::MatrixXd length_draws;
     std::string no_draws_since;  ///< why there are none, in words
+    /// Why the identification failed its tests, and what to do about it; empty where it did not.
+    std::string failed_since;
 };
 
 /// What an identification found, in the frame of the net whatever that of the survey: lengths as
@@ -34,9 +37,13 @@ struct BuiltNet {
     const CableNet& net, std::span<const IdentifiedEdge> edges,
     std::span<const UnknownEstimate> unknowns, std::span<const BoundaryOutlier> boundary_outliers);
 
+/// What speaks most against a failed identification, and what to do about it, for
+/// BuiltNet::failed_since; empty where it did not fail.
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string failure_of(const Trust& trust);
+
 /// The same with draws, where they can be relied on and nothing but lengths was unknown.
 /// @param net as designed: what was turned since is in the identification
-/// @param identification of this net, which is not checked; its trust is not asked for
+/// @param identification of this net, which is not checked
 /// @throws std::invalid_argument as net_as_identified() and add_draws()
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT BuiltNet built_net_of(const CableNet& net,
                                                            const Identification& identification);

@@ -34,8 +34,8 @@ struct LoadCase {
     TensionLimits tension;  ///< under these loads
 };
 
-/// What forces must keep to: the tensions of all edges (m), then the reactions of the supports of
-/// all reaction limits [N].
+/// What forces must keep to under one set of loads: the tensions of all edges (m), then the
+/// reactions of the supports of all reaction limits [N].
 struct TAUT_ADJUSTMENT_EXPORT ForceRange {
     Eigen::VectorXd lower;  ///< of reactions -infinite
     Eigen::VectorXd upper;  ///< may be infinite
@@ -46,14 +46,17 @@ struct TAUT_ADJUSTMENT_EXPORT ForceRange {
 };
 
 /// What turning must keep to.
-struct Limits {
+struct TAUT_ADJUSTMENT_EXPORT Limits {
     /// Of the edges that may be turned (k each): change of the unstressed length from where it
     /// stands now [m].
     Eigen::VectorXd shortest_stroke;
     Eigen::VectorXd longest_stroke;        ///< 0 or more, likewise (k) [m]
     TensionLimits tension;                 ///< under the net's own loads
-    std::vector<ReactionLimit> reactions;  ///< under the net's own loads, none under later ones
+    std::vector<ReactionLimit> reactions;  ///< under the net's own loads, and under later ones
     std::vector<LoadCase> load_cases;      ///< each with its own limits of tensions
+
+    /// Whether more is limited than strokes, and that no edge goes slack under the net's own loads.
+    [[nodiscard]] bool has_forces() const;
 };
 
 /// Strokes of at most `stroke` either way, and no edge slack.

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace taut {
 /// What a crew can turn by.
 struct TurnSize {
     double pitch = 0.0;     ///< change of length by one turn [m]
-    double smallest = 0.0;  ///< part of a turn that can be told and done; 0: any
+    double smallest = 0.0;  ///< part of a turn that can be told and done, 0 to 1; 0: any
     /// Change of length by the smallest part [m].
     [[nodiscard]] double step() const { return pitch * smallest; }
 };
@@ -38,6 +39,13 @@ struct PlanOptions {
     /// form is told, where there are draws [m].
     std::optional<double> survey_noise = {};
     std::uint64_t seed = 1;  ///< of the play of the turnbuckles
+    /// Plan on an identification that failed its tests, too: to study it, not to turn by it.
+    bool accept_failed = false;
+};
+
+/// Refuses to plan on an identification that failed its tests: the message tells why it did.
+class TAUT_ADJUSTMENT_EXPORT FailedIdentification : public std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
 };
 
 /// One edge that is to be turned.
@@ -111,9 +119,10 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
 /// @param built in equilibrium; limits and options tell of its edges
 /// @param target of the same net, which is not checked
 /// @param progress told of the stage "planning"
+/// @throws FailedIdentification where `built` is of one, and PlanOptions::accept_failed is not set
 /// @throws std::invalid_argument as check_limits(), for edges out of range, doubled or none, a
 ///   confidence outside (0, 1), a tolerance or pitch that is not positive, a smallest part of a
-///   turn outside (0, 1], draws of wrong size or too few for the confidence, play of the
+///   turn outside [0, 1], draws of wrong size or too few for the confidence, play of the
 ///   actuators beyond a quarter of the shortest edge, a net that finds no equilibrium, and where
 ///   this taut was built without the conic solver
 /// @throws Interrupted where a stop was requested

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "taut/adjustment/further_edges.hpp"
 #include "taut/adjustment/plan.hpp"
@@ -31,13 +32,16 @@ struct PlanRecord {
     std::optional<Thread> thread;  ///< of all, in place of what the net tells of each
 };
 
+/// What forbids to turn by a plan, the worst first, in a line each; the first lines of all lists.
+[[nodiscard]] TAUT_IO_EXPORT std::vector<std::string> plan_warnings(const PlanRecord& record);
+
 /// plan.json: format "taut-plan", version 1; all numbers in SI units.
 [[nodiscard]] TAUT_IO_EXPORT std::string plan_to_json(const PlanRecord& record,
                                                       const RunRecord& run = {});
 
 /// The list that a crew works from, a line each turning, in the order of the work: crew, pass,
 /// moment, edge, sense, rotation (empty where the thread is not told), stroke [mm], turns, reading
-/// afterwards [mm], tension after all [kN].
+/// afterwards [mm], tension after all [kN]. Before it, with #, plan_warnings().
 [[nodiscard]] TAUT_IO_EXPORT std::string plan_to_csv(const PlanRecord& record);
 
 /// "shorten", or "lengthen" for 0 and more.
