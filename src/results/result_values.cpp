@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "files/message.hpp"
 #include "io/net_json_value.hpp"
 
 namespace taut {
