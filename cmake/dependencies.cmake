@@ -27,6 +27,8 @@ find_package(NLopt 2.7 REQUIRED)
 unset(CMAKE_FIND_PACKAGE_SORT_ORDER)
 unset(CMAKE_FIND_PACKAGE_SORT_DIRECTION)
 find_package(nlohmann_json 3.11 REQUIRED)
+# Headers alone; the name of its target changes from version to version.
+find_path(TAUT_VALIJSON_INCLUDE_DIR valijson/validator.hpp REQUIRED)
 find_package(pugixml 1.13 REQUIRED)
 find_package(BLAS REQUIRED)
 find_package(LAPACK REQUIRED)

@@ -13,6 +13,7 @@
 #include "taut/interchange/obj.hpp"
 #include "taut/io/lengths_csv.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/results/draws_h5.hpp"
 #include "taut/results/net_or_result.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/imbalance.hpp"
@@ -181,7 +182,8 @@ void print(const Exported& it, const std::vector<std::string>& files) {
 void run(const ExportOptions& options) {
     const Exported exported = gather(options);
     const std::vector<std::string> files = output_files(options);
-    check_outputs(files, {options.net, options.form, options.lengths});
+    check_outputs(files, {options.net, options.form, options.lengths,
+                          exported.source.is_identified ? draws_path(options.net).string() : ""});
     write(files, options.format, exported.source.file);
     warn(exported.form, exported.warnings);
     if (options.json) {

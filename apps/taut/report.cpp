@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "taut/files/file.hpp"
 #include "taut/report/report_html.hpp"
+#include "taut/results/draws_h5.hpp"
 #include "taut/results/result_file.hpp"
 #include "terminal.hpp"
 
@@ -19,14 +20,14 @@ struct ReportOptions : CommonOptions {
 };
 
 void run(const ReportOptions& options) {
-    check_outputs({options.output}, {options.result});
+    check_outputs({options.output}, {options.result, draws_path(options.result).string()});
     const ResultFile result = read_result(options.result);
     if (!has_report_viewer()) {
         throw std::invalid_argument("this taut was built without Node.js and makes no reports");
     }
     write_file(options.output, report_html(result));
     if (options.json) {
-        say("{}\n", nlohmann::json{{"written", {options.output}}}.dump());
+        say("{}\n", to_text({{"written", nlohmann::ordered_json::array({options.output})}}));
         return;
     }
     say("written to {}\n", options.output);

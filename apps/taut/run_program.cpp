@@ -85,8 +85,15 @@ int run_program(const Program& program, int argc, char** argv) noexcept {
         return fail(wrong_input, error.what());
     } catch (const std::bad_alloc&) {
         end_without_memory();  // as other threads may, too, at the same time
-    } catch (const std::exception& error) {
+    } catch (const std::runtime_error& error) {
         return fail(numerical_failure, error.what());
+    } catch (const std::exception&) {
+        // taut says in its own words what is wrong. All else comes of a fault in it, and names
+        // nothing that its user knows.
+        return fail(wrong_input,
+                    "a fault of the program itself ended this command, which is to be "
+                    "reported with its files: " +
+                        run_record().command);
     }
 }
 

@@ -72,6 +72,7 @@ class Taut(ConanFile):
         self.requires("fmt/[>=9 <12]")
         self.requires("fast_float/[>=3.9 <9]", visible=False)
         self.requires("nlohmann_json/[>=3.11 <4]", visible=False)
+        self.requires("valijson/[>=1.0 <2]", visible=False)
 
     def build_requirements(self):
         self.tool_requires("cmake/[>=3.25 <5]")

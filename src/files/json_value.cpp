@@ -102,6 +102,9 @@ bool JsonValue::flag() const {
 }
 
 JsonValue JsonValue::at(size_t index) const {
+    if (const size_t size = array_size("an array"); index >= size) {
+        fail(fmt::format("has {} entries, expected more than {}", size, index));
+    }
     return {(*m_value)[index], *m_file_name, fmt::format("{}/{}", m_pointer, index)};
 }
 

@@ -38,7 +38,7 @@ public:
     /// true or false, or 1 or 0.
     [[nodiscard]] bool flag() const;
 
-    /// Entry of an array that holds it.
+    /// Entry of an array, which must have it.
     [[nodiscard]] JsonValue at(size_t index) const;
     /// Member of an object, if it has it.
     [[nodiscard]] std::optional<JsonValue> find(const std::string& key) const;

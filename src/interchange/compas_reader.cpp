@@ -247,9 +247,9 @@ private:
 
 ImportedStructure parse_compas(std::string_view text, const std::string& file_name,
                                const std::string& select) {
-    const nlohmann::json json = parse_json(text, file_name);
-    const JsonValue root(json, file_name);
-    return Reader(find_compas_structure(root, select), file_name).read();
+    return read_json(text, file_name, [&](const JsonValue& root) {
+        return Reader(find_compas_structure(root, select), file_name).read();
+    });
 }
 
 }  // namespace taut

@@ -198,16 +198,16 @@ CableNet read_net_value(const JsonValue& root) {
 }
 
 NetFile parse_net(std::string_view text, const std::string& file_name) {
-    const nlohmann::json json = parse_json(text, file_name);
-    const JsonValue root(json, file_name);
-    check_format(root);
-    nlohmann::json unknown = nlohmann::json::object();
-    for (const auto& [key, value] : json.items()) {
-        if (!is_net_key(key)) {
-            unknown[key] = value;
+    return read_json(text, file_name, [](const JsonValue& root) -> NetFile {
+        check_format(root);
+        nlohmann::json unknown = nlohmann::json::object();
+        for (const auto& [key, value] : root.json().items()) {
+            if (!is_net_key(key)) {
+                unknown[key] = value;
+            }
         }
-    }
-    return {.net = read_net_value(root), .unknown_keys = unknown.dump()};
+        return {.net = read_net_value(root), .unknown_keys = unknown.dump()};
+    });
 }
 
 NetFile read_net(const std::filesystem::path& path) {

@@ -6,19 +6,11 @@
 
 #include <set>
 
+#include "results/result_checks.hpp"
 #include "results/result_values.hpp"
 
 namespace taut {
 namespace {
-
-void check_breach(const JsonValue& breach, const CableNet& net) {
-    if (const auto edge = breach.find("edge")) {
-        static_cast<void>(read_edge_index(*edge, net));
-    }
-    if (const auto node = breach.find("node")) {
-        static_cast<void>(read_node(*node, net));
-    }
-}
 
 PlanResult::Tension read_tension(const JsonValue& value, int edge) {
     const JsonValue told = member(value, "edge");
@@ -52,8 +44,11 @@ PlanResult::Tension read_tension(const JsonValue& value, int edge) {
 
 PlanResult read_plan(const JsonValue& root) {
     PlanResult plan{.net = require_net(root)};
+    check_names(root, plan.net);
     plan.built_form = require_form(root, "built_form", plan.net);
     plan.planned_form = require_form(root, "planned_form", plan.net);
+    check_supports(member(root, "planned_form"), plan.planned_form, plan.net, plan.built_form,
+                   "/built_form");
     static_cast<void>(require_form(root, "planned_form_std", plan.net));
     plan.target_form = require_form(root, "target_form", plan.net);
     plan.target_normals = require_form(root, "target_normals", plan.net);
@@ -71,12 +66,6 @@ PlanResult read_plan(const JsonValue& root) {
         turned.insert(read_edge_index(member(turn, "edge"), plan.net));
     }
     require_equal(root, "touched", static_cast<int>(turned.size()), "the edges among /turns");
-    for (const JsonValue& breach : entries(root, "violations")) {
-        check_breach(breach, plan.net);
-    }
-    if (const auto worst = find_unless_null(member(root, "order"), "worst")) {
-        check_breach(member(*worst, "breach"), plan.net);
-    }
     return plan;
 }
 

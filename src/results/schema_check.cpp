@@ -4,216 +4,187 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <map>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
 
-#include "files/message.hpp"
+// No other source includes valijson: it takes seconds to compile.
 
 namespace taut {
 namespace {
 
 using nlohmann::json;
-
-/// A rule with the definitions that it refers to in their places: the schema has no circles.
-json inlined(const json& rule, const json& definitions) {
-    if (const auto reference = rule.find("$ref"); reference != rule.end()) {
-        constexpr std::string_view before = "#/definitions/";
-        return inlined(definitions.at(reference->get<std::string>().substr(before.size())),
-                       definitions);
-    }
-    json result = rule;
-    for (json& entry : result) {
-        if (entry.is_structured()) {
-            entry = inlined(entry, definitions);
-        }
-    }
-    return result;
-}
+using valijson::adapters::NlohmannJsonAdapter;
 
 const json& definitions() {
-    static const json all = [] {
-        const json as_written = json::parse(result_schema()).at("definitions");
-        return inlined(as_written, as_written);
-    }();
+    static const json all = json::parse(result_schema()).at("definitions");
     return all;
 }
 
-struct Type {
-    const char* words;
-    bool (json::*is_of)() const noexcept;
+/// A rule of the schema as valijson has it.
+class Judge {
+public:
+    explicit Judge(const json& rule) {
+        const json document{{"definitions", definitions()}, {"allOf", json::array({rule})}};
+        valijson::SchemaParser().populateSchema(NlohmannJsonAdapter(document), m_schema);
+    }
+
+    /// Does not collect reasons: of a large file that is wrong throughout they would take many
+    /// times the memory of the file itself.
+    [[nodiscard]] bool accepts(const json& value) const {
+        return valijson::Validator().validate(m_schema, NlohmannJsonAdapter(value), nullptr);
+    }
+
+private:
+    valijson::Schema m_schema;
 };
 
-const Type& type_named(const json& name) {
-    static const std::map<std::string_view, Type> types{
-        {"object", {"an object", &json::is_object}},
-        {"array", {"an array", &json::is_array}},
-        {"number", {"a number", &json::is_number}},
-        {"boolean", {"true or false", &json::is_boolean}},
-        {"integer", {"a whole number", &json::is_number_integer}},
-        {"string", {"text", &json::is_string}},
-        {"null", {"null", &json::is_null}},
-    };
-    return types.at(name.get_ref<const std::string&>());
+const json* find(const json& object, const std::string& key) {
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
 }
 
-/// Calls with the name of each type that a rule allows, its alternatives' where it has such, until
-/// one call is true.
-template <class Action>
-bool any_type(const json& rule, const Action& action) {
-    if (const auto alternatives = rule.find("anyOf"); alternatives != rule.end()) {
-        return std::ranges::any_of(
-            *alternatives, [&](const json& alternative) { return any_type(alternative, action); });
+/// The rule that a "$ref" names, or the rule itself.
+const json& referred(const json& rule) {
+    const json* reference = find(rule, "$ref");
+    if (reference == nullptr) {
+        return rule;
     }
-    const json& type = rule.at("type");
-    return type.is_string() ? action(type) : std::ranges::any_of(type, action);
+    constexpr std::string_view before = "#/definitions/";
+    const auto& name = reference->get_ref<const std::string&>();
+    return referred(definitions().at(name.substr(before.size())));
 }
 
-bool is_of_type(const json& value, const json& rule) {
-    return any_type(rule, [&](const json& name) { return (value.*type_named(name).is_of)(); });
+/// Of alternatives the one for values of this type; the rule itself where it has none, or none
+/// fits.
+const json& rule_for(const json& value, const json& rule_or_reference) {
+    const json& rule = referred(rule_or_reference);
+    if (const json* alternatives = find(rule, "anyOf")) {
+        for (const json& alternative : *alternatives) {
+            if (const json& fitting = referred(alternative);
+                fitting.value("type", json()) == value.type_name()) {
+                return fitting;
+            }
+        }
+    }
+    return rule;
 }
 
-/// "a number, or null".
-std::string type_words(const json& rule) {
+/// The rule for a member of an object; null where the schema has none.
+const json* rule_of_member(const json& rule, const std::string& key) {
+    const json* properties = find(rule, "properties");
+    const json* named = properties == nullptr ? nullptr : find(*properties, key);
+    return named == nullptr ? find(rule, "additionalProperties") : named;
+}
+
+/// "at least 0", "0 to 1", "3"; empty without limits.
+std::string range_words(const json& rule, const char* least, const char* most) {
+    const json* from = find(rule, least);
+    const json* to = find(rule, most);
+    if (from == nullptr || to == nullptr) {
+        return from != nullptr ? "at least " + from->dump()
+               : to != nullptr ? "at most " + to->dump()
+                               : "";
+    }
+    return *from == *to ? from->dump() : fmt::format("{} to {}", from->dump(), to->dump());
+}
+
+/// "a number of at least 0".
+std::string type_words(const json& rule, const std::string& type) {
+    struct Type {
+        const char* name;
+        const char* least;
+        const char* most;
+        const char* counted;
+    };
+    static const std::map<std::string, Type> types{
+        {"object", {"an object", "minProperties", "maxProperties", " entries"}},
+        {"array", {"an array", "minItems", "maxItems", " entries"}},
+        {"number", {"a number", "minimum", "maximum", ""}},
+        {"integer", {"a whole number", "minimum", "maximum", ""}},
+        {"boolean", {"true or false", "", "", ""}},
+        {"string", {"text", "", "", ""}},
+        {"null", {"null", "", "", ""}},
+    };
+    const Type& it = types.at(type);
+    const std::string range = range_words(rule, it.least, it.most);
+    return range.empty() ? it.name : fmt::format("{} of {}{}", it.name, range, it.counted);
+}
+
+/// What a rule asks for: "a number of at least 0, or null".
+std::string words_of(const json& rule_or_reference) {
+    const json& rule = referred(rule_or_reference);
     std::string words;
-    any_type(rule, [&](const json& name) {
-        words += (words.empty() ? "" : ", or ") + std::string(type_named(name).words);
-        return false;
-    });
+    const auto add = [&words](const std::string& alternative) {
+        words += (words.empty() ? "" : ", or ") + alternative;
+    };
+    if (const json* alternatives = find(rule, "anyOf")) {
+        for (const json& alternative : *alternatives) {
+            add(words_of(alternative));
+        }
+    } else if (const json* values = find(rule, "enum")) {
+        for (const json& value : *values) {
+            words += (words.empty() ? "" : " or ") + value.dump();
+        }
+    } else if (const json* only = find(rule, "const")) {
+        add(only->dump());
+    } else if (const json* types = find(rule, "type")) {
+        for (const json& type : types->is_array() ? *types : json::array({*types})) {
+            add(type_words(rule, type.get_ref<const std::string&>()));
+        }
+    }
     return words;
 }
 
-void check(const JsonValue& value, const json& rule);
-
-// One function a keyword: the value, which is of the rule's type, what the keyword says, the rule.
-
-void nothing(const JsonValue& /*value*/, const json& /*argument*/, const json& /*rule*/) {}
-
-/// Alternatives are told apart by their types.
-void check_alternatives(const JsonValue& value, const json& alternatives, const json& /*rule*/) {
-    check(value, *std::ranges::find_if(alternatives, [&](const json& alternative) {
-              return is_of_type(value.json(), alternative);
-          }));
-}
-
-void check_values(const JsonValue& value, const json& values, const json& /*rule*/) {
-    if (std::ranges::find(values, value.json()) == values.end()) {
-        std::string expected;
-        for (const json& each : values) {
-            expected += (expected.empty() ? "" : " or ") + each.dump();
-        }
-        value.fail(fmt::format("is {}, expected {}",
-                               value.json().is_string() ? quote(value.text()) : value.json().dump(),
-                               expected));
-    }
-}
-
-void check_value(const JsonValue& value, const json& expected, const json& rule) {
-    check_values(value, json{expected}, rule);
-}
-
-void check_minimum(const JsonValue& value, const json& least, const json& /*rule*/) {
-    if (!value.json().is_null() && value.json() < least) {
-        value.fail_type("at least " + least.dump());
-    }
-}
-
-void check_maximum(const JsonValue& value, const json& most, const json& /*rule*/) {
-    if (!value.json().is_null() && value.json() > most) {
-        value.fail_type("at most " + most.dump());
-    }
-}
-
-void check_least_size(const JsonValue& value, const json& least, const json& rule) {
-    const size_t size = value.json().size();
-    if (size == 0 && least > 0) {
-        value.fail(fmt::format("is empty, expected at least {} {}", least.dump(),
-                               least == 1 ? "entry" : "entries"));
-    }
-    if (least > size) {
-        value.fail(fmt::format("has {} entries, expected {}{}", size,
-                               rule.value("maxItems", json()) == least ? "" : "at least ",
-                               least.dump()));
-    }
-}
-
-void check_most_size(const JsonValue& value, const json& most, const json& rule) {
-    if (most < value.json().size()) {
-        value.fail(fmt::format("has {} entries, expected {}{}", value.json().size(),
-                               rule.value("minItems", json()) == most ? "" : "at most ",
-                               most.dump()));
-    }
-}
-
-void check_entries(const JsonValue& value, const json& rule_of_entry, const json& /*rule*/) {
-    for (size_t i = 0; i < value.json().size(); ++i) {
-        check(value.at(i), rule_of_entry);
-    }
-}
-
-void check_keys(const JsonValue& value, const json& keys, const json& rule) {
-    for (const json& key : keys) {
-        const auto& name = key.get_ref<const std::string&>();
-        if (!value.json().contains(name)) {
-            value.fail_below("/" + name,
-                             "is missing, expected " + type_words(rule.at("properties").at(name)));
+/// Fails at the innermost part of a value that its rule refuses. valijson alone judges; the rules
+/// are looked at for the part's own one, and for words.
+[[noreturn]] void refuse(const JsonValue& value, const json& rule_or_alternatives) {
+    const json& content = value.json();
+    const json& rule = rule_for(content, rule_or_alternatives);
+    const json* of_entry = find(rule, "items");
+    if (content.is_array() && of_entry != nullptr) {
+        const Judge judge(*of_entry);
+        for (size_t i = 0; i < content.size(); ++i) {
+            if (!judge.accepts(content[i])) {
+                refuse(value.at(i), *of_entry);
+            }
         }
     }
-}
-
-void check_members(const JsonValue& value, const json& rules, const json& /*rule*/) {
-    for (const auto& [key, rule_of_member] : rules.items()) {
-        if (const auto member = value.find(key)) {
-            check(*member, rule_of_member);
+    if (content.is_object()) {
+        for (const auto& [key, member] : content.items()) {
+            const json* of_member = rule_of_member(rule, key);
+            if (of_member != nullptr && !Judge(*of_member).accepts(member)) {
+                refuse(*value.find(key), *of_member);
+            }
+        }
+        for (const json& required : rule.value("required", json::array())) {
+            const auto& key = required.get_ref<const std::string&>();
+            if (!content.contains(key)) {
+                const json* of_member = rule_of_member(rule, key);
+                value.fail_below("/" + key,
+                                 "is missing, expected " +
+                                     (of_member == nullptr ? "some value" : words_of(*of_member)));
+            }
         }
     }
-}
-
-void check_other_members(const JsonValue& value, const json& rule_of_member, const json& rule) {
-    const auto named = rule.find("properties");
-    for (const auto& [key, member] : value.json().items()) {
-        if (named == rule.end() || !named->contains(key)) {
-            check(*value.find(key), rule_of_member);
-        }
+    if (content.is_structured() &&
+        find(rule, content.is_array() ? "minItems" : "minProperties") != nullptr) {
+        value.fail(fmt::format(
+            "{}, expected {}",
+            content.empty() ? "is empty" : fmt::format("has {} entries", content.size()),
+            words_of(rule)));
     }
-}
-
-using KeywordCheck = void (*)(const JsonValue&, const json&, const json&);
-
-/// A keyword that is not here is not in the schema: at() throws.
-KeywordCheck check_of(const std::string& keyword) {
-    static const std::map<std::string, KeywordCheck> checks{
-        {"type", nothing},  // before all others
-        {"title", nothing},
-        {"description", nothing},
-        {"anyOf", check_alternatives},
-        {"enum", check_values},
-        {"const", check_value},
-        {"minimum", check_minimum},
-        {"maximum", check_maximum},
-        {"minItems", check_least_size},
-        {"maxItems", check_most_size},
-        {"items", check_entries},
-        {"minProperties", check_least_size},
-        {"required", check_keys},
-        {"properties", check_members},
-        {"additionalProperties", check_other_members},
-    };
-    return checks.at(keyword);
-}
-
-void check(const JsonValue& value, const json& rule) {
-    if (!is_of_type(value.json(), rule)) {
-        value.fail_type(type_words(rule));
-    }
-    for (const auto& [keyword, argument] : rule.items()) {
-        check_of(keyword)(value, argument, rule);
-    }
+    value.fail_type(words_of(rule_or_alternatives));
 }
 
 }  // namespace
 
 void check_against_schema(const JsonValue& value, const std::string& definition) {
-    check(value, definitions().at(definition));
+    const json& rule = definitions().at(definition);
+    if (!Judge(rule).accepts(value.json())) {
+        refuse(value, rule);
+    }
 }
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include "app/program.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/io/net_json.hpp"
+#include "taut/report/report_html.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace {
@@ -100,6 +101,28 @@ TEST_F(Export, GivesTheNetAsAnIdentificationFoundIt) {
     // What it is now is what it would become: the net is in equilibrium as it stands.
     const json form = json::parse(must_run({"form", "out.net", "--json"}));
     EXPECT_LT(form["largest_move"], 1e-9);
+}
+
+TEST_F(Export, LeavesTheDrawsOfItsResultAsTheyAre) {
+    identify({"--noise", "0.5mm", "--seed", "3"}, {"--draws", "20"});
+    const std::string draws = read("result_draws.h5");
+    for (std::vector<std::string> words :
+         {std::vector<std::string>{"export", "result.json", "--to", "net"},
+          std::vector<std::string>{"report", "result.json"}}) {
+        words.insert(words.end(), {"-o", "result_draws.h5"});
+        expect_error(run(words), 2, "result_draws.h5: is an input of this command");
+    }
+    EXPECT_EQ(read("result_draws.h5"), draws);
+}
+
+TEST_F(Export, TellsOfAReportWhoseNameIsNotUtf8) {
+    if (!has_report_viewer()) {
+        GTEST_SKIP() << "built without Node.js";
+    }
+    identify({});
+    const json told =
+        json::parse(must_run({"report", "result.json", "-o", "name\xff.html", "--json"}));
+    EXPECT_EQ(told["written"], json{"name\uFFFD.html"});
 }
 
 TEST_F(Export, SaysWhatAResultIsExportedBy) {

@@ -33,12 +33,12 @@ NetOrResult parse(const json& document) {
 
 TEST(NetOrResult, OfAnIdentificationHasItsLengthsAndItsForm) {
     json document = identification();
-    document["form"][0] = {0.125, 0.25, 0.5};
+    document["form"][4] = {0.125, 0.25, 0.5};
     const CableNet designed = hypar(2, 3);
     const NetOrResult read = parse(document);
     const CableNet& net = read.file.net;
     EXPECT_TRUE(read.is_identified);
-    EXPECT_EQ(net.nodes().col(0), Eigen::Vector3d(0.125, 0.25, 0.5));
+    EXPECT_EQ(net.nodes().col(4), Eigen::Vector3d(0.125, 0.25, 0.5));
     EXPECT_EQ(net.nodes().col(1), designed.nodes().col(1));
     for (const int edge : designed.interior_edges()) {
         EXPECT_NEAR(net.unstressed_lengths()(edge),

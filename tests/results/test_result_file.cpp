@@ -65,6 +65,7 @@ TEST(ResultFile, OfAPlanGivesItsNumbersBack) {
     EXPECT_TRUE(read.target_form.isApprox(net.nodes(), 1e-8));
     Points built_less_target = 0.003 * read.target_normals;
     built_less_target.row(0).array() += 0.004;
+    built_less_target(Eigen::all, net.supports()).setZero();
     EXPECT_TRUE((read.built_form - read.target_form).isApprox(built_less_target, 1e-4));
     EXPECT_TRUE((3.0 * (read.planned_form - read.target_form))
                     .isApprox(read.built_form - read.target_form, 1e-4));
@@ -133,6 +134,27 @@ TEST(ResultFile, TellsTargetsThatWereLeftOutFromThoseInUse) {
     for (const auto& residual : std::get<IdentificationResult>(file.content).residuals) {
         EXPECT_EQ(residual.is_in_use, residual.node != node);
     }
+}
+
+TEST(ResultFile, TellsAdjustableEdgesAndSupportsThatAreNotAsDesigned) {
+    json result = good("identification");
+    const int edge = result["cable_net"]["adjustable"][1];
+    result["doubt"]["boundary"] = json::array(
+        {{{"edge", edge}, {"id", std::to_string(edge)}, {"deviation", -0.012}, {"std", 4e-4}},
+         {{"node", 0}, {"id", "0"}, {"deviation", {0.0, 0.02, 0.0}}, {"std", {1e-3, 1e-3, 1e-3}}}});
+    for (json& one : result["doubt"]["boundary"]) {
+        one.update({{"statistic", 99.0}, {"rival", nullptr}});
+    }
+    const auto parse = [&] { return parse_result(result.dump(), "r.json"); };
+    EXPECT_THAT(input_error_of(parse), ::testing::HasSubstr("/form/0: is 0.02 m from ["));
+    result["form"][0][1] = result["form"][0][1].get<double>() + 0.02;
+    const ResultFile file = parse();
+    const auto& found = std::get<IdentificationResult>(file.content).boundary_outliers;
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].index, edge);
+    EXPECT_EQ(found[0].deviation.x(), -0.012);
+    EXPECT_EQ(found[1].kind, BoundaryOutlier::Kind::support);
+    EXPECT_EQ(found[1].deviation.y(), 0.02);
 }
 
 /// Calls with each object of a document and the rule of the schema that it keeps to.
@@ -214,6 +236,13 @@ struct Damage {
 
 const json gone = json(json::value_t::discarded);
 
+/// Of a result: one adjustable edge or support that is not as designed.
+json boundary(const std::string& entry) {
+    json one = json::parse(entry);
+    one.update({{"statistic", 99.0}, {"rival", nullptr}});
+    return json::array({one});
+}
+
 class DamagedResult : public ::testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedResult, IsRefusedWithItsPlace) {
@@ -270,15 +299,19 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithoutValidation", "study", "/samples/validation", 0, "/samples/validation"},
         Damage{"WithANegativeCount", "study", "/samples/total", -1, "/samples/total: is -1"},
         Damage{"WithACountBeyondAllReason", "study", "/samples/total", 3'000'000'000,
-               "/samples/total: is 3000000000, expected at most 2147483647"},
+               "/samples/total: is 3000000000, expected a whole number of 0 to 2147483647"},
         Damage{"WithMoreForTrainingThanThereAre", "study", "/samples/training", 100'000,
                "/samples/training: is 100000, expected at most total"},
         Damage{"OfFewerNodesThanItsNet", "study", "/net/free_nodes", 5,
                "/net/free_nodes: is 5, expected 6, as /cable_net has"},
         Damage{"WithACoverageBeyondAll", "study", "/methods/gp_as_in_paper/coverage_95", 1.5,
-               "/methods/gp_as_in_paper/coverage_95: is 1.5, expected at most 1"},
+               "/methods/gp_as_in_paper/coverage_95: is 1.5, expected a number of 0 to 1, or null"},
         Damage{"WithAReversedFormError", "study", "/form_error/nominal/min", 1e9,
                "/form_error/nominal/min: is 1000000000, expected at most max"},
+        Damage{"WithATensionBelowZero", "study", "/sample/true_tension/3", -5.0,
+               "/sample/true_tension/3: is -5.0, expected a number of at least 0"},
+        Damage{"WithASupportMoved", "study", "/sample/true_form/0/0", 99.0,
+               "/sample/true_form/0: is "},
         Damage{"WithANumberForADate", "study", "/date", 5, "/date: is 5, expected text"}),
     name_of);
 
@@ -291,33 +324,33 @@ INSTANTIATE_TEST_SUITE_P(
                without_last(good("identification")["edges"]),
                "/edges: has 6 entries, expected one for each interior edge: 7"},
         Damage{"WithNegativeNoise", "identification", "/noise", -1e-3,
-               "/noise: is -0.001, expected at least 0"},
+               "/noise: is -0.001, expected a number of at least 0"},
         Damage{"WithNegativeNoiseOfTheSurvey", "identification", "/survey/noise", -1e-3,
-               "/survey/noise: is -0.001, expected at least 0"},
+               "/survey/noise: is -0.001, expected a number of at least 0"},
         Damage{"WithANegativeCount", "identification", "/survey/used", -1,
-               "/survey/used: is -1, expected at least 0"},
+               "/survey/used: is -1, expected a whole number of 0 to 2147483647"},
         Damage{"WithANegativeCountOfTheNet", "identification", "/net/free_nodes", -3,
-               "/net/free_nodes: is -3, expected at least 0"},
+               "/net/free_nodes: is -3, expected a whole number of 0 to 2147483647"},
         Damage{"WithMoreTargetsThanNodes", "identification", "/survey/used", 100,
                "/survey/missing: is 0, expected -94, the free nodes that were not used"},
         Damage{"WithAnEdgeBetweenOtherNodes", "identification", "/edges/0/nodes", json{0, 1},
-               "/edges/0/nodes: expected ["},
+               "/edges/0/nodes: is [0,1], expected ["},
         Damage{"WithAnotherNominalLength", "identification", "/edges/0/nominal", 77.0,
                "/edges/0/nominal: is 77, expected "},
         Damage{"WithAFlatRotation", "identification", "/frame",
                json::parse(R"({"rotation": [[1, 0, 0]], "from": [0, 0, 0], "to": [0, 0, 0],
                                "fit": {"rms": 0, "count": 0}, "control": []})"),
-               "/frame/rotation: has 1 entries, expected 3"},
+               "/frame/rotation: has 1 entries, expected an array of 3 entries"},
         Damage{"WithTextForAFrame", "identification", "/frame", "net",
                "/frame: is the text 'net', expected an object, or null"},
         Damage{"WithAnEdgeBeyondTheNet", "identification", "/edges/0/edge", 1000,
-               "/edges/0/edge: is 1000, expected an interior edge"},
+               "/edges/0/edge: is 1000, expected an edge of the net"},
         Damage{"WithAnEdgeTwice", "identification", "/edges/1", good("identification")["edges"][0],
                "/edges/1: is the edge"},
         Damage{"WithAnUnknownStatus", "identification", "/edges/0/status", "broken",
-               "/edges/0/status: is 'broken'"},
+               R"(/edges/0/status: is the text 'broken', expected "identified" or "slack" or )"},
         Damage{"WithANegativeStd", "identification", "/edges/0/std", -1.0,
-               "/edges/0/std: is -1.0, expected at least 0"},
+               "/edges/0/std: is -1.0, expected a number of at least 0"},
         Damage{"WithAReversedInterval", "identification", "/edges/0/lower", 1.0, "/edges/0: has"},
         Damage{"WithANullDeviation", "identification", "/edges/0/length_deviation", nullptr,
                "/edges/0/length_deviation: is null"},
@@ -354,11 +387,48 @@ INSTANTIATE_TEST_SUITE_P(
                good("identification")["survey"]["residuals"][0],
                "/survey/residuals/1: is of the node "},
         Damage{"WithAnAdjustableEdgeThatIsNone", "identification", "/adjustable_edges",
-               json::parse(R"([{"edge": 999, "tension": 1, "tension_std": 1, "tension_lower": 0,
+               json::parse(R"([{"edge": 4, "tension": 1, "tension_std": 1, "tension_lower": 0,
                                 "tension_upper": 2, "slack_probability": 0}])"),
-               "/adjustable_edges/0/edge: is 999, expected each adjustable edge"},
-        Damage{"WithAVerdictOfNoKind", "identification", "/trust/verdict", "fine",
-               R"(/trust/verdict: is 'fine', expected "passed" or "doubtful" or "failed")"},
+               "/adjustable_edges/0/edge: is 4, expected each adjustable edge"},
+        Damage{
+            "WithAVerdictOfNoKind", "identification", "/trust/verdict", "fine",
+            R"(/trust/verdict: is the text 'fine', expected "passed" or "doubtful" or "failed")"},
+        Damage{"WithATensionBelowZero", "identification", "/tension",
+               json(std::vector<double>(good("identification")["cable_net"]["edges"].size(), -1.0)),
+               "/tension/0: is -1.0, expected a number of at least 0"},
+        Damage{"WithAMeanTensionBelowZero", "identification", "/mean_tension",
+               json::parse(R"({"mean": -1, "std": 1, "lower": -2, "upper": 1})"),
+               "/mean_tension/lower: is -2, expected a number of at least 0"},
+        Damage{"WithASupportMovedInItsForm", "identification", "/form/0/2", 5.0, "/form/0: is 4.9"},
+        Damage{"WithAStdBesideNarrowerBounds", "identification", "/edges/1/std", 0.5,
+               "/edges/1/std: is 0.5, expected at most 0.002"},
+        Damage{"WithAnAdjustableEdgeBetweenOtherNodes", "identification", "/adjustable_edges",
+               json::parse(R"([{"edge": 0, "nodes": [3, 4], "tension": 1, "tension_std": 1,
+                                "tension_lower": 0, "tension_upper": 2, "slack_probability": 0}])"),
+               "/adjustable_edges/0/nodes: is [3,4], expected ["},
+        Damage{"WithTheIdOfAnotherEdge", "identification", "/edges/0/id", "edge 77",
+               "/edges/0/id: is 'edge 77', expected '"},
+        Damage{"WithAVerdictBetterThanItsFindings", "identification", "/trust/findings",
+               json::parse(R"([{"verdict": "failed", "reason": "all", "next": ""}])"),
+               "/trust/verdict: is 'passed', expected 'failed', the worst of all findings"},
+        Damage{"WithALengthCovarianceOfTooFewRows", "identification", "/length_covariance",
+               json::parse(R"({"edges": [0, 1], "ids": ["0", "1"], "covariance": [[1, 0]]})"),
+               "/length_covariance/covariance: has 1 entries, expected a row for each edge: 2"},
+        Damage{"WithABoundaryOutlierThatIsNoAdjustableEdge", "identification", "/doubt/boundary",
+               boundary(R"({"edge": 4, "id": "4", "deviation": 0.01, "std": 0.001})"),
+               "/doubt/boundary/0/edge: is 4, expected an adjustable edge"},
+        Damage{"WithANumberForAMoveOfASupport", "identification", "/doubt/boundary",
+               boundary(R"({"node": 0, "id": "0", "deviation": 0.01, "std": 0.001})"),
+               "/doubt/boundary/0/deviation: is 0.01, expected a number for each axis"},
+        Damage{"WithATextInAMoveOfASupport", "identification", "/doubt/boundary",
+               boundary(R"({"node": 0, "id": "0", "deviation": [0, 0, "far"], "std": [1, 1, 1]})"),
+               "/doubt/boundary/0/deviation/2: is the text 'far', expected a number"},
+        Damage{"WithAnEpochsBoundaryOutlierOfNothing", "identification", "/epochs",
+               json::parse(R"([{"used": 1, "turned": [], "outliers": [], "change_ratio": 0,
+                                "changes": [], "trust": {"verdict": "passed", "findings": []},
+                                "boundary": [{"id": "0", "deviation": 0.01, "std": 0.001,
+                                              "statistic": 9, "rival": null}]}])"),
+               "/epochs/0/boundary/0/node: is missing"},
         Damage{"WithAFingerprintWithoutEnd", "identification", "/net/fingerprint",
                std::string(100'000, 'x'), "x...', expected "}),
     name_of);
@@ -385,6 +455,11 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithALeastTensionAboveTheMost", "plan", "/tension/least", 1e9,
                "/tension/least: is 1000000000, expected at most most, which is "},
         Damage{"WithMoreTouchedThanTurned", "plan", "/touched", 100, "/touched: is 100, expected "},
+        Damage{"WithATensionBelowZero", "plan", "/tension/edges/1/as_built", -1.0,
+               "/tension/edges/1/as_built: is -1.0, expected a number of at least 0"},
+        Damage{"ThatMovesASupport", "plan", "/planned_form/0/0", 99.0, "/planned_form/0: is "},
+        Damage{"ThatCallsAnEdgeByAnothersId", "plan", "/turns/0/edge_id", "no edge",
+               "/turns/0/edge_id: is 'no edge', expected '"},
         Damage{"ThatTurnsNoEdge", "plan", "/turns/0/edge", 999,
                "/turns/0/edge: is 999, expected an edge of the net"},
         Damage{"ThatTurnsSomehow", "plan", "/turns/0/sense", "tighten", "/turns/0/sense: is"},
@@ -426,12 +501,12 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Damage{"WithoutRows", "comparison", "/rows", json::array(), "/rows: is empty"},
         Damage{"WithNegativeNoise", "comparison", "/rows/0/noise", -1e-3,
-               "/rows/0/noise: is -0.001, expected at least 0"},
+               "/rows/0/noise: is -0.001, expected a number of at least 0"},
         Damage{"WithoutNoise", "comparison", "/rows/0/noise", gone, "/rows/0/noise: is missing"},
         Damage{"WithANumberForAMethod", "comparison", "/rows/0/method", 1,
                "/rows/0/method: is 1, expected text"},
         Damage{"WithCoverageBeyondAll", "comparison", "/rows/0/coverage", 1.5,
-               "/rows/0/coverage: is 1.5, expected at most 1"},
+               "/rows/0/coverage: is 1.5, expected a number of 0 to 1, or null"},
         Damage{"WithMoreFailedThanSurveys", "comparison", "/rows/0/failed", 1000,
                "/rows/0/failed: is 1000, expected at most surveys"},
         Damage{"WithTextForAnError", "comparison", "/rows/0/mse", "small", "/rows/0/mse"}),

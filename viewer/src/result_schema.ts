@@ -26,7 +26,45 @@ export type Indices = Index[];
 export type Pair = [Index, Index];
 export type Numbers = number[];
 export type Texts = string[];
+export type Sizes = Size[];
 export type Verdict = "passed" | "doubtful" | "failed";
+/**
+ * Off the frame that was told, about the middle of the net [m]; 0 where it was unknown.
+ *
+ * @minItems 3
+ * @maxItems 3
+ */
+export type Point1 = [number, number, number];
+/**
+ * [rad].
+ *
+ * @minItems 3
+ * @maxItems 3
+ */
+export type Point2 = [number, number, number];
+/**
+ * @minItems 3
+ * @maxItems 3
+ */
+export type PointOfSizes = [Size, Size, Size];
+/**
+ * Adjustable edges and supports that are not as designed; the worst first.
+ */
+export type Boundary = {
+  edge?: Index;
+  node?: Index;
+  id: string;
+  /**
+   * Of an edge's length, or of a support's place [m].
+   */
+  deviation: number | Point;
+  std: Size | PointOfSizes;
+  statistic: number;
+  /**
+   * The support of the edge, or an edge at the support, that would explain it nearly as well.
+   */
+  rival: string | null;
+}[];
 /**
  * Since the net was as designed, until the last of several surveys.
  */
@@ -61,7 +99,7 @@ export type EdgeStatus = "identified" | "slack" | "unobserved";
 /**
  * Of all edges, in the predicted form [N].
  */
-export type Numbers1 = number[];
+export type Sizes1 = Size[];
 /**
  * Seen taut, though the survey tells otherwise: then nothing that was seen is used.
  */
@@ -70,6 +108,10 @@ export type Indices1 = Index[];
  * Seen slack, likewise.
  */
 export type Indices2 = Index[];
+/**
+ * What was found on reading it.
+ */
+export type Texts1 = string[];
 export type CountOrNull = number | null;
 /**
  * What forbids to turn by the plan, the worst first; the first lines of its lists.
@@ -127,8 +169,8 @@ export interface Study {
     std: Numbers;
     true_form: Points;
     identified_form: Points;
-    true_tension: Numbers;
-    identified_tension: Numbers;
+    true_tension: Sizes;
+    identified_tension: Sizes;
     form_error: {
       nominal: Numbers;
       identified: Numbers;
@@ -240,7 +282,7 @@ export interface Identification {
   net: Counts;
   edges: IdentifiedEdge[];
   form: Points;
-  tension?: Numbers1;
+  tension?: Sizes1;
   /**
    * Over all edges, of the posterior; null without draws [N].
    */
@@ -343,37 +385,14 @@ export interface Doubt {
      * Of that, if it is not; 0 where the survey does not show it.
      */
     scale_std: number;
-    /**
-     * Off the frame that was told, about the middle of the net [m]; 0 where it was unknown.
-     */
-    translation: number[];
-    /**
-     * [rad].
-     */
-    rotation: number[];
+    translation: Point1;
+    rotation: Point2;
     /**
      * Chi-squared of six degrees of freedom, if it is not moved.
      */
     motion_statistic: number;
   };
-  /**
-   * Adjustable edges and supports that are not as told; the worst first.
-   */
-  boundary: {
-    edge?: Index;
-    node?: Index;
-    id: string;
-    /**
-     * Of an edge's length, or of a support's place [m].
-     */
-    deviation: number | number[];
-    std: number | number[];
-    statistic: number;
-    /**
-     * The support of the edge, or an edge at the support, that would explain it nearly as well.
-     */
-    rival: string | null;
-  }[];
+  boundary: Boundary;
   /**
    * Of the others, how many contradict the survey and were not set free.
    */
@@ -403,11 +422,11 @@ export interface FoundScale {
  * A rotation about a point, then a translation, both small [rad, m].
  */
 export interface FrameOffset {
-  about: number[];
-  translation: number[];
-  translation_std: number[];
-  rotation: number[];
-  rotation_std: number[];
+  about: Point;
+  translation: Point;
+  translation_std: PointOfSizes;
+  rotation: Point;
+  rotation_std: PointOfSizes;
 }
 /**
  * One survey among several of the same net.
@@ -422,10 +441,7 @@ export interface Epoch {
    * Targets left out.
    */
   outliers: Outlier[];
-  /**
-   * As in doubt.
-   */
-  boundary?: unknown[];
+  boundary?: Boundary;
   frame_offset?: FrameOffset | null;
   noise_ratio?: number;
   noise_scale?: number;
@@ -533,13 +549,13 @@ export interface IdentifiedEdge {
   slack_probability?: number | null;
 }
 /**
- * Mean, standard deviation and 95 % interval.
+ * Mean, standard deviation and 95 % interval of a tension [N].
  */
 export interface DrawnEstimate {
-  mean: number;
-  std: number;
-  lower: number;
-  upper: number;
+  mean: Size;
+  std: Size;
+  lower: Size;
+  upper: Size;
 }
 export interface Unknown {
   name: string;
@@ -618,7 +634,7 @@ export interface DrawnTension {
 export interface DrawnPlace {
   node: Index;
   mean: Point;
-  std: Point;
+  std: PointOfSizes;
   lower: Point;
   upper: Point;
 }
@@ -688,6 +704,7 @@ export interface Survey {
    * As in frame, for readers that do not know it.
    */
   control?: ControlResidual[];
+  warnings?: Texts1;
 }
 /**
  * Surveyed less predicted [m].
@@ -848,10 +865,10 @@ export interface Plan {
    * [N].
    */
   tension: {
-    least: number;
-    most: number;
-    least_as_built: number;
-    most_as_built: number;
+    least: Size;
+    most: Size;
+    least_as_built: Size;
+    most_as_built: Size;
     /**
      * That all limits are kept; 0 or 1 without draws.
      */
@@ -888,6 +905,14 @@ export interface Plan {
     } | null;
   };
   options: {
+    target?: "form" | "surface";
+    /**
+     * Of the deviation of each free node.
+     */
+    node_weights?: {
+      normal: Sizes;
+      tangential: Sizes;
+    };
     confidence: number;
     /**
      * Standard deviation of what is turned from what was told [m].
@@ -1061,14 +1086,14 @@ export interface FormDeviation1 {
  */
 export interface PlannedTension {
   edge: Index;
-  as_built: number;
-  planned: number;
+  as_built: Size;
+  planned: Size;
   /**
    * 95 % interval over the draws; null without.
    */
   lower: number | null;
-  upper: number | null;
-  limit_lower: number;
+  upper: SizeOrNull;
+  limit_lower: Size;
   /**
    * Null: none.
    */
@@ -1221,8 +1246,8 @@ export interface ControlState {
   normal_mean: Size;
   normal_max: Size;
   normal_rmse: Size;
-  least_tension: number;
-  most_tension: number;
+  least_tension: Size;
+  most_tension: Size;
   /**
    * Edges beyond their limits.
    */

@@ -4,7 +4,7 @@
 // Makes results of every kind with the program, and reports of them, in a temporary folder.
 
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -88,8 +88,18 @@ function hostile(identification) {
   result.net.name = result.cable_net.name = attack;
   result.cable_net.node_ids = result.cable_net.nodes.map((_, i) => `${attack}${i}`);
   result.cable_net.edge_ids = result.cable_net.edges.map((_, e) => `=${attack}${e}`);
+  for (const edge of result.edges) edge.id = result.cable_net.edge_ids[edge.edge];
   result.method = attack;
   return result;
+}
+
+/** Results that hold every key of the schema. */
+function copyFullResults() {
+  return ["study", "identification", "comparison", "plan", "control"].map((kind) => {
+    const name = `full_${kind}`;
+    copyFileSync(new URL(`../../tests/data/results/${name}.json`, import.meta.url), join(folder, `${name}.json`));
+    return name;
+  });
 }
 
 export function makeReports() {
@@ -109,5 +119,5 @@ export function makeReports() {
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
   taut("compare", "net.json", "-o", "comparison", "--law", "uniform:2mm", "--noise", "0,0.1mm,0.5mm", "--training", "30,60", "--surveys", "4", "--quiet");
-  return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison", ...makePlans(), ...makeJobs()].map((name) => [name.split("/")[0], report(name)]));
+  return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison", ...makePlans(), ...makeJobs(), ...copyFullResults()].map((name) => [name.split("/")[0], report(name)]));
 }

@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "results/identification_reader.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "files/message.hpp"
+#include "results/result_checks.hpp"
+#include "results/result_values.hpp"
+
+namespace taut {
+namespace {
+
+EdgeStatus read_status(const std::string& name) {
+    for (const EdgeStatus status : {EdgeStatus::slack, EdgeStatus::unobserved}) {
+        if (name == to_string(status)) {
+            return status;
+        }
+    }
+    return EdgeStatus::identified;
+}
+
+IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
+    const auto number = [&value](const char* key) { return member(value, key).number(); };
+    const IdentifiedEdge edge{.edge = member(value, "edge").integer(),
+                              .nominal = number("nominal"),
+                              .length_deviation = number("length_deviation"),
+                              .std = number("std"),
+                              .lower = number("lower"),
+                              .upper = number("upper"),
+                              .status = read_status(member(value, "status").text())};
+    if (!std::ranges::binary_search(net.interior_edges(), edge.edge)) {
+        member(value, "edge")
+            .fail(fmt::format("is {}, expected an interior edge of the net", edge.edge));
+    }
+    if (const double l0 = net.unstressed_lengths()(edge.edge);
+        std::abs(edge.nominal - l0) > 1e-9 * l0) {
+        member(value, "nominal")
+            .fail(fmt::format("is {}, expected {}, the unstressed length in /cable_net",
+                              edge.nominal, l0));
+    }
+    if (edge.lower > edge.upper) {
+        value.fail(fmt::format("has the interval from {} to {}, expected lower before upper",
+                               edge.lower, edge.upper));
+    }
+    if (edge.length_deviation < edge.lower || edge.length_deviation > edge.upper) {
+        value.fail(
+            fmt::format("has the length deviation {}, expected one in its interval, {} to {}",
+                        edge.length_deviation, edge.lower, edge.upper));
+    }
+    require_at_most(value, "tension_lower", "tension_upper");
+    return edge;
+}
+
+/// How far two lengths can be apart by the prior of a result; infinite where it tells none.
+double farthest_of(const JsonValue& root) {
+    const auto law = root.find("law");
+    if (!law) {
+        return std::numeric_limits<double>::infinity();
+    }
+    try {
+        return 2.0 * parse_length_law(law->text()).reach();
+    } catch (const std::invalid_argument& error) {
+        law->fail(error.what());
+    }
+}
+
+/// Edges whose length the prior does not allow.
+std::set<int> length_outliers(const JsonValue& root) {
+    std::set<int> edges;
+    if (const auto doubt = root.find("doubt")) {
+        for (const JsonValue& outlier : entries(*doubt, "lengths_beyond_law")) {
+            edges.insert(member(outlier, "edge").integer());
+        }
+    }
+    return edges;
+}
+
+/// One of each interior edge, in the order of the file.
+std::vector<IdentifiedEdge> read_edges(const JsonValue& root, const CableNet& net) {
+    const JsonValue list = member(root, "edges");
+    const double farthest = farthest_of(root);
+    const std::set<int> outliers = length_outliers(root);
+    const int count = net.interior_edge_count();
+    list.require_array(count, fmt::format("one for each interior edge: {}", count));
+    std::vector<IdentifiedEdge> edges;
+    std::vector<bool> seen(net.edge_count(), false);
+    for (int i = 0; i < count; ++i) {
+        edges.push_back(read_edge(list.at(i), net));
+        const int edge = edges.back().edge;
+        if (edges.back().status != EdgeStatus::slack && !outliers.contains(edge)) {
+            check_std(list.at(i), edges.back(), farthest);
+        }
+        if (seen[edge]) {
+            list.at(i).fail(fmt::format("is the edge {} again, expected each once", edge));
+        }
+        seen[edge] = true;
+    }
+    return edges;
+}
+
+Eigen::Vector3d read_vector(const JsonValue& value) {
+    return {value.at(0).number(), value.at(1).number(), value.at(2).number()};
+}
+
+std::vector<IdentificationResult::Residual> read_residuals(const JsonValue& survey,
+                                                           const CableNet& net) {
+    std::set<int> left_out;
+    for (const JsonValue& outlier : entries(survey, "outliers")) {
+        left_out.insert(read_node(member(outlier, "node"), net));
+    }
+    std::vector<IdentificationResult::Residual> residuals;
+    std::set<int> seen;
+    for (const JsonValue& entry : entries(survey, "residuals")) {
+        const auto number = [&entry](const char* key) { return member(entry, key).number(); };
+        const int node = read_node(member(entry, "node"), net);
+        if (!seen.insert(node).second) {
+            entry.fail(fmt::format("is of the node {} again, expected each once", node));
+        }
+        residuals.push_back({.node = node,
+                             .surveyed_less_predicted = {number("dx"), number("dy"), number("dz")},
+                             .is_in_use = !left_out.contains(node)});
+        if (const auto standardised = find_unless_null(entry, "standardised")) {
+            residuals.back().standardised = read_vector(*standardised);
+        }
+    }
+    return residuals;
+}
+
+UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
+    UnknownEstimate estimate{.mean = member(value, "mean").number(),
+                             .std = member(value, "std").number()};
+    const JsonValue told = member(value, "told");
+    try {
+        estimate.unknown = parse_unknown(told.text());
+        check_unknowns(net, {estimate.unknown});
+    } catch (const std::invalid_argument& error) {
+        told.fail(error.what());
+    }
+    const Unknown::Kind kind = estimate.unknown.kind;
+    if (kind == Unknown::Kind::stiffness_each || kind == Unknown::Kind::adjustable) {
+        estimate.edge = read_edge_index(value.require("edge", "the edge whose it is"), net);
+    }
+    if (kind == Unknown::Kind::supports || kind == Unknown::Kind::loads_each) {
+        estimate.node = read_node(value.require("node", "the node whose it is"), net);
+        const std::string axis = value.require("axis", R"("x", "y" or "z")").text();
+        estimate.axis = static_cast<int>(std::string_view("xyz").find(axis));
+    }
+    return estimate;
+}
+
+/// What was turned between surveys.
+std::vector<EdgeTurned> read_turned(const JsonValue& root, const CableNet& net) {
+    std::vector<EdgeTurned> result;
+    if (!root.find("turned")) {
+        return result;
+    }
+    for (const JsonValue& entry : entries(root, "turned")) {
+        result.push_back({.edge = static_cast<int>(member(entry, "edge").integer()),
+                          .stroke = member(entry, "stroke").number(),
+                          .std = member(entry, "std").number()});
+    }
+    try {
+        check_turned(net, result);
+    } catch (const std::invalid_argument& error) {
+        member(root, "turned").fail(error.what());
+    }
+    return result;
+}
+
+/// Adjustable edges of another length than designed, and supports at another place.
+std::vector<BoundaryOutlier> read_boundary(const JsonValue& parent, const CableNet& net) {
+    std::vector<BoundaryOutlier> result;
+    for (const JsonValue& entry : entries(parent, "boundary")) {
+        const auto edge = entry.find("edge");
+        BoundaryOutlier outlier;
+        if (edge) {
+            outlier.index = edge->integer();
+            outlier.deviation.x() = member(entry, "deviation").number();
+            outlier.std.x() = member(entry, "std").number();
+        } else {
+            const JsonValue node = entry.require("node", "it, or \"edge\"");
+            outlier.kind = BoundaryOutlier::Kind::support;
+            outlier.index = node.integer();
+            outlier.deviation = require_list(entry, "deviation", 3, "a number for each axis");
+            outlier.std = require_list(entry, "std", 3, "a number for each axis");
+        }
+        if (edge ? !std::ranges::binary_search(net.adjustable_edges(), outlier.index)
+                 : net.free_index(outlier.index) >= 0) {
+            member(entry, edge ? "edge" : "node")
+                .fail(fmt::format("is {}, expected {}", outlier.index,
+                                  edge ? "an adjustable edge" : "a support"));
+        }
+        result.push_back(outlier);
+    }
+    return result;
+}
+
+Trust read_trust(const JsonValue& root) {
+    Trust trust;
+    const auto told = root.find("trust");
+    if (!told) {
+        return trust;
+    }
+    for (const JsonValue& finding : entries(*told, "findings")) {
+        using enum Trust::Verdict;
+        const std::string& verdict = member(finding, "verdict").text();
+        trust.findings.push_back({.verdict = verdict == to_string(failed)     ? failed
+                                             : verdict == to_string(doubtful) ? doubtful
+                                                                              : passed,
+                                  .reason = member(finding, "reason").text(),
+                                  .next = member(finding, "next").text()});
+    }
+    const JsonValue verdict = member(*told, "verdict");
+    if (verdict.text() != to_string(trust.verdict())) {
+        verdict.fail(fmt::format("is {}, expected {}, the worst of all findings",
+                                 quote(verdict.text()), quote(to_string(trust.verdict()))));
+    }
+    return trust;
+}
+
+/// Where the supports stand by all that a result says of them.
+Points support_places(const JsonValue& root, const IdentificationResult& result) {
+    const CableNet& net = result.net;
+    Points places = net.nodes() + circumstances_of(net, result.unknowns).supports;
+    for (const BoundaryOutlier& outlier : result.boundary_outliers) {
+        if (outlier.kind == BoundaryOutlier::Kind::support) {
+            places.col(outlier.index) += outlier.deviation;
+        }
+    }
+    if (const auto offset = find_unless_null(root, "frame_offset")) {
+        FrameOffset frame;
+        frame.about = read_vector(member(*offset, "about"));
+        frame.translation = read_vector(member(*offset, "translation"));
+        frame.rotation = read_vector(member(*offset, "rotation"));
+        places += frame.motion_of(net.nodes());
+    }
+    return places;
+}
+
+/// A square matrix over edges.
+void check_length_covariance(const JsonValue& value, const CableNet& net) {
+    const std::vector<JsonValue> edges = entries(value, "edges");
+    for (const JsonValue& edge : edges) {
+        static_cast<void>(read_edge_index(edge, net));
+    }
+    member(value, "ids")
+        .require_array(edges.size(), fmt::format("one for each edge: {}", edges.size()));
+    const JsonValue rows = member(value, "covariance");
+    rows.require_array(edges.size(), fmt::format("a row for each edge: {}", edges.size()));
+    for (size_t i = 0; i < edges.size(); ++i) {
+        rows.at(i).require_array(edges.size(),
+                                 fmt::format("a number for each edge: {}", edges.size()));
+    }
+}
+
+}  // namespace
+
+IdentificationResult read_identification(const JsonValue& root) {
+    IdentificationResult result{.net = require_net(root)};
+    check_names(root, result.net);
+    result.edges = read_edges(root, result.net);
+    result.form = require_form(root, "form", result.net);
+    if (const auto covariance = find_unless_null(root, "length_covariance")) {
+        check_length_covariance(*covariance, result.net);
+    }
+    if (root.find("tension")) {
+        static_cast<void>(
+            require_list(root, "tension", result.net.edge_count(), "a number for each edge"));
+    }
+    if (const auto mean_tension = find_unless_null(root, "mean_tension")) {
+        require_at_most(*mean_tension, "lower", "upper");
+    }
+    std::set<int> adjustable;
+    for (const JsonValue& drawn : entries(root, "adjustable_edges")) {
+        const JsonValue edge = member(drawn, "edge");
+        if (!std::ranges::binary_search(result.net.adjustable_edges(), edge.integer()) ||
+            !adjustable.insert(edge.integer()).second) {
+            edge.fail(fmt::format("is {}, expected each adjustable edge of the net once",
+                                  edge.integer()));
+        }
+        require_at_most(drawn, "tension_lower", "tension_upper");
+    }
+    for (const JsonValue& unknown : entries(root, "unknowns")) {
+        result.unknowns.push_back(read_unknown(unknown, result.net));
+    }
+    if (const auto doubt = root.find("doubt")) {
+        result.boundary_outliers = read_boundary(*doubt, result.net);
+    }
+    for (const JsonValue& epoch : entries(root, "epochs")) {
+        static_cast<void>(read_boundary(epoch, result.net));
+        static_cast<void>(read_turned(epoch, result.net));
+        static_cast<void>(read_trust(epoch));
+    }
+    check_supports(member(root, "form"), result.form, result.net, support_places(root, result),
+                   "/cable_net, moved as the result says");
+    result.turned = read_turned(root, result.net);
+    result.trust = read_trust(root);
+    if (const auto draws = root.find("draws"); draws && !draws->json().is_null()) {
+        result.draws = member(*draws, "count").integer();
+        if (const auto fingerprint = draws->find("fingerprint")) {
+            result.draws_fingerprint = fingerprint->text();
+        }
+    }
+    const JsonValue survey = member(root, "survey");
+    require_equal(survey, "missing",
+                  result.net.free_node_count() - member(survey, "used").integer(),
+                  "the free nodes that were not used");
+    for (const JsonValue& node : entries(survey, "missing_nodes")) {
+        static_cast<void>(read_node(node, result.net));
+    }
+    result.residuals = read_residuals(survey, result.net);
+    return result;
+}
+
+}  // namespace taut

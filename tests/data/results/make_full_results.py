@@ -1,0 +1,345 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Makes the results beside this script, in which every key of result.schema.json is filled.
+
+What the program writes of a small net, and by hand what it does not find there. A new key goes into
+one of the functions below, then: make_full_results.py PROGRAM
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).parent
+PROGRAM = Path(sys.argv[1]).resolve()
+LAW = ["--law", "uniform:3mm"]
+
+
+def taut(folder, *words):
+    done = subprocess.run(
+        [PROGRAM, *map(str, words)], cwd=folder, capture_output=True, text=True, check=False
+    )
+    if done.returncode not in (0, 1):  # 1: a plan that cannot keep its limits is written
+        raise SystemExit(done.stderr)
+
+
+def read(path):
+    return json.loads(path.read_text())
+
+
+def make_net(folder):
+    taut(folder, "example", "hypar:3x4", "-o", "net.json")
+    net = read(folder / "net.json")
+    net["loads"] = [[0.0, 0.0, -1.0]] * len(net["nodes"])
+    net["node_ids"] = [f"N{i}" for i in range(len(net["nodes"]))]
+    net["edge_ids"] = [f"E{e}" for e in range(len(net["edges"]))]
+    net["groups"] = {"all": list(range(len(net["edges"])))}
+    (folder / "net.json").write_text(json.dumps(net))
+    return net
+
+
+def interior(net):
+    return [e for e in range(len(net["edges"])) if e not in net["adjustable"]]
+
+
+def free(net):
+    return [i for i in range(len(net["nodes"])) if i not in net["supports"]]
+
+
+def identify(folder, net):
+    """By one survey with all that can be asked of it, and by two."""
+    taut(folder, "form", "net.json", *LAW, "--seed", 2, "-o", "built.csv", "--lengths", "truth.csv")
+    taut(
+        folder,
+        "survey",
+        "net.json",
+        "built.csv",
+        "--noise",
+        "0.2mm",
+        "--drop",
+        "10%",
+        "-o",
+        "one.csv",
+    )
+    taut(
+        folder, "survey", "net.json", "built.csv", "--noise", "0.2mm", "--seed", 5, "-o", "two.csv"
+    )
+    asked = [net["edge_ids"][e] for e in interior(net)[:2]]
+    (folder / "asked.txt").write_text("\n".join(asked) + "\n")
+    unknowns = ["stiffness:5%@all", "stiffness-each:3%", "supports:0.5mm"]
+    told = [word for name in unknowns for word in ("--unknown", name)]
+    common = [*LAW, "--draws", 20, "--quiet"]
+    taut(
+        folder,
+        "identify",
+        "net.json",
+        "one.csv",
+        *common,
+        *told,
+        "--covariance-of",
+        "asked.txt",
+        "-o",
+        "one.json",
+    )
+    taut(
+        folder, "identify", "net.json", "one.csv", *common, "--epoch", "two.csv", "-o", "both.json"
+    )
+    taut(
+        folder,
+        "identify",
+        "net.json",
+        "two.csv",
+        *common,
+        "--frame",
+        "supports",
+        "-o",
+        "moved.json",
+    )
+    return (read(folder / f"{name}.json") for name in ("one", "both", "moved"))
+
+
+def full_identification(folder, net):
+    result, both, moved = identify(folder, net)
+    inner, nodes = interior(net), free(net)
+    edge = {"edge": inner[0], "id": net["edge_ids"][inner[0]]}
+    turnbuckle = {"edge": net["adjustable"][1], "id": net["edge_ids"][net["adjustable"][1]]}
+    support = {"node": net["supports"][0], "id": net["node_ids"][net["supports"][0]]}
+    target = {"node": nodes[0], "id": net["node_ids"][nodes[0]]}
+    turned = [{**turnbuckle, "stroke": 0.0005, "std": 0.0001}]
+    outlier = {
+        **target,
+        "distance": 0.01,
+        "statistic": 90.0,
+        "swapped_with": net["node_ids"][nodes[1]],
+    }
+    boundary = [
+        {
+            **turnbuckle,
+            "deviation": -0.0005,
+            "std": 0.0002,
+            "statistic": 40.0,
+            "rival": support["id"],
+        },
+        {
+            **support,
+            "deviation": [0.0, 0.0005, 0.0],
+            "std": [2e-4, 2e-4, 2e-4],
+            "statistic": 30.0,
+            "rival": None,
+        },
+    ]
+    offset = {
+        "about": [0.0, 0.0, 0.0],
+        "translation": [0.0002, 0.0, 0.0],
+        "translation_std": [1e-4, 1e-4, 1e-4],
+        "rotation": [0.0, 0.0, 0.0],
+        "rotation_std": [1e-4, 1e-4, 1e-4],
+    }
+    trust = {
+        "verdict": "failed",
+        "reasons": ["one", "two", "three"],
+        "findings": [
+            {"verdict": verdict, "reason": reason, "next": "look at it"}
+            for verdict, reason in (("failed", "one"), ("doubtful", "two"), ("passed", "three"))
+        ],
+    }
+    control = [{"id": "C1", "dx": 1e-4, "dy": 0.0, "dz": 0.0}]
+    epochs = both["epochs"]
+    for epoch in epochs:
+        epoch.update(
+            turned=turned, outliers=[outlier], boundary=boundary, frame_offset=offset, trust=trust
+        )
+        epoch["changes"] = [{**edge, "change": 0.002, "std": 0.0003, "statistic": 7.0}]
+    result.update(
+        date="2026-11-21 06:30 UTC",
+        trust=trust,
+        frame_offset=offset,
+        turned=turned,
+        epochs=epochs,
+        frame=moved["frame"],
+    )
+    result["frame"] = result["frame"] or {
+        "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+        "from": [0, 0, 0],
+        "to": [0, 0, 0],
+        "fit": {"rms": 1e-4, "count": 1},
+        "control": control,
+    }
+    result["doubt"].update(boundary=boundary, boundary_beyond=1)
+    result["doubt"]["law"].update(found=True, contradicted="uniform:1mm", likeliest="uniform:3mm")
+    result["doubt"]["lengths_beyond_law"] = [
+        {**edge, "deviation": 0.004, "std": 0.001, "statistic": 5.0}
+    ]
+    result["forces"] = {
+        "readings": 2,
+        "outliers": [{**edge, "read": 5000.0, "expected": 4000.0, "statistic": 20.0}],
+        "bias": {"part": 0.2, "std": 0.01},
+        "contradicted_taut": [inner[1]],
+        "contradicted_slack": [inner[2]],
+    }
+    result["draws"]["doubt"] = "made up"
+    result["edges"][1]["status"] = "unobserved"
+    result["edges"][2]["status"] = "slack"
+    survey = result["survey"]
+    survey.update(outliers=[outlier], control=control, warnings=["made up"])
+    survey["unmatched"] = [
+        {
+            "id": "T1",
+            "line": 3,
+            "reason": "far",
+            "nearest": net["node_ids"][nodes[2]],
+            "distance": 0.1,
+            "swapped_with": net["node_ids"][nodes[3]],
+        }
+    ]
+    # Supports stand where all that is said of them puts them.
+    for i in net["supports"]:
+        result["form"][i] = [
+            x + t for x, t in zip(net["nodes"][i], offset["translation"], strict=True)
+        ]
+    for unknown in result["unknowns"]:
+        if unknown["name"] == "supports":
+            result["form"][unknown["node"]]["xyz".index(unknown["axis"])] += unknown["mean"]
+    result["form"][support["node"]][1] += 0.0005
+    return result
+
+
+def full_plan(folder, net):
+    wanted = [
+        "--tension",
+        "0.1kN..3kN",
+        "--turn",
+        "5mm",
+        "--step",
+        "1/4",
+        "--crews",
+        2,
+        "--thread",
+        "left",
+    ]
+    wanted += ["--tolerance", "1mm", "--further", 2, "--survey-first", "0.2mm", "--quiet"]
+    (folder / "turnable.txt").write_text(
+        "\n".join(net["edge_ids"][e] for e in net["adjustable"][:8]) + "\n"
+    )
+    taut(
+        folder,
+        "plan",
+        "net.json",
+        "one.json",
+        *wanted,
+        "--adjustable",
+        "turnable.txt",
+        "-o",
+        "plan.json",
+    )
+    plan = read(folder / "plan.json")
+    breaches = [
+        {"kind": "tension", "edge": 0, "id": net["edge_ids"][0]},
+        {"kind": "reaction", "node": net["supports"][0], "id": net["node_ids"][net["supports"][0]]},
+    ]
+    for breach in breaches:
+        breach.update(load_case="snow.csv", value=5000.0, limit=4000.0, probability=0.1)
+    plan["violations"] = breaches
+    plan["order"].update(safe=False, worst={"moment": 0, "breach": breaches[0]})
+    plan["identification"] = {"verdict": "doubtful", "reasons": ["made up"]}
+    plan["no_draws_since"] = "made up"
+    plan["tolerance"].update(reached=False, fewest_bound=2)
+    for edge in plan["tension"]["edges"]:
+        edge.update(lower=0.9 * edge["planned"], upper=1.1 * edge["planned"])
+    node = free(net)[0]
+    plan["survey_first"]["targets"] = [
+        {"node": node, "id": net["node_ids"][node], "normal_unknown": 0.0002}
+    ]
+    plan["cable_net"]["axial_stiffness"] = [net["axial_stiffness"]] * len(net["edges"])
+    plan["date"] = "2026-11-21 06:30 UTC"
+    return plan
+
+
+def full_study(folder):
+    taut(
+        folder,
+        "reproduce",
+        "--net",
+        "net.json",
+        *LAW,
+        "--samples",
+        12,
+        "--validation",
+        2,
+        "-o",
+        "study",
+        "--quiet",
+    )
+    study = read(folder / "study/results.json")
+    study["paper"] = {"mse": 1.7e-8, "mrse": 0.002, "form_error": study["form_error"]}
+    for method in study["methods"].values():
+        method["first_failure"] = "made up"
+    return study
+
+
+def full_comparison(folder):
+    wanted = [
+        "--noise",
+        "0,0.2mm",
+        "--training",
+        "10",
+        "--surveys",
+        2,
+        "--unknown",
+        "supports:1mm",
+        "--quiet",
+    ]
+    taut(folder, "compare", "net.json", *LAW, *wanted, "-o", "comparison")
+    comparison = read(folder / "comparison/comparison.json")
+    comparison["epoch_rows"] = [{**comparison["rows"][0], "epochs": 2, "turned": True}]
+    for rows in ("rows", "model_error_rows", "epoch_rows"):
+        for row in comparison[rows]:
+            row["first_failure"] = "made up"
+    return comparison
+
+
+def full_control(folder):
+    wanted = [
+        "--tension",
+        "0.05kN..20kN",
+        "--draws",
+        50,
+        "--rounds",
+        1,
+        "--trials",
+        1,
+        "--noise",
+        "0.2mm",
+    ]
+    taut(folder, "control", "net.json", *LAW, *wanted, "-o", "control", "--quiet")
+    control = read(folder / "control/control.json")
+    control["settings"]["step"] = 0.001
+    return control
+
+
+def lines(document):
+    """A key a line, that a change of one is seen."""
+    keys = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in document.items()]
+    return "{\n" + ",\n".join(keys) + "\n}\n"
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        net = make_net(folder)
+        documents = {
+            "identification": full_identification(folder, net),
+            "plan": full_plan(folder, net),
+            "study": full_study(folder),
+            "comparison": full_comparison(folder),
+            "control": full_control(folder),
+        }
+    for kind, document in documents.items():
+        document["command"] = "taut, and by hand"
+        (HERE / f"full_{kind}.json").write_text(lines(document))
+
+
+main()

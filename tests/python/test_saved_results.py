@@ -1,0 +1,418 @@
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Guards against a saved result that its own readers cannot take.
+
+Whatever result.schema.json lets a result hold goes through report, export, plan and Python: they
+take it, or refuse it in one line that names file and place.
+"""
+
+import copy
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import hypothesis
+import jsonschema
+import pytest
+import taut
+from hypothesis import strategies as st
+from hypothesis_jsonschema import from_schema
+
+ROOT = Path(__file__).parents[2]
+FULL = ROOT / "tests/data/results"
+SCHEMA = json.loads((ROOT / "src/results/result.schema.json").read_text())
+KINDS = ("identification", "plan", "study", "comparison", "control")
+NOISE = ["--noise", "0.5mm", "--law", "uniform:3mm"]
+
+
+def run(folder, *words):
+    program = shutil.which("taut", path=Path(sys.executable).parent)
+    command = [program, *map(str, words)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def must_run(folder, *words):
+    done = run(folder, *words)
+    assert done.returncode == 0, (words, done.stderr)
+
+
+def read(path):
+    return json.loads(path.read_text())
+
+
+def write(path, document):
+    path.write_text(json.dumps(document))
+
+
+def export_all(folder):
+    for to in ("net", "compas", "obj", "csv", "vtk"):
+        must_run(folder, "export", "result.json", "--to", to, "-o", f"out.{to}")
+
+
+# Every key.
+
+
+def named(rule, name):
+    """A rule, by the name of its definition where it has one."""
+    while "$ref" in rule:
+        name = rule["$ref"].split("/")[-1]
+        rule = SCHEMA["definitions"][name]
+    return rule, name
+
+
+def alternatives(rule, name):
+    """What a rule lets a value be, but for null: names and types, with the rule of each."""
+    rule, name = named(rule, name)
+    for number, alternative in enumerate(rule.get("anyOf", [])):
+        yield from alternatives(alternative, f"{name}|{number}")
+    types = rule.get("type", [])
+    for kind in [types] if isinstance(types, str) else types:
+        if kind != "null":
+            yield name, kind, rule
+
+
+def all_parts(rule, place, seen):
+    for name, kind, own in alternatives(rule, place):
+        seen |= {place, f"{name}:{kind}"}
+        for key, below in own.get("properties", {}).items() if kind == "object" else ():
+            all_parts(below, f"{name}/{key}", seen)
+        if kind == "object" and "additionalProperties" in own:
+            all_parts(own["additionalProperties"], f"{name}/*", seen)
+        if kind == "array":
+            all_parts(own["items"], f"{name}[]", seen)
+    return seen
+
+
+IS_OF = {
+    "object": lambda value: isinstance(value, dict),
+    "array": lambda value: isinstance(value, list),
+    "string": lambda value: isinstance(value, str),
+    "boolean": lambda value: isinstance(value, bool),
+    "integer": lambda value: isinstance(value, int) and not isinstance(value, bool),
+    "number": lambda value: isinstance(value, (int, float)) and not isinstance(value, bool),
+}
+
+
+def filled_parts(value, rule, place, seen, unknown):
+    for name, kind, own in alternatives(rule, place):
+        if not IS_OF[kind](value):
+            continue
+        seen |= {place, f"{name}:{kind}"}
+        if kind == "object":
+            properties = own.get("properties", {})
+            for key, member in value.items():
+                below = properties.get(key, own.get("additionalProperties"))
+                if below is None:
+                    unknown.add(f"{name}/{key}")
+                else:
+                    at = f"{name}/{key if key in properties else '*'}"
+                    filled_parts(member, below, at, seen, unknown)
+        if kind == "array":
+            for entry in value:
+                filled_parts(entry, own["items"], f"{name}[]", seen, unknown)
+
+
+def test_full_results_have_every_key_of_the_schema_and_no_other():
+    expected, seen, unknown = set(), set(), set()
+    for kind in KINDS:
+        document = read(FULL / f"full_{kind}.json")
+        jsonschema.Draft7Validator(SCHEMA).validate(document)
+        rule = {"$ref": f"#/definitions/{kind}"}
+        all_parts(rule, kind, expected)
+        filled_parts(document, rule, kind, seen, unknown)
+    missing = sorted(expected - seen)
+    assert not missing, f"{missing} in tests/data/results/make_full_results.py"
+    # A net has keys of its own.
+    others = sorted(key for key in unknown if not key.startswith("net_file/"))
+    assert not others, f"{others} in the schema"
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_full_result_goes_through_everything(kind, tmp_path):
+    shutil.copy(FULL / f"full_{kind}.json", tmp_path / "result.json")
+    must_run(tmp_path, "report", "result.json", "-o", "report.html")
+    taut.write_report(tmp_path / "result.json", tmp_path / "python.html")
+    assert (tmp_path / "python.html").read_text() == (tmp_path / "report.html").read_text()
+    if kind == "identification":
+        write(tmp_path / "net.json", read(tmp_path / "result.json")["cable_net"])
+        must_run(tmp_path, "plan", "net.json", "result.json", "-o", "plan.json")
+        export_all(tmp_path)
+
+
+# Anything that the schema allows.
+
+RESULT = read(FULL / "full_identification.json")
+NET = RESULT["cable_net"]
+
+
+def bounded(rule):
+    """With indices that may be of the net, numbers that may be lengths, and short lists."""
+    if isinstance(rule, list):
+        return [bounded(below) for below in rule]
+    if not isinstance(rule, dict):
+        return rule
+    rule = {key: bounded(below) for key, below in rule.items()}
+    if rule.get("type") == "integer" and "maximum" in rule:
+        rule["maximum"] = len(NET["nodes"]) - 1
+    if rule.get("type") == "number" and "maximum" not in rule:
+        rule = {"minimum": -0.01, **rule, "maximum": 0.01}
+    if rule.get("type") == "array":
+        rule = {"minItems": 1, "maxItems": 3, **rule}
+    return rule
+
+
+def parts_of_result():
+    """Keys of an identification and of the objects in it, with what the schema lets them hold."""
+    properties = SCHEMA["definitions"]["identification"]["properties"]
+    for key in sorted(properties.keys() - {"format", "version", "net", "cable_net"}):
+        rules = {}
+        for _, kind, own in alternatives(properties[key], key):
+            inner = own["properties"] if kind == "object" else {}
+            rules |= {(key, name): rule for name, rule in inner.items()} or {
+                (key,): properties[key]
+            }
+        for path, rule in rules.items():
+            # from_schema() changes what it is given.
+            yield path, bounded({**rule, "definitions": SCHEMA["definitions"]})
+
+
+def with_own_names(value):
+    """Ids and ends that are those of the edges and nodes that are named."""
+    if isinstance(value, list):
+        return [with_own_names(entry) for entry in value]
+    if not isinstance(value, dict):
+        return value
+    value = {key: with_own_names(member) for key, member in value.items()}
+    for kind in ("node", "edge"):
+        if isinstance(value.get(kind), int) and "id" in value:
+            value["id"] = NET[f"{kind}_ids"][value[kind]]
+    if isinstance(value.get("edge"), int) and "nodes" in value:
+        value["nodes"] = NET["edges"][value["edge"]]
+    return value
+
+
+COMMANDS = {
+    "report": ["report", "result.json", "-o", "out"],
+    "export": ["export", "result.json", "--to", "net", "-o", "out"],
+    "plan": ["plan", "net.json", "result.json", "-o", "out"],
+}
+
+
+@pytest.mark.parametrize("part", list(parts_of_result()), ids=lambda part: "-".join(part[0]))
+def test_what_the_schema_allows_is_taken_or_refused_in_one_line(part, tmp_path):
+    path, rule = part
+    write(tmp_path / "net.json", NET)
+    output = tmp_path / "out"
+
+    @hypothesis.settings(
+        max_examples=4,
+        deadline=None,
+        derandomize=True,
+        database=None,
+        suppress_health_check=list(hypothesis.HealthCheck),
+    )
+    @hypothesis.given(from_schema(rule), st.sampled_from(sorted(COMMANDS)))
+    def go_through(value, command):
+        document = copy.deepcopy(RESULT)
+        parent = document if len(path) == 1 else document[path[0]]
+        parent[path[-1]] = with_own_names(value)
+        write(tmp_path / "result.json", document)
+        output.unlink(missing_ok=True)
+        done = run(tmp_path, *COMMANDS[command])
+        if done.returncode == 0 or (command == "plan" and done.returncode == 1):
+            return  # 1: a plan without equilibrium or within no limits
+        assert done.returncode == 2, done.stderr
+        assert not output.exists()
+        refusal = done.stderr.splitlines()[-1]
+        assert re.match(r"taut: error: result\.json:(/| is )", refusal), done.stderr
+        assert "exception" not in refusal
+        with pytest.raises(taut.InputError, match=r"result\.json"):
+            taut.write_report(tmp_path / "result.json", output)
+
+    go_through()
+
+
+# What identify finds.
+
+
+def surveyed(folder, change=None, *words, law="uniform:2mm", noise="0.5mm", seed=4, name="survey"):
+    """A survey of the net as built, with the lengths and supports that are not as designed."""
+    net = read(folder / "net.json")
+    if change:
+        change(net)
+    write(folder / "changed.json", net)
+    must_run(folder, "form", "changed.json", "--law", law, "--seed", 2, "-o", "built.csv")
+    of = "changed.json" if change else "net.json"
+    survey = ["survey", of, "built.csv", "--noise", noise, "--seed", seed, "-o", f"{name}.csv"]
+    must_run(folder, *survey, *words)
+
+
+def rows_of(folder):
+    return [row.split(",") for row in (folder / "survey.csv").read_text().splitlines()]
+
+
+def rewrite(folder, rows):
+    (folder / "survey.csv").write_text("".join(",".join(row) + "\n" for row in rows))
+
+
+def lengthened(edge_of, by):
+    def change(net):
+        net["unstressed_lengths"][edge_of(net)] += by
+
+    return change
+
+
+def interior(net):
+    return [e for e in range(len(net["edges"])) if e not in net["adjustable"]]
+
+
+def adjustable_edge(folder):
+    surveyed(folder, lengthened(lambda net: net["adjustable"][2], -0.012))
+    return NOISE, lambda result: any("edge" in one for one in result["doubt"]["boundary"])
+
+
+def support(folder):
+    def lift(net):
+        net["nodes"][net["supports"][5]][2] += 0.012
+
+    surveyed(folder, lift, "--drop", "10%")
+    supports = set(map(str, read(folder / "net.json")["supports"]))
+    rewrite(folder, [row[:4] for row in rows_of(folder) if row[0] not in supports])
+    return NOISE, lambda result: any("node" in one for one in result["doubt"]["boundary"])
+
+
+def length_outlier(folder):
+    surveyed(folder, lengthened(lambda net: interior(net)[40], 0.03))
+    return NOISE, lambda result: result["doubt"]["lengths_beyond_law"]
+
+
+def swapped_names(folder):
+    surveyed(folder)
+    rows = rows_of(folder)
+    rows[40][0], rows[41][0] = rows[41][0], rows[40][0]
+    rewrite(folder, rows)
+    return NOISE, lambda result: any(
+        "swapped_with" in one
+        for one in result["survey"]["outliers"] + result["survey"]["unmatched"]
+    )
+
+
+def common_mean(folder):
+    def shorten(net):
+        for edge in interior(net):
+            net["unstressed_lengths"][edge] -= 0.004
+
+    surveyed(folder, shorten)
+    law = ["--noise", "0.5mm", "--law", "uniform:5mm"]
+    return law, lambda result: abs(result["doubt"]["law"]["mean"]) > 0.003
+
+
+def noise(folder):
+    surveyed(folder, None, noise="2mm")
+    rewrite(folder, [row[:4] for row in rows_of(folder)])
+    return NOISE, lambda result: result["doubt"]["noise"]["ratio"] > 2
+
+
+def frame(folder):
+    surveyed(folder, None, "--frame", "random")
+    return NOISE, lambda result: result["frame_offset"]
+
+
+def frame_of_the_net(folder):
+    surveyed(folder)
+    supports = set(map(str, read(folder / "net.json")["supports"]))
+    rows = [row[:4] for row in rows_of(folder) if row[0] not in supports]
+    for row in rows[1:]:
+        row[1] = str(float(row[1]) + 0.006)
+    rewrite(folder, rows)
+    words = [*NOISE, "--frame", "net"]
+    return words, lambda result: result["doubt"]["frame"]["motion_statistic"] > 100
+
+
+def scale(folder):
+    surveyed(folder)
+    rows = rows_of(folder)
+    for row in rows[1:]:
+        row[1:4] = [str(1.002 * float(x)) for x in row[1:4]]
+    rewrite(folder, rows)
+    return NOISE, lambda result: abs(result["doubt"]["frame"]["scale"] - 0.002) < 0.001
+
+
+def forces(folder, factor_of):
+    surveyed(folder)
+    must_run(folder, "identify", "net.json", "survey.csv", *NOISE, "-o", "first.json")
+    tension = read(folder / "first.json")["tension"]
+    edges = interior(read(folder / "net.json"))[5:25]
+    read_there = [f"{e},{factor_of(e == edges[5]) * tension[e]}\n" for e in edges]
+    (folder / "forces.csv").write_text("edge,tension\n" + "".join(read_there))
+    return [*NOISE, "--forces", "forces.csv"]
+
+
+def force_measurement(folder):
+    words = forces(folder, lambda is_wrong: 1.5 if is_wrong else 1.0)
+    return words, lambda result: len(result["forces"]["outliers"]) == 1
+
+
+def force_measurements_in_another_unit(folder):
+    return forces(folder, lambda _: 1.3), lambda result: result["forces"]["bias"]
+
+
+def epoch_change(folder):
+    surveyed(folder)
+    change = lengthened(lambda net: interior(net)[30], 0.01)
+    surveyed(folder, change, seed=9, name="second")
+    words = [*NOISE, "--epoch", "second.csv"]
+    return words, lambda result: result["epochs"][1]["changes"]
+
+
+def slack(folder):
+    surveyed(folder, lengthened(lambda net: interior(net)[30], 0.03))
+    law = ["--noise", "0.5mm", "--law", "normal:15mm"]
+    return law, lambda result: any(edge["status"] == "slack" for edge in result["edges"])
+
+
+def uncertain(folder):
+    surveyed(folder, None, "--drop", "20%")
+    words = ("stiffness:5%", "stiffness-each:3%", "supports:1mm", "adjustable:0.5mm", "loads:20N")
+    told = [word for name in words for word in ("--unknown", name)]
+    return [*NOISE, *told], lambda result: result["unknowns"]
+
+
+FOUND = [
+    adjustable_edge,
+    support,
+    length_outlier,
+    swapped_names,
+    common_mean,
+    noise,
+    frame,
+    frame_of_the_net,
+    scale,
+    force_measurement,
+    force_measurements_in_another_unit,
+    epoch_change,
+    slack,
+    uncertain,
+]
+
+
+@pytest.mark.parametrize("make", FOUND, ids=lambda make: make.__name__)
+def test_what_identify_finds_is_planned_on_shown_and_exported(make, tmp_path):
+    must_run(tmp_path, "example", "hypar:8x8", "-o", "net.json")
+    words, is_found = make(tmp_path)
+    survey = ["net.json", "survey.csv", "--draws", "30", "--quiet"]
+    done = run(tmp_path, "identify", *survey, *words, "-o", "result.json")
+    assert done.returncode in (0, 1), done.stderr  # 1: it failed its tests, and is written
+    result = read(tmp_path / "result.json")
+    jsonschema.Draft7Validator(SCHEMA).validate(result)
+    assert is_found(result)
+    must_run(tmp_path, "report", "result.json", "-o", "report.html")
+    taut.write_report(tmp_path / "result.json", tmp_path / "python.html")
+    export_all(tmp_path)
+    done = run(tmp_path, "plan", "net.json", "result.json", "-o", "plan.json", "--quiet")
+    # 1: a slack edge breaks the limit of every plan, which is written all the same.
+    assert done.returncode == (1 if make is slack else 0), done.stderr
+    must_run(tmp_path, "report", "plan.json", "-o", "plan.html")
