@@ -11,7 +11,8 @@
 set -euo pipefail
 
 # libboost-dev carries the headers of Boost.Math; libboost-math-dev only adds the compiled TR1
-# functions. OpenBLAS comes with pthreads, HDF5 in its serial form.
+# functions. OpenBLAS comes with pthreads, since its serial form gives wrong numbers to threads that call
+# it at once; HDF5 in its serial form.
 build=(build-essential cmake ninja-build pkg-config libeigen3-dev libopenblas-dev
     libtbb-dev libnlopt-cxx-dev libhdf5-dev nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libfast-float-dev libboost-dev libpugixml-dev
     libmetis-dev libopenmpi-dev openmpi-bin)

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "command.hpp"
-#include "memory_limit.hpp"
 #include "mpi_team.hpp"
 #include "run_program.hpp"
 #include "taut/team.hpp"
@@ -71,7 +70,6 @@ int run(int argc, char** argv) noexcept {
 }  // namespace
 
 int main(int argc, char** argv) {
-    taut::app::restart_for_memory(argv);
     taut::app::prepare_streams();
     taut::app::leave(run(argc, argv));
 }

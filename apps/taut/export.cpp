@@ -59,7 +59,7 @@ Points equilibrium_form(const CableNet& net, const std::string& path) {
     Equilibrium equilibrium = solve_equilibrium(net);
     if (!equilibrium.balanced()) {
         throw NumericalFailure(
-            fmt::format("{}: no equilibrium: {}", path, equilibrium_text(equilibrium)));
+            fmt::format("{}: no equilibrium was found: {}", path, equilibrium_text(equilibrium)));
     }
     return std::move(equilibrium.form);
 }

@@ -69,7 +69,7 @@ Found find_by_newton(const FormOptions& options, const CableNet& net) {
     Equilibrium e = solve_equilibrium(net);
     if (!e.balanced()) {
         throw NumericalFailure(
-            fmt::format("{}: no equilibrium: {}", options.net, equilibrium_text(e)));
+            fmt::format("{}: no equilibrium was found: {}", options.net, equilibrium_text(e)));
     }
     std::string text = equilibrium_text(e);
     if (e.status == EquilibriumStatus::slack_mechanism) {
@@ -97,7 +97,7 @@ Found find_by_cone_program(const FormOptions& options, const CableNet& net) {
         to_string(cone_form), to_string(s.status), s.iterations, s.primal_objective,
         s.dual_objective, s.primal_residual, s.dual_residual);
     if (!s.solved()) {
-        throw NumericalFailure(fmt::format("{}: no equilibrium: {}", options.net, text));
+        throw NumericalFailure(fmt::format("{}: no equilibrium was found: {}", options.net, text));
     }
     const Imbalance balance = imbalance(net, lengths, s.form);
     return {.form = s.form,

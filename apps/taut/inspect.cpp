@@ -79,7 +79,7 @@ Analysis analyse(const CableNet& net, const Equilibrium& equilibrium) {
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     Analysis result;
     if (!equilibrium.balanced()) {
-        result.left_out = "self-stress, identifiability, sensitivities: there is no equilibrium";
+        result.left_out = "self-stress, identifiability, sensitivities: no equilibrium was found";
         return result;
     }
     result.stress = stress_states(net, lengths, equilibrium.form);

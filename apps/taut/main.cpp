@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "command.hpp"
-#include "memory_limit.hpp"
 #include "run_program.hpp"
 #include "terminal.hpp"
 
@@ -21,7 +20,6 @@ int end(int code, std::string_view message) noexcept {
 
 int main(int argc, char** argv) {
     using namespace taut::app;
-    restart_for_memory(argv);
     prepare_streams();
     leave(run_program({.name = "taut",
                        .commands = {add_example, add_import, add_inspect, add_form, add_export,

@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
@@ -17,7 +16,6 @@
 
 #ifdef __linux__
 #include <sys/resource.h>
-#include <unistd.h>
 #endif
 
 namespace taut::app {
@@ -102,20 +100,6 @@ std::uint64_t parse_memory(std::string_view text) {
     throw std::invalid_argument(
         fmt::format("--memory is '{}', expected a number with MB, MiB, GB, GiB, TB or TiB: 8GiB",
                     text.substr(0, 40)));
-}
-
-void restart_for_memory(char** argv) noexcept {
-#ifdef __linux__
-    constexpr const char* variable = "OPENBLAS_NUM_THREADS";
-    constexpr std::string_view option = "--memory";
-    bool is_told = false;
-    for (char** argument = argv; *argument != nullptr; ++argument) {
-        is_told = is_told || std::string_view(*argument).starts_with(option);
-    }
-    if (is_told && std::getenv(variable) == nullptr && setenv(variable, "1", 0) == 0) {
-        execv("/proc/self/exe", argv);  // where that fails, the program goes on with the threads
-    }
-#endif
 }
 
 void limit_memory(const std::string& text, int threads) {

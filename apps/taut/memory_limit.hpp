@@ -15,10 +15,6 @@ namespace taut::app {
 /// @throws std::invalid_argument for other text, and for what is no more than 0 or beyond 2^60
 [[nodiscard]] std::uint64_t parse_memory(std::string_view text);
 
-/// Where the arguments hold --memory, starts the program again, without the threads that OpenBLAS
-/// makes before main(): taut never uses them, and each takes 128 MiB, sooner or later. Call first.
-void restart_for_memory(char** argv) noexcept;
-
 /// From now on this process's writable memory stays within so much (Linux: RLIMIT_DATA).
 /// @param text as parse_memory() takes it
 /// @param threads that will work

@@ -22,7 +22,9 @@ nlohmann::ordered_json counts_json(const CableNet& net) {
 }
 
 std::string equilibrium_text(const Equilibrium& equilibrium) {
-    return fmt::format("{} after {} iterations, {}", to_string(equilibrium.status),
+    // Not the status "iteration limit": a search may end before it.
+    return fmt::format("{} after {} iterations, {}",
+                       equilibrium.balanced() ? to_string(equilibrium.status) : "not balanced",
                        equilibrium.iterations,
                        balance_text(equilibrium.out_of_balance, equilibrium.mean_tension));
 }

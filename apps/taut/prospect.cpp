@@ -24,7 +24,7 @@ Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const Surv
     tell_of_survey(options, survey, with_notes);
     if (!nominal.balanced()) {
         throw NumericalFailure(
-            fmt::format("{}: no equilibrium: {}", net_file, equilibrium_text(nominal)));
+            fmt::format("{}: no equilibrium was found: {}", net_file, equilibrium_text(nominal)));
     }
     SurveyProspect lengths = with_survey_of(options.survey, [&] {
         return survey_prospect(net, nominal.form, survey, law, forces, unknowns);

@@ -24,8 +24,8 @@ inline constexpr int wrong_input = 2;
 /// program ends with a line and exit code 1. Call first.
 void prepare_streams();
 
-/// Ends the program, its streams flushed, without waiting for the threads of libraries:
-/// one that OpenBLAS starts before main() tries for ever to get memory that a limit does not leave.
+/// Ends the program, its streams flushed, without waiting for the threads of libraries: one may try
+/// for ever to get memory that a limit does not leave.
 [[noreturn]] void leave(int code);
 
 /// Ends the program at once with a line and exit code 1, temporary files removed.

@@ -32,7 +32,7 @@ std::atomic<bool> requested{false};
 std::array<int, 2> arrived{};  ///< a pipe: what the handler writes, the thread reads
 
 /// Runs in whichever thread the signal meets, where next to nothing is allowed. To block the signal
-/// in all threads but one is no way out: OpenBLAS starts its own before main().
+/// in all threads but one is no way out: a library may have started its own before main().
 void hand_over(int /*signal*/) {
     [[maybe_unused]] const auto written = ::write(arrived[1], "", 1);
 }

@@ -34,8 +34,6 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
     }
     CableNetData data = identified.data();
     data.nodes = equilibrium.form;
-    data.loads = identified.loads();
-    data.mass.resize(0);  // its weight is among the loads
     return CableNet(std::move(data));
 }
 

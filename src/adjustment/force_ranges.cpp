@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "net/weight_as_load.hpp"
+
 namespace taut {
 
 double ForceRange::violation(const Eigen::Ref<const Eigen::VectorXd>& forces) const {
@@ -39,9 +41,8 @@ ForceRange range_of(const CableNet& net, const TensionLimits& tension,
 }
 
 CableNet with_loads(const CableNet& net, const Points& loads) {
-    CableNetData data = net.data();
+    CableNetData data = with_weight_as_load(net);
     data.loads = loads;
-    data.mass.resize(0);  // their weight is part of net.loads(), and of these
     return CableNet(std::move(data));
 }
 

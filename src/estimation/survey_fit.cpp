@@ -13,6 +13,7 @@
 #include "estimation/feasible_descent.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/slack_set.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -122,7 +123,7 @@ GaussNewtonResult SurveyFit::run() {
     if (!fitted.converged) {
         m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
         if (!m_statics.linearise(fitted.iterate, observations())) {
-            throw std::runtime_error(
+            throw NumericalError(
                 "the statics of the net are singular at the surveyed form: are net and law right?");
         }
         m_statics.invert();

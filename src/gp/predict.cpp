@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -32,6 +33,21 @@ void check_inputs(const FittedProcesses& fitted, const Eigen::Ref<const Eigen::M
     require_usable("the inputs", at);
 }
 
+/// Bound of the rounding errors in sum_i a_i^2 / (d_i + eta) + b^2 / (tau + eta), a = Q'k along the
+/// directions and b = |k - Q a| beside them: sums of n products with unit vectors round a_i and b
+/// by at most delta = n epsilon |k|, and so a square by 2 a delta + delta^2. (processes x inputs)
+Eigen::MatrixXd rounding_of_explained(const Eigen::MatrixXd& k, const Eigen::MatrixXd& inverse,
+                                      const Eigen::VectorXd& tail_inverse,
+                                      const Eigen::MatrixXd& along,
+                                      const Eigen::RowVectorXd& beside) {
+    const Eigen::RowVectorXd delta =
+        static_cast<double>(k.rows()) * std::numeric_limits<double>::epsilon() * k.colwise().norm();
+    const Eigen::VectorXd inverses = inverse.colwise().sum().transpose() + tail_inverse;
+    return 2.0 * (transposed_product(inverse, along.cwiseAbs()) + tail_inverse * beside) *
+               delta.asDiagonal() +
+           inverses * delta.cwiseAbs2();
+}
+
 /// Adds the mean and std of the processes that use spectrum number s, by their rows in the result.
 void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
                            const Eigen::MatrixXd& squared_distances, Prediction& result) {
@@ -58,15 +74,21 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     const Eigen::MatrixXd k = correlation(squared_distances, spectrum.inverse_length_scale);
     const Eigen::MatrixXd along = transposed_product(spectrum.eigenvectors, k);
     Eigen::MatrixXd explained = transposed_product(inverse, along.cwiseAbs2());
+    Eigen::MatrixXd rounding;
     if (!spectrum.is_whole()) {
-        explained +=
-            tail_inverse * (k - product(spectrum.eigenvectors, along)).colwise().squaredNorm();
+        const Eigen::RowVectorXd beside =
+            (k - product(spectrum.eigenvectors, along)).colwise().norm();
+        explained += tail_inverse * beside.cwiseAbs2();
+        rounding = rounding_of_explained(k, inverse, tail_inverse, along, beside);
     }
     result.mean(members, Eigen::all) = transposed_product(fitted.weights(Eigen::all, members), k);
     Eigen::MatrixXd unexplained = 1.0 - explained.array();
     if (!spectrum.is_whole()) {
-        // Below zero the largest that is left out was found too small: nothing is claimed there.
-        unexplained = (unexplained.array() < 0.0).select(1.0, unexplained);
+        // Below zero by no more than rounding errors, it is one of these. Else the largest that is
+        // left out was found too small: nothing is claimed there.
+        const auto is_rounding = unexplained.array() >= -rounding.array();
+        unexplained = (unexplained.array() >= 0.0)
+                          .select(unexplained, is_rounding.select(rounding.array().min(1.0), 1.0));
     }
     result.std(members, Eigen::all) =
         (signal_stds.asDiagonal() * unexplained.cwiseMax(0.0).cwiseSqrt()).eval();

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "taut/identification/best_possible.hpp"
 
-#include <stdexcept>
-
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -28,7 +27,7 @@ Eigen::VectorXd best_possible_variances(const CableNet& net,
     truth.deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges());
     if (!statics.linearise(
             truth, observe(net, survey, with_noise_floor(net, survey), none_rejected, law.std()))) {
-        throw std::runtime_error("the statics of the net are singular at this form");
+        throw NumericalError("the statics of the net are singular at this form");
     }
     statics.invert();
     // At loose nodes they can be lost in rounding errors: then the law is all that is known.

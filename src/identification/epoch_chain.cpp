@@ -9,11 +9,11 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "estimation/data_snooping.hpp"
 #include "identification/unknown_estimates.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut {
@@ -77,13 +77,11 @@ CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
     const CableNet changed = turned_net(net, turned);
     const Equilibrium equilibrium = solve_equilibrium(changed);
     if (!equilibrium.balanced()) {
-        throw std::runtime_error(fmt::format(
+        throw NumericalError(fmt::format(
             "the net, as it was turned at {} edges, finds no equilibrium", turned.size()));
     }
     CableNetData data = changed.data();
     data.nodes = equilibrium.form;
-    data.loads = net.loads();
-    data.mass.resize(0);  // its weight is among the loads
     return CableNet(std::move(data));
 }
 

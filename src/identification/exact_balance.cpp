@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "estimation/balance_equations.hpp"
 #include "estimation/length_likelihoods.hpp"
@@ -14,6 +13,7 @@
 #include "estimation/observations.hpp"
 #include "estimation/slack_set.hpp"
 #include "identification/completion.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -132,7 +132,7 @@ private:
         Observations observations = observe(m_net, m_survey, m_noise, m_none_rejected, length_std);
         observations.mean = m_balanced.deviations;
         if (!m_statics.linearise(m_balanced, observations)) {
-            throw std::runtime_error(
+            throw NumericalError(
                 "the statics of the net are singular at the surveyed form: are net and law right?");
         }
         m_statics.invert();

@@ -12,6 +12,7 @@
 #include "estimation/prior_knowledge.hpp"
 #include "identification/unknown_estimates.hpp"
 #include "taut/estimation/length_posterior.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -64,7 +65,7 @@ public:
         const Observations observations = observe(m_fit_net, survey, with_noise_floor(net, survey),
                                                   none_rejected, m_knowledge, common);
         if (!m_statics.linearise(design, observations)) {
-            throw std::runtime_error("the statics of the net are singular at this form");
+            throw NumericalError("the statics of the net are singular at this form");
         }
         m_statics.invert();
         m_tensions = m_statics.tensions(design);

@@ -60,10 +60,8 @@ void sort_adjustable(CableNetData& data) {
 Points with_self_weight(const CableNetData& data) {
     Points loads = data.loads;
     for (Eigen::Index e = 0; e < data.mass.size(); ++e) {
-        const auto [s, t] = data.edges[e];
-        const double length = (data.nodes.col(s) - data.nodes.col(t)).norm();
-        for (const int node : {s, t}) {
-            loads(2, node) -= 0.5 * gravity * data.mass(e) * length;
+        for (const int node : data.edges[e]) {
+            loads(2, node) -= 0.5 * gravity * data.mass(e) * data.unstressed_lengths(e);
         }
     }
     return loads;

@@ -6,11 +6,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "numerics/blas.hpp"
 #include "numerics/parts.hpp"
 #include "numerics/serial_blas.hpp"
+#include "taut/numerical_error.hpp"
 
 namespace taut {
 namespace {
@@ -153,8 +153,7 @@ Cholesky::Cholesky(Eigen::MatrixXd matrix) : m_L(std::move(matrix)) {
     const SerialBlas serial;
     dpotrf_(&lower, &n, m_L.data(), &lda, &info, 1);
     if (info != 0) {
-        throw std::runtime_error(
-            fmt::format("the matrix is not positive definite (dpotrf: {})", info));
+        throw NumericalError(fmt::format("the matrix is not positive definite (dpotrf: {})", info));
     }
 }
 
@@ -209,7 +208,7 @@ SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix) {
     SymmetricEigen result;
     const int n = size_of(matrix.rows());
     if (!matrix.allFinite()) {
-        throw std::runtime_error("eigendecomposition of a matrix that is not finite");
+        throw NumericalError("eigendecomposition of a matrix that is not finite");
     }
     result.values.resize(n);
     const int lda = std::max(1, n);
@@ -228,7 +227,7 @@ SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix) {
     dsyevd_("V", &lower, &n, matrix.data(), &lda, result.values.data(), work.data(), &size,
             integer_work.data(), &integer_size, &info, 1, 1);
     if (info != 0) {
-        throw std::runtime_error(fmt::format("eigendecomposition failed (dsyevd: {})", info));
+        throw NumericalError(fmt::format("eigendecomposition failed (dsyevd: {})", info));
     }
     result.vectors = std::move(matrix);
     return result;

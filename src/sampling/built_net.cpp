@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "taut/sampling/built_net.hpp"
 
+#include "net/weight_as_load.hpp"
 #include "taut/sampling/data_set.hpp"
 
 namespace taut {
@@ -9,7 +10,7 @@ namespace taut {
 CableNet built_net(const CableNet& net, const LengthLaw& law, std::uint64_t seed) {
     check_law(net, law);
     constexpr std::uint64_t beyond_all_samples = std::uint64_t{1} << 63U;
-    CableNetData data = net.data();
+    CableNetData data = with_weight_as_load(net);
     data.unstressed_lengths = with_length_deviations(
         net, draw_length_deviations(law, seed, beyond_all_samples, net.interior_edge_count()));
     return CableNet(std::move(data));

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "net/weight_as_load.hpp"
 #include "numerics/random_numbers.hpp"
 
 namespace taut {
@@ -95,15 +96,13 @@ CableNet net_under(const CableNet& net, const Circumstances& circumstances,
         throw std::invalid_argument(fmt::format("{} unstressed lengths, expected {}",
                                                 unstressed_lengths.size(), net.edge_count()));
     }
-    CableNetData data = net.data();
+    CableNetData data = with_weight_as_load(net);
     data.nodes += circumstances.supports;
     data.axial_stiffness.array() *= circumstances.stiffness.array().exp();
     if (!net.is_linear()) {
         scale_laws(net, circumstances.stiffness, data);
     }
-    // The edges' weight is among the loads.
     data.loads = (1.0 + circumstances.loads) * net.loads() + circumstances.own_loads;
-    data.mass.resize(0);
     data.unstressed_lengths = (unstressed_lengths + circumstances.adjustable)
                                   .cwiseProduct((1.0 + circumstances.thermal.array()).matrix());
     return CableNet(std::move(data));

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "taut/numerical_error.hpp"
 #include "taut/sampling/circumstances.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "team_work.hpp"
@@ -24,7 +25,7 @@ namespace {
 Equilibrium nominal_equilibrium(const CableNet& net) {
     Equilibrium nominal = solve_equilibrium(net);
     if (!nominal.balanced()) {
-        throw std::runtime_error(fmt::format(
+        throw NumericalError(fmt::format(
             "the nominal net finds no equilibrium: {} N out of balance after {} iterations",
             nominal.out_of_balance, nominal.iterations));
     }

@@ -76,7 +76,7 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
         if (step.length == 1.0) {
             shift = shift > 10.0 * smallest_shift ? 0.1 * shift : shift;
         } else if (step.length < shortest_fair_step) {
-            shift = std::max(1e-6, 10.0 * shift);
+            shift = std::clamp(10.0 * shift, 1e-6, largest_shift);
         }
         short_steps = step.length < shortest_fair_step ? short_steps + 1 : 0;
     }

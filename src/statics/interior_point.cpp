@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace taut {
 namespace {
@@ -17,10 +19,16 @@ constexpr double smallest_part = 0.02;
 constexpr double largest_part = 0.8;
 
 /// A step shorter than this has run into the boundary, and who goes so many without a mu below the
-/// lowest goes in circles. Then the path is taken up anew, at a mu so much greater.
-constexpr double shortest_step = 0.1;
+/// lowest goes in circles. Then the path is taken up anew: at a mu that is so much smaller, and the
+/// next time greater.
+constexpr double shortest_step = 0.03;
 constexpr int most_fruitless_steps = 4;
-constexpr double wider = 10.0;
+constexpr double narrower = 1e-3;
+constexpr double wider = 1e4;
+
+/// Where the path begins, in mean energies of the edges. Nets with stiffening laws were found to
+/// need it below 0.1, and many steps more where it is below 0.001.
+constexpr double first_part = 0.01;
 
 /// The path ends where sum T s is this part of sum T e, twice the energy of linear edges (or
 /// where the play, weighted by the tensions, is a rounding error of the coordinates), and the
@@ -61,30 +69,6 @@ double mean_stretch_energy(const NetState& state) {
     return sum / static_cast<double>(state.edges().size());
 }
 
-/// The play s > 0 with T s = mu where T = a + b s.
-double play_of(double a, double b, double mu) {
-    const double root = std::sqrt(a * a + 4.0 * b * mu);
-    return a > 0.0 ? 2.0 * mu / (root + a) : (root - a) / (2.0 * b);
-}
-
-/// The play s > 0 of an edge of a given length with T s = mu, T at the elongation l - l_0 + s. Both
-/// grow, so that the part of the law in which it lies is the first at whose end T s exceeds mu.
-double play_on_path(const TensionLaw* law, const EdgeState& edge, double unstressed, double mu) {
-    const double stretch = edge.length - unstressed;
-    if (law == nullptr) {
-        return play_of(edge.axial * stretch, edge.axial, mu);
-    }
-    Eigen::Index end = 1;
-    while (end + 1 < law->strain.size() &&
-           law->tension(end) * std::max(0.0, law->strain(end) * unstressed - stretch) < mu) {
-        ++end;
-    }
-    const double begin = law->strain(end - 1);
-    const double axial =
-        (law->tension(end) - law->tension(end - 1)) / (law->strain(end) - begin) / unstressed;
-    return play_of(law->tension(end - 1) + axial * (stretch - begin * unstressed), axial, mu);
-}
-
 /// Adds a force along every edge to its ends: that of the source.
 template <typename ForceOfEdge>
 void add_forces(const LocalNet& net, const NetState& state, ForceOfEdge&& force_of_edge,
@@ -107,16 +91,23 @@ InteriorPoint::InteriorPoint(const LocalNet& net)
     : m_edges(net.edges.size()),
       m_springs(net.edges.size()),
       m_imbalance(net.loads.size()),
-      m_direction(net.loads.size()) {}
+      m_direction(net.loads.size()) {
+    m_parts_begin.push_back(0);
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        m_parts_begin.push_back(m_parts_begin.back() + part_count(net.law(e)));
+    }
+    m_parts.resize(m_parts_begin.back());
+}
 
 int InteriorPoint::run(const LocalNet& net, Stiffness& stiffness, NetState& state, int max_steps) {
-    start_on_path(net, state, mean_stretch_energy(state));
+    start_on_path(net, state, first_part * mean_stretch_energy(state));
     int steps = 0;
     int fruitless_steps = 0;
+    int restarts = 0;
     double lowest = std::numeric_limits<double>::infinity();
     while (steps < max_steps && !arrived(net, state) && factorize(net, stiffness, state)) {
         ++steps;
-        const double mu = mean_product();
+        const double mu = mean_product_after(0.0, state);
         fruitless_steps = mu < lowest ? 0 : fruitless_steps + 1;
         lowest = std::min(lowest, mu);
         aim_at(0.0);
@@ -129,37 +120,32 @@ int InteriorPoint::run(const LocalNet& net, Stiffness& stiffness, NetState& stat
             step >= shortest_step && fruitless_steps < most_fruitless_steps) {
             move(step, net, state);
         } else {
-            start_on_path(net, state, wider * mu);
+            start_on_path(net, state, (restarts++ % 2 == 0 ? narrower : wider) * mu);
             lowest = std::numeric_limits<double>::infinity();
         }
     }
     return steps;
 }
 
-/// Tension and stiffness of an edge at its elongation.
-void InteriorPoint::follow_law(const LocalNet& net, const NetState& state, size_t edge) {
-    PathEdge& e = m_edges[edge];
-    if (const TensionLaw* law = net.law(edge); law != nullptr) {
-        const double unstressed = state.unstressed_lengths()(static_cast<Eigen::Index>(edge));
-        const auto [tension, slope] = law->at(e.elongation / unstressed);
-        e.tension = tension;
-        e.axial = slope / unstressed;
-    } else {
-        e.axial = state.edges()[edge].axial;
-        e.tension = e.axial * e.elongation;
-    }
+std::span<PathPart> InteriorPoint::parts_of(size_t edge) {
+    return std::span(m_parts).subspan(m_parts_begin[edge],
+                                      m_parts_begin[edge + 1] - m_parts_begin[edge]);
 }
 
-/// On the path at this form: the tension of an edge is that of its law with a corner rounded by mu.
+std::span<const PathPart> InteriorPoint::parts_of(size_t edge) const {
+    return std::span(m_parts).subspan(m_parts_begin[edge],
+                                      m_parts_begin[edge + 1] - m_parts_begin[edge]);
+}
+
+/// On the path at this form: the tension of an edge is that of its law with corners rounded by mu.
 void InteriorPoint::start_on_path(const LocalNet& net, const NetState& state, double mu) {
     for (size_t e = 0; e < m_edges.size(); ++e) {
-        const double unstressed = state.unstressed_lengths()(static_cast<Eigen::Index>(e));
-        m_edges[e].play = play_on_path(net.law(e), state.edges()[e], unstressed, mu);
-        m_edges[e].elongation = stretch(state, e) + m_edges[e].play;
-        if (net.law(e) == nullptr) {
-            m_edges[e].elongation = mu / m_edges[e].play / state.edges()[e].axial;
-        }
-        follow_law(net, state, e);
+        const auto edge = static_cast<Eigen::Index>(e);
+        const double unstressed = state.unstressed_lengths()(edge);
+        m_edges[e].tension = start_parts(net.law(e), net.axial_stiffness(edge) / unstressed,
+                                         unstressed, stretch(state, e), mu, parts_of(e));
+        m_edges[e].elongation = elongation(parts_of(e));
+        m_edges[e].play = mu / m_edges[e].tension;
     }
     update_imbalance(net, state);
 }
@@ -179,9 +165,10 @@ bool InteriorPoint::arrived(const LocalNet& net, const NetState& state) const {
     double gap = 0.0;
     double energy = 0.0;
     double tension = 0.0;
-    for (const PathEdge& edge : m_edges) {
-        gap += edge.tension * edge.play;
-        energy += edge.tension * edge.elongation;
+    for (size_t e = 0; e < m_edges.size(); ++e) {
+        const PathEdge& edge = m_edges[e];
+        gap += edge.tension * edge.play + products_after(parts_of(e), 0.0).sum;
+        energy += edge.tension * std::abs(edge.elongation);
         tension += edge.tension;
     }
     const double largest = m_imbalance.reshaped(3, net.free_count).colwise().norm().maxCoeff();
@@ -192,12 +179,12 @@ bool InteriorPoint::arrived(const LocalNet& net, const NetState& state) const {
 bool InteriorPoint::factorize(const LocalNet& net, Stiffness& stiffness, const NetState& state) {
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const PathEdge& edge = m_edges[e];
-        m_springs[e] = {
-            .direction = state.edges()[e].direction,
-            .length = state.edges()[e].length,
-            .extension = edge.elongation,
-            .axial = edge.axial * edge.tension / (edge.axial * edge.play + edge.tension),
-            .tension = edge.tension};
+        const double flexibility = tangent_of(parts_of(e), edge.tension).flexibility;
+        m_springs[e] = {.direction = state.edges()[e].direction,
+                        .length = state.edges()[e].length,
+                        .extension = edge.play,  // taut, all of them
+                        .axial = edge.tension / (edge.play + edge.tension * flexibility),
+                        .tension = edge.tension};
     }
     stiffness.matrix.assemble(net, m_springs);
     return stiffness.factorize();
@@ -207,6 +194,7 @@ void InteriorPoint::aim_at(double mu) {
     for (PathEdge& edge : m_edges) {
         edge.wanted = mu - edge.tension * edge.play;
     }
+    aim_parts(m_parts, mu);
 }
 
 /// Takes off what the last direction would change T s by to second order: dT ds, and T times what
@@ -217,23 +205,24 @@ void InteriorPoint::correct(const NetState& state) {
         PathEdge& edge = m_edges[e];
         const double lengthening = at.direction.dot(edge.difference);
         const double turned = (at.length * at.direction + edge.difference).norm() - at.length;
-        edge.wanted -= edge.axial * edge.elongation_rate * (edge.elongation_rate - lengthening) -
+        edge.wanted -= edge.tension_rate * (edge.elongation_rate - lengthening) -
                        edge.tension * (turned - lengthening);
     }
+    correct_parts(m_parts);
 }
 
-/// Solves dT s + T ds = wanted and h(r + dr, T + dT) = 0, both to first order: with dT = c de and
-/// ds = de - dl, de = (wanted + T dl) / (c s + T).
+/// Solves dT s + T ds = wanted and h(r + dr, T + dT) = 0, both to first order: with de = F dT + g
+/// of the parts and ds = de - dl, dT = (wanted - T g + T dl) / (s + T F).
 void InteriorPoint::find_direction(const LocalNet& net, const Stiffness& stiffness,
                                    const NetState& state) {
-    const auto product_rate = [&](size_t e) {  // d(T s)/de
-        return m_edges[e].axial * m_edges[e].play + m_edges[e].tension;
-    };
+    for (size_t e = 0; e < m_edges.size(); ++e) {  // as without dl
+        PathEdge& edge = m_edges[e];
+        const auto [flexibility, drift] = tangent_of(parts_of(e), edge.tension);
+        edge.tension_rate =
+            (edge.wanted - edge.tension * drift) / (edge.play + edge.tension * flexibility);
+    }
     m_direction = -m_imbalance;
-    add_forces(
-        net, state,
-        [&](size_t e) { return -m_edges[e].axial * m_edges[e].wanted / product_rate(e); },
-        m_direction);
+    add_forces(net, state, [&](size_t e) { return -m_edges[e].tension_rate; }, m_direction);
     stiffness.factor.solve(m_direction);
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const auto [s, t] = net.edges[e];
@@ -246,20 +235,24 @@ void InteriorPoint::find_direction(const LocalNet& net, const Stiffness& stiffne
             edge.difference -= m_direction.segment<3>(Eigen::Index{3} * t);
         }
         const double lengthening = m_springs[e].direction.dot(edge.difference);
-        edge.elongation_rate = (edge.wanted + edge.tension * lengthening) / product_rate(e);
+        edge.tension_rate += m_springs[e].axial * lengthening;
+        find_part_rates(parts_of(e), edge.tension, edge.tension_rate);
+        edge.elongation_rate =
+            std::transform_reduce(parts_of(e).begin(), parts_of(e).end(), 0.0, std::plus<>(),
+                                  [](const PathPart& part) { return part.stretch_rate; });
     }
 }
 
-/// At most 1, and no edge loses more of its elongation or play than part_kept leaves. The play
-/// along the direction is l_0 + e + a de - |l u + a d|.
+/// At most 1, and no edge loses more of its tension or play, nor its parts of theirs, than
+/// part_kept leaves. The play along the direction is l_0 + e + a de - |l u + a d|.
 double InteriorPoint::longest_step(const NetState& state) const {
-    double step = 1.0;
+    double step = limit_step(m_parts, part_kept, 1.0);
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const EdgeState& at = state.edges()[e];
         const PathEdge& edge = m_edges[e];
         const double rate = edge.elongation_rate;
-        if (rate < 0.0) {
-            step = std::min(step, (part_kept - 1.0) * edge.elongation / rate);
+        if (edge.tension_rate < 0.0) {
+            step = std::min(step, (part_kept - 1.0) * edge.tension / edge.tension_rate);
         }
         // |l u + a d| = l + reach + a rate
         const double reach = (1.0 - part_kept) * edge.play;
@@ -271,35 +264,27 @@ double InteriorPoint::longest_step(const NetState& state) const {
     return step;
 }
 
-/// mu.
-double InteriorPoint::mean_product() const {
-    double sum = 0.0;
-    for (const PathEdge& edge : m_edges) {
-        sum += edge.tension * edge.play;
-    }
-    return sum / static_cast<double>(m_edges.size());
-}
-
 /// mu, a step along the direction, by the slopes at its start.
 double InteriorPoint::mean_product_after(double step, const NetState& state) const {
-    double sum = 0.0;
+    auto [sum, count] = products_after(m_parts, step);
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const EdgeState& at = state.edges()[e];
         const PathEdge& edge = m_edges[e];
         const double length = (at.length * at.direction + step * edge.difference).norm();
-        sum += (edge.tension + step * edge.axial * edge.elongation_rate) *
+        sum += (edge.tension + step * edge.tension_rate) *
                (edge.play + step * edge.elongation_rate - (length - at.length));
     }
-    return sum / static_cast<double>(m_edges.size());
+    return sum / static_cast<double>(std::ssize(m_edges) + count);
 }
 
 void InteriorPoint::move(double step, const LocalNet& net, NetState& state) {
     state.form().reshaped().head(m_direction.size()) += step * m_direction;
     state.update(net);
+    move_parts(m_parts, step);
     for (size_t e = 0; e < m_edges.size(); ++e) {
         PathEdge& edge = m_edges[e];
-        edge.elongation += step * edge.elongation_rate;
-        follow_law(net, state, e);
+        edge.tension += step * edge.tension_rate;
+        edge.elongation = elongation(parts_of(e));
         // where nothing but rounding errors is left of the play, those stand for it
         edge.play = std::max(edge.elongation - stretch(state, e),
                              std::numeric_limits<double>::epsilon() * state.edges()[e].length);

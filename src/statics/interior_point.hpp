@@ -3,9 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "statics/net_state.hpp"
+#include "statics/path_law.hpp"
 #include "statics/stiffness_factor.hpp"
 
 namespace taut {
@@ -14,13 +16,15 @@ namespace taut {
 ///
 ///   T >= 0,   s = l_0 + e - l(r) >= 0,   T s = 0,   and the forces T balance the loads,
 ///
-/// with the elongation e that the edge's law has at T: T l_0/EA where it is linear.
-/// This follows the path T s = mu of all edges towards mu = 0 by predictor and corrector (S.
-/// Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2 (1992)
-/// 575-601); the corrector holds the curvature of l(r) in s, too. Each step solves with the
-/// stiffness of the net, in which an edge counts c T / (c s + T) along, c = dT/de, and T / l
-/// across. How many edges go slack hardly matters here, while Newton's method on the energy spends
-/// steps on each few of them. It comes only as near to the equilibrium as mu to zero.
+/// with the elongation e that the edge's law has at T: T l_0/EA where it is linear, else the sum
+/// of what the straight parts of the law stretch (PathPart).
+/// This follows the path T s = mu of all edges, and likewise of their parts, towards mu = 0 by
+/// predictor and corrector (S. Mehrotra, On the implementation of a primal-dual interior point
+/// method, SIAM J. Optim. 2 (1992) 575-601); the corrector holds the curvature of l(r) in s, too.
+/// Each step solves with the stiffness of the net, in which an edge counts T / (s + T de/dT) along,
+/// and T / l across. How many edges go slack or pass a corner of their law hardly matters here,
+/// while Newton's method on the energy spends steps on each few of them. It comes only as near to
+/// the equilibrium as mu to zero.
 class InteriorPoint {
 public:
     explicit InteriorPoint(const LocalNet& net);
@@ -32,16 +36,17 @@ public:
 
 private:
     struct PathEdge {
-        double elongation;           ///< e > 0 [m]
-        double tension;              ///< T > 0, of the law at e [N]
-        double axial;                ///< c = dT/de [N/m]
+        double tension;              ///< T > 0 [N]
+        double elongation;           ///< e [m]
         double play;                 ///< s > 0 [m]
         double wanted;               ///< change of T s that the direction aims at [N m]
+        double tension_rate;         ///< dT along the direction [N]
         double elongation_rate;      ///< de along the direction [m]
         Eigen::Vector3d difference;  ///< of the direction at source and target [m]
     };
 
-    void follow_law(const LocalNet& net, const NetState& state, size_t edge);
+    [[nodiscard]] std::span<PathPart> parts_of(size_t edge);
+    [[nodiscard]] std::span<const PathPart> parts_of(size_t edge) const;
     void start_on_path(const LocalNet& net, const NetState& state, double mu);
     void update_imbalance(const LocalNet& net, const NetState& state);
     [[nodiscard]] bool arrived(const LocalNet& net, const NetState& state) const;
@@ -50,14 +55,15 @@ private:
     void correct(const NetState& state);
     void find_direction(const LocalNet& net, const Stiffness& stiffness, const NetState& state);
     [[nodiscard]] double longest_step(const NetState& state) const;
-    [[nodiscard]] double mean_product() const;
     [[nodiscard]] double mean_product_after(double step, const NetState& state) const;
     void move(double step, const LocalNet& net, NetState& state);
 
     std::vector<PathEdge> m_edges;
-    std::vector<EdgeState> m_springs;  ///< edges as the stiffness takes them
-    Eigen::VectorXd m_imbalance;       ///< 3 n_I [N]
-    Eigen::VectorXd m_direction;       ///< 3 n_I [m]
+    std::vector<PathPart> m_parts;      ///< of all edges' laws
+    std::vector<size_t> m_parts_begin;  ///< of each edge, and their end
+    std::vector<EdgeState> m_springs;   ///< edges as the stiffness takes them
+    Eigen::VectorXd m_imbalance;        ///< 3 n_I [N]
+    Eigen::VectorXd m_direction;        ///< 3 n_I [m]
 };
 
 }  // namespace taut

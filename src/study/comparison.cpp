@@ -11,6 +11,7 @@
 #include "identification/form_prior.hpp"
 #include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/sampling/sampler.hpp"
 
 namespace taut {
@@ -98,7 +99,7 @@ private:
     void run_with(int count) {
         const std::vector<int> samples = m_data.converged_in(0, count);
         if (samples.size() < 2) {
-            throw std::runtime_error(fmt::format(
+            throw NumericalError(fmt::format(
                 "only {} of {} training samples found their equilibrium", samples.size(), count));
         }
         const Stopwatch paper_training;
@@ -353,7 +354,7 @@ Comparison compare_methods(const CableNet& net, const ComparisonSettings& settin
     comparison.not_converged = data.not_converged();
     const std::vector<int> surveyed = data.converged_in(training, data.size());
     if (surveyed.empty()) {
-        throw std::runtime_error("no surveyed sample found its equilibrium");
+        throw NumericalError("no surveyed sample found its equilibrium");
     }
     comparison.surveys = static_cast<int>(surveyed.size());
     comparison.surveys_with_slack = count_with_slack(data, surveyed);

@@ -11,8 +11,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "net/weight_as_load.hpp"
 #include "numerics/random_numbers.hpp"
 #include "taut/identification/identify.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -61,15 +63,13 @@ void check_control(const CableNet& net, const ControlSettings& settings) {
 }
 
 CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const Points& start) {
-    CableNetData data = net.data();
+    CableNetData data = with_weight_as_load(net);
     data.unstressed_lengths = lengths;
     const Equilibrium equilibrium = EquilibriumSolver(net).solve(lengths, start);
     if (!equilibrium.balanced()) {
-        throw std::runtime_error("a net finds no equilibrium");
+        throw NumericalError("a net finds no equilibrium");
     }
     data.nodes = equilibrium.form;
-    data.loads = net.loads();
-    data.mass.resize(0);  // its weight is among the loads
     return CableNet(std::move(data));
 }
 
@@ -122,10 +122,10 @@ public:
         if (strategy != ControlStrategy::once || round == 1) {
             try {
                 turned = turn(plan(strategy, round), round);
-            } catch (const Interrupted&) {
-                throw;
-            } catch (const std::exception&) {
+            } catch (const NumericalError&) {
                 has_failed = true;  // counted, and the crew waits for the next survey
+            } catch (const std::invalid_argument&) {  // what was found is no net, or has no plan
+                has_failed = true;
             }
         }
         return state(round, turned, has_failed);
@@ -142,7 +142,7 @@ private:
     [[nodiscard]] CableNet told_net() const {
         Eigen::VectorXd lengths = m_net.unstressed_lengths();
         lengths(m_net.adjustable_edges()) += m_told_strokes;
-        CableNetData data = m_net.data();
+        CableNetData data = with_weight_as_load(m_net);
         data.unstressed_lengths = lengths;
         return CableNet(std::move(data));
     }
@@ -187,7 +187,7 @@ private:
                                                    .draws = m_settings.draws,
                                                    .seed = seed_of(round)});
             if (found.status != IdentificationStatus::converged) {
-                throw std::runtime_error(found.message);
+                throw NumericalError(found.message);
             }
             return plan_strokes(built_net_of(told, found), m_target, limits(), options);
         }

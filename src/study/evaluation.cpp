@@ -15,6 +15,7 @@
 #include "study/shared_evaluation.hpp"
 #include "study/stopwatch.hpp"
 #include "taut/identification/best_possible.hpp"
+#include "taut/numerical_error.hpp"
 #include "team_work.hpp"
 
 namespace taut {
@@ -38,9 +39,9 @@ Outcome attempt(const std::function<Identification(size_t)>& identify, size_t k)
             outcome.failure = to_string(status);
             outcome.identification.reset();
         }
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& error) {
+    } catch (const NumericalError& error) {
+        outcome.failure = error.what();
+    } catch (const std::invalid_argument& error) {  // what was drawn is no survey of the net
         outcome.failure = error.what();
     }
     outcome.seconds = stopwatch.seconds();
@@ -229,7 +230,7 @@ std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& 
             of_trials[i] = best_possible_variances(
                 net, with_length_deviations(net, trial.deviations), trial.form, trial.survey, law);
         });
-    } catch (const std::runtime_error&) {
+    } catch (const NumericalError&) {
         of_trials.assign(mine.size(), Eigen::VectorXd());
     }
     of_trials = gathered(trials.size(), std::move(of_trials));

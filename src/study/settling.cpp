@@ -17,6 +17,7 @@
 #include <stdexcept>
 
 #include "taut/identification/identify.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -79,8 +80,8 @@ Equilibrium draw_form(const CableNet& net, Dice& dice, SettlingSurvey& survey) {
             return found;
         }
     }
-    throw std::runtime_error(fmt::format("{} draws of lengths {} found no equilibrium", most_draws,
-                                         survey.law.to_string()));
+    throw NumericalError(fmt::format("{} draws of lengths {} found no equilibrium", most_draws,
+                                     survey.law.to_string()));
 }
 
 std::vector<bool> interior_flags(const CableNet& net, const std::vector<int>& edges) {
@@ -159,9 +160,7 @@ SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
         outcome.settled = result.status == IdentificationStatus::converged;
         outcome.message = result.message;
         hold_against_truth(outcome, result, s);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::runtime_error& error) {
+    } catch (const NumericalError& error) {
         outcome.message = error.what();
     }
     outcome.seconds = processor_seconds() - begin;

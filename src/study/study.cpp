@@ -9,6 +9,7 @@
 
 #include "identification/train_together.hpp"
 #include "study/stopwatch.hpp"
+#include "taut/numerical_error.hpp"
 
 namespace taut {
 namespace {
@@ -34,12 +35,12 @@ void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vec
                       const Points& nominal_form) {
     const MethodResult& result = evaluation.result;
     if (result.failed > 0) {
-        throw std::runtime_error(fmt::format("{} of {} validation samples were not identified: {}",
-                                             result.failed, result.surveys, result.first_failure));
+        throw NumericalError(fmt::format("{} of {} validation samples were not identified: {}",
+                                         result.failed, result.surveys, result.first_failure));
     }
     const Equilibrium& first = evaluation.identifications.front()->predicted;
     if (!first.balanced()) {
-        throw std::runtime_error("the first validation sample's identified form did not converge");
+        throw NumericalError("the first validation sample's identified form did not converge");
     }
     const CableNet& net = study.net;
     study.estimates = estimates_of(evaluation.identifications, net.interior_edge_count());
@@ -111,7 +112,7 @@ Study run_study(const CableNet& net, const StudySettings& settings, const Progre
     const std::vector<int> training_samples = study.data.converged_in(0, first_validation);
     study.validation = study.data.converged_in(first_validation, settings.samples);
     if (training_samples.size() < 2 || study.validation.empty()) {
-        throw std::runtime_error(
+        throw NumericalError(
             fmt::format("only {} training and {} validation samples found their equilibrium",
                         training_samples.size(), study.validation.size()));
     }

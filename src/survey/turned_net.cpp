@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "net/weight_as_load.hpp"
+
 namespace taut {
 
 void check_turned(const CableNet& net, std::span<const EdgeTurned> turned) {
@@ -62,7 +64,7 @@ std::vector<EdgeTurned> all_turned(std::span<const std::vector<EdgeTurned>> step
 }
 
 CableNet turned_net(const CableNet& net, std::span<const EdgeTurned> turned) {
-    CableNetData data = net.data();
+    CableNetData data = with_weight_as_load(net);
     for (const EdgeTurned& one : turned) {
         data.unstressed_lengths(one.edge) += one.stroke;
     }

@@ -113,6 +113,38 @@ TEST_F(LowRank, IsNotSureOfWhatItDoesNotKnowWhereThereIsNoNoise) {
     EXPECT_LT(found.std.maxCoeff(), 1e-5);
 }
 
+/// Inputs in pairs, each far from all others, and the directions of their correlation.
+FittedProcesses pairs_of_inputs(double eigenvalue) {
+    constexpr Eigen::Index pairs = 20;
+    FittedProcesses fitted{.inputs = Eigen::MatrixXd(1, 2 * pairs),
+                           .spectra = {},
+                           .processes = {{.hyperparameters = {.inverse_length_scale = 1.0,
+                                                              .signal_std = 2.0,
+                                                              .noise_std = 2e-9},
+                                          .spectrum = 0}},
+                           .weights = Eigen::MatrixXd::Zero(2 * pairs, 1)};
+    KernelSpectrum spectrum{.inverse_length_scale = 1.0,
+                            .eigenvalues = Eigen::VectorXd::Constant(pairs, eigenvalue),
+                            .eigenvectors = Eigen::MatrixXd::Zero(2 * pairs, pairs)};
+    spectrum.tail_largest = 1e-18;
+    for (Eigen::Index i = 0; i < pairs; ++i) {
+        fitted.inputs.middleCols(2 * i, 2).setConstant(100.0 * static_cast<double>(i));
+        spectrum.eigenvectors.col(i).segment(2 * i, 2).setConstant(std::sqrt(0.5));
+    }
+    fitted.spectra.push_back(std::move(spectrum));
+    return fitted;
+}
+
+TEST(LowRankVariance, IsNotThatOfThePriorWhereRoundingMakesItNegative) {
+    const FittedProcesses fitted = pairs_of_inputs(2.0);
+    EXPECT_LT(fitted.predict(fitted.inputs).std.maxCoeff(), 1e-3);
+}
+
+TEST(LowRankVariance, IsThatOfThePriorWhereDirectionsExplainMoreThanThereIs) {
+    const FittedProcesses fitted = pairs_of_inputs(1.9);
+    EXPECT_EQ(fitted.predict(fitted.inputs).std.minCoeff(), 2.0);
+}
+
 TEST_F(LowRank, TellsTheLeaveOneOutErrorOfInputsThatStandAlone) {
     // One of twenty far out, where most are not among those that the directions come from.
     for (Eigen::Index i = 0; i < n; ++i) {

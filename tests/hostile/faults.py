@@ -107,8 +107,8 @@ def _hold(sandbox: Sandbox, originals: Path, command: str, keywords: dict, what:
     words, reads, writes = WRITERS[command]
     _prepare(sandbox, originals, reads, writes)
     run = sandbox.run(*words, **keywords)
-    # What the loader and OpenBLAS say before the program begins.
-    if run.code == 127 or b"error while loading" in run.err or b"blas_thread_init" in run.err:
+    # What the loader says before the program begins.
+    if run.code == 127 or b"error while loading" in run.err:
         return
     try:
         judge(run, writes)

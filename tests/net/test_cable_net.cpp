@@ -75,6 +75,18 @@ TEST(CableNet, FillsInLoadsOfZero) {
     EXPECT_EQ(net.data().loads, Points::Zero(3, 6));
 }
 
+// By the drawn distance, a net that is not drawn in its form would hang otherwise.
+TEST(CableNet, WeighsAsMuchAsItsUnstressedLengthsWhereverNodesAreDrawn) {
+    CableNetData data = test::two_node_net_data();
+    data.mass = Eigen::VectorXd::LinSpaced(5, 1.0, 3.0);
+    const CableNet net(data);
+    const Eigen::VectorXd weight = gravity * data.mass.cwiseProduct(data.unstressed_lengths);
+    EXPECT_NEAR((data.loads - net.loads()).row(2).sum(), weight.sum(), 1e-9);
+    EXPECT_NEAR(net.loads()(2, 3), -400.0 - 0.5 * (weight(2) + weight(3) + weight(4)), 1e-9);
+    data.nodes.col(3).x() += 50.0;
+    EXPECT_EQ(CableNet(std::move(data)).loads(), net.loads());
+}
+
 TEST(CableNet, NamesNodesAndEdges) {
     const CableNet net(test::two_node_net_data());
     EXPECT_EQ(net.node_id(3), "b");

@@ -40,6 +40,13 @@ TEST(BuiltNet, HasInteriorLengthsOfTheLawAndAllElseAsDesigned) {
     EXPECT_EQ(CableNet(data).fingerprint(), net.fingerprint());
 }
 
+TEST(BuiltNet, WeighsAsDesigned) {
+    CableNetData data = hypar(3, 4).data();
+    data.mass = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 1.2);
+    const CableNet net(std::move(data));
+    EXPECT_EQ(built_net(net, built_law, 7).loads(), net.loads());
+}
+
 TEST(BuiltNet, IsTheSameForASeedAndNoSampleOfIt) {
     const CableNet net = hypar(3, 4);
     EXPECT_EQ(deviations(net, 7), deviations(net, 7));

@@ -12,8 +12,10 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
+#include <system_error>
 
 #include "taut/design/builtin_nets.hpp"
+#include "taut/numerical_error.hpp"
 #include "taut/sampling/sampler.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "taut/statics/tensions.hpp"
@@ -141,7 +143,7 @@ TEST_F(Trials, CountFailuresAndLeaveThemOutOfAllNumbers) {
     Method method = good;
     method.identify = [&](const Trial& trial) -> Identification {
         if (trial.survey.form == trials[1].survey.form) {
-            throw std::runtime_error("no such luck");
+            throw NumericalError("no such luck");
         }
         Identification result = good.identify(trial);
         if (trial.survey.form == trials[2].survey.form) {
@@ -166,6 +168,14 @@ TEST_F(Trials, CountFailuresAndLeaveThemOutOfAllNumbers) {
     const MethodResult none = evaluate(m_net, method, trials).result;
     EXPECT_EQ(none.failed, 4);
     EXPECT_EQ(none.first_failure, "never");
+}
+
+TEST_F(Trials, EndWhereTheMachineFails) {
+    Method method = planted(5e-4);
+    method.identify = [](const Trial&) -> Identification {
+        throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+    };
+    EXPECT_THROW(evaluate(m_net, method, simulated({})), std::system_error);
 }
 
 TEST_F(Trials, CountFormsOutOfBalanceAndLeaveThemOutOfTheFormError) {

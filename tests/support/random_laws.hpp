@@ -27,13 +27,32 @@ inline TensionLaw random_law(Random& random, double axial_stiffness) {
     return law;
 }
 
+/// Of 2 to 5 straight parts, of which half of those in the middle are flat; slopes of a hundredth
+/// to a hundred times the axial stiffness, corners at strains up to 0.25.
+inline TensionLaw wild_law(Random& random, double axial_stiffness) {
+    const int parts = uniform_int(random, 2, 5);
+    TensionLaw law{.name = "wild",
+                   .strain = Eigen::VectorXd::Zero(parts + 1),
+                   .tension = Eigen::VectorXd::Zero(parts + 1)};
+    for (int k = 1; k <= parts; ++k) {
+        const bool is_flat = k > 1 && k < parts && uniform_int(random, 0, 1) == 0;
+        const double slope =
+            is_flat ? 0.0 : axial_stiffness * std::pow(10.0, uniform(random, -2.0, 2.0));
+        const double width = std::pow(10.0, uniform(random, -3.5, -1.3));
+        law.strain(k) = law.strain(k - 1) + width;
+        law.tension(k) = law.tension(k - 1) + slope * width;
+    }
+    return law;
+}
+
 /// The net with a law of its own for most edges.
-inline CableNetData with_random_laws(Random& random, CableNetData data) {
+inline CableNetData with_random_laws(Random& random, CableNetData data,
+                                     TensionLaw (*law)(Random&, double) = random_law) {
     for (Eigen::Index e = 0; e < data.axial_stiffness.size(); ++e) {
         const bool is_linear = uniform_int(random, 0, 3) == 0;
         data.tension_law.push_back(is_linear ? -1 : static_cast<int>(data.tension_laws.size()));
         if (!is_linear) {
-            data.tension_laws.push_back(random_law(random, data.axial_stiffness(e)));
+            data.tension_laws.push_back(law(random, data.axial_stiffness(e)));
         }
     }
     return data;

@@ -122,9 +122,9 @@ public:
     [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const {
         return m_data.unstressed_lengths;
     }
-    /// 3 x n; those of the data, and where that tells masses the self-weight of the edges as long
-    /// as they are between the nodes, half of it at either end in -z: the same whatever is built
-    /// [N].
+    /// 3 x n; those of the data and, where masses are given, the self-weight of the edges by their
+    /// unstressed lengths, half of it at either end in -z. Other lengths that are solved for leave
+    /// it as it is [N].
     [[nodiscard]] const Points& loads() const { return m_loads; }
     /// Everything that the net was made from, defaults filled in.
     [[nodiscard]] const CableNetData& data() const { return m_data; }

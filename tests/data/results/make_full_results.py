@@ -246,6 +246,9 @@ def full_plan(folder, net):
     plan["order"].update(safe=False, worst={"moment": 0, "breach": breaches[0]})
     plan["identification"] = {"verdict": "doubtful", "reasons": ["made up"]}
     plan["no_draws_since"] = "made up"
+    plan["warnings"] = ["made up"]
+    plan["limits_given"] = True
+    plan["order"]["safe_probability"] = 0.5
     plan["tolerance"].update(reached=False, fewest_bound=2)
     for edge in plan["tension"]["edges"]:
         edge.update(lower=0.9 * edge["planned"], upper=1.1 * edge["planned"])

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+
+#include "taut/abi.hpp"
+#include "taut/export/core.hpp"
+
+namespace taut {
+
+/// Numbers that are valid have no answer: an equilibrium was not found, the statics are singular.
+/// Trials count it as an outcome. A lack of memory or threads is another exception, and ends them.
+class TAUT_CORE_EXPORT NumericalError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace taut
