@@ -40,16 +40,6 @@ double largest_play(std::span<const Epoch> epochs) {
     return play;
 }
 
-/// To two digits, as one would give it: people are shown it, and told to go on with it.
-double rounded_up(double width) {
-    if (!(width > 0.0)) {
-        return 0.0;
-    }
-    constexpr double rounding = 1e-9;  // 25.000000000000004 is 25
-    const double per_digit = std::pow(10.0, 1.0 - std::floor(std::log10(width)));
-    return std::ceil(width * per_digit - rounding) / per_digit;
-}
-
 }  // namespace
 
 bool are_too_many_changes(const CableNet& net, size_t changes) {
@@ -103,7 +93,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
             play = std::max(play, is_adjustable(change.edge) ? width_of(change) : 0.0);
         }
     }
-    play = std::min(rounded_up(play), m_widest_turn);
+    play = std::min(play, m_widest_turn);
     if (play > 0.0 && !is_told) {
         m_unknowns.push_back({.kind = Unknown::Kind::adjustable, .std = play, .group = {}});
     }

@@ -31,15 +31,18 @@ double told_or(double variance, double before) {
     return variance > 0.0 ? std::sqrt(variance) : before;
 }
 
-/// Of an adjustable edge: as the unknown was told, or where it is set free to two digits, so that
-/// those told alike stand together.
+/// To so many digits, as one would give it, and no smaller.
+double rounded_up(double width, int digits) {
+    constexpr double rounding = 1e-9;  // 25.000000000000004 is 25
+    const double per_digit = std::pow(10.0, digits - 1.0 - std::floor(std::log10(width)));
+    return std::ceil(width * per_digit - rounding) / per_digit;
+}
+
+/// Of an adjustable edge: as the unknown was given, to three digits, since it may have been found
+/// from the surveys; or where it is set free to two, so that those given alike stand together.
 double width_to_tell(double std, double told) {
     constexpr double alike = 1e-3;
-    if (std::abs(std - told) < alike * told) {
-        return told;
-    }
-    const double digit = std::pow(10.0, std::floor(std::log10(std)) - 1.0);
-    return digit * std::round(std / digit);
+    return std::abs(std - told) < alike * told ? rounded_up(told, 3) : rounded_up(std, 2);
 }
 
 class Estimates {

@@ -87,17 +87,19 @@ TEST_F(EpochCommand, HasTheEdgesThatWereTurnedInTheTruth) {
 TEST_F(EpochCommand, ShowsWidthsOfAFewDigits) {
     ASSERT_EQ(identify("second.csv:turns.csv").exit_code, 0);
     std::string turned = "edge,stroke,std\n";
-    for (const json& one : json::parse(read("both.json"))["turned"]) {
+    const json before = json::parse(read("both.json"));
+    for (const json& one : before["turned"]) {
         turned += one["id"].get<std::string>() + "," + one["stroke"].dump() + ",0.000123456789\n";
     }
     write("turned.csv", turned);
-    ASSERT_EQ(identify("second.csv:turned.csv").exit_code, 0);
+    const Outcome outcome = identify("second.csv:turned.csv");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json result = json::parse(read("both.json"));
     int widths = 0;
     for (const json& unknown : result["unknowns"]) {
         const auto told = unknown["told"].get<std::string>();
         widths += told.starts_with("adjustable:") ? 1 : 0;
-        EXPECT_EQ(told, "adjustable:0.13mm");
+        EXPECT_EQ(told, "adjustable:0.124mm");
     }
     EXPECT_GT(widths, 0);
 }
