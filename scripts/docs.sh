@@ -10,7 +10,6 @@ cd "$(dirname "$0")/.."
 into=build/docs
 tools="build/venv/docs/bin"
 
-/usr/bin/python3 scripts/check_links.py
 scripts/venv.sh docs
 npm=scripts/requirements/docs-npm
 if ! cmp --silent "$npm/package-lock.json" "$into/package-lock.json" || ! [[ -e "$into/node_modules/.package-lock.json" ]]; then

@@ -89,6 +89,8 @@ step "licence lines" check_licence_lines
 step "rooms" /usr/bin/python3 scripts/check_rooms.py
 step "rooms, self-test" /usr/bin/python3 scripts/check_rooms.py --self-test
 step "theory" /usr/bin/python3 scripts/check_theory.py
+step "links" /usr/bin/python3 scripts/check_links.py
+step "links, self-test" /usr/bin/python3 scripts/check_links.py --self-test
 step "format" clang-format-19 --dry-run --Werror "${sources[@]}"
 step "Python" scripts/python.sh lint
 step "names and bugs" clang_tidy

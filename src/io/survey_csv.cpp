@@ -194,7 +194,7 @@ std::string survey_to_csv(const std::vector<SurveyPoint>& points) {
         const Eigen::Vector3d& p = point.position;
         result += fmt::format("{},{},{},{}", point.id.empty() ? "" : csv_field(point.id), p.x(),
                               p.y(), p.z());
-        if (has_std || has_correlations) {
+        if (point.noise_std || has_correlations) {
             const Eigen::Vector3d std = point.noise_std.value_or(Eigen::Vector3d::Zero());
             result += fmt::format(",{},{},{}", std.x(), std.y(), std.z());
         }

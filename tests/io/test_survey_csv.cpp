@@ -137,6 +137,16 @@ TEST(SurveyCsv, WritesWhatItReadsBackToTheLastBit) {
     }
 }
 
+TEST(SurveyCsv, WritesNoStandardDeviationsOfAPointThatHasNone) {
+    const std::vector<SurveyPoint> points{
+        {.id = "A", .position = {1, 2, 3}, .noise_std = Eigen::Vector3d(0.1, 0.2, 0.3)},
+        {.id = "B", .position = {4, 5, 6}}};
+    const auto read = parse_survey_points(survey_to_csv(points), "survey.csv");
+    ASSERT_EQ(read.size(), points.size());
+    EXPECT_EQ(read[0].noise_std, points[0].noise_std);
+    EXPECT_FALSE(read[1].noise_std.has_value());
+}
+
 TEST(SurveyCsv, ReadsPtsWithIntensityAndColour) {
     const test::ScratchDirectory scratch;
     test::put_bytes(scratch / "scan.PTS", "2\r\n1.5 2 3 -1200 12 13 14\r\n4 5 6\r\n");
