@@ -57,8 +57,8 @@ changed_since() {
     done | sort --unique
 }
 
-# clang-tidy on the library and the program: on each source that has changed, or, where that is not known
-# or with --all, on all of them. Then some sources are taken as one: what they include is read once, which
+# clang-tidy on the library and the program: on each source that has changed, or, where these are many or
+# not known, or with --all, on all of them. Then some sources are taken as one: what they include is read once, which
 # takes most of the time. Names of other sources are then in sight, and may be shadowed.
 clang_tidy() {
     local folder=build/tidy checks="" base="" files=() unity=OFF
@@ -67,7 +67,10 @@ clang_tidy() {
         echo "lint: what has changed since ${base:0:10}"
         mapfile -t files < <(changed_since "$base")
         ((${#files[@]} > 0)) || return 0
-    else
+        # So many, one by one, take longer than all.
+        ((${#files[@]} <= 40)) || base=""
+    fi
+    if [[ ! "$base" ]]; then
         unity=ON
         checks="-bugprone-suspicious-include,-clang-diagnostic-shadow"
     fi
