@@ -7,13 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "adjustment/force_ranges.hpp"
 #include "adjustment/stroke_program.hpp"
 
 namespace taut {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double negligible_violation = 1e-5;  ///< of the mean tension, as a plan's
 /// Limits that no step brings nearer than this have no say [standard deviations].
 constexpr double far_away = 0.5;
 
@@ -32,7 +32,7 @@ class DrawnState {
 public:
     DrawnState(std::vector<LimitedResponse>& responses, StrokedState state, double step,
                const DrawnLimits& limits)
-        : m_state(std::move(state)), m_needed(0) {
+        : m_state(std::move(state)) {
         const DrawnStrokes draws = limits.draws(m_state);
         const Eigen::Index count = draws.forms.cols();
         m_needed = draws_needed(limits.confidence, count);
@@ -108,7 +108,7 @@ private:
     }
 
     StrokedState m_state;
-    int m_needed;
+    int m_needed = 0;
     double m_shortfall = infinity;
     Eigen::MatrixXd m_beyond;  ///< limits x (draws + 1) [standard deviations]
     Eigen::MatrixXd m_rates;   ///< limits x strokes [1/m]

@@ -8,6 +8,10 @@
 
 namespace taut {
 
+/// A limit that is broken by less is kept, in parts of the mean tension: equilibria are no more
+/// exact.
+inline constexpr double negligible_violation = 1e-5;
+
 /// The nodes of all reaction limits, in their order.
 [[nodiscard]] std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions);
 

@@ -18,7 +18,6 @@
 namespace taut {
 namespace {
 
-constexpr double negligible_excess = 1e-5;  ///< of the mean tension
 /// Predicted forces of draws are right to less than this part of the mean tension: of draws that
 /// keep limits by more no equilibrium is sought.
 constexpr double prediction_error = 0.05;
@@ -47,7 +46,7 @@ OrderWork::OrderWork(const BuiltNet& built, const Limits& limits, const Plan& pl
     // What the end is beyond was accepted with the plan: no order can spare it.
     m_allowed = before.cwiseMax(after);
     Eigen::Index row = 0;
-    if ((after - before).maxCoeff(&row) > negligible_excess * m_unit) {
+    if ((after - before).maxCoeff(&row) > negligible_violation * m_unit) {
         m_breach_at_end = breach(row, end.forces(row), is_below(row, end.forces(row)));
     }
     m_rates_before = m_response.front().response.rates(m_before).forces;
@@ -77,7 +76,7 @@ void OrderWork::draw(const TurnOrderOptions& options, const StrokedNet& end) {
                               after.unbalanced[static_cast<size_t>(d)] == 0;
         const double excess = (beyond(after.forces.front().col(d)) - allowed).maxCoeff();
         m_lost_at_end[static_cast<size_t>(d)] =
-            has_form && excess <= negligible_excess * m_unit ? 0 : 1;
+            has_form && excess <= negligible_violation * m_unit ? 0 : 1;
     }
     m_lost = m_lost_at_end;
 }
@@ -114,7 +113,7 @@ Harm OrderWork::predicted_harm(const Eigen::VectorXd& strokes, const StrokedNet&
 
 Harm OrderWork::harm_of(const Eigen::VectorXd& strokes, const Eigen::VectorXd& forces) const {
     const double excess = (beyond(forces) - m_allowed).maxCoeff() / m_unit;
-    return {.excess = excess > negligible_excess ? excess : 0.0,
+    return {.excess = excess > negligible_violation ? excess : 0.0,
             .broken = static_cast<int>(std::ranges::count(broken_draws(strokes, forces), 1))};
 }
 
@@ -176,7 +175,7 @@ DrawnWork OrderWork::drawn(
             const Eigen::VectorXd excess =
                 beyond(net.forces) - m_allowed_in_draws.row(d).transpose();
             for (Eigen::Index row = 0; row < excess.size(); ++row) {
-                if (excess(row) > negligible_excess * m_unit) {
+                if (excess(row) > negligible_violation * m_unit) {
                     breaks[static_cast<size_t>(d)].emplace_back(static_cast<int>(i), row,
                                                                 net.forces(row) < range.lower(row));
                 }
@@ -260,7 +259,7 @@ std::vector<char> OrderWork::broken_draws(const Eigen::VectorXd& strokes,
     if (draws() == 0) {
         return broken;
     }
-    const double negligible = negligible_excess * m_unit;
+    const double negligible = negligible_violation * m_unit;
     const Eigen::VectorXd excess = predicted_excess(strokes, forces, negligible);
     for (size_t d = 0; d < broken.size(); ++d) {
         broken[d] = m_lost[d] == 0 && excess(static_cast<Eigen::Index>(d)) > negligible ? 1 : 0;

@@ -24,7 +24,6 @@
 namespace taut {
 namespace {
 
-constexpr double negligible_violation = 1e-5;  ///< of the mean tension
 /// Breaking limits by the mean tension costs so many times the deviations as built.
 constexpr double violation_cost = 1e3;
 
