@@ -16,7 +16,8 @@ endif()
 # GCC 12 takes a text that is put before another for one that overlaps it (GCC bug 105651), and with a
 # precompiled header tells so of its own headers, too.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(taut_warnings INTERFACE -Wno-restrict -Wno-array-bounds)
+    target_compile_options(taut_warnings INTERFACE
+        -Wno-restrict -Wno-array-bounds -Wno-stringop-overread -Wno-stringop-overflow)
 endif()
 
 # Boost before 1.81 counts an enumeration down below its first value, which Clang 16 takes for an error.
