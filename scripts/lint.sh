@@ -43,18 +43,33 @@ compared_with() {
     echo "$base"
 }
 
+# Whether what decides how sources are looked at has changed since a commit.
+settings_changed_since() {
+    ! git diff --quiet "$1" -- .clang-tidy scripts/lint.sh CMakePresets.json cmake
+}
+
+# A source that includes the header, itself or by another header.
+source_with() { # header
+    local users user
+    users=$(grep --recursive --files-with-matches --fixed-strings \
+        "#include \"$(sed -E 's,^(include|src|apps/[^/]*)/,,' <<<"$1")\"" include src apps | sort) || true
+    user=$(grep --max-count=1 '\.cpp$' <<<"$users") || user=$(head -n 1 <<<"$users")
+    case "$user" in
+        "" | *.cpp) echo "$user" ;;
+        *) source_with "$user" ;;
+    esac
+}
+
 # Sources that have changed since a commit, and for each header that has, one that includes it.
 changed_since() {
     local file
     { git diff --name-only --diff-filter=d "$1" && git ls-files --others --exclude-standard; } |
         grep --extended-regexp '^(src|apps|include)/.*pp$' | sort --unique | while IFS= read -r file; do
-        if [[ "$file" == *.cpp ]]; then
-            echo "$file"
-        else
-            grep --recursive --files-with-matches --fixed-strings --include='*.cpp' \
-                "#include \"$(sed -E 's,^(include|src|apps/[^/]*)/,,' <<<"$file")\"" src apps | sort | head -n 1
-        fi
-    done | sort --unique
+        case "$file" in
+            *.cpp) echo "$file" ;;
+            *) source_with "$file" ;;
+        esac
+    done | sort --unique | sed '/^$/d'
 }
 
 # clang-tidy on the library and the program: on each source that has changed, or, where these are many or
@@ -66,11 +81,14 @@ clang_tidy() {
     if [[ "$base" ]]; then
         echo "lint: what has changed since ${base:0:10}"
         mapfile -t files < <(changed_since "$base")
-        ((${#files[@]} > 0)) || return 0
         # So many, one by one, take longer than all.
-        ((${#files[@]} <= 40)) || base=""
+        if ((${#files[@]} > 40)) || settings_changed_since "$base"; then
+            base=""
+        fi
     fi
-    if [[ ! "$base" ]]; then
+    if [[ "$base" ]]; then
+        ((${#files[@]} > 0)) || return 0
+    else
         unity=ON
         checks="-bugprone-suspicious-include,-clang-diagnostic-shadow"
     fi

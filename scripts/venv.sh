@@ -3,14 +3,17 @@
 # SPDX-License-Identifier: MIT
 #
 # Makes the Python environment build/venv/NAME out of scripts/requirements/NAME.txt, unless it is there
-# with these versions.
+# with these versions. uv reads UV_DEFAULT_INDEX and not pip's settings: PIP_INDEX_URL is handed on.
 # Usage: scripts/venv.sh build|docs|lint|test|uv
 set -euo pipefail
 cd "$(dirname "$0")/.."
 name="$1"
+[[ -z "${PIP_INDEX_URL:-}" ]] || export UV_DEFAULT_INDEX="${UV_DEFAULT_INDEX:-$PIP_INDEX_URL}"
 
-is_current() { cmp --silent "scripts/requirements/$1.txt" "build/venv/$1/requirements.txt"; }
-seal() { cp "scripts/requirements/$1.txt" "build/venv/$1/requirements.txt"; }
+# By these versions and this Python.
+wanted() { python3 --version | cat - "scripts/requirements/$1.txt"; }
+is_current() { cmp --silent <(wanted "$1") "build/venv/$1/made_of"; }
+seal() { wanted "$1" >"build/venv/$1/made_of"; }
 
 if ! is_current uv; then
     python3 -m venv --clear build/venv/uv

@@ -330,7 +330,7 @@ void print_order(const PlanRecord& record) {
             100.0 * order.safe_probability, 100.0 * record.options->confidence);
     }
     if (!order.is_safe && order.worst.moment >= 0) {
-        say("  at moment {} {}{}\n", order.worst.moment + 1,
+        say("  at step {} {}{}\n", order.worst.moment + 1,
             where_text(*record.net, order.worst.breach),
             order.worst.breach.probability > 0.0
                 ? fmt::format(", kept in {:.0f} % of the draws",

@@ -90,7 +90,7 @@ int run_program(const Program& program, int argc, char** argv) noexcept {
     } catch (const std::exception&) {
         // taut says in its own words what is wrong. All else comes of a fault in it, and names
         // nothing that its user knows.
-        return fail(wrong_input,
+        return fail(numerical_failure,
                     "a fault of the program itself ended this command, which is to be "
                     "reported with its files: " +
                         run_record().command);

@@ -22,7 +22,7 @@ cmake -S "$into/vendor/hdf5-metno-src/ext/hdf5" -B "$into/build" -G Ninja -Wno-d
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_C_VISIBILITY_PRESET=hidden \
     -DCMAKE_C_FLAGS=-w -DCMAKE_INSTALL_PREFIX="$prefix" -DHDF5_INSTALL_LIB_DIR=lib \
     -DHDF5_NO_PACKAGES=ON -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF \
-    -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
+    -DHDF5_ENABLE_THREADSAFE=ON -DHDF5_BUILD_HL_LIB=OFF -DHDF5_BUILD_TOOLS=OFF -DHDF5_BUILD_UTILS=OFF \
     -DHDF5_ENABLE_Z_LIB_SUPPORT=OFF -DHDF5_ENABLE_SZIP_SUPPORT=OFF >/dev/null
 cmake --build "$into/build" >/dev/null
 cmake --install "$into/build" >/dev/null
@@ -34,7 +34,7 @@ Name: hdf5
 Description: HDF5, static, for the wheel
 Version: $version
 Cflags: -I$prefix/include
-Libs: -L$prefix/lib -lhdf5 -lm
+Libs: -L$prefix/lib -lhdf5 -lm -lpthread
 EOF
 rm -rf "$into/build" "$into/vendor"
 echo "$stamp" >"$into/stamp"

@@ -69,11 +69,13 @@ void OrderWork::draw(const TurnOrderOptions& options, const StrokedNet& end) {
     m_most_offset = m_offset_before.cwiseMax(m_offset_end).colwise().maxCoeff();
     m_allowed_in_draws.resize(draws(), m_offset_before.cols());
     m_lost_at_end.assign(static_cast<size_t>(draws()), 0);
+    m_has_no_form.assign(static_cast<size_t>(draws()), 0);
     for (Eigen::Index d = 0; d < draws(); ++d) {
         const Eigen::VectorXd allowed = beyond(before.forces.front().col(d)).cwiseMax(0.0);
         m_allowed_in_draws.row(d) = allowed.transpose();
         const bool has_form = before.unbalanced[static_cast<size_t>(d)] == 0 &&
                               after.unbalanced[static_cast<size_t>(d)] == 0;
+        m_has_no_form[static_cast<size_t>(d)] = has_form ? 0 : 1;
         const double excess = (beyond(after.forces.front().col(d)) - allowed).maxCoeff();
         m_lost_at_end[static_cast<size_t>(d)] =
             has_form && excess <= negligible_violation * m_unit ? 0 : 1;
@@ -152,7 +154,7 @@ DrawnWork OrderWork::drawn(
         [&] { return m_response.front().response.fresh(); });
     using Break = std::tuple<int, Eigen::Index, bool>;  // moment, force, whether it is too small
     std::vector<std::vector<Break>> breaks(static_cast<size_t>(draws()));
-    std::vector<char> has_no_form(static_cast<size_t>(draws()), 0);
+    std::vector<char> has_no_form = m_has_no_form;  // nothing is predicted of these
     tbb::parallel_for(Eigen::Index{0}, draws(), [&](Eigen::Index d) {
         StrokeResponse& response = workspaces.local();
         const Eigen::VectorXd lengths = m_built->length_draws.col(d);

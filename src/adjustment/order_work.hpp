@@ -104,6 +104,7 @@ private:
     Eigen::VectorXd m_least_offset;      ///< of both, over the draws [N]
     Eigen::VectorXd m_most_offset;       ///< likewise
     Eigen::MatrixXd m_allowed_in_draws;  ///< draws x forces [N]
+    std::vector<char> m_has_no_form;     ///< draws without equilibrium before the work or after it
     std::vector<char> m_lost_at_end;     ///< draws in which all strokes together break a limit
     std::vector<char> m_lost;            ///< those, and what the work broke until now
 };

@@ -149,9 +149,11 @@ public:
             if (draws() > 0) {
                 const std::vector<ForceRange> held = limits_now();
                 hold(m_told);
-                const DrawnLimits limits{
-                    .confidence = m_options->confidence,
-                    .draws = [this](const StrokedState& at) { return drawn(at); }};
+                const DrawnLimits limits{.confidence = m_options->confidence,
+                                         .draws = [&](const StrokedState& at) {
+                                             tell(3);
+                                             return drawn(at);
+                                         }};
                 state = steps_holding_draws(m_responses, m_task, state, m_options->turn->step(),
                                             limits);
                 hold(held);

@@ -205,8 +205,9 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
             "the confidence is {:g}, expected more than 0 and less than 1", options.confidence));
     }
     if (!(options.actuator_std >= 0.0) || std::isinf(options.actuator_std)) {
-        throw std::invalid_argument(fmt::format(
-            "the play of what is turned is {:g} m, expected at least 0", options.actuator_std));
+        throw std::invalid_argument(
+            fmt::format("the standard deviation of what is turned is {:g} m, expected at least 0",
+                        options.actuator_std));
     }
     check_force_limits(built.net, limits);
     check_plan(built.net, limits, plan);
@@ -224,6 +225,10 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
     for (int passes = 1; passes <= most_passes; passes *= 2) {
         PassAttempt tried = try_passes(work, plan, crews, passes, options, progress);
         if (tried.excess == 0.0 && tried.kept >= needed) {
+            judge(work, options, tried);
+        }
+        // What is judged gives way to what is judged alone.
+        if (passes > 1 && best.is_judged && !tried.is_judged && tried.is_better_than(best)) {
             judge(work, options, tried);
         }
         if (passes == 1 || tried.is_better_than(best)) {

@@ -132,8 +132,7 @@ private:
             return;
         }
         const double told = m_survey.largest_noise_std();
-        const std::string found =
-            format_length(std::stod(fmt::format("{:.3g}", told * noise.ratio)));
+        const std::string found = rounded_length(told * noise.ratio, 3);
         const std::string again =
             m_survey.tells_noise
                 ? "identify again with --noise estimate, by which that of the file is multiplied"

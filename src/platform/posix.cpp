@@ -37,22 +37,29 @@ std::error_code flush(const std::filesystem::path& path, int flags) {
 #if defined(__linux__)
 /// The access control list of a file, or none, as that of another. A file system that knows no such
 /// lists gives none of either.
+constexpr const char* access_list = "system.posix_acl_access";
+
+/// A new file takes over a list of its directory, which may let in more.
+void remove_access_list(const char* file) {
+    removexattr(file, access_list);
+}
+
 std::error_code copy_access_list(const char* from, const char* to) {
-    constexpr const char* name = "system.posix_acl_access";
-    const ssize_t size = getxattr(from, name, nullptr, 0);
+    const ssize_t size = getxattr(from, access_list, nullptr, 0);
     if (size <= 0) {
-        // A new file takes over a list of its directory, which may let in more.
-        removexattr(to, name);
+        remove_access_list(to);
         return {};
     }
     std::vector<char> list(static_cast<size_t>(size));
-    const ssize_t read = getxattr(from, name, list.data(), list.size());
-    if (read < 0 || setxattr(to, name, list.data(), static_cast<size_t>(read), 0) != 0) {
+    const ssize_t read = getxattr(from, access_list, list.data(), list.size());
+    if (read < 0 || setxattr(to, access_list, list.data(), static_cast<size_t>(read), 0) != 0) {
         return last_error();
     }
     return {};
 }
 #else
+void remove_access_list(const char* /*file*/) {}
+
 std::error_code copy_access_list(const char* /*from*/, const char* /*to*/) {
     return {};
 }
@@ -123,6 +130,7 @@ std::error_code copy_access(const std::filesystem::path& from, const std::filesy
     if (!has_owner && chown(to.c_str(), wanted.st_uid, wanted.st_gid) != 0 &&
         wanted.st_gid != found.st_gid &&
         chown(to.c_str(), static_cast<uid_t>(-1), wanted.st_gid) != 0) {
+        remove_access_list(to.c_str());
         const mode_t of_others = (mode & S_IRWXO) << 3U;
         mode &= ~static_cast<mode_t>(S_IRWXG) | of_others;
         return chmod(to.c_str(), mode) == 0 ? std::error_code() : last_error();

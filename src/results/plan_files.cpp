@@ -189,7 +189,7 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
             "(required: {:g} %)",
             100.0 * order.safe_probability, 100.0 * record.options->confidence));
     } else if (!order.is_safe) {
-        warnings.push_back(fmt::format("NO SAFE ORDER WAS FOUND: a limit is broken at moment {}",
+        warnings.push_back(fmt::format("NO SAFE ORDER WAS FOUND: a limit is broken at step {}",
                                        order.worst.moment + 1));
     }
     return warnings;

@@ -441,7 +441,7 @@ TEST_F(PlanCommand, RefusesAFailedIdentificationUnlessThatIsAccepted) {
                 testing::StartsWith(first));
 }
 
-// Where the free strokes hold their limits without a margin, whole steps used to go right up to
+// Where the free strokes hold their limits without a margin, whole steps must not go right up to
 // them.
 TEST_F(PlanCommand, KeepsTheConfidenceOfFreeStrokesInWholeSteps) {
     for (const char* tension : {"2.2kN..", "2.4kN.."}) {

@@ -889,11 +889,11 @@ export interface Plan {
      */
     walk: number;
     /**
-     * Whether at no moment a limit is broken that was kept before the work, with the confidence wanted.
+     * Whether at no step a limit is broken that was kept before the work, with the confidence wanted.
      */
     safe: boolean;
     /**
-     * That at no moment a limit is broken that was kept before; 0 or 1 without draws.
+     * That at no step a limit is broken that was kept before; 0 or 1 without draws.
      */
     safe_probability?: number;
     /**
