@@ -3,18 +3,6 @@
 
 include(GenerateExportHeader)
 
-# taut_precompile(<target> <header>...) compiles once, for all sources of the target, what nearly all of
-# them include, and the headers named besides. Reading these took three quarters of the time of a
-# build. Sources include what they use all the same: a build without (CMAKE_DISABLE_PRECOMPILE_HEADERS,
-# as of the presets debug and tidy) shows what is missing.
-function(taut_precompile target)
-    target_precompile_headers(${target} PRIVATE
-        <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional> <stdexcept>
-        <string> <string_view> <utility> <vector>
-        <Eigen/Core> <Eigen/SparseCore> <fmt/core.h>
-        ${ARGN})
-endfunction()
-
 # taut_add_library(<component>) makes the library libtaut_<component>, taut::<component> to whoever
 # links it, static or shared as BUILD_SHARED_LIBS says. What its public headers mark with
 # TAUT_<COMPONENT>_EXPORT can be linked, and nothing else.
@@ -40,8 +28,6 @@ function(taut_add_library component)
         $<BUILD_INTERFACE:FastFloat::fast_float>
         $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
         $<BUILD_INTERFACE:taut_warnings>)
-
-    taut_precompile(${target})
 
     string(TOUPPER ${component} name)
     set(header ${PROJECT_BINARY_DIR}/include/taut/export/${component}.hpp)

@@ -8,16 +8,14 @@ target_compile_options(taut_warnings INTERFACE
     -Wcast-qual -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
     $<$<BOOL:${TAUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
-# In sources that are compiled as one, a name of one hides that of another (lint of the whole tree).
+# In sources that are compiled as one, a name of one hides that of another: only each by itself tells (preset debug, lint).
 if(CMAKE_UNITY_BUILD)
     target_compile_options(taut_warnings INTERFACE -Wno-shadow)
 endif()
 
-# GCC 12 takes a text that is put before another for one that overlaps it (GCC bug 105651), and with a
-# precompiled header tells so of its own headers, too.
+# GCC 12 takes a text that is put before another for one that overlaps it (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(taut_warnings INTERFACE
-        -Wno-restrict -Wno-array-bounds -Wno-stringop-overread -Wno-stringop-overflow)
+    target_compile_options(taut_warnings INTERFACE -Wno-restrict)
 endif()
 
 # Boost before 1.81 counts an enumeration down below its first value, which Clang 16 takes for an error.

@@ -93,7 +93,7 @@ clang_tidy() {
         checks="-bugprone-suspicious-include,-clang-diagnostic-shadow"
     fi
     cmake --log-level=WARNING --preset release -B "$folder" -DCMAKE_UNITY_BUILD=$unity -DCMAKE_UNITY_BUILD_BATCH_SIZE=24 \
-        -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DTAUT_WARNINGS_AS_ERRORS=OFF \
+        -DTAUT_WARNINGS_AS_ERRORS=OFF \
         -DTAUT_BUILD_TESTS=OFF -DTAUT_BUILD_EXAMPLES=OFF -DTAUT_BUILD_BENCHMARKS=OFF || return 1
     if [[ ! "$base" ]]; then
         mapfile -t files < <(/usr/bin/python3 -c \

@@ -4,8 +4,7 @@
 # What whoever links taut would do. KIND static: against the libraries of TAUT_BINARY_DIR, installed, with the
 # compiler that built them. KIND flags: with every compiler of COMPILERS, and with flags that change how
 # Eigen and the standard library lay out memory. KIND shared: taut as a part of the consumer's project,
-# with shared libraries and without precompiled headers, so that each source must include what it uses;
-# then these, installed.
+# with shared libraries, each source by itself, so that it must include what it uses; then these, installed.
 set(prefix ${CONSUMER_BINARY_DIR}/prefix)
 file(REMOVE_RECURSE ${CONSUMER_BINARY_DIR})
 
@@ -73,8 +72,7 @@ if(KIND STREQUAL "shared")
     list(GET COMPILERS -1 compiler)  # the other one than that of the tests, where there are two
     build_and_run(subproject ${compiler} ""
         -DTAUT_SOURCE_DIR=${TAUT_SOURCE_DIR}
-        -DTAUT_INSTALL=ON -DBUILD_SHARED_LIBS=ON
-        -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+        -DTAUT_INSTALL=ON -DBUILD_SHARED_LIBS=ON)
     cmake_path(GET compiler FILENAME compiler_name)
     set(build ${CONSUMER_BINARY_DIR}/subproject_${compiler_name})
     file(STRINGS ${build}/CMakeCache.txt cached REGEX "^CMAKE_BUILD_TYPE:[A-Z]+=.+")
