@@ -206,7 +206,7 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
     }
     if (!(options.actuator_std >= 0.0) || std::isinf(options.actuator_std)) {
         throw std::invalid_argument(
-            fmt::format("the standard deviation of what is turned is {:g} m, expected at least 0",
+            fmt::format("the standard deviation of the strokes is {:g} m, expected at least 0",
                         options.actuator_std));
     }
     check_force_limits(built.net, limits);

@@ -200,7 +200,7 @@ TEST_F(TurnOrderOfHilo, RefusesCrewsAndStepsThatCannotBeMeant) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr("confidence is 1")));
     EXPECT_THAT(
         [&] { static_cast<void>(order_turns(built, limits, plan, {.actuator_std = -1.0})); },
-        ThrowsMessage<std::invalid_argument>(HasSubstr("play")));
+        ThrowsMessage<std::invalid_argument>(HasSubstr("standard deviation")));
 }
 
 TEST_F(TurnOrderOfHilo, RefusesAPlanOfAnotherNetOrOtherLimits) {

@@ -116,7 +116,7 @@ export type CountOrNull = number | null;
 /**
  * What forbids to turn by the plan, the worst first; the first lines of its lists.
  */
-export type Texts1 = string[];
+export type Texts2 = string[];
 /**
  * Of each coordinate, over the draws; 0 without.
  */
@@ -819,7 +819,7 @@ export interface Plan {
   command?: string;
   net_fingerprint: string;
   net: Counts;
-  warnings?: Texts1;
+  warnings?: Texts2;
   /**
    * Trust in the result that the plan stands on.
    */
