@@ -110,7 +110,7 @@ public:
         SurveyPoint point{.id = m_layout.has_ids() ? m_record.fields[0] : "",
                           .position = {number(x), number(x + 1), number(x + 2)},
                           .line = m_record.line};
-        if (m_layout.has_std()) {
+        if (m_layout.has_std() && !has_empty_std()) {
             point.noise_std = Eigen::Vector3d(std_of(x + 3), std_of(x + 4), std_of(x + 5));
         }
         if (m_layout.has_correlations()) {
@@ -126,6 +126,13 @@ public:
     }
 
 private:
+    /// As a spreadsheet writes a point that has none.
+    [[nodiscard]] bool has_empty_std() const {
+        const auto first = m_record.fields.begin() + static_cast<std::ptrdiff_t>(m_layout.x()) + 3;
+        return !m_layout.has_correlations() &&
+               std::all_of(first, first + 3, [](const std::string& f) { return f.empty(); });
+    }
+
     [[nodiscard]] double number(size_t column) const {
         const std::string& field = m_record.fields[column];
         const auto value = parse_number(field);

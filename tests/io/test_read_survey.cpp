@@ -301,7 +301,7 @@ TEST_F(IncompleteStd, OfOnePointIsRefusedWithItsLine) {
 
 TEST_F(IncompleteStd, TakesTheNoiseThatIsGivenAndSaysWhere) {
     const ReadSurveyOptions options{.noise_std = 1e-3};
-    for (const char* const of_one : {",0.0005,0,0.0006", ",0,0,0", ",-,-,-"}) {
+    for (const char* const of_one : {",0.0005,0,0.0006", ",0,0,0", ",,,", ",-,-,-"}) {
         const bool is_own = std::string(of_one) != ",-,-,-";
         const Survey survey =
             read(text(is_own ? "id,x,y,z,sx,sy,sz\n" : "Name,X,Y,Z,sX,sY,sZ\n", ',', of_one, ""),

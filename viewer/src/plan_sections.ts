@@ -71,7 +71,7 @@ function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
 
 /** What must be known before the first turn, on the sheets of each crew. */
 function warningsOf(plan: Plan): string[] {
-  if (plan.warnings) return plan.warnings;
+  if (plan.warnings && plan.warnings.length > 0) return plan.warnings;
   return [
     ...(plan.identification.verdict === "failed" ? ["The identification that this plan stands on failed its tests: do not work from it before what the report names is mended."] : []),
     ...(plan.feasible ? [] : ["This plan does not keep all limits: do not work from it before they are cleared."]),
