@@ -37,6 +37,7 @@ public:
         const Eigen::Index count = draws.forms.cols();
         m_needed = draws_needed(limits.confidence, count);
         std::vector<ForceRange> ranges;
+        ranges.reserve(responses.size());
         for (const LimitedResponse& limited : responses) {
             ranges.push_back(limited.range);
         }
