@@ -17,7 +17,7 @@ struct DrawnStrokes {
     std::vector<char> unbalanced;         ///< of each draw: no equilibrium was found
 };
 
-/// What is turned where strokes are told, in one draw: of those that are not 0.
+/// What is turned for the strokes of a plan, in one draw: of those that are not 0.
 [[nodiscard]] Eigen::VectorXd strokes_with_play(Eigen::VectorXd strokes, double actuator_std,
                                                 std::uint64_t seed, Eigen::Index draw);
 

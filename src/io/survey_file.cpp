@@ -42,7 +42,7 @@ bool has_own_header(const std::string& text, const std::string& file_name) {
 }
 
 /// Whether the first line is text, and not the header of taut's own CSV: an error of such a file is
-/// told in the words of a foreign table.
+/// reported in the words of a foreign table.
 bool starts_with_foreign_header(const std::string& text, const std::string& file_name) {
     try {
         CsvReader reader(plain_text(text, file_name), file_name);

@@ -20,7 +20,7 @@ namespace taut {
 /// What a crew can turn by.
 struct TurnSize {
     double pitch = 0.0;     ///< change of length by one turn [m]
-    double smallest = 0.0;  ///< part of a turn that can be told and done, 0 to 1; 0: any
+    double smallest = 0.0;  ///< smallest part of a turn that a crew can do, 0 to 1; 0: any
     /// Change of length by the smallest part [m].
     [[nodiscard]] double step() const { return pitch * smallest; }
 };
