@@ -18,10 +18,8 @@ function(taut_add_tests room)
         GTest::gmock_main rapidcheck rapidcheck_gtest
         nlohmann_json::nlohmann_json ${TAUT_FMT}
         PkgConfig::TAUT_HDF5)
-    # Each source for itself, also where the library's are compiled together: tests share names.
-    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
     # Tests are compiled far longer than they run: little optimisation, and what all of them read once.
-    target_compile_options(${target} PRIVATE -O1)
+    target_compile_options(${target} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     if(NOT room STREQUAL "version")
         target_precompile_headers(${target} REUSE_FROM test_version)
     endif()
