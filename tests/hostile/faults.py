@@ -93,14 +93,20 @@ def _prepare(sandbox: Sandbox, originals: Path, reads: tuple[str, ...], writes: 
 
 
 @cache
-def _counts(sandbox: Sandbox, originals: Path, command: str) -> dict[str, int]:
-    """How often a run makes each call."""
+def _calls(sandbox: Sandbox, originals: Path, command: str) -> dict[str, range]:
+    """Which of a run's calls may fail, by their numbers: of mmap those after the loader's, which ends without a word."""
     words, reads, writes = WRITERS[command]
     _prepare(sandbox, originals, reads, writes)
     log = sandbox.folder.parent / f"trace-{sandbox.folder.name}"
-    sandbox.run(*words, wrap=["strace", "-f", "-o", str(log), "-e", "trace=" + ",".join(CALLS)])
-    made = re.findall(r"^\d+ +(\w+)\(", log.read_text(errors="replace"), re.MULTILINE)
-    return {call: made.count(call) for call in CALLS if call in made}
+    traced = ",".join([*CALLS, "munmap"])
+    sandbox.run(*words, wrap=["strace", "-f", "-o", str(log), "-e", f"trace={traced}"])
+    trace = log.read_text(errors="replace")
+    made = re.findall(r"^\d+ +(\w+)\(", trace, re.MULTILINE)
+    # Its last act is to give back its list of libraries.
+    cache = re.search(r"/ld\.so\.cache.*?mmap\([^\n]*= (0x\w+)", trace, re.DOTALL)
+    loader = trace[: trace.index(f"munmap({cache[1]},")] if cache else ""
+    first = {"mmap": loader.count(" mmap(") + 1}
+    return {call: range(first.get(call, 1), made.count(call) + 1) for call in CALLS if call in made}
 
 
 def _hold(sandbox: Sandbox, originals: Path, command: str, keywords: dict, what: str):
@@ -114,11 +120,6 @@ def _hold(sandbox: Sandbox, originals: Path, command: str, keywords: dict, what:
         judge(run, writes)
     except Finding as finding:
         raise Finding(f"{what} in {finding}") from None
-
-
-def _first(call: str) -> int:
-    """The first call that may fail: the loader's first mapping comes before any program, and ends without a word."""
-    return 2 if call == "mmap" else 1
 
 
 def fail_call(sandbox: Sandbox, originals: Path, command: str, call: str, n: int):
@@ -163,9 +164,9 @@ def faults(rng: random.Random, sandbox: Sandbox, originals: Path):
         n = rng.randint(500, _malloc_count(sandbox, originals, command))
         fail_malloc(sandbox, originals, command, n, rng.choice([1, 1, 10, 10**9]))
         return
-    counts = _counts(sandbox, originals, command)
-    call = rng.choice(list(counts))
-    fail_call(sandbox, originals, command, call, rng.randint(_first(call), counts[call]))
+    calls = _calls(sandbox, originals, command)
+    call = rng.choice(list(calls))
+    fail_call(sandbox, originals, command, call, rng.choice(calls[call]))
 
 
 #: Calls of malloc that fail in turn, at most: a run makes tens of thousands.
@@ -179,10 +180,8 @@ def every_fault(sandbox: Sandbox, originals: Path) -> dict[str, tuple[int, list[
     of_malloc = f"one of {stride} calls of malloc"
     work: dict[str, list] = {"each call of the system": [], of_malloc: []}
     for command in WRITERS:
-        for call, count in _counts(sandbox, originals, command).items():
-            work["each call of the system"] += [
-                (fail_call, command, call, n) for n in range(_first(call), count + 1)
-            ]
+        for call, numbers in _calls(sandbox, originals, command).items():
+            work["each call of the system"] += [(fail_call, command, call, n) for n in numbers]
         work[of_malloc] += [
             (fail_malloc, command, n, 1) for n in range(1, mallocs[command] + 1, stride)
         ]
