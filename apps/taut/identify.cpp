@@ -40,7 +40,8 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
     std::string method;  ///< empty: chosen by what is there
     std::string model;
-    std::string law;  ///< empty: the model's, or the default
+    std::string law;  ///< empty: the model's, or a broad prior
+    bool prior_exact = false;
     std::string output;
     std::string covariance_of;
     std::vector<std::string> unknowns;
@@ -462,6 +463,7 @@ void run(const Options& options) {
                                  options.offsets, options.covariance_of});
     check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names}, inputs);
     IdentifyOptions settings{.law = law,
+                             .prior_exact = options.prior_exact,
                              .forces = forces,
                              .unknowns = unknowns,
                              .model = model ? &*model : nullptr,
@@ -526,7 +528,11 @@ void add_identify(CLI::App& program) {
     command.add_option("--model", options->model,
                        "Model of taut train, for gp (default: trained now, on 1000 samples)");
     command.add_option("--law", options->law,
-                       "Law of the length deviations (default: the model's, or uniform:5mm)");
+                       "Prior of the length deviations (default: the model's, or a broad one "
+                       "around uniform:5mm)");
+    command.add_flag("--prior-exact", options->prior_exact,
+                     "Scale and shape of that prior are exact. Else its scale is uncertain by a "
+                     "factor of 1.5, and estimated with the lengths");
     add_force_options(command, *options);
     add_unknown_option(command, options->unknowns);
     command.add_option("--draws", options->draws,

@@ -212,7 +212,15 @@ void bind_result(nb::module_& module) {
             "What was done, in words.")
         .def_prop_ro(
             "law", [](const Identified& self) { return self.found.law.to_string(); },
-            "Of the length deviations, as reckoned with.")
+            "The most probable prior of the length deviations.")
+        .def_prop_ro(
+            "prior",
+            [](const Identified& self) {
+                return dict_of(identification_to_json(self.net, self.survey, self.found))["prior"];
+            },
+            nb::sig("def prior(self) -> dict"),
+            "Prior of the length deviations after the survey: given, exact, std and std_std [m], "
+            "uniform_probability, nodes with law and weight.")
         .def_prop_ro(
             "built", [](const Identified& self) { return built_net_of(self.net, self.found).net; },
             "The net as it stands: its lengths as identified, its nodes in equilibrium.")
@@ -402,11 +410,12 @@ void bind_identification(nb::module_& module) {
            const Readings& readings, const std::optional<ArrayLike>& taut_edges,
            const std::optional<ArrayLike>& slack_edges, const std::vector<std::string>& unknowns,
            const std::optional<std::int64_t>& draws, const std::optional<ArrayLike>& covariance_of,
-           bool estimate_noise, const std::vector<std::pair<Survey, Readings>>& epochs,
-           std::uint64_t seed, const nb::object& progress) {
+           bool estimate_noise, bool prior_exact,
+           const std::vector<std::pair<Survey, Readings>>& epochs, std::uint64_t seed, const nb::object& progress) {
             const std::int64_t count = draws.value_or(default_draws(net));
             check_draws(net, count);
             IdentifyOptions options{.law = law_told(law),
+                                    .prior_exact = prior_exact,
                                     .forces = forces_told(net, readings, taut_edges, slack_edges),
                                     .unknowns = unknowns_told(net, unknowns),
                                     .model = model,
@@ -426,14 +435,14 @@ void bind_identification(nb::module_& module) {
         nb::arg("readings") = Readings(), nb::arg("taut") = nb::none(),
         nb::arg("slack") = nb::none(), nb::arg("unknowns") = std::vector<std::string>(),
         nb::arg("draws") = nb::none(), nb::arg("covariance_of") = nb::none(),
-        nb::arg("estimate_noise") = false,
+        nb::arg("estimate_noise") = false, nb::arg("prior_exact") = false,
         nb::arg("epochs") = std::vector<std::pair<Survey, Readings>>(), nb::arg("seed") = 1,
         nb::arg("progress") = nb::none(),
         R"(From one survey of the form to all interior edges' unstressed lengths.
 
 Args:
     method: 'map', 'balance' or 'gp'; by what is there unless told.
-    law: of the length deviations, 'uniform:5mm'; found from the survey where it contradicts.
+    law: prior of the length deviations, 'uniform:5mm'; a broad one unless given.
     model: of train(), for 'gp'.
     readings: tensions read, (edge, tension [N], std [N]) each.
     taut: edges seen to carry tension.
@@ -442,6 +451,7 @@ Args:
     draws: of the posterior, by which tensions get their intervals; 200 unless told.
     covariance_of: interior edges whose lengths' covariances are wanted.
     estimate_noise: the survey's noise is known but for a factor.
+    prior_exact: scale and shape of law are exact; else both are estimated with the lengths.
     epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke [m], std
         [m]), ...]).
     progress: called with stage, done, total.

@@ -77,9 +77,11 @@ TAUT_FIELDS(ReadingBias, part, std)
 TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths)
 TAUT_FIELDS(LawCheck, checked, lengths, likeliest, gain, mean, mean_std, beyond)
+TAUT_FIELDS(PriorNode, law, weight)
+TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, nodes)
 TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
 TAUT_FIELDS(PosteriorDraws, length_deviations, adjustable_deviations, forms, tensions, seed, how,
-            doubt)
+            is_refitted, doubt)
 TAUT_FIELDS(DrawnEstimate, mean, std, lower, upper)
 TAUT_FIELDS(DrawnTension, edge, tension, slack_probability)
 TAUT_FIELDS(DrawnPlace, node, mean, std, lower, upper)
@@ -94,7 +96,7 @@ TAUT_FIELDS(LengthChange, edge, change, std, statistic)
 TAUT_FIELDS(EpochResult, surveyed, turned, outliers, boundary_outliers, frame_offset, noise_ratio,
             noise_scale, change_ratio, change_limit, changes, untold_play, stroke_factor,
             stroke_factor_std, trust)
-TAUT_FIELDS(Identification, method, method_reason, how, law, status, message, edges, predicted,
+TAUT_FIELDS(Identification, method, method_reason, how, law, prior, status, message, edges, predicted,
             tensions, residuals, outliers, outlier_threshold, noise_ratio, lengths_beyond_law,
             boundary_outliers, boundary_beyond, noise_scale, frame_offset, scales, law_check,
             frame_check, contradicted_law, law_was_told, readings, reading_outliers, reading_bias,

@@ -143,11 +143,11 @@ std::pair<double, double> moments_of(const LengthLaw& law, const LengthLikelihoo
     return mixture_of(law, likelihood).moments();
 }
 
-EdgeStatus status_of(const LengthLaw& law, const LengthPosterior& posterior) {
+EdgeStatus status_of(double prior_std, const LengthPosterior& posterior) {
     if (posterior.slack_probability > 0.5) {
         return EdgeStatus::slack;
     }
-    return posterior.std >= unobserved_ratio * law.std() ? EdgeStatus::unobserved
+    return posterior.std >= unobserved_ratio * prior_std ? EdgeStatus::unobserved
                                                          : EdgeStatus::identified;
 }
 

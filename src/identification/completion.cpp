@@ -40,7 +40,7 @@ void tell_edges(Identification& result, const CableNet& net, const std::vector<L
                                 .std = posterior.std,
                                 .lower = posterior.lower,
                                 .upper = posterior.upper,
-                                .status = status_of(laws[i], posterior)});
+                                .status = status_of(laws[i].std(), posterior)});
     }
 }
 

@@ -114,12 +114,12 @@ void tell_open_edges(Identification& result, const std::vector<LengthLaw>& laws,
 
 /// The status of each interior edge; and its length, where the draws tell it better than the
 /// linearisation.
-void tell_drawn_edges(Identification& result, const std::vector<LengthLaw>& laws,
-                      bool tells_lengths) {
+/// @param prior_stds of each interior edge (m_I) [m]
+void tell_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) {
     const Eigen::MatrixXd& deviations = result.draws->length_deviations;
     for (size_t i = 0; i < result.edges.size(); ++i) {
         IdentifiedEdge& edge = result.edges[i];
-        if (tells_lengths) {
+        if (result.draws->is_refitted) {
             const Eigen::VectorXd drawn = deviations.row(static_cast<Eigen::Index>(i));
             const DrawnEstimate estimate = estimate_of(drawn);
             edge.length_deviation = estimate.mean;
@@ -128,8 +128,21 @@ void tell_drawn_edges(Identification& result, const std::vector<LengthLaw>& laws
             edge.upper = std::max(estimate.upper, estimate.mean);
         }
         const double slack = result.drawn.tensions[edge.edge].slack_probability;
-        edge.status = status_of(laws[i], {.std = edge.std, .slack_probability = slack});
+        edge.status = status_of(prior_stds(static_cast<Eigen::Index>(i)),
+                                {.std = edge.std, .slack_probability = slack});
     }
+}
+
+/// What follows from draws that are to be relied on.
+void summarise(Identification& result, const CableNet& net, const Survey& survey,
+               const Eigen::VectorXd& prior_stds) {
+    std::vector<int> missing;
+    missing.reserve(survey.missing.size());
+    for (const int node : survey.missing) {
+        missing.push_back(net.free_index(node));
+    }
+    result.drawn = summary_of(*result.draws, survey.missing, missing);
+    tell_drawn_edges(result, prior_stds);
 }
 
 }  // namespace
@@ -151,6 +164,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         .tensions = {},
         .seed = settings.seed,
         .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
+        .is_refitted = drawn.is_refitted,
         .doubt = {}};
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
     if (has_all_lengths && holds_adjustable_lengths(result.unknowns)) {
@@ -169,13 +183,18 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         tell_open_edges(result, laws, statics.slack());
         return;  // no interval rather than a wrong one
     }
-    std::vector<int> missing;
-    missing.reserve(survey.missing.size());
-    for (const int node : survey.missing) {
-        missing.push_back(net.free_index(node));
+    Eigen::VectorXd prior_stds(std::ssize(laws));
+    std::ranges::transform(laws, prior_stds.begin(), &LengthLaw::std);
+    summarise(result, net, survey, prior_stds);
+}
+
+void tell_draws(Identification& result, const CableNet& net, const Survey& survey,
+                double prior_std) {
+    result.drawn = {};
+    if (result.draws->doubt.empty() && result.draws->count() > 0) {
+        summarise(result, net, survey,
+                  Eigen::VectorXd::Constant(std::ssize(result.edges), prior_std));
     }
-    result.drawn = summary_of(*result.draws, survey.missing, missing);
-    tell_drawn_edges(result, laws, drawn.is_refitted);
 }
 
 }  // namespace taut

@@ -15,6 +15,7 @@
 #include <string>
 #include <utility>
 
+#include "estimation/hyperprior.hpp"
 #include "identification/epoch_chain.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 
@@ -309,11 +310,13 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     // The law, where none is told, and the noise, where it is not known.
     const Identification first =
         with_epoch(0, [&] { return identify(net, epochs.front().survey, alone, progress); });
+    // All surveys share it, taken as exact.
+    const LengthLaw prior = central_prior(first.prior);
     std::vector<double> noise_scales(epochs.size(), first.noise_scale);
     const std::vector<Epoch> scaled =
         options.estimate_noise ? with_noise_found(net, epochs, alone, noise_scales, progress)
                                : std::vector<Epoch>(epochs.begin(), epochs.end());
-    EpochChain each(net, scaled, options, first.law,
+    EpochChain each(net, scaled, options, prior,
                     net.adjustable_edges().empty() ? 0.0 : small_play(scaled));
     const bool is_compared = each.find_changes(progress);
     const int last = each.count() - 1;
@@ -336,7 +339,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     }
     Trust together;
     if (result.status == IdentificationStatus::converged) {
-        EpochChain chain(net, scaled, options, first.law, 0.0, each.changes());
+        EpochChain chain(net, scaled, options, prior, 0.0, each.changes());
         const std::optional<double> movement = chain.settle(progress);
         if (movement) {
             result = identify_by_maximum_a_posteriori(
@@ -383,7 +386,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     result.method = to_string(IdentificationMethod::map);
     result.method_reason = fmt::format("{} surveys are told", epochs.size());
     result.how = fmt::format("maximum a posteriori under the statics, by {} surveys, lengths {}{}",
-                             epochs.size(), first.law.to_string(),
+                             epochs.size(), prior.to_string(),
                              first.contradicted_law ? ", a law that the first survey shows" : "");
     if (!options.unknowns.empty()) {
         result.how += ", unknown besides: " + to_string(options.unknowns);

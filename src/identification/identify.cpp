@@ -12,10 +12,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "estimation/hyperprior.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
+#include "identification/prior_mixture.hpp"
 #include "identification/processes.hpp"
 #include "platform/platform.hpp"
 #include "taut/identification/model.hpp"
@@ -150,16 +152,24 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
                              : identify_by_processes(net, model, survey);
 }
 
+/// A prior to fit by, and those around it that are as possible.
+struct AssumedPrior {
+    LengthLaw law;
+    std::optional<Hyperprior> around;  ///< empty: it is exact
+};
+
 /// What the statics show of noise, law, lengths and frame, whatever the method is: a fit of its
 /// own.
 /// @return empty where the survey is exact, or the fit does not settle
-std::optional<Identification> audit(const CableNet& net, const Survey& survey, const LengthLaw& law,
+std::optional<Identification> audit(const CableNet& net, const Survey& survey,
+                                    const AssumedPrior& prior,
                                     const std::vector<Unknown>& unknowns,
                                     const Progress& progress) {
     if (!survey.is_noisy()) {
         return std::nullopt;
     }
-    Told told(law);
+    Told told(prior.law);
+    told.hyperprior = prior.around;
     told.unknowns = unknowns;
     Identification fit = identify_by_maximum_a_posteriori(net, survey, told, {}, {}, progress);
     if (fit.status != IdentificationStatus::converged) {
@@ -177,6 +187,7 @@ Survey brought_into_frame(const Survey& survey, const FrameOffset& offset) {
 
 void take_over(Identification& result, const Identification& fit, const CableNet& net,
                const Survey& survey) {
+    result.prior = fit.prior;
     result.scales = fit.scales;
     result.law_check = fit.law_check;
     result.frame_check = fit.frame_check;
@@ -234,17 +245,18 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw
 }
 
 Identification identify_by(IdentificationMethod method, const CableNet& net, const Survey& survey,
-                           const LengthLaw& law, const LengthModel* model,
+                           const AssumedPrior& prior, const LengthModel* model,
                            const IdentifyOptions& options, const Progress& progress) {
     Identification result;
     switch (method) {
         case IdentificationMethod::balance:
-            result = identify_by_force_balance(net, survey, law);
-            result.how =
-                fmt::format("force balance at the surveyed form, lengths {}", law.to_string());
+            result = identify_by_force_balance(net, survey, prior.law);
+            result.how = fmt::format("force balance at the surveyed form, lengths {}",
+                                     prior.law.to_string());
             break;
         case IdentificationMethod::map: {
-            Told told(law);
+            Told told(prior.law);
+            told.hyperprior = prior.around;
             told.unknowns = options.unknowns;
             told.forces = options.forces;
             result = identify_by_maximum_a_posteriori(net, survey, told, {},
@@ -252,8 +264,8 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
                                                        .seed = options.seed,
                                                        .covariance_of = options.covariance_of},
                                                       progress);
-            result.how =
-                fmt::format("maximum a posteriori under the statics, lengths {}", law.to_string());
+            result.how = fmt::format("maximum a posteriori under the statics, lengths {}",
+                                     prior.law.to_string());
             if (!options.unknowns.empty()) {
                 result.how += ", unknown besides: " + to_string(options.unknowns);
             }
@@ -269,14 +281,15 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
 
 /// With what the statics show of the survey, whatever the method is.
 Identification identify_and_audit(IdentificationMethod method, const CableNet& net,
-                                  const Survey& survey, const LengthLaw& law,
+                                  const Survey& survey, const AssumedPrior& prior,
                                   const IdentifyOptions& options, const Progress& progress) {
     std::optional<LengthModel> own;
     if (method == IdentificationMethod::gp && options.model == nullptr) {
-        own = trained_model(net, law, options.unknowns, options.training_samples, progress);
+        own =
+            trained_model(net, prior.law, options.unknowns, options.training_samples, progress);
     }
     const auto by_method = [&](const Survey& in_frame) {
-        return identify_by(method, net, in_frame, law, own ? &*own : options.model, options,
+        return identify_by(method, net, in_frame, prior, own ? &*own : options.model, options,
                            progress);
     };
     if (method == IdentificationMethod::map) {
@@ -285,8 +298,9 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
     // Side by side, since few surveys turn out to be off their frame.
     std::optional<Identification> fit;
     Identification result;
-    tbb::parallel_invoke([&] { fit = audit(net, survey, law, options.unknowns, progress); },
+    tbb::parallel_invoke([&] { fit = audit(net, survey, prior, options.unknowns, progress); },
                          [&] { result = by_method(survey); });
+    result.prior = exact_prior(prior.law);
     if (fit) {
         if (fit->frame_offset) {
             result = by_method(brought_into_frame(survey, *fit->frame_offset));
@@ -296,28 +310,92 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
     return result;
 }
 
-/// (found-law): identifies again by the law that the survey shows, where it contradicts the one
-/// reckoned with; where that was told, clearly and by one that is no narrower.
-void find_law(Identification& result, IdentificationMethod method, const CableNet& net,
-              const Survey& survey, const IdentifyOptions& options, const Progress& progress) {
-    constexpr int most_laws = 3;  // the first may be found by a fit that blames sound targets
-    constexpr double settled_gain = 1.0;
-    const LawCheck first = result.law_check;
-    const bool is_clear =
-        options.law ? first.is_untenable() && !first.is_too_wide() : first.is_contradicted();
-    for (int found = 0; is_clear && found < most_laws; ++found) {
-        const LawCheck check = result.law_check;
-        if (check.has_mean() || !(check.gain > (found == 0 ? 0.0 : settled_gain))) {
-            break;
+/// How far two standard deviations are apart, as a logarithm.
+double distance(double std, const LengthLaw& law) {
+    return std::abs(std::log(std / law.std()));
+}
+
+/// A fit by a prior far from what it shows accuses sound targets and lengths: again by what it
+/// shows, until that stays.
+Identification identify_at_centre(IdentificationMethod method, const CableNet& net,
+                                  const Survey& survey, const AssumedPrior& first,
+                                  const IdentifyOptions& options, const Progress& progress) {
+    constexpr double far = 0.25;
+    constexpr int most_centres = 3;
+    AssumedPrior prior = first;
+    Identification result = identify_and_audit(method, net, survey, prior, options, progress);
+    const LawCheck by_given = result.law_check;
+    for (int k = 0; k < most_centres && result.status == IdentificationStatus::converged &&
+                    !result.prior.exact && distance(result.prior.std, prior.law) > far;
+         ++k) {
+        prior.law = central_prior(result.prior);
+        result = identify_and_audit(method, net, survey, prior, options, progress);
+    }
+    if (options.law && by_given.is_untenable() && !by_given.is_too_wide()) {
+        result.contradicted_law = by_given;
+    }
+    return result;
+}
+
+/// (prior-mixture): by each prior of the posterior, together.
+Identification identify_over_priors(IdentificationMethod method, const CableNet& net,
+                                    const Survey& survey, const IdentifyOptions& options,
+                                    const Progress& progress) {
+    constexpr double as_good_as = 0.05;
+    const Hyperprior around = options.law ? hyperprior_around(*options.law) : broad_hyperprior();
+    const AssumedPrior first{.law = around.centre, .around = around};
+    Identification centre =
+        identify_at_centre(method, net, survey, first, options, progress);
+    PriorEstimate& prior = centre.prior;
+    if (centre.status != IdentificationStatus::converged || prior.exact) {
+        return centre;
+    }
+    if (method == IdentificationMethod::gp && prior.nodes.size() > 1) {
+        // A model takes long to train: one, for all.
+        prior.nodes = {{.law = central_prior(prior)}};
+    }
+    if (prior.nodes.size() == 1 && prior.nodes.front().law.kind == centre.law.kind &&
+        distance(prior.nodes.front().law.std(), centre.law) < as_good_as) {
+        prior.nodes.front().law = centre.law;
+        return centre;
+    }
+    std::vector<double> weights;
+    for (const PriorNode& node : prior.nodes) {
+        weights.push_back(node.weight);
+    }
+    // Fewer draws would not tell whether they are in doubt.
+    constexpr int fewest_draws = 10;
+    const std::vector<int> shares = shared_out(options.draws, weights);
+    std::vector<WeightedIdentification> parts;
+    for (size_t k = 0; k < prior.nodes.size(); ++k) {
+        IdentifyOptions by_node = options;
+        by_node.draws = options.draws > 0 ? std::max(fewest_draws, shares[k]) : 0;
+        by_node.seed = options.seed + k;
+        Identification part =
+            identify_and_audit(method, net, survey, {.law = prior.nodes[k].law, .around = {}},
+                               by_node, progress);
+        if (part.status == IdentificationStatus::converged) {
+            parts.push_back({.weight = prior.nodes[k].weight, .result = std::move(part)});
         }
-        result = identify_and_audit(method, net, survey, check.likeliest, options, progress);
-        result.contradicted_law = first;
     }
-    if (result.contradicted_law) {
-        result.how +=
-            fmt::format("\n  found from the survey, which contradicts {}{}",
-                        first.checked.to_string(), options.law ? "" : ", no law being told");
+    constexpr double most_left_out = 0.1;
+    double converged = 0.0;
+    for (const WeightedIdentification& part : parts) {
+        converged += part.weight;
     }
+    if (converged < 1.0 - most_left_out) {
+        return centre;
+    }
+    for (WeightedIdentification& part : parts) {
+        part.weight /= converged;
+    }
+    Identification result = mixture_of(net, survey, std::move(parts), options.draws);
+    result.prior = std::move(prior);
+    result.contradicted_law = centre.contradicted_law;
+    result.how += fmt::format(
+        "\n  over {} priors: standard deviation of a length {:.2f} +- {:.2f} mm",
+        result.prior.nodes.size(), 1e3 * result.prior.std, 1e3 * result.prior.std_std);
+    return result;
 }
 
 }  // namespace
@@ -419,10 +497,11 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         result.noise_scale = noise_scale;
         return result;
     }
-    Identification result = identify_and_audit(method, net, survey, law, options, progress);
-    if (survey.is_noisy() && options.model == nullptr) {
-        find_law(result, method, net, survey, options, progress);
-    }
+    const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();
+    Identification result =
+        is_exact ? identify_and_audit(method, net, survey, {.law = law, .around = {}}, options,
+                                      progress)
+                 : identify_over_priors(method, net, survey, options, progress);
     result.law_was_told = options.law.has_value();
     result.method = to_string(method);
     result.method_reason = reason;

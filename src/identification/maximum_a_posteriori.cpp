@@ -113,6 +113,7 @@ struct Doubt {
     VarianceComponents scales;
     LawCheck law;
     FrameCheck frame;
+    std::optional<PriorEstimate> prior;
 };
 
 /// (common-mean): score and information of a shift of the law.
@@ -133,7 +134,8 @@ void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observat
 }
 
 /// (components), (law-check). The fit stands as it was afterwards.
-Doubt doubt_of(const CableNet& fit_net, const LengthLaw& law, SurveyFit& fit, Iterate fitted) {
+Doubt doubt_of(const CableNet& fit_net, const LengthLaw& law,
+               const std::optional<Hyperprior>& hyperprior, SurveyFit& fit, Iterate fitted) {
     Doubt doubt;
     const Iterate at = fitted;
     const Observations told = fit.observations();
@@ -145,10 +147,15 @@ Doubt doubt_of(const CableNet& fit_net, const LengthLaw& law, SurveyFit& fit, It
         left_out[i] = left_out[i] || fit.statics().slack()[edge] || fit.knowledge().laws[i] != law;
     }
     doubt.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
-    doubt.law = check_law_by_lengths(
+    const LawLikelihood likelihood(
         law, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted), left_out);
+    doubt.law = check_law_by_lengths(law, likelihood);
     doubt.law.beyond = fit.length_snooping().given_up();
     tell_mean(doubt.law, fit.statics(), scaled, fitted, left_out);
+    if (hyperprior) {
+        doubt.prior = estimate_prior(*hyperprior, fit_net, fit.statics(), told, at, left_out, law,
+                                     doubt.scales.lengths, likelihood);
+    }
     if (fit.statics().linearise(at, told)) {
         fit.statics().invert();
     }
@@ -225,7 +232,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
     const Doubt doubt =
-        fitted.converged ? doubt_of(fit_net, told.law, fit, fitted.iterate) : Doubt();
+        fitted.converged ? doubt_of(fit_net, told.law, told.hyperprior, fit, fitted.iterate) : Doubt();
     if (own != nullptr) {
         const Eigen::Index size = fit_net.interior_edge_count() + common_count;
         *own =
@@ -245,6 +252,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     result.readings = static_cast<int>(told.forces.readings.size());
     result.reading_outliers = fit.snooping().reading_outliers();
     result.reading_bias = fit.snooping().reading_bias();
+    result.prior = doubt.prior.value_or(exact_prior(told.law));
     result.scales = doubt.scales;
     result.law_check = doubt.law;
     result.frame_check = doubt.frame;

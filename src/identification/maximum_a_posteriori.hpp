@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "estimation/epoch_evidence.hpp"
+#include "estimation/hyperprior.hpp"
 #include "estimation/survey_fit.hpp"
 #include "identification/draw_posterior.hpp"
 #include "taut/export/core.hpp"
@@ -26,6 +28,8 @@ struct Told {
     /// Of edges (m) whose lengths follow a normal law of their own: adjustable ones, where these
     /// are unknown, and others where it is not 0; empty: adjustable ones as the unknowns tell [m].
     Eigen::VectorXd own_stds;
+    /// Over priors, of which the result then tells the posterior; empty: the law is exact.
+    std::optional<Hyperprior> hyperprior;
     /// Of other surveys of the same net to fit; null: there is none.
     std::shared_ptr<const LengthEvidence> evidence;
 

@@ -32,7 +32,7 @@ EdgeStatus probable_status(const LengthLaw& law, double std) {
     for (int i = 0; i < count; ++i) {
         for (int k = 0; k < count; ++k) {
             likelihood.mean = law.draw((i + 0.5) / count) + errors.draw((k + 0.5) / count);
-            const EdgeStatus status = status_of(law, posterior_of(law, likelihood));
+            const EdgeStatus status = status_of(law.std(), posterior_of(law, likelihood));
             unobserved += status == EdgeStatus::unobserved ? 1 : 0;
         }
     }

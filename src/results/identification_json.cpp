@@ -174,6 +174,21 @@ Json doubt_json(const CableNet& net, const Identification& identification) {
             {"boundary_beyond", identification.boundary_beyond}};
 }
 
+/// The prior of the length deviations: as given, and as the survey shows it.
+Json prior_json(const Identification& identification) {
+    const PriorEstimate& prior = identification.prior;
+    Json nodes = Json::array();
+    for (const PriorNode& node : prior.nodes) {
+        nodes.push_back({{"law", node.law.to_string()}, {"weight", node.weight}});
+    }
+    return {{"given", identification.law_was_told ? Json(prior.given.to_string()) : Json()},
+            {"exact", prior.exact},
+            {"std", prior.std},
+            {"std_std", prior.std_std},
+            {"uniform_probability", prior.uniform_probability},
+            {"nodes", nodes}};
+}
+
 Json drawn_tension_json(const DrawnSummary& drawn, int edge) {
     if (drawn.tensions.empty()) {
         return {{"tension", nullptr},
@@ -383,6 +398,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                   {"status", to_string(identification.status)},
                   {"trust", trust_json(identification.trust)},
                   {"law", identification.law.to_string()},
+                  {"prior", prior_json(identification)},
                   {"noise", noise},
                   {"net_fingerprint", net.fingerprint()},
                   {"edges", edges},

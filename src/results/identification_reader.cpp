@@ -58,17 +58,27 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
     return edge;
 }
 
-/// How far two lengths can be apart by the prior of a result; infinite where it tells none.
+double reach_of(const JsonValue& law) {
+    try {
+        return parse_length_law(law.text()).reach();
+    } catch (const std::invalid_argument& error) {
+        law.fail(error.what());
+    }
+}
+
+/// How far two lengths can be apart by the priors of a result; infinite where it tells none.
 double farthest_of(const JsonValue& root) {
     const auto law = root.find("law");
     if (!law) {
         return std::numeric_limits<double>::infinity();
     }
-    try {
-        return 2.0 * parse_length_law(law->text()).reach();
-    } catch (const std::invalid_argument& error) {
-        law->fail(error.what());
+    double reach = reach_of(*law);
+    if (const auto prior = root.find("prior")) {
+        for (const JsonValue& node : entries(*prior, "nodes")) {
+            reach = std::max(reach, reach_of(member(node, "law")));
+        }
     }
+    return 2.0 * reach;
 }
 
 /// Edges whose length the prior does not allow.

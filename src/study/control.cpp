@@ -184,6 +184,7 @@ private:
             const Identification found = identify(told, seen,
                                                   {.method = IdentificationMethod::map,
                                                    .law = m_settings.law,
+                                                   .prior_exact = true,
                                                    .draws = m_settings.draws,
                                                    .seed = seed_of(round)});
             if (found.status != IdentificationStatus::converged) {

@@ -156,7 +156,10 @@ SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
     try {
         const Identification result = identify(
             net, s.survey,
-            {.method = IdentificationMethod::map, .law = s.law, .draws = default_draws(net)});
+            {.method = IdentificationMethod::map,
+                                                .law = s.law,
+                                                .prior_exact = true,
+                                                .draws = default_draws(net)});
         outcome.settled = result.status == IdentificationStatus::converged;
         outcome.message = result.message;
         hold_against_truth(outcome, result, s);

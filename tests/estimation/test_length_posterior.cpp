@@ -82,7 +82,7 @@ TEST(PosteriorOf, IsTheLawWhereTheSurveyTellsNothing) {
     EXPECT_NEAR(p.mean, 0.0, 1e-12);
     EXPECT_NEAR(p.std, uniform.std(), 1e-9);
     EXPECT_NEAR(p.upper, 0.95 * uniform.scale, 1e-9);
-    EXPECT_EQ(status_of(uniform, p), EdgeStatus::unobserved);
+    EXPECT_EQ(status_of(uniform.std(), p), EdgeStatus::unobserved);
 }
 
 TEST(PosteriorOf, NeverLeavesTheBoundsOfAUniformLaw) {
@@ -108,13 +108,13 @@ TEST(PosteriorOf, KeepsTheDigitsOfANarrowLikelihood) {
 TEST(PosteriorOf, ASlackEdgeIsOnlyKnownToBeAsLongAsItMeasures) {
     const LengthPosterior p =
         posterior_of(uniform, {.mean = 0.002, .std = 1e-6, .slack_from = 0.002, .extension = 0.0});
-    EXPECT_EQ(status_of(uniform, p), EdgeStatus::slack);
+    EXPECT_EQ(status_of(uniform.std(), p), EdgeStatus::slack);
     EXPECT_DOUBLE_EQ(p.lower, 0.002);
     EXPECT_DOUBLE_EQ(p.upper, 0.005);
     EXPECT_NEAR(p.mean, 0.0035, 1e-5);
     LengthLikelihood surely{.slack_from = 0.001, .extension = -infinity};
     const LengthPosterior tail = posterior_of(normal, surely);
-    EXPECT_EQ(status_of(normal, tail), EdgeStatus::slack);
+    EXPECT_EQ(status_of(normal.std(), tail), EdgeStatus::slack);
     EXPECT_DOUBLE_EQ(tail.lower, 0.001);
     EXPECT_GT(tail.upper, 0.004);
 }

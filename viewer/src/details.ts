@@ -149,6 +149,14 @@ export function comparisonSection(comparison: Comparison): HTMLElement {
   return section("tables", "All numbers", table.element);
 }
 
+/** Standard deviation of a length, as the survey shows it. */
+function priorWords(prior: Identification["prior"]): string {
+  if (!prior) return "";
+  if (prior.exact) return `${prior.nodes[0]?.law ?? ""}, taken as exact`;
+  const found = `estimated, standard deviation ${millimetres(prior.std)} ± ${millimetres(prior.std_std)} mm`;
+  return `${prior.given ?? "none given"}; ${found}, uniform with a probability of ${percent(prior.uniform_probability)} %, ${counted(prior.nodes.length, "node")}`;
+}
+
 /** By what, how and in which time. */
 export function settingsSection(result: Result): HTMLElement {
   const rows: [string, string][] = [];
@@ -161,6 +169,7 @@ export function settingsSection(result: Result): HTMLElement {
   add("net", result.net.name);
   add("net fingerprint", result.net.fingerprint);
   if (result.format !== "taut-plan" && result.format !== "taut-control") add("law of the length deviations", result.law);
+  if (result.format === "taut-identification") add("prior of the length deviations", priorWords(result.prior));
   if (result.format === "taut-study" || result.format === "taut-comparison") add("seed", result.seed);
   if (result.format === "taut-study") {
     const { samples, seconds } = result;

@@ -65,8 +65,9 @@ struct LengthPosterior {
     const LengthLaw& law, const LengthLikelihood& likelihood);
 
 /// What a posterior says of its edge: slack where that is more probable than not; unobserved where
-/// its standard deviation is no smaller than 0.95 of the law's; identified else.
-[[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(const LengthLaw& law,
+/// its standard deviation is no smaller than 0.95 of the prior's; identified else.
+/// @param prior_std standard deviation of the length deviation before the survey [m]
+[[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(double prior_std,
                                                     const LengthPosterior& posterior);
 
 }  // namespace taut

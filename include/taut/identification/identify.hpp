@@ -40,8 +40,13 @@ struct IdentifyOptions {
     /// Empty: gp where a model is given; map where the survey has noise or misses nodes, forces are
     /// told or more than lengths is unknown; balance else.
     std::optional<IdentificationMethod> method = {};
-    /// Of the length deviations. Empty: the model's, or uniform:5mm.
+    /// Of the length deviations: their prior. Empty: the model's, or one that is next to unknown,
+    /// around uniform:5mm.
     std::optional<LengthLaw> law = {};
+    /// Whether that prior is exact. Else its scale is uncertain by a factor of 1.5, and its shape
+    /// uniform or normal; both are estimated with the lengths, and what the survey leaves open of
+    /// them is in the intervals: Identification::prior, docs/theory.md (hyperprior). A model's is.
+    bool prior_exact = false;
     /// What was read and seen of the forces besides the form; for map.
     Forces forces = {};
     /// What else is not known: map estimates it with the lengths; the samples of gp are drawn with
@@ -74,6 +79,9 @@ TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
 
 /// From one survey of the form to all interior edges' unstressed lengths, with standard deviations
 /// and 95 % intervals, and to the form that follows.
+///
+/// The result is a mixture over priors, unless the prior is exact, of the model, or the survey
+/// exact: docs/theory.md (prior-mixture).
 ///
 /// Gross errors are found by data snooping and left out, whatever the method; not by a model as in
 /// the paper, which takes the survey as it is. A survey without noise is held to that: where no

@@ -23,6 +23,7 @@ struct PosteriorDraws {
     Eigen::MatrixXd tensions;  ///< m x draws, of all edges [N]
     std::uint64_t seed = 1;    ///< that the draws follow from
     std::string how;           ///< they were made, in words
+    bool is_refitted = false;  ///< each by a fit of its own: they then tell lengths, too
     std::string doubt;         ///< why they are not to be relied on; empty: they are
 
     /// How many draws.

@@ -11,6 +11,7 @@
 #include "taut/estimation/doubt.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/estimation/outlier.hpp"
+#include "taut/estimation/prior_estimate.hpp"
 #include "taut/export/core.hpp"
 #include "taut/identification/posterior_draws.hpp"
 #include "taut/identification/trust.hpp"
@@ -108,7 +109,9 @@ struct Identification {
     std::string method;         ///< "gp", "balance", "map"
     std::string method_reason;  ///< why this method, in words
     std::string how;            ///< what was done, in words: the method, its law, its training
-    LengthLaw law;              ///< of the length deviations, as reckoned with
+    /// Prior of the length deviations that explains the survey best, of those assumed.
+    LengthLaw law;
+    PriorEstimate prior;        ///< all that were assumed, with their posterior probabilities
     IdentificationStatus status = IdentificationStatus::converged;  ///< how it ended
     std::string message;                ///< why it did not converge, and what may help; else empty
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+/// One prior of a mixture.
+struct PriorNode {
+    LengthLaw law;        ///< shape and scale
+    double weight = 1.0;  ///< its posterior probability; all of a mixture sum to 1
+};
+
+/// The prior of the length deviations after the survey: a distribution over shapes and scales,
+/// represented by the nodes of a quadrature, docs/theory.md (hyperprior), (prior-evidence).
+struct PriorEstimate {
+    LengthLaw given;                  ///< given, or assumed where none was
+    bool exact = true;                ///< taken as exact: the one node is it
+    double std = 0.0;                 ///< posterior mean of the deviations' standard deviation [m]
+    double std_std = 0.0;             ///< posterior standard deviation of that [m]
+    double uniform_probability = 0.0; ///< posterior probability of the uniform shape
+    std::vector<PriorNode> nodes;     ///< most probable first; at least one where estimated
+};
+
+/// A prior that is taken as exact.
+[[nodiscard]] inline PriorEstimate exact_prior(const LengthLaw& law) {
+    return {.given = law,
+            .std = law.std(),
+            .uniform_probability = law.kind == LengthLaw::Kind::uniform ? 1.0 : 0.0,
+            .nodes = {{.law = law}}};
+}
+
+}  // namespace taut

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/hyperprior.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace taut {
+namespace {
+
+/// Of the logarithm of the scale: the logarithms of the factors.
+const double log_std_given = std::log(1.5);
+const double log_std_broad = std::log(2.5);
+constexpr double own_shape = 0.75;
+
+/// Of the grid over the logarithm of the scale.
+constexpr double reach = 3.0;         // standard deviations of the hyperprior
+constexpr double reach_found = 4.5;   // standard deviations of the scale that was found
+constexpr Eigen::Index places = 17;
+
+/// A scale known to this part is so by many lengths: its evidence is normal in the logarithm.
+constexpr double surely_normal = 0.06;
+
+/// Posterior standard deviations of the logarithm of the scale up to which so many nodes do.
+constexpr double one_node_does = 0.04;
+constexpr double two_nodes_do = 0.10;
+/// Shapes less probable are left out.
+constexpr double improbable = 0.02;
+
+/// d log Z / d log sigma of a normal prior N(0, sigma^2): (prior-evidence).
+double score_of_scale(const CableNet& net, const LinearisedStatics& statics,
+                      const Observations& observations, const Iterate& fitted,
+                      const std::vector<bool>& left_out) {
+    const Eigen::VectorXd variances = statics.length_variances();
+    double score = 0.0;
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        if (left_out[i] || !(variances(i) > 0.0)) {
+            continue;
+        }
+        const double square = fitted.deviations(i) * fitted.deviations(i);
+        score += (square + variances(i)) / observations.variance(i) - 1.0;
+    }
+    return score;
+}
+
+/// Score of the scale where normal priors have the standard deviation exp(log_std).
+/// @param fitted on return the linearised fit to that
+/// @return NaN where it finds none
+double score_at(double log_std, const CableNet& net, LinearisedStatics& statics,
+                const Observations& observations, Iterate& fitted,
+                const std::vector<bool>& left_out) {
+    Observations scaled = observations;
+    for (int i = 0; i < net.interior_edge_count(); ++i) {
+        if (!left_out[i]) {
+            scaled.mean(i) = 0.0;
+            scaled.variance(i) = std::exp(2.0 * log_std);
+        }
+    }
+    if (!statics.linearise(fitted, scaled)) {
+        return std::nan("");
+    }
+    const Iterate step = statics.step(fitted, scaled);
+    if (!std::isfinite(statics.size_of(step))) {
+        return std::nan("");
+    }
+    fitted = fitted.moved(step);
+    statics.invert();
+    return score_of_scale(net, statics, scaled, fitted, left_out);
+}
+
+/// Log evidence of normal priors at each place of the grid, but for a constant: the integral of the
+/// score.
+Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, const CableNet& net,
+                                   LinearisedStatics& statics, const Observations& observations,
+                                   Iterate fitted, const std::vector<bool>& left_out) {
+    Eigen::VectorXd evidence = Eigen::VectorXd::Zero(grid.size());
+    double before = 0.0;
+    for (Eigen::Index k = 0; k < grid.size(); ++k) {
+        const double score = score_at(grid(k), net, statics, observations, fitted, left_out);
+        if (!std::isfinite(score)) {
+            return {};
+        }
+        if (k > 0) {
+            evidence(k) = evidence(k - 1) + 0.5 * (grid(k) - grid(k - 1)) * (before + score);
+        }
+        before = score;
+    }
+    return evidence;
+}
+
+LengthLaw of_std(LengthLaw::Kind kind, double std) {
+    return {kind, std / LengthLaw{kind, 1.0}.std()};
+}
+
+struct Moments {
+    double mean = 0.0;
+    double std = 0.0;
+};
+Moments moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+    const double mean = weights.dot(values) / weights.sum();
+    const double variance =
+        weights.dot((values.array() - mean).square().matrix()) / weights.sum();
+    return {.mean = mean, .std = std::sqrt(variance)};
+}
+
+}  // namespace
+
+Hyperprior hyperprior_around(const LengthLaw& given) {
+    const bool is_uniform = given.kind == LengthLaw::Kind::uniform;
+    const bool is_bimodal = given.kind == LengthLaw::Kind::bimodal;
+    return {.centre = given,
+            .log_std = log_std_given,
+            .uniform_probability = is_uniform ? own_shape : (is_bimodal ? 0.0 : 1.0 - own_shape)};
+}
+
+Hyperprior broad_hyperprior() {
+    return {.centre = LengthLaw(), .log_std = log_std_broad, .uniform_probability = 0.5};
+}
+
+LengthLaw central_prior(const PriorEstimate& estimate) {
+    return estimate.exact ? estimate.given
+                          : rounded(of_std(estimate.nodes.front().law.kind, estimate.std));
+}
+
+std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places,
+                                                   const Eigen::VectorXd& weights, int count) {
+    // Lanczos iteration with the places as a diagonal matrix: its coefficients are those of the
+    // recurrence of the polynomials orthogonal under the weights.
+    const Eigen::VectorXd start = (weights / weights.sum()).cwiseSqrt();
+    Eigen::VectorXd last = Eigen::VectorXd::Zero(places.size());
+    Eigen::VectorXd current = start;
+    std::vector<double> diagonal;
+    std::vector<double> beside;
+    const double spread = places.maxCoeff() - places.minCoeff();
+    for (int k = 0; k < count; ++k) {
+        Eigen::VectorXd next = places.cwiseProduct(current);
+        diagonal.push_back(current.dot(next));
+        next -= diagonal.back() * current + (k > 0 ? beside.back() : 0.0) * last;
+        constexpr double rounding = 1e-9;
+        const double norm = next.norm();
+        if (!(norm > rounding * spread) || k + 1 == count) {
+            break;
+        }
+        beside.push_back(norm);
+        last = current;
+        current = next / norm;
+    }
+    const auto size = static_cast<Eigen::Index>(diagonal.size());
+    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(size, size);
+    for (Eigen::Index k = 0; k < size; ++k) {
+        jacobi(k, k) = diagonal[static_cast<size_t>(k)];
+        if (k + 1 < size) {
+            jacobi(k, k + 1) = jacobi(k + 1, k) = beside[static_cast<size_t>(k)];
+        }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobi);
+    std::vector<std::pair<double, double>> nodes;
+    for (Eigen::Index k = 0; k < size; ++k) {
+        const double first = eigen.eigenvectors()(0, k);
+        nodes.emplace_back(eigen.eigenvalues()(k), first * first);
+    }
+    return nodes;
+}
+
+PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
+                             LinearisedStatics& statics, const Observations& observations,
+                             const Iterate& fitted, const std::vector<bool>& left_out,
+                             const LengthLaw& fit_law, const FoundScale& scale,
+                             const LawLikelihood& shapes) {
+    const double centre = std::log(hyperprior.centre.std());
+    double lower = centre - reach * hyperprior.log_std;
+    double upper = centre + reach * hyperprior.log_std;
+    const bool is_found = scale.ratio > 0.0 && scale.std > 0.0;
+    const double found = is_found ? std::log(scale.ratio * fit_law.std()) : centre;
+    if (is_found && scale.std < 1.0 / reach_found) {
+        const double middle = std::clamp(found, lower, upper);
+        lower = std::max(lower, middle - reach_found * scale.std);
+        upper = std::min(upper, middle + reach_found * scale.std);
+    }
+    const Eigen::VectorXd grid = Eigen::VectorXd::LinSpaced(places, lower, upper);
+    Eigen::VectorXd evidence;
+    if (is_found && scale.std < surely_normal) {
+        evidence = -0.5 * ((grid.array() - found) / scale.std).square();
+    } else {
+        evidence = evidence_by_scores(grid, net, statics, observations, fitted, left_out);
+    }
+    if (evidence.size() == 0) {
+        evidence = Eigen::VectorXd::Zero(places);
+    }
+    evidence.array() -= 0.5 * ((grid.array() - centre) / hyperprior.log_std).square();
+
+    // A composite likelihood of lengths whose errors are correlated: raised to the square of their
+    // redundancy, by trial.
+    const double redundancy = scale.std > 0.0 ? 0.5 / (scale.std * scale.std) : 0.0;
+    const double power = std::pow(std::min(1.0, redundancy / std::max(1, shapes.count())), 2);
+    const LengthLaw::Kind other = hyperprior.centre.kind == LengthLaw::Kind::bimodal
+                                      ? LengthLaw::Kind::bimodal
+                                      : LengthLaw::Kind::normal;
+    const std::array<LengthLaw::Kind, 2> kinds{LengthLaw::Kind::uniform, other};
+    Eigen::MatrixXd log_posterior(places, 2);
+    for (Eigen::Index k = 0; k < places; ++k) {
+        const double std = std::exp(grid(k));
+        const double of_normal = shapes(of_std(LengthLaw::Kind::normal, std));
+        for (Eigen::Index j = 0; j < 2; ++j) {
+            const double probability =
+                j == 0 ? hyperprior.uniform_probability : 1.0 - hyperprior.uniform_probability;
+            log_posterior(k, j) =
+                std::log(probability) + evidence(k) +
+                power * (shapes(of_std(kinds[static_cast<size_t>(j)], std)) - of_normal);
+        }
+    }
+    const Eigen::MatrixXd posterior =
+        (log_posterior.array() - log_posterior.maxCoeff()).exp().matrix();
+    const double sum = posterior.sum();
+
+    PriorEstimate result{.given = hyperprior.centre, .exact = false};
+    const Eigen::VectorXd stds = grid.array().exp();
+    const auto [mean, std_of_std] = moments_of(stds, posterior.rowwise().sum());
+    result.std = mean;
+    result.std_std = std_of_std;
+    result.uniform_probability = posterior.col(0).sum() / sum;
+    for (Eigen::Index j = 0; j < 2; ++j) {
+        const double probability = posterior.col(j).sum() / sum;
+        if (probability < improbable) {
+            continue;
+        }
+        const double spread = moments_of(grid, posterior.col(j)).std;
+        const int count = spread < one_node_does ? 1 : (spread < two_nodes_do ? 2 : 3);
+        for (const auto& [place, weight] : gauss_nodes(grid, posterior.col(j), count)) {
+            result.nodes.push_back(
+                {.law = rounded(of_std(kinds[static_cast<size_t>(j)], std::exp(place))),
+                 .weight = weight * probability});
+        }
+    }
+    double kept = 0.0;
+    for (const PriorNode& node : result.nodes) {
+        kept += node.weight;
+    }
+    for (PriorNode& node : result.nodes) {
+        node.weight /= kept;
+    }
+    std::ranges::sort(result.nodes, std::greater{}, &PriorNode::weight);
+    return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "estimation/law_likelihood.hpp"
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/estimation/doubt.hpp"
+#include "taut/estimation/prior_estimate.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+/// A distribution over priors: log-normal in the standard deviation of the length deviations, and a
+/// probability for each shape. docs/theory.md, (hyperprior)
+struct Hyperprior {
+    LengthLaw centre;                  ///< given, or assumed where none was
+    double log_std = 0.0;              ///< standard deviation of the logarithm of the scale
+    double uniform_probability = 0.0;  ///< of the uniform shape; the rest is the centre's other
+                                       ///< shape, normal or bimodal
+};
+
+/// Around a prior that was given: a factor of 1.5; its own shape with probability 3/4, but a bimodal
+/// one keeps its shape.
+[[nodiscard]] Hyperprior hyperprior_around(const LengthLaw& given);
+/// Where none was given: a factor of 2.5 around uniform:5mm, either shape alike.
+[[nodiscard]] Hyperprior broad_hyperprior();
+
+/// The posterior over priors, by their evidence: of the scale that of the fit linearised at its
+/// result, of the shape that of the lengths that it shows. docs/theory.md, (prior-evidence)
+///
+/// @param statics linearised and inverted at the fit; on return elsewhere
+/// @param observations that the fit was made with, a normal distribution for each length
+/// @param fitted with these
+/// @param left_out interior edges (m_I) of another prior
+/// @param fit_law that it was made with
+/// @param scale by estimate_components(), of that
+/// @param shapes of the same fit
+[[nodiscard]] PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
+                                           LinearisedStatics& statics,
+                                           const Observations& observations, const Iterate& fitted,
+                                           const std::vector<bool>& left_out,
+                                           const LengthLaw& fit_law, const FoundScale& scale, const LawLikelihood& shapes);
+
+/// One prior for all of an estimate: its most probable shape, its mean standard deviation.
+[[nodiscard]] LengthLaw central_prior(const PriorEstimate& estimate);
+
+/// Gauss quadrature of a discrete distribution: integrates polynomials up to degree 2 count - 1 as
+/// it does (G. H. Golub & J. H. Welsch, Math. Comp. 23 (1969) 221-230).
+/// @param weights at each place, not negative, with a positive sum
+/// @return places and weights, which sum to 1; fewer nodes where the distribution has no more places
+[[nodiscard]] std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places,
+                                                                 const Eigen::VectorXd& weights,
+                                                                 int count);
+
+}  // namespace taut

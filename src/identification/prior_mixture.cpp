@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "identification/prior_mixture.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "identification/completion.hpp"
+#include "identification/draw_posterior.hpp"
+#include "taut/estimation/length_posterior.hpp"
+
+namespace taut {
+namespace {
+
+/// Draws in doubt of so little probability are left out.
+constexpr double negligible = 0.1;
+
+/// Mean and standard deviation of a mixture.
+class Moments {
+public:
+    void add(double weight, double mean, double std) {
+        m_mean += weight * mean;
+        m_square += weight * (mean * mean + std * std);
+        m_within += weight * std * std;
+    }
+    [[nodiscard]] double mean() const { return m_mean; }
+    [[nodiscard]] double std() const {
+        // No less than within the parts, whatever rounding takes away.
+        return std::sqrt(std::max(m_square - m_mean * m_mean, m_within));
+    }
+
+private:
+    double m_mean = 0.0;
+    double m_square = 0.0;
+    double m_within = 0.0;
+};
+
+template <class Get>
+std::pair<double, double> mixed(const std::vector<WeightedIdentification>& parts, const Get& get) {
+    Moments moments;
+    for (const WeightedIdentification& part : parts) {
+        const auto [mean, std] = get(part.result);
+        moments.add(part.weight, mean, std);
+    }
+    return {moments.mean(), moments.std()};
+}
+
+IdentifiedEdge mixed_edge(const std::vector<WeightedIdentification>& parts, size_t i,
+                          double prior_std) {
+    IdentifiedEdge edge = parts.front().result.edges[i];
+    std::vector<MixturePart> ends;
+    double slack = 0.0;
+    double lowest = edge.lower;
+    double highest = edge.upper;
+    for (const auto& [weight, result] : parts) {
+        const IdentifiedEdge& one = result.edges[i];
+        ends.push_back({weight, one.length_deviation, one.lower, one.upper});
+        lowest = std::min(lowest, one.lower);
+        highest = std::max(highest, one.upper);
+        slack += one.status == EdgeStatus::slack ? weight : 0.0;
+    }
+    std::tie(edge.length_deviation, edge.std) = mixed(parts, [i](const Identification& result) {
+        return std::pair(result.edges[i].length_deviation, result.edges[i].std);
+    });
+    edge.lower = std::clamp(quantile_of(ends, 0.025), lowest, edge.length_deviation);
+    edge.upper = std::clamp(quantile_of(ends, 0.975), edge.length_deviation, highest);
+    edge.status = status_of(prior_std, {.std = edge.std, .slack_probability = slack});
+    return edge;
+}
+
+FrameOffset mixed_frame(const std::vector<WeightedIdentification>& parts) {
+    FrameOffset frame = *parts.front().result.frame_offset;
+    for (int k = 0; k < 3; ++k) {
+        std::tie(frame.translation(k), frame.translation_std(k)) =
+            mixed(parts, [k](const Identification& result) {
+                return std::pair(result.frame_offset->translation(k),
+                                 result.frame_offset->translation_std(k));
+            });
+        std::tie(frame.rotation(k), frame.rotation_std(k)) =
+            mixed(parts, [k](const Identification& result) {
+                return std::pair(result.frame_offset->rotation(k),
+                                 result.frame_offset->rotation_std(k));
+            });
+    }
+    return frame;
+}
+
+/// (prior-mixture), of the covariances of some lengths.
+LengthCovariance mixed_covariance(const std::vector<WeightedIdentification>& parts,
+                                  const std::vector<IdentifiedEdge>& edges) {
+    LengthCovariance mixed = *parts.front().result.length_covariance;
+    mixed.covariance.setZero();
+    for (const auto& [weight, result] : parts) {
+        Eigen::VectorXd from_mean(std::ssize(mixed.edges));
+        for (Eigen::Index k = 0; k < from_mean.size(); ++k) {
+            const auto at = std::ranges::find(edges, mixed.edges[static_cast<size_t>(k)],
+                                              &IdentifiedEdge::edge) -
+                            edges.begin();
+            from_mean(k) = result.edges[static_cast<size_t>(at)].length_deviation -
+                           edges[static_cast<size_t>(at)].length_deviation;
+        }
+        mixed.covariance += weight * (result.length_covariance->covariance +
+                                      from_mean * from_mean.transpose());
+    }
+    return mixed;
+}
+
+/// The first draws of each part, side by side.
+PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int draws) {
+    std::vector<double> weights;
+    for (const WeightedIdentification& part : parts) {
+        weights.push_back(part.weight);
+    }
+    const std::vector<int> shares = shared_out(draws, weights);
+    PosteriorDraws all = *parts.front().result.draws;
+    for (const WeightedIdentification& part : parts) {
+        if (all.doubt.empty()) {
+            all.doubt = part.result.draws->doubt;
+        }
+        if (part.result.draws->is_refitted) {
+            all.how = part.result.draws->how;
+            all.is_refitted = true;
+        }
+    }
+    const auto gathered = [&](auto member) {
+        Eigen::Index columns = 0;
+        std::vector<Eigen::Index> counts;
+        for (size_t k = 0; k < parts.size(); ++k) {
+            const Eigen::MatrixXd& of_part = (*parts[k].result.draws).*member;
+            counts.push_back(std::min<Eigen::Index>(shares[k], of_part.cols()));
+            columns += counts.back();
+        }
+        Eigen::MatrixXd result((all.*member).rows(), columns);
+        columns = 0;
+        for (size_t k = 0; k < parts.size(); ++k) {
+            result.middleCols(columns, counts[k]) =
+                ((*parts[k].result.draws).*member).leftCols(counts[k]);
+            columns += counts[k];
+        }
+        return result;
+    };
+    PosteriorDraws result = all;
+    result.length_deviations = gathered(&PosteriorDraws::length_deviations);
+    if (all.adjustable_deviations.size() > 0) {
+        result.adjustable_deviations = gathered(&PosteriorDraws::adjustable_deviations);
+    }
+    result.forms = gathered(&PosteriorDraws::forms);
+    result.tensions = gathered(&PosteriorDraws::tensions);
+    return result;
+}
+
+/// Without parts of little probability whose draws are in doubt.
+std::vector<WeightedIdentification> without_doubtful(std::vector<WeightedIdentification> parts) {
+    const auto is_doubtful = [](const WeightedIdentification& part) {
+        return part.result.draws && !part.result.draws->doubt.empty();
+    };
+    double doubtful = 0.0;
+    for (const WeightedIdentification& part : parts) {
+        doubtful += is_doubtful(part) ? part.weight : 0.0;
+    }
+    if (doubtful > 0.0 && doubtful < negligible) {
+        std::erase_if(parts, is_doubtful);
+        for (WeightedIdentification& part : parts) {
+            part.weight /= 1.0 - doubtful;
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+double quantile_of(const std::vector<MixturePart>& parts, double p) {
+    constexpr double interval = 1.959963984540054;  // standard deviations
+    double lowest = parts.front().mean;
+    double highest = lowest;
+    for (const MixturePart& part : parts) {
+        // Past what any part has below 1e-9 or above.
+        lowest = std::min(lowest, part.mean + 4.0 * (part.lower - part.mean));
+        highest = std::max(highest, part.mean + 4.0 * (part.upper - part.mean));
+    }
+    if (!(highest > lowest)) {
+        return lowest;
+    }
+    const auto excess = [&](double x) {
+        double sum = -p;
+        for (const MixturePart& part : parts) {
+            const double side = x < part.mean ? part.mean - part.lower : part.upper - part.mean;
+            const double z = side > 0.0 ? interval * (x - part.mean) / side
+                                        : (x < part.mean ? -10.0 : 10.0);
+            sum += part.weight * 0.5 * std::erfc(-z / std::numbers::sqrt2);
+        }
+        return sum;
+    };
+    std::uintmax_t most_iterations = 100;
+    constexpr int bits = 40;
+    const auto [below, above] = boost::math::tools::toms748_solve(
+        excess, lowest, highest, boost::math::tools::eps_tolerance<double>(bits), most_iterations);
+    return 0.5 * (below + above);
+}
+
+std::vector<int> shared_out(int draws, const std::vector<double>& weights) {
+    std::vector<int> shares;
+    double cumulative = 0.0;
+    int given = 0;
+    for (const double weight : weights) {
+        cumulative += weight;
+        const int until = std::min(draws, static_cast<int>(std::lround(cumulative * draws)));
+        shares.push_back(until - given);
+        given = until;
+    }
+    shares.back() += draws - given;
+    return shares;
+}
+
+Identification mixture_of(const CableNet& net, const Survey& survey,
+                          std::vector<WeightedIdentification> all, int draws) {
+    const std::vector<WeightedIdentification> parts = without_doubtful(std::move(all));
+    Identification result = parts.front().result;
+    if (parts.size() == 1) {
+        return result;
+    }
+    Moments prior;
+    for (const auto& [weight, part] : parts) {
+        prior.add(weight, 0.0, part.law.std());
+    }
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        result.edges[i] = mixed_edge(parts, i, prior.std());
+    }
+    for (size_t k = 0; k < result.unknowns.size(); ++k) {
+        std::tie(result.unknowns[k].mean, result.unknowns[k].std) =
+            mixed(parts, [k](const Identification& part) {
+                return std::pair(part.unknowns[k].mean, part.unknowns[k].std);
+            });
+    }
+    if (result.frame_offset) {
+        result.frame_offset = mixed_frame(parts);
+    }
+    if (result.length_covariance) {
+        result.length_covariance = mixed_covariance(parts, result.edges);
+    }
+    if (result.draws) {
+        result.draws = drawn_by(parts, draws);
+        tell_draws(result, net, survey, prior.std());
+    }
+    const Points start = result.predicted.form;
+    predict_form(result, net, survey, start);
+    return result;
+}
+
+}  // namespace taut
