@@ -56,8 +56,8 @@ TAUT_FIELDS(RigidMotion, rotation, from, to)
 TAUT_FIELDS(ControlResidual, id, residual)
 TAUT_FIELDS(Registration, motion, residuals)
 TAUT_FIELDS(Survey, form, noise_std, noise_correlations, surveyed, missing, supports,
-            frame_is_unknown, unmatched, frame, warnings, placed, notes, tells_noise, scale_std,
-            rounding_std)
+            frame_is_unknown, unmatched, frame, warnings, placed, contradicted_names, notes,
+            tells_noise, scale_std, rounding_std)
 TAUT_FIELDS(EdgeTurned, edge, stroke, std)
 
 // gp

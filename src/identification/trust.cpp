@@ -79,6 +79,7 @@ public:
         test_targets();
         test_prediction();
         test_names();
+        test_places();
         test_forces();
         test_unknowns();
         test_draws();
@@ -305,6 +306,25 @@ private:
                             largest / m_survey.noise_std.col(worst).maxCoeff()),
                 "that target is wrong, or a cable, turnbuckle or support near it");
         }
+    }
+
+    /// Points whose names are other nodes' than those that they lie on.
+    void test_places() {
+        if (m_survey.contradicted_names == 0) {
+            return;
+        }
+        std::vector<std::string> names;
+        for (const PlacedPoint& point : m_survey.placed) {
+            if (!point.name.empty() && point.name != m_net.node_id(point.node)) {
+                names.push_back(fmt::format("{} on node {}", point.name, m_net.node_id(point.node)));
+            }
+        }
+        const size_t count = names.size();
+        add(Verdict::doubtful,
+            fmt::format("{} points lie on other nodes than those that they name: {}", count,
+                        and_more(std::move(names))),
+            "taut used the places. If names are those of the surveyor, identify again with --match "
+            "place. If they are the net's, check frame, axes and the order of the points");
     }
 
     void test_names() {

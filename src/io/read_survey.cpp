@@ -89,12 +89,12 @@ void name_by_place_where_told(const CableNet& net, const ReadSurveyOptions& opti
         make_names_labels(net, found.points, true);
     } else if (options.matching == PointMatching::automatic &&
                names_contradict_places(net, found.points)) {
-        const int count = make_names_labels(net, found.points, true);
+        found.contradicted_names = make_names_labels(net, found.points, true);
         found.warnings.push_back(fmt::format(
             "its {} points lie on other nodes than those of their names: all are "
             "matched by their place (--match name takes the names, --names writes which "
             "is where)",
-            count));
+            found.contradicted_names));
     }
 }
 
@@ -317,6 +317,7 @@ Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesyst
         std::ranges::move(control_warnings(net, frame ? frame->residuals : residuals_of(control),
                                            survey.largest_noise_std()),
                           std::back_inserter(survey.warnings));
+        survey.contradicted_names = found.contradicted_names;
         survey.frame = std::move(frame);
         survey.frame_is_unknown = options.frame != SurveyFrame::net && survey.is_noisy();
         survey.notes.insert(survey.notes.begin(), found.notes.begin(), found.notes.end());

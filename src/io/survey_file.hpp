@@ -15,6 +15,7 @@ struct SurveyFile {
     std::vector<SurveyPoint> points;    ///< [m], as many as the file holds
     std::vector<std::string> notes;     ///< how it was understood; empty: it is taut's own CSV
     std::vector<std::string> warnings;  ///< what was guessed
+    int contradicted_names = 0;         ///< as Survey has it
     bool is_own = false;                ///< whether it is taut's own CSV, to be kept to strictly
     std::string unit_hint;              ///< what to tell where the survey does not fit the net
     double unit = 1.0;                  ///< that its numbers were taken in [m]

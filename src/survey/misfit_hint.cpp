@@ -206,6 +206,9 @@ bool fit_by_place(const CableNet& net, std::vector<SurveyPoint> points,
 
 std::string misfit_by_place(const CableNet& net, const std::vector<SurveyPoint>& points,
                             double unit) {
+    if (fit_by_place(net, points, Eigen::Matrix3d::Identity())) {
+        return "";  // a symmetric net fits its mirror image as well
+    }
     for (const Mirroring& mirroring : mirrorings()) {
         if (fit_by_place(net, points, mirroring.matrix)) {
             return fmt::format("; the survey is mirrored: {}", mirroring.words);

@@ -174,8 +174,12 @@ TEST_F(ReadSurvey, DoesNotTakeTheNumbersOfASurveyorForThoseOfTheNet) {
     const Survey survey = read(text, "a.csv");
     EXPECT_LT(distance(survey), 1e-12);
     EXPECT_THAT(survey.warnings, ElementsAre(HasSubstr("lie on other nodes than those of their")));
-    EXPECT_NE(refusal(text, "a.csv", {.matching = PointMatching::name}), "");
-    EXPECT_LT(distance(read(text, "a.csv", {.matching = PointMatching::place})), 1e-12);
+    EXPECT_EQ(survey.contradicted_names, 39);
+    EXPECT_THAT(refusal(text, "a.csv", {.matching = PointMatching::name}),
+                testing::AllOf(HasSubstr("--match place"), testing::Not(HasSubstr("mirrored"))));
+    const Survey by_place = read(text, "a.csv", {.matching = PointMatching::place});
+    EXPECT_LT(distance(by_place), 1e-12);
+    EXPECT_EQ(by_place.contradicted_names, 0);  // they were not to be used
 }
 
 TEST_F(ReadSurvey, AveragesPointsAndRefusesTwoOfOneName) {

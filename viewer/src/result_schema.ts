@@ -271,9 +271,10 @@ export interface Identification {
    */
   epochs?: Epoch[];
   /**
-   * Of the length deviations, as reckoned with: "uniform:5mm".
+   * The most probable prior of the length deviations: "uniform:5mm".
    */
   law?: string;
+  prior?: Prior;
   /**
    * Root mean square of the stated standard deviations [m].
    */
@@ -513,6 +514,47 @@ export interface Trust1 {
      */
     next: string;
   }[];
+}
+/**
+ * Prior of the length deviations: as given, and as the survey shows it.
+ */
+export interface Prior {
+  /**
+   * "uniform:5mm"; null where none was given, and a broad one assumed.
+   */
+  given: string | null;
+  /**
+   * Taken as exact, not estimated.
+   */
+  exact: boolean;
+  /**
+   * Posterior mean of the standard deviation of a length deviation [m].
+   */
+  std: number;
+  /**
+   * Posterior standard deviation of that [m].
+   */
+  std_std: number;
+  /**
+   * Posterior probability of the uniform shape.
+   */
+  uniform_probability: number;
+  /**
+   * The priors of the mixture, the most probable first.
+   *
+   * @minItems 1
+   */
+  nodes: [PriorNode, ...PriorNode[]];
+}
+export interface PriorNode {
+  /**
+   * "uniform:5mm", "normal:2mm".
+   */
+  law: string;
+  /**
+   * Posterior probability.
+   */
+  weight: number;
 }
 export interface IdentifiedEdge {
   edge: Index;

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against a mixture over priors that is narrower, or elsewhere, than its parts.
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "identification/prior_mixture.hpp"
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/identify.hpp"
+
+namespace {
+
+using namespace taut;
+using namespace taut::test;
+
+TEST(PriorMixture, QuantilesAreThoseOfTheMixture) {
+    EXPECT_NEAR(quantile_of({{1.0, 2.0, 1.0, 4.0}}, 0.025), 1.0, 1e-9);
+    EXPECT_NEAR(quantile_of({{1.0, 2.0, 1.0, 4.0}}, 0.975), 4.0, 1e-9);
+    EXPECT_NEAR(quantile_of({{0.5, -3.0, -4.0, -2.0}, {0.5, 3.0, 2.0, 4.0}}, 0.5), 0.0, 1e-6);
+    // Half lies near -3, half near 3: each tail of 2.5 % is 5 % of its part.
+    EXPECT_NEAR(quantile_of({{0.5, -3.0, -4.0, -2.0}, {0.5, 3.0, 2.0, 4.0}}, 0.975),
+                3.0 + 1.6448536 / 1.9599640, 1e-6);
+    EXPECT_EQ(quantile_of({{1.0, 2.0, 2.0, 2.0}}, 0.3), 2.0);
+}
+
+TEST(PriorMixture, SharesOutAllDraws) {
+    for (const int draws : {0, 1, 7, 200}) {
+        const std::vector<int> shares = shared_out(draws, {0.6, 0.25, 0.1, 0.05});
+        EXPECT_EQ(std::accumulate(shares.begin(), shares.end(), 0), draws);
+        EXPECT_GE(*std::ranges::min_element(shares), 0);
+    }
+    EXPECT_EQ(shared_out(200, {0.6, 0.25, 0.1, 0.05}), (std::vector<int>{120, 50, 20, 10}));
+}
+
+TEST(PriorMixture, HasTheMeanAndVarianceOfItsParts) {
+    const CableNet net = hypar(5, 5);
+    const LengthLaw truth{LengthLaw::Kind::uniform, 0.003};
+    const SimulatedSurvey s = simulate(net, truth, 0.5e-3, 4);
+    const auto by = [&](double scale) {
+        return identify(net, s.survey,
+                        {.method = IdentificationMethod::map,
+                         .law = LengthLaw{LengthLaw::Kind::normal, scale},
+                         .prior_exact = true,
+                         .draws = 40});
+    };
+    const Identification narrow = by(0.001);
+    const Identification wide = by(0.004);
+    const Identification mixed = mixture_of(net, s.survey, {{0.75, narrow}, {0.25, wide}}, 40);
+    for (size_t i = 0; i < mixed.edges.size(); ++i) {
+        const IdentifiedEdge& a = narrow.edges[i];
+        const IdentifiedEdge& b = wide.edges[i];
+        const double mean = 0.75 * a.length_deviation + 0.25 * b.length_deviation;
+        const double square = 0.75 * (a.std * a.std + a.length_deviation * a.length_deviation) +
+                              0.25 * (b.std * b.std + b.length_deviation * b.length_deviation);
+        EXPECT_NEAR(mixed.edges[i].length_deviation, mean, 1e-12);
+        EXPECT_NEAR(mixed.edges[i].std, std::sqrt(square - mean * mean), 1e-9);
+        EXPECT_LT(mixed.edges[i].lower, mean);
+        EXPECT_GT(mixed.edges[i].upper, mean);
+    }
+    ASSERT_EQ(mixed.draws->count(), 40);
+    EXPECT_EQ(mixed.draws->tensions.leftCols(30), narrow.draws->tensions.leftCols(30));
+    EXPECT_EQ(mixed.draws->tensions.rightCols(10), wide.draws->tensions.leftCols(10));
+    EXPECT_EQ(std::ssize(mixed.drawn.tensions), net.edge_count());
+}
+
+}  // namespace
