@@ -3,19 +3,23 @@
 # SPDX-License-Identifier: MIT
 """Long Markov chains on the posterior of small nets, by code that shares nothing with taut.
 
-    python3 posterior_chains.py net.json -o ../../tests/data/posterior_reference.json
+    python3 posterior_chains.py hypar34.json hypar44.json -o ../../tests/data/posterior_reference.json
 
-takes the net of `taut example hypar:3x4`, draws lengths and a survey, with and without a hidden
-node, and samples the posterior of the lengths
+takes the nets of `taut example hypar:3x4` and `hypar:4x4`, draws lengths and a survey, with and without a
+hidden node, and samples the posterior of the lengths
 
-    p(d | y)  ~  [ |d_k| <= bound ]  exp(-|y - r(d)|^2 / (2 noise^2))
+    p(d | y)  ~  p(d)  exp(-|y - r(d)|^2 / (2 noise^2))
 
 with r(d) the exact form: many random-walk Metropolis chains side by side, one direction of the
-linearised posterior at a time. Nothing is linearised in what is sampled. Needs NumPy.
+linearised posterior at a time. Nothing is linearised in what is sampled. The prior p(d) is uniform, or a
+mixture over scales and shapes, (hyperprior) of docs/theory.md: those are then drawn given d, from
+their exact conditional distribution on a fine grid. Needs NumPy.
 """
 import argparse
 import json
+import os
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # of many small matrices threads take longer
 import numpy as np
 
 CHAINS = 48
@@ -121,27 +125,86 @@ class Net:
         return self.state(r, l0)[4]
 
 
-def sample(net, y, seen, noise, bound, start, sweeps, rng):
-    """Chains, thinned: length deviations, tensions."""
+class Uniform:
+    """One prior for all chains: |d_k| <= bound."""
+
+    def __init__(self, bound):
+        self.bound = bound
+        self.variance = bound**2 / 3.0
+
+    def start(self, chains):
+        pass
+
+    def logs(self, d, chains):
+        return np.where((np.abs(d) <= self.bound).all(axis=1), 0.0, -np.inf)
+
+    def renew(self, d, rng):
+        pass
+
+    def state(self):
+        return np.zeros((CHAINS, 2))
+
+
+class Mixture:
+    """A prior of each chain: log-normal in its standard deviation around `std`, uniform or normal."""
+
+    def __init__(self, std, factor, uniform_probability):
+        self.grid = np.log(std) + np.log(factor) * np.linspace(-5.0, 5.0, 2001)
+        self.log_scale = -0.5 * np.linspace(-5.0, 5.0, 2001) ** 2
+        self.log_shape = np.log([uniform_probability, 1.0 - uniform_probability])
+        self.variance = std**2
+
+    def start(self, chains):
+        self.std = np.full(chains, np.sqrt(self.variance))
+        self.uniform = np.zeros(chains, bool)
+
+    def logs(self, d, chains):
+        std = self.std[chains]
+        inside = (np.abs(d) <= np.sqrt(3.0) * std[:, None]).all(axis=1)
+        normal = -0.5 * np.sum(d**2, axis=1) / std**2
+        return np.where(self.uniform[chains], np.where(inside, 0.0, -np.inf), normal)
+
+    def renew(self, d, rng):
+        m = d.shape[1]
+        std = np.exp(self.grid)
+        bound = np.abs(d).max(axis=1)[:, None] <= np.sqrt(3.0) * std
+        uniform = np.where(bound, -m * np.log(2.0 * np.sqrt(3.0) * std), -np.inf)
+        squares = np.sum(d**2, axis=1)[:, None]
+        normal = -m * np.log(np.sqrt(2.0 * np.pi) * std) - 0.5 * squares / std**2
+        logs = np.concatenate([uniform + self.log_shape[0], normal + self.log_shape[1]], axis=1)
+        logs += np.tile(self.log_scale, 2)
+        # Gumbel's trick draws from unnormalised logarithms.
+        drawn = np.argmax(logs + rng.gumbel(size=logs.shape), axis=1)
+        self.uniform = drawn < len(std)
+        self.std = std[drawn % len(std)]
+
+    def state(self):
+        return np.column_stack([self.std, self.uniform])
+
+
+def sample(net, y, seen, noise, prior, sweeps, rng):
+    """Chains, thinned: length deviations, tensions, standard deviation and shape of the prior."""
     m = len(net.interior)
 
     def energy(r):
         return 0.5 * np.sum((r[:, seen] - y[seen]) ** 2, axis=(1, 2)) / noise**2
 
-    d = np.tile(start, (CHAINS, 1))
+    d = np.zeros((CHAINS, m))
+    prior.start(CHAINS)
     r, ok = net.forms(d, np.tile(net.nodes, (CHAINS, 1, 1)))
     assert ok.all()
-    U = energy(r)
+    everyone = np.arange(CHAINS)
+    U = energy(r) - prior.logs(d, everyone)
     rows = np.flatnonzero(np.isin(net.free, seen))
     rows = (3 * rows[:, None] + np.arange(3)).ravel()
-    kept_d, kept_t = [], []
+    kept_d, kept_t, kept_p = [], [], []
     scale = np.ones(m)
     warm = sweeps // 5
     directions = None
     for sweep in range(warm + sweeps):
         if sweep % 50 == 0 and sweep <= warm:
             # The directions of the linearised posterior, over some of the chains.
-            P = np.eye(m) * 3.0 / bound**2
+            P = np.eye(m) / prior.variance
             for c in range(0, CHAINS, 8):
                 J = net.rates(r[c], net.lengths(d[c : c + 1])[0])[rows]
                 P += J.T @ J / noise**2 / (CHAINS // 8)
@@ -150,22 +213,26 @@ def sample(net, y, seen, noise, bound, start, sweeps, rng):
         for k in rng.permutation(m):
             step = scale[k] * 2.4 * rng.standard_normal(CHAINS)[:, None] * directions[k]
             new = d + step
-            inside = np.flatnonzero((np.abs(new) <= bound).all(axis=1))
+            logs = prior.logs(new, everyone)
+            inside = np.flatnonzero(np.isfinite(logs))
             threshold = np.log(rng.random(CHAINS))
             accepted = 0
             if len(inside):
                 found, ok = net.forms(new[inside], r[inside])
-                new_U = np.where(ok, energy(found), np.inf)
+                new_U = np.where(ok, energy(found) - logs[inside], np.inf)
                 take = threshold[inside] < U[inside] - new_U
                 who = inside[take]
                 d[who], r[who], U[who] = new[who], found[take], new_U[take]
                 accepted = len(who)
             if sweep < warm:
                 scale[k] *= np.exp(0.2 * (accepted / CHAINS - 0.4))
+        prior.renew(d, rng)
+        U = energy(r) - prior.logs(d, everyone)
         if sweep >= warm and sweep % 5 == 0:
+            kept_p.append(prior.state())
             kept_d.append(d.copy())
             kept_t.append(net.tensions(r, net.lengths(d)))
-    return np.array(kept_d), np.array(kept_t)
+    return np.array(kept_d), np.array(kept_t), np.array(kept_p)
 
 
 def r_hat(values):
@@ -181,18 +248,21 @@ def rounded(values):
     return [float(f"{v:.7g}") for v in np.ravel(values)]
 
 
-def case(name, net, bound, noise, hidden, sweeps, seed):
+def case(name, net, true_bound, given, noise, hidden, sweeps, seed):
+    """given: a uniform prior's bound; or the standard deviation, factor and probability of a Mixture."""
     rng = np.random.default_rng(seed)
-    truth = rng.uniform(-bound, bound, len(net.interior))
+    truth = rng.uniform(-true_bound, true_bound, len(net.interior))
     form, ok = net.forms(truth[None], net.nodes[None])
     assert ok.all()
     y = form[0].copy()
     y[net.free] += noise * rng.standard_normal((len(net.free), 3))
     seen = np.array([i for i in net.free if i not in hidden])
-    d, t = sample(net, y, seen, noise, bound, np.zeros(len(net.interior)), sweeps, rng)
-    flat_d, flat_t = d.reshape(-1, d.shape[2]), t.reshape(-1, t.shape[2])
-    print(f"{name}: R-hat {r_hat(d):.3f} lengths, {r_hat(t):.3f} tensions, {len(flat_d)} draws", flush=True)
-    return {
+    is_mixture = isinstance(given, tuple)
+    prior = Mixture(*given) if is_mixture else Uniform(given)
+    d, t, p = sample(net, y, seen, noise, prior, sweeps, rng)
+    flat_d, flat_t, flat_p = (x.reshape(-1, x.shape[2]) for x in (d, t, p))
+    print(f"{name}: R-hat {r_hat(d):.3f} lengths, {r_hat(t):.3f} tensions, {r_hat(p):.3f} prior, {len(flat_d)} draws", flush=True)
+    result = {
         "name": name,
         "nodes": net.nodes.tolist(),
         "edges": net.edges.tolist(),
@@ -200,12 +270,11 @@ def case(name, net, bound, noise, hidden, sweeps, seed):
         "interior": net.interior.tolist(),
         "axial_stiffness": rounded(net.stiffness),
         "unstressed_lengths": net.nominal.tolist(),
-        "bound": bound,
         "noise": noise,
         "hidden": list(hidden),
         "survey": y.tolist(),
         "truth": rounded(truth),
-        "r_hat": max(r_hat(d), r_hat(t)),
+        "r_hat": max(r_hat(d), r_hat(t), r_hat(p)),
         "mean": rounded(flat_d.mean(axis=0)),
         "std": rounded(flat_d.std(axis=0)),
         "tension_mean": rounded(flat_t.mean(axis=0)),
@@ -214,19 +283,36 @@ def case(name, net, bound, noise, hidden, sweeps, seed):
         "tension_upper": rounded(np.quantile(flat_t, 0.975, axis=0)),
         "slack_probability": rounded((flat_t <= 0.0).mean(axis=0)),
     }
+    if not is_mixture:
+        return result | {"bound": given}
+    return result | {
+        "given": given[0] * np.sqrt(3.0) if given[1] < 2.0 else None,
+        "lower": rounded(np.quantile(flat_d, 0.025, axis=0)),
+        "upper": rounded(np.quantile(flat_d, 0.975, axis=0)),
+        "prior_std": float(flat_p[:, 0].mean()),
+        "prior_std_std": float(flat_p[:, 0].std()),
+        "uniform_probability": float(flat_p[:, 1].mean()),
+    }
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("net", help="net file: taut example hypar:3x4 -o net.json")
+    parser.add_argument("nets", nargs=2, help="net files: taut example hypar:3x4 -o net.json, hypar:4x4")
     parser.add_argument("-o", "--output", required=True)
     parser.add_argument("--sweeps", type=int, default=1500)
     arguments = parser.parse_args()
-    net = Net(arguments.net)
+    net, other = map(Net, arguments.nets)
     inner = int(net.free[len(net.free) // 2])
+
+    def uniform(bound, factor, probability):
+        return bound / np.sqrt(3.0), factor, probability
+
     cases = [
-        case("all nodes", net, 0.005, 0.0005, [], arguments.sweeps, 1),
-        case("a hidden node", net, 0.005, 0.0005, [inner], arguments.sweeps, 2),
+        case("all nodes", net, 0.005, 0.005, 0.0005, [], arguments.sweeps, 1),
+        case("a hidden node", net, 0.005, 0.005, 0.0005, [inner], arguments.sweeps, 2),
+        case("a prior given", net, 0.005, uniform(0.005, 1.5, 0.75), 0.0005, [], arguments.sweeps, 3),
+        case("a prior given too narrow", other, 0.003, uniform(0.002, 1.5, 0.75), 0.0005, [], arguments.sweeps, 4),
+        case("no prior given", other, 0.002, uniform(0.005, 2.5, 0.5), 0.0005, [], arguments.sweeps, 5),
     ]
     with open(arguments.output, "w") as file:
         lines = ",\n".join(json.dumps(one) for one in cases)

@@ -411,7 +411,8 @@ void bind_identification(nb::module_& module) {
            const std::optional<ArrayLike>& slack_edges, const std::vector<std::string>& unknowns,
            const std::optional<std::int64_t>& draws, const std::optional<ArrayLike>& covariance_of,
            bool estimate_noise, bool prior_exact,
-           const std::vector<std::pair<Survey, Readings>>& epochs, std::uint64_t seed, const nb::object& progress) {
+           const std::vector<std::pair<Survey, Readings>>& epochs, std::uint64_t seed,
+           const nb::object& progress) {
             const std::int64_t count = draws.value_or(default_draws(net));
             check_draws(net, count);
             IdentifyOptions options{.law = law_told(law),

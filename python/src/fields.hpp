@@ -96,12 +96,12 @@ TAUT_FIELDS(LengthChange, edge, change, std, statistic)
 TAUT_FIELDS(EpochResult, surveyed, turned, outliers, boundary_outliers, frame_offset, noise_ratio,
             noise_scale, change_ratio, change_limit, changes, untold_play, stroke_factor,
             stroke_factor_std, trust)
-TAUT_FIELDS(Identification, method, method_reason, how, law, prior, status, message, edges, predicted,
-            tensions, residuals, outliers, outlier_threshold, noise_ratio, lengths_beyond_law,
-            boundary_outliers, boundary_beyond, noise_scale, frame_offset, scales, law_check,
-            frame_check, contradicted_law, law_was_told, readings, reading_outliers, reading_bias,
-            contradicted_taut, contradicted_slack, unknowns, draws, epochs, turned, trust,
-            length_covariance, drawn)
+TAUT_FIELDS(Identification, method, method_reason, how, law, prior, status, message, edges,
+            predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
+            lengths_beyond_law, boundary_outliers, boundary_beyond, noise_scale, frame_offset,
+            scales, law_check, frame_check, contradicted_law, law_was_told, readings,
+            reading_outliers, reading_bias, contradicted_taut, contradicted_slack, unknowns, draws,
+            epochs, turned, trust, length_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)
 TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, law, seed, unknowns, mean, metric, as_in_paper,

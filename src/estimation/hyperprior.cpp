@@ -18,8 +18,8 @@ const double log_std_broad = std::log(2.5);
 constexpr double own_shape = 0.75;
 
 /// Of the grid over the logarithm of the scale.
-constexpr double reach = 3.0;         // standard deviations of the hyperprior
-constexpr double reach_found = 4.5;   // standard deviations of the scale that was found
+constexpr double reach = 3.0;        // standard deviations of the hyperprior
+constexpr double reach_found = 4.5;  // standard deviations of the scale that was found
 constexpr Eigen::Index places = 17;
 
 /// A scale known to this part is so by many lengths: its evidence is normal in the logarithm.
@@ -102,8 +102,7 @@ struct Moments {
 };
 Moments moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
     const double mean = weights.dot(values) / weights.sum();
-    const double variance =
-        weights.dot((values.array() - mean).square().matrix()) / weights.sum();
+    const double variance = weights.dot((values.array() - mean).square().matrix()) / weights.sum();
     return {.mean = mean, .std = std::sqrt(variance)};
 }
 
@@ -172,16 +171,19 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
                              const LengthLaw& fit_law, const FoundScale& scale,
                              const LawLikelihood& shapes) {
     const double centre = std::log(hyperprior.centre.std());
-    double lower = centre - reach * hyperprior.log_std;
-    double upper = centre + reach * hyperprior.log_std;
+    double middle = centre;
+    double half_width = reach * hyperprior.log_std;
     const bool is_found = scale.ratio > 0.0 && scale.std > 0.0;
     const double found = is_found ? std::log(scale.ratio * fit_law.std()) : centre;
     if (is_found && scale.std < 1.0 / reach_found) {
-        const double middle = std::clamp(found, lower, upper);
-        lower = std::max(lower, middle - reach_found * scale.std);
-        upper = std::min(upper, middle + reach_found * scale.std);
+        // Where both together are, as normal distributions.
+        const double of_prior = 1.0 / (hyperprior.log_std * hyperprior.log_std);
+        const double of_survey = 1.0 / (scale.std * scale.std);
+        middle = (of_prior * centre + of_survey * found) / (of_prior + of_survey);
+        half_width = reach_found * scale.std;
     }
-    const Eigen::VectorXd grid = Eigen::VectorXd::LinSpaced(places, lower, upper);
+    const Eigen::VectorXd grid =
+        Eigen::VectorXd::LinSpaced(places, middle - half_width, middle + half_width);
     Eigen::VectorXd evidence;
     if (is_found && scale.std < surely_normal) {
         evidence = -0.5 * ((grid.array() - found) / scale.std).square();

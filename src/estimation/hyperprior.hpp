@@ -25,8 +25,8 @@ struct Hyperprior {
                                        ///< shape, normal or bimodal
 };
 
-/// Around a prior that was given: a factor of 1.5; its own shape with probability 3/4, but a bimodal
-/// one keeps its shape.
+/// Around a prior that was given: a factor of 1.5; its own shape with probability 3/4, but a
+/// bimodal one keeps its shape.
 [[nodiscard]] Hyperprior hyperprior_around(const LengthLaw& given);
 /// Where none was given: a factor of 2.5 around uniform:5mm, either shape alike.
 [[nodiscard]] Hyperprior broad_hyperprior();
@@ -45,7 +45,8 @@ struct Hyperprior {
                                            LinearisedStatics& statics,
                                            const Observations& observations, const Iterate& fitted,
                                            const std::vector<bool>& left_out,
-                                           const LengthLaw& fit_law, const FoundScale& scale, const LawLikelihood& shapes);
+                                           const LengthLaw& fit_law, const FoundScale& scale,
+                                           const LawLikelihood& shapes);
 
 /// One prior for all of an estimate: its most probable shape, its mean standard deviation.
 [[nodiscard]] LengthLaw central_prior(const PriorEstimate& estimate);
@@ -53,7 +54,8 @@ struct Hyperprior {
 /// Gauss quadrature of a discrete distribution: integrates polynomials up to degree 2 count - 1 as
 /// it does (G. H. Golub & J. H. Welsch, Math. Comp. 23 (1969) 221-230).
 /// @param weights at each place, not negative, with a positive sum
-/// @return places and weights, which sum to 1; fewer nodes where the distribution has no more places
+/// @return places and weights, which sum to 1; fewer nodes where the distribution has no more
+/// places
 [[nodiscard]] std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places,
                                                                  const Eigen::VectorXd& weights,
                                                                  int count);

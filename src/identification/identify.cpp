@@ -162,8 +162,7 @@ struct AssumedPrior {
 /// own.
 /// @return empty where the survey is exact, or the fit does not settle
 std::optional<Identification> audit(const CableNet& net, const Survey& survey,
-                                    const AssumedPrior& prior,
-                                    const std::vector<Unknown>& unknowns,
+                                    const AssumedPrior& prior, const std::vector<Unknown>& unknowns,
                                     const Progress& progress) {
     if (!survey.is_noisy()) {
         return std::nullopt;
@@ -285,8 +284,7 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
                                   const IdentifyOptions& options, const Progress& progress) {
     std::optional<LengthModel> own;
     if (method == IdentificationMethod::gp && options.model == nullptr) {
-        own =
-            trained_model(net, prior.law, options.unknowns, options.training_samples, progress);
+        own = trained_model(net, prior.law, options.unknowns, options.training_samples, progress);
     }
     const auto by_method = [&](const Survey& in_frame) {
         return identify_by(method, net, in_frame, prior, own ? &*own : options.model, options,
@@ -344,8 +342,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     constexpr double as_good_as = 0.05;
     const Hyperprior around = options.law ? hyperprior_around(*options.law) : broad_hyperprior();
     const AssumedPrior first{.law = around.centre, .around = around};
-    Identification centre =
-        identify_at_centre(method, net, survey, first, options, progress);
+    Identification centre = identify_at_centre(method, net, survey, first, options, progress);
     PriorEstimate& prior = centre.prior;
     if (centre.status != IdentificationStatus::converged || prior.exact) {
         return centre;
@@ -371,9 +368,8 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         IdentifyOptions by_node = options;
         by_node.draws = options.draws > 0 ? std::max(fewest_draws, shares[k]) : 0;
         by_node.seed = options.seed + k;
-        Identification part =
-            identify_and_audit(method, net, survey, {.law = prior.nodes[k].law, .around = {}},
-                               by_node, progress);
+        Identification part = identify_and_audit(
+            method, net, survey, {.law = prior.nodes[k].law, .around = {}}, by_node, progress);
         if (part.status == IdentificationStatus::converged) {
             parts.push_back({.weight = prior.nodes[k].weight, .result = std::move(part)});
         }
@@ -392,9 +388,9 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     Identification result = mixture_of(net, survey, std::move(parts), options.draws);
     result.prior = std::move(prior);
     result.contradicted_law = centre.contradicted_law;
-    result.how += fmt::format(
-        "\n  over {} priors: standard deviation of a length {:.2f} +- {:.2f} mm",
-        result.prior.nodes.size(), 1e3 * result.prior.std, 1e3 * result.prior.std_std);
+    result.how +=
+        fmt::format("\n  over {} priors: standard deviation of a length {:.2f} +- {:.2f} mm",
+                    result.prior.nodes.size(), 1e3 * result.prior.std, 1e3 * result.prior.std_std);
     return result;
 }
 
@@ -499,9 +495,12 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     }
     const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();
     Identification result =
-        is_exact ? identify_and_audit(method, net, survey, {.law = law, .around = {}}, options,
-                                      progress)
-                 : identify_over_priors(method, net, survey, options, progress);
+        is_exact
+            ? identify_and_audit(method, net, survey, {.law = law, .around = {}}, options, progress)
+            : identify_over_priors(method, net, survey, options, progress);
+    if (is_exact) {
+        result.prior = exact_prior(law);
+    }
     result.law_was_told = options.law.has_value();
     result.method = to_string(method);
     result.method_reason = reason;

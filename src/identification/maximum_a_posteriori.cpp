@@ -231,8 +231,9 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     const PriorKnowledge& knowledge = fit.knowledge();
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
-    const Doubt doubt =
-        fitted.converged ? doubt_of(fit_net, told.law, told.hyperprior, fit, fitted.iterate) : Doubt();
+    const Doubt doubt = fitted.converged
+                            ? doubt_of(fit_net, told.law, told.hyperprior, fit, fitted.iterate)
+                            : Doubt();
     if (own != nullptr) {
         const Eigen::Index size = fit_net.interior_edge_count() + common_count;
         *own =

@@ -104,8 +104,8 @@ LengthCovariance mixed_covariance(const std::vector<WeightedIdentification>& par
             from_mean(k) = result.edges[static_cast<size_t>(at)].length_deviation -
                            edges[static_cast<size_t>(at)].length_deviation;
         }
-        mixed.covariance += weight * (result.length_covariance->covariance +
-                                      from_mean * from_mean.transpose());
+        mixed.covariance +=
+            weight * (result.length_covariance->covariance + from_mean * from_mean.transpose());
     }
     return mixed;
 }
@@ -190,8 +190,8 @@ double quantile_of(const std::vector<MixturePart>& parts, double p) {
         double sum = -p;
         for (const MixturePart& part : parts) {
             const double side = x < part.mean ? part.mean - part.lower : part.upper - part.mean;
-            const double z = side > 0.0 ? interval * (x - part.mean) / side
-                                        : (x < part.mean ? -10.0 : 10.0);
+            const double z =
+                side > 0.0 ? interval * (x - part.mean) / side : (x < part.mean ? -10.0 : 10.0);
             sum += part.weight * 0.5 * std::erfc(-z / std::numbers::sqrt2);
         }
         return sum;

@@ -316,7 +316,8 @@ private:
         std::vector<std::string> names;
         for (const PlacedPoint& point : m_survey.placed) {
             if (!point.name.empty() && point.name != m_net.node_id(point.node)) {
-                names.push_back(fmt::format("{} on node {}", point.name, m_net.node_id(point.node)));
+                names.push_back(
+                    fmt::format("{} on node {}", point.name, m_net.node_id(point.node)));
             }
         }
         const size_t count = names.size();

@@ -154,9 +154,8 @@ SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
                             .slack_edges = static_cast<int>(std::ranges::count(s.slack, true))};
     const double begin = processor_seconds();
     try {
-        const Identification result = identify(
-            net, s.survey,
-            {.method = IdentificationMethod::map,
+        const Identification result = identify(net, s.survey,
+                                               {.method = IdentificationMethod::map,
                                                 .law = s.law,
                                                 .prior_exact = true,
                                                 .draws = default_draws(net)});

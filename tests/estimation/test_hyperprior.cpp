@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards the quadrature over priors, and the evidence of a scale against that of a dense normal model.
+// Guards the quadrature over priors, and the evidence of a scale against that of a dense normal
+// model.
 
 #include <gtest/gtest.h>
 
@@ -28,8 +29,7 @@ TEST(Hyperprior, NodesHaveTheMomentsOfTheirDistribution) {
         const auto nodes = gauss_nodes(places, weights, count);
         ASSERT_EQ(std::ssize(nodes), count);
         for (int power = 0; power < 2 * count; ++power) {
-            const double exact =
-                weights.dot(places.array().pow(power).matrix()) / weights.sum();
+            const double exact = weights.dot(places.array().pow(power).matrix()) / weights.sum();
             EXPECT_NEAR(moment(nodes, power), exact, 1e-12 * std::max(1.0, std::abs(exact)));
         }
     }

@@ -86,6 +86,7 @@ TEST(Epochs, AreThoseOfOneLeastSquaresProblem) {
     }
     IdentifyOptions options;
     options.law = LengthLaw{LengthLaw::Kind::normal, reference["law"]};
+    options.prior_exact = true;
     const Identification result = identify_epochs(small, epochs, options);
     ASSERT_EQ(result.status, IdentificationStatus::converged);
     const Eigen::VectorXd expected = vector_of(reference["deviations"]);

@@ -128,7 +128,8 @@ TEST_P(Unknowns, AreInTheIntervalsOfLengthsAndTensions) {
             tensions.add(told.tension.lower <= tension && tension <= told.tension.upper);
         }
         for (const UnknownEstimate& estimate : found.unknowns) {
-            EXPECT_LE(estimate.std, 1.0001 * estimate.unknown.std);
+            // The mixture over priors may be a little wider than each of its parts.
+            EXPECT_LE(estimate.std, 1.001 * estimate.unknown.std);
             of_unknowns[estimate.unknown.kind].add(
                 std::abs(estimate.mean - truth_of(truth.circumstances, net, estimate)) <=
                 half_interval_95 * estimate.std);

@@ -19,7 +19,9 @@ const LengthLaw normal_law{LengthLaw::Kind::normal, 0.001};
 
 class LengthCovariances : public ::testing::Test {
 protected:
-    LengthCovariances() { m_options = {.method = IdentificationMethod::map, .law = normal_law}; }
+    LengthCovariances() {
+        m_options = {.method = IdentificationMethod::map, .law = normal_law, .prior_exact = true};
+    }
 
     CableNet m_net = hypar(5, 5);
     test::SimulatedSurvey m_site = test::simulate(m_net, normal_law, noise, 3);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -47,7 +48,8 @@ struct Reference {
     Json json;
     CableNet net;
     Survey survey;
-    LengthLaw law;
+    std::optional<LengthLaw> law;  ///< empty: none was given
+    bool prior_exact = false;
 
     explicit Reference(const Json& of) : json(of), net(net_of(of)) {
         const auto hidden = of.at("hidden").get<std::vector<int>>();
@@ -57,7 +59,11 @@ struct Reference {
             const bool is_hidden = std::ranges::find(hidden, node) != hidden.end();
             (is_hidden ? survey.missing : survey.surveyed).push_back(node);
         }
-        law = {LengthLaw::Kind::uniform, of.at("bound")};
+        prior_exact = of.contains("bound");
+        const Json& bound = prior_exact ? of.at("bound") : of.at("given");
+        if (!bound.is_null()) {
+            law = LengthLaw{LengthLaw::Kind::uniform, bound};
+        }
     }
 
     static CableNet net_of(const Json& of) {
@@ -98,7 +104,8 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
     for (const Reference& reference : references()) {
         SCOPED_TRACE(reference.json.at("name").get<std::string>());
         const Identification found =
-            identify(reference.net, reference.survey, {.law = reference.law, .draws = 2000});
+            identify(reference.net, reference.survey,
+                     {.law = reference.law, .prior_exact = reference.prior_exact, .draws = 2000});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
         const Eigen::VectorXd mean = vector_of(reference.json.at("mean"));

@@ -174,7 +174,7 @@ TEST_F(ReadSurvey, DoesNotTakeTheNumbersOfASurveyorForThoseOfTheNet) {
     const Survey survey = read(text, "a.csv");
     EXPECT_LT(distance(survey), 1e-12);
     EXPECT_THAT(survey.warnings, ElementsAre(HasSubstr("lie on other nodes than those of their")));
-    EXPECT_EQ(survey.contradicted_names, 39);
+    EXPECT_EQ(survey.contradicted_names, 38);
     EXPECT_THAT(refusal(text, "a.csv", {.matching = PointMatching::name}),
                 testing::AllOf(HasSubstr("--match place"), testing::Not(HasSubstr("mirrored"))));
     const Survey by_place = read(text, "a.csv", {.matching = PointMatching::place});

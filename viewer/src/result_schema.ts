@@ -541,10 +541,8 @@ export interface Prior {
   uniform_probability: number;
   /**
    * The priors of the mixture, the most probable first.
-   *
-   * @minItems 1
    */
-  nodes: [PriorNode, ...PriorNode[]];
+  nodes: PriorNode[];
 }
 export interface PriorNode {
   /**

@@ -17,12 +17,12 @@ struct PriorNode {
 /// The prior of the length deviations after the survey: a distribution over shapes and scales,
 /// represented by the nodes of a quadrature, docs/theory.md (hyperprior), (prior-evidence).
 struct PriorEstimate {
-    LengthLaw given;                  ///< given, or assumed where none was
-    bool exact = true;                ///< taken as exact: the one node is it
-    double std = 0.0;                 ///< posterior mean of the deviations' standard deviation [m]
-    double std_std = 0.0;             ///< posterior standard deviation of that [m]
-    double uniform_probability = 0.0; ///< posterior probability of the uniform shape
-    std::vector<PriorNode> nodes;     ///< most probable first; at least one where estimated
+    LengthLaw given;                   ///< given, or assumed where none was
+    bool exact = true;                 ///< taken as exact: the one node is it
+    double std = 0.0;                  ///< posterior mean of the deviations' standard deviation [m]
+    double std_std = 0.0;              ///< posterior standard deviation of that [m]
+    double uniform_probability = 0.0;  ///< posterior probability of the uniform shape
+    std::vector<PriorNode> nodes;      ///< most probable first; at least one where estimated
 };
 
 /// A prior that is taken as exact.

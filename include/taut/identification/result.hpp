@@ -111,7 +111,7 @@ struct Identification {
     std::string how;            ///< what was done, in words: the method, its law, its training
     /// Prior of the length deviations that explains the survey best, of those assumed.
     LengthLaw law;
-    PriorEstimate prior;        ///< all that were assumed, with their posterior probabilities
+    PriorEstimate prior;  ///< all that were assumed, with their posterior probabilities
     IdentificationStatus status = IdentificationStatus::converged;  ///< how it ended
     std::string message;                ///< why it did not converge, and what may help; else empty
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order

@@ -92,8 +92,8 @@ struct TAUT_CORE_EXPORT Survey {
     /// How many points lie beyond doubt on other nodes than those that they name, and were put
     /// there: all names are then left aside. 0: the names hold, or were not to be used.
     int contradicted_names = 0;
-    std::vector<std::string> notes;     ///< how its file was understood, a line each
-    bool tells_noise = false;           ///< whether a point brought a noise of its own
+    std::vector<std::string> notes;  ///< how its file was understood, a line each
+    bool tells_noise = false;        ///< whether a point brought a noise of its own
     /// Standard deviation of the scale that all targets have in common, which `noise_std` does not
     /// tell [-].
     double scale_std = 0.0;
