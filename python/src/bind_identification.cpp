@@ -214,6 +214,15 @@ void bind_result(nb::module_& module) {
             "law", [](const Identified& self) { return self.found.law.to_string(); },
             "The most probable prior of the length deviations.")
         .def_prop_ro(
+            "detectable",
+            [](const Identified& self) {
+                return dict_of(
+                    identification_to_json(self.net, self.survey, self.found))["detectable"];
+            },
+            nb::sig("def detectable(self) -> dict"),
+            "The smallest error of each kind that the checks find with a probability of 80 %: "
+            "target, length, adjustable, support [m], scale [-], temperature [K]; None: none is.")
+        .def_prop_ro(
             "prior",
             [](const Identified& self) {
                 return dict_of(identification_to_json(self.net, self.survey, self.found))["prior"];

@@ -77,6 +77,7 @@ TAUT_FIELDS(ReadingBias, part, std)
 TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths)
 TAUT_FIELDS(LawCheck, checked, lengths, likeliest, gain, mean, mean_std, beyond)
+TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature)
 TAUT_FIELDS(PriorNode, law, weight)
 TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, nodes)
 TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
@@ -98,8 +99,8 @@ TAUT_FIELDS(EpochResult, surveyed, turned, outliers, boundary_outliers, frame_of
             stroke_factor_std, trust)
 TAUT_FIELDS(Identification, method, method_reason, how, law, prior, status, message, edges,
             predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
-            lengths_beyond_law, boundary_outliers, boundary_beyond, noise_scale, frame_offset,
-            scales, law_check, frame_check, contradicted_law, law_was_told, readings,
+            lengths_beyond_law, boundary_outliers, boundary_beyond, detectable, noise_scale,
+            frame_offset, scales, law_check, frame_check, contradicted_law, law_was_told, readings,
             reading_outliers, reading_bias, contradicted_taut, contradicted_slack, unknowns, draws,
             epochs, turned, trust, length_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)

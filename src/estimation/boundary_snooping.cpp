@@ -81,11 +81,15 @@ void BoundarySnooping::take_score(Hypothesis& hypothesis, const LinearisedStatic
                                   double scale) const {
     hypothesis.found = {.kind = hypothesis.kind, .index = hypothesis.index};
     hypothesis.score = 0.0;
+    hypothesis.tested.noncentrality = 0.0 * score.information;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(score.information);
     for (Eigen::Index k = 0; k < score.gradient.size(); ++k) {
         const double information = eigen.eigenvalues()(k);
         if (information * weakest_shown * weakest_shown > 1.0) {
-            const double along = eigen.eigenvectors().col(k).dot(score.gradient);
+            const Eigen::VectorXd direction = eigen.eigenvectors().col(k);
+            const double along = direction.dot(score.gradient);
+            hypothesis.tested.noncentrality +=
+                information / scale * direction * direction.transpose();
             hypothesis.found.statistic += along * along / information / scale;
         }
     }
@@ -237,6 +241,18 @@ double BoundarySnooping::released_cost() const {
     };
     return of(m_edge_threshold, m_released.turned.size()) +
            of(m_support_threshold, m_released.moved.size());
+}
+
+double BoundarySnooping::detectable(BoundaryOutlier::Kind kind) const {
+    std::vector<TestedItem> tested;
+    for (const Hypothesis& hypothesis : m_hypotheses) {
+        if (hypothesis.kind == kind && !is_released(hypothesis) &&
+            hypothesis.tested.noncentrality.size() > 0) {
+            tested.push_back(hypothesis.tested);
+        }
+    }
+    return kind == BoundaryOutlier::Kind::support ? detectable_error(tested, m_support_threshold, 3)
+                                                  : detectable_error(tested, m_edge_threshold, 1);
 }
 
 std::vector<BoundaryOutlier> BoundarySnooping::outliers() const {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "estimation/detectable_error.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/net/cable_net.hpp"
@@ -53,6 +54,8 @@ public:
     [[nodiscard]] int beyond_count() const;
     /// Sum of the thresholds of all that is released.
     [[nodiscard]] double released_cost() const;
+    /// DetectableErrors::adjustable or support, of those that are as told.
+    [[nodiscard]] double detectable(BoundaryOutlier::Kind kind) const;
     [[nodiscard]] std::vector<BoundaryOutlier> outliers() const;  ///< the largest statistic first
 
 private:
@@ -63,6 +66,7 @@ private:
         std::vector<int> edges;  ///< of a support
         BoundaryOutlier found;
         double score = 0.0;  ///< (rivals)
+        TestedItem tested;   ///< while it is as told
         int rival = -1;      ///< when it was released
         bool is_readmitted = false;
 

@@ -97,6 +97,7 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
     m_squares = 0.0;
     m_redundancy = 0.0;
     m_expected_places.clear();
+    m_in_use.clear();
     for (const int node : m_survey.surveyed) {
         const Eigen::Vector3d residual = m_survey.form.col(node) - fitted_form.col(node);
         m_distances(node) = residual.norm();
@@ -108,10 +109,14 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
         const Eigen::Matrix3d Q =
             Eigen::Matrix3d::Identity() + sign * (whiten * covariance(node) * whiten.transpose());
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
+        Eigen::Matrix3d testable = Eigen::Matrix3d::Zero();  // Q but for directions not tested
         for (int k = 0; k < 3; ++k) {
-            if (eigen.eigenvalues()(k) > smallest_redundancy) {
-                const double along = eigen.eigenvectors().col(k).dot(e);
-                m_statistics(node) += along * along / eigen.eigenvalues()(k);  // (snooping)
+            const double variance = eigen.eigenvalues()(k);
+            if (variance > smallest_redundancy) {
+                const Eigen::Vector3d direction = eigen.eigenvectors().col(k);
+                const double along = direction.dot(e);
+                m_statistics(node) += along * along / variance;  // (snooping)
+                testable += variance * direction * direction.transpose();
             }
         }
         if (is_rejected(node)) {
@@ -119,6 +124,7 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
         } else {
             m_squares += e.squaredNorm();
             m_redundancy += Q.trace();  // (redundancy)
+            m_in_use.push_back({whiten.transpose() * testable * whiten});
         }
     }
     const double scale = median_statistic() / median_of_chi_squared;
@@ -367,6 +373,10 @@ std::vector<ReadingOutlier> DataSnooping::reading_outliers() const {
     }
     std::ranges::sort(result, std::greater{}, &ReadingOutlier::statistic);
     return result;
+}
+
+double DataSnooping::detectable() const {
+    return detectable_error(m_in_use, m_threshold * m_residual_scale, 3);
 }
 
 double DataSnooping::noise_ratio() const {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/detectable_error.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/survey/forces.hpp"
@@ -119,6 +120,9 @@ public:
     /// Lets targets that were readmitted be rejected again.
     void reopen();
 
+    /// DetectableErrors::target, of the targets in use at the fit.
+    [[nodiscard]] double detectable() const;
+
     [[nodiscard]] std::vector<Outlier> outliers() const;  ///< the largest statistic first
     [[nodiscard]] std::vector<ReadingOutlier> reading_outliers() const;  ///< likewise
     /// Root mean square of the standardised residuals in use, over their expectation.
@@ -163,6 +167,7 @@ private:
     ReadingBias m_found_bias;       ///< of the readings in use
     double m_bias_statistic = 0.0;  ///< its square in its variances
     std::optional<ReadingBias> m_reading_bias;
+    std::vector<TestedItem> m_in_use;
     double m_residual_scale = 1.0;  ///< squared, of a fit as if the noise were larger
     double m_squares = 0.0;
     double m_redundancy = 0.0;

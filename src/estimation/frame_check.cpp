@@ -12,7 +12,6 @@ namespace {
 
 /// Chance gives more once in 10,000 surveys: a chi-squared of six degrees of freedom.
 constexpr double beyond_chance_frame = 27.9;
-constexpr double beyond_chance_of_scale = 4.0;  // standard deviations
 
 }  // namespace
 
@@ -21,7 +20,7 @@ bool FrameCheck::is_moved() const {
 }
 
 bool FrameCheck::is_scaled() const {
-    return scale_std > 0.0 && std::abs(scale) > beyond_chance_of_scale * scale_std;
+    return scale_std > 0.0 && std::abs(scale) > beyond_chance_std * scale_std;
 }
 
 FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics, const Iterate& fitted,

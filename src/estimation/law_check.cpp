@@ -9,8 +9,7 @@
 namespace taut {
 namespace {
 
-/// Chance explains no more than so many standard deviations, or so much log likelihood.
-constexpr double beyond_chance_std = 4.0;
+/// Chance explains no more log likelihood than so much.
 constexpr double beyond_chance_gain = 8.0;
 constexpr double untenable_gain = 20.0;
 

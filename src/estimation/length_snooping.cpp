@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 
+#include "estimation/detectable_error.hpp"
 #include "estimation/rival_scores.hpp"
 
 namespace taut {
@@ -188,6 +189,31 @@ std::vector<LengthLaw> LengthSnooping::laws() const {
 double LengthSnooping::released_cost() const {
     const int count = released_count();
     return count > 0 ? m_threshold * count : 0.0;
+}
+
+double LengthSnooping::detectable() const {
+    if (!is_active()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    std::vector<BoundedEstimate> estimates;
+    for (size_t i = 0; i < m_told.size(); ++i) {
+        if (m_released[i]) {
+            continue;
+        }
+        // Found where W or W_b is above the threshold; of an edge that may be slack errors may
+        // hide.
+        const bool is_tested = m_told[i].extension >= surely_taut;
+        const double variance =
+            is_tested ? m_told[i].std * m_told[i].std : std::numeric_limits<double>::infinity();
+        const double std = m_laws[i].std();
+        const auto [end, fall] = core_of(m_laws[i]);
+        const double scatter = std::sqrt(std * std + variance);
+        estimates.push_back(
+            {.bound = std::min(std::sqrt(m_threshold) * scatter,
+                               end + std::sqrt(m_threshold * (fall * fall + variance))),
+             .std = scatter});
+    }
+    return detectable_error(estimates);
 }
 
 std::vector<LengthOutlier> LengthSnooping::outliers() const {

@@ -59,6 +59,8 @@ public:
     [[nodiscard]] std::vector<LengthLaw> laws() const;
     /// Sum of the thresholds of all that is released.
     [[nodiscard]] double released_cost() const;
+    /// DetectableErrors::length, of the edges in use at the fit.
+    [[nodiscard]] double detectable() const;
     [[nodiscard]] std::vector<LengthOutlier> outliers() const;  ///< the largest statistic first
 
 private:

@@ -187,6 +187,7 @@ Survey brought_into_frame(const Survey& survey, const FrameOffset& offset) {
 void take_over(Identification& result, const Identification& fit, const CableNet& net,
                const Survey& survey) {
     result.prior = fit.prior;
+    result.detectable = fit.detectable;
     result.scales = fit.scales;
     result.law_check = fit.law_check;
     result.frame_check = fit.frame_check;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimation/detectable_error.hpp"
 #include "estimation/expectation_propagation.hpp"
 #include "estimation/frame_check.hpp"
 #include "estimation/law_check.hpp"
@@ -162,6 +163,39 @@ Doubt doubt_of(const CableNet& fit_net, const LengthLaw& law,
     return doubt;
 }
 
+/// (detectable)
+DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const SurveyFit& fit,
+                               const Doubt& doubt) {
+    DetectableErrors result{
+        .target = fit.snooping().detectable(),
+        .length = fit.length_snooping().detectable(),
+        .adjustable = fit.boundary_snooping().detectable(BoundaryOutlier::Kind::adjustable_edge),
+        .support = fit.boundary_snooping().detectable(BoundaryOutlier::Kind::support)};
+    const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
+    const double reach = arms.colwise().norm().maxCoeff();
+    const double scale_std =
+        doubt.frame.scale_std > 0.0 ? std::hypot(doubt.frame.scale_std, survey.scale_std) : 0.0;
+    result.scale = detectable_error(std::vector<BoundedEstimate>{
+        {.bound = std::max(beyond_chance_std * scale_std,
+                           negligible_scale * survey.rms_noise_std() / reach),
+         .std = scale_std}});
+    const double mean = detectable_error(
+        std::vector<BoundedEstimate>{{.bound = std::max(beyond_chance_std * doubt.law.mean_std,
+                                                        negligible_mean * doubt.law.checked.std()),
+                                      .std = doubt.law.mean_std}});
+    constexpr double of_steel = 12e-6;  // [1/K]
+    double expansion = 0.0;             // mean, by 1 K [m]
+    const Eigen::VectorXd& told = net.data().expansion;
+    for (const int edge : net.interior_edges()) {
+        const double of_edge = told.size() > 0 ? told(edge) : of_steel;
+        expansion += of_edge * net.unstressed_lengths()(edge) / net.interior_edge_count();
+    }
+    if (expansion > 0.0) {
+        result.temperature = mean / expansion;
+    }
+    return result;
+}
+
 /// Of the net to fit the edges, by their number among the interior ones, of which a form tells no
 /// more than a bound, or may not: what is told of their length is not normal. An adjustable edge
 /// only where it is slack: its turns tell more of it than a form that is fitted without them.
@@ -254,6 +288,9 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     result.reading_outliers = fit.snooping().reading_outliers();
     result.reading_bias = fit.snooping().reading_bias();
     result.prior = doubt.prior.value_or(exact_prior(told.law));
+    if (fitted.converged) {
+        result.detectable = detectable_of(net, survey, fit, doubt);
+    }
     result.scales = doubt.scales;
     result.law_check = doubt.law;
     result.frame_check = doubt.frame;

@@ -100,11 +100,9 @@ private:
 
     void test_frame() {
         const FrameCheck& check = m_result.frame_check;
-        // Large nets show scales that do no harm.
-        constexpr double harmless = 0.25;  // of the noise, at the node furthest out
         const Points arms = m_net.nodes().colwise() - m_net.nodes().rowwise().mean();
         const double furthest = std::abs(check.scale) * arms.colwise().norm().maxCoeff();
-        if (check.is_scaled() && furthest > harmless * m_survey.rms_noise_std()) {
+        if (check.is_scaled() && furthest > negligible_scale * m_survey.rms_noise_std()) {
             add(Verdict::failed,
                 std::abs(check.scale) < 2e-4
                     ? fmt::format("the survey is {:+.0f} +- {:.0f} ppm larger than the net",
@@ -150,9 +148,6 @@ private:
     void test_law() {
         const LawCheck& check = m_result.law_check;
         const std::string told = law_text(m_result.law);
-        // Of a law's standard deviation: the linearised mean of 50,000 lengths is known to less
-        // than it is right.
-        constexpr double negligible_mean = 0.15;
         if (check.has_mean() && std::abs(check.mean) > negligible_mean * m_result.law.std()) {
             add(Verdict::failed,
                 fmt::format("the lengths deviate by {:+.2f} mm in common, where the law {} gives 0 "

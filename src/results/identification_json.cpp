@@ -174,6 +174,15 @@ Json doubt_json(const CableNet& net, const Identification& identification) {
             {"boundary_beyond", identification.boundary_beyond}};
 }
 
+/// Of each kind of error the smallest that would have been found; null: none.
+Json detectable_json(const DetectableErrors& errors) {
+    const auto or_null = [](double error) { return std::isfinite(error) ? Json(error) : Json(); };
+    return {
+        {"target", or_null(errors.target)},         {"length", or_null(errors.length)},
+        {"adjustable", or_null(errors.adjustable)}, {"support", or_null(errors.support)},
+        {"scale", or_null(errors.scale)},           {"temperature", or_null(errors.temperature)}};
+}
+
 /// The prior of the length deviations: as given, and as the survey shows it.
 Json prior_json(const Identification& identification) {
     const PriorEstimate& prior = identification.prior;
@@ -399,6 +408,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                   {"trust", trust_json(identification.trust)},
                   {"law", identification.law.to_string()},
                   {"prior", prior_json(identification)},
+                  {"detectable", detectable_json(identification.detectable)},
                   {"noise", noise},
                   {"net_fingerprint", net.fingerprint()},
                   {"edges", edges},

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 #include <stdexcept>
 
@@ -224,6 +225,36 @@ TEST(Doubt, OfAPriorThatIsTooWideIsNone) {
     EXPECT_TRUE(exact.prior.exact);
     EXPECT_EQ(exact.law, law);
     EXPECT_NE(exact.trust.verdict(), Trust::Verdict::passed);
+}
+
+/// What a passed check means: errors of the size that it would have found are found as often.
+TEST(Doubt, FindsErrorsOfTheSizeThatItNames) {
+    constexpr int surveys = 60;
+    const CableNet saddle = hypar(7, 7);
+    const LengthLaw prior{LengthLaw::Kind::uniform, 0.003};
+    const IdentifyOptions options{
+        .method = IdentificationMethod::map, .law = prior, .prior_exact = true};
+    const DetectableErrors sizes =
+        identify(saddle, simulate(saddle, prior, noise, 1).survey, options).detectable;
+    int targets = 0;
+    int turnbuckles = 0;
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    for (std::uint64_t seed = 1; seed <= surveys; ++seed) {
+        SimulatedSurvey s = simulate(saddle, prior, noise, seed);
+        const int node = s.survey.surveyed[random() % s.survey.surveyed.size()];
+        const Eigen::Vector3d direction(normal(random), normal(random), normal(random));
+        s.survey.form.col(node) += sizes.target * direction.normalized();
+        targets += identify(saddle, s.survey, options).trust.findings.empty() ? 0 : 1;
+        CableNetData data = saddle.data();
+        const std::vector<int>& adjustable = saddle.adjustable_edges();
+        data.unstressed_lengths(adjustable[random() % adjustable.size()]) += sizes.adjustable;
+        const SimulatedSurvey turned = simulate(CableNet(data), prior, noise, seed);
+        turnbuckles += identify(saddle, turned.survey, options).trust.findings.empty() ? 0 : 1;
+    }
+    // 48 of 60, and three standard deviations of that.
+    EXPECT_NEAR(targets, 0.8 * surveys, 9.3);
+    EXPECT_NEAR(turnbuckles, 0.8 * surveys, 9.3);
 }
 
 TEST(Doubt, OfNamesOnOtherNodesNamesThem) {

@@ -274,6 +274,7 @@ export interface Identification {
    * The most probable prior of the length deviations: "uniform:5mm".
    */
   law?: string;
+  detectable?: Detectable;
   prior?: Prior;
   /**
    * Root mean square of the stated standard deviations [m].
@@ -514,6 +515,35 @@ export interface Trust1 {
      */
     next: string;
   }[];
+}
+/**
+ * The smallest error of each kind, at a place drawn at random, that the checks find with a probability of 80 %; null: none is.
+ */
+export interface Detectable {
+  /**
+   * Distance of a target from its node [m].
+   */
+  target: number | null;
+  /**
+   * Of an interior edge [m].
+   */
+  length: number | null;
+  /**
+   * Length of an adjustable edge [m].
+   */
+  adjustable: number | null;
+  /**
+   * Distance of a support from its place [m].
+   */
+  support: number | null;
+  /**
+   * Of the survey, relative.
+   */
+  scale: number | null;
+  /**
+   * Of all interior edges [K].
+   */
+  temperature: number | null;
 }
 /**
  * Prior of the length deviations: as given, and as the survey shows it.

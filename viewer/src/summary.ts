@@ -156,6 +156,19 @@ function frameWords(result: Identification): string {
     : "";
 }
 
+/** What a passed check means: the smallest error of each kind that it would have found. */
+function detectableWords(result: Result): string {
+  const found = "detectable" in result ? result.detectable : undefined;
+  if (!found) return "";
+  const length = (name: string, error: number | null): string => `${name} ${error === null ? "none" : `${short(Number((1e3 * error).toPrecision(2)))} mm`}`;
+  const { scale, temperature } = found;
+  return [
+    length("target", found.target), length("length", found.length), length("adjustable edge", found.adjustable), length("support", found.support),
+    `scale ${scale === null ? "none" : `${short(Number((1e6 * scale).toPrecision(2)))} ppm`}`,
+    `temperature ${temperature === null ? "none" : `${short(Number(temperature.toPrecision(2)))} K`}`,
+  ].join(", ");
+}
+
 /** May one act on it: the verdict of all tests, and what they found. */
 function trustLines(result: Result): HTMLElement | null {
   const trust = "trust" in result ? result.trust : undefined;
@@ -163,7 +176,8 @@ function trustLines(result: Result): HTMLElement | null {
   const said = trust.findings.length === 0 ? "no test speaks against this result" : "";
   return h("div", { class: `trust ${trust.verdict}` },
     h("p", {}, h("strong", {}, `Trust: ${trust.verdict}`), said ? `, ${said}` : ""),
-    ...trust.findings.map(({ verdict, reason, next }) => h("p", {}, h("strong", {}, `${verdict}: `), `${reason}.`, next ? h("small", {}, ` ${next}.`) : "")));
+    ...trust.findings.map(({ verdict, reason, next }) => h("p", {}, h("strong", {}, `${verdict}: `), `${reason}.`, next ? h("small", {}, ` ${next}.`) : "")),
+    ...(detectableWords(result) ? [h("p", { id: "detectable" }, h("small", {}, `Smallest error that these checks find with a probability of 80 %: ${detectableWords(result)}.`))] : []));
 }
 
 function ofIdentification(result: Identification): Summary {

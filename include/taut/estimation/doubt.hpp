@@ -9,6 +9,15 @@
 
 namespace taut {
 
+/// Chance explains no more than so many standard deviations.
+inline constexpr double beyond_chance_std = 4.0;
+/// A mean of all length deviations that does no harm, in standard deviations of their prior: of
+/// 50,000 lengths the linearised mean is known to less than it is right.
+inline constexpr double negligible_mean = 0.15;
+/// A scale of a survey that does no harm, at the node furthest out, in standard deviations of the
+/// survey: large nets show such.
+inline constexpr double negligible_scale = 0.25;
+
 /// A scale that a survey shows, of what was told.
 struct TAUT_CORE_EXPORT FoundScale {
     double ratio = 1.0;  ///< found over told; 0 where the survey does not show it

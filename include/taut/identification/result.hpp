@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/estimation/detectable.hpp"
 #include "taut/estimation/doubt.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/estimation/outlier.hpp"
@@ -134,6 +135,8 @@ struct Identification {
     /// what else is told take them so.
     std::vector<BoundaryOutlier> boundary_outliers;
     int boundary_beyond = 0;  ///< of the others, what contradicts the survey and was not set free
+
+    DetectableErrors detectable;  ///< what the checks would have found; infinite where not computed
 
     double noise_scale = 1.0;  ///< that the survey's noise was multiplied by, where it was unknown
     /// Where the frame was unknown; forms and places are then told in that of the survey.
