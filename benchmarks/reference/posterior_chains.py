@@ -310,9 +310,9 @@ def main():
     cases = [
         case("all nodes", net, 0.005, 0.005, 0.0005, [], arguments.sweeps, 1),
         case("a hidden node", net, 0.005, 0.005, 0.0005, [inner], arguments.sweeps, 2),
-        case("a prior given", net, 0.005, uniform(0.005, 1.5, 0.75), 0.0005, [], arguments.sweeps, 3),
-        case("a prior given too narrow", other, 0.003, uniform(0.002, 1.5, 0.75), 0.0005, [], arguments.sweeps, 4),
-        case("no prior given", other, 0.002, uniform(0.005, 2.5, 0.5), 0.0005, [], arguments.sweeps, 5),
+        case("a prior given", net, 0.005, uniform(0.005, 1.5, 0.75), 0.0005, [], arguments.sweeps // 3, 3),
+        case("a prior given too narrow", other, 0.003, uniform(0.002, 1.5, 0.75), 0.0005, [], arguments.sweeps // 3, 4),
+        case("no prior given", other, 0.002, uniform(0.005, 2.5, 0.5), 0.0005, [], arguments.sweeps // 3, 5),
     ]
     with open(arguments.output, "w") as file:
         lines = ",\n".join(json.dumps(one) for one in cases)

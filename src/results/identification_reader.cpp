@@ -81,9 +81,16 @@ double farthest_of(const JsonValue& root) {
     return 2.0 * reach;
 }
 
-/// Edges whose length the prior does not allow.
+/// Edges of another prior: length outliers, and lengths that changed between surveys.
 std::set<int> length_outliers(const JsonValue& root) {
     std::set<int> edges;
+    if (root.find("epochs")) {
+        for (const JsonValue& epoch : entries(root, "epochs")) {
+            for (const JsonValue& change : entries(epoch, "changes")) {
+                edges.insert(member(change, "edge").integer());
+            }
+        }
+    }
     if (const auto doubt = root.find("doubt")) {
         for (const JsonValue& outlier : entries(*doubt, "lengths_beyond_law")) {
             edges.insert(member(outlier, "edge").integer());

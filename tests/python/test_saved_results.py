@@ -370,7 +370,7 @@ def epoch_change(folder):
 
 def slack(folder):
     surveyed(folder, lengthened(lambda net: interior(net)[30], 0.03))
-    law = ["--noise", "0.5mm", "--law", "normal:15mm"]
+    law = ["--noise", "0.5mm", "--law", "normal:15mm", "--prior-exact"]
     return law, lambda result: any(edge["status"] == "slack" for edge in result["edges"])
 
 
