@@ -41,7 +41,8 @@ TEST(IdentificationJson, TellsTheLawOfEachMethod) {
     for (const double noise : {0.0, 1e-4}) {
         const Survey survey = whole_survey(net, noise);
         for (const auto method : {IdentificationMethod::balance, IdentificationMethod::map}) {
-            const Identification result = identify(net, survey, {.method = method, .law = law, .prior_exact = true});
+            const Identification result =
+                identify(net, survey, {.method = method, .law = law, .prior_exact = true});
             EXPECT_EQ(written(net, survey, result)["law"], "normal:2mm") << result.method << noise;
         }
     }
