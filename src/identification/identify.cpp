@@ -357,10 +357,8 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         prior.nodes.front().law = centre.law;
         return centre;
     }
-    std::vector<double> weights;
-    for (const PriorNode& node : prior.nodes) {
-        weights.push_back(node.weight);
-    }
+    std::vector<double> weights(prior.nodes.size());
+    std::ranges::transform(prior.nodes, weights.begin(), &PriorNode::weight);
     // Fewer draws would not tell whether they are in doubt.
     constexpr int fewest_draws = 10;
     const std::vector<int> shares = shared_out(options.draws, weights);

@@ -112,10 +112,8 @@ LengthCovariance mixed_covariance(const std::vector<WeightedIdentification>& par
 
 /// The first draws of each part, side by side.
 PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int draws) {
-    std::vector<double> weights;
-    for (const WeightedIdentification& part : parts) {
-        weights.push_back(part.weight);
-    }
+    std::vector<double> weights(parts.size());
+    std::ranges::transform(parts, weights.begin(), &WeightedIdentification::weight);
     const std::vector<int> shares = shared_out(draws, weights);
     PosteriorDraws all = *parts.front().result.draws;
     for (const WeightedIdentification& part : parts) {
@@ -218,8 +216,8 @@ std::vector<int> shared_out(int draws, const std::vector<double>& weights) {
 }
 
 Identification mixture_of(const CableNet& net, const Survey& survey,
-                          std::vector<WeightedIdentification> all, int draws) {
-    const std::vector<WeightedIdentification> parts = without_doubtful(std::move(all));
+                          std::vector<WeightedIdentification> parts, int draws) {
+    parts = without_doubtful(std::move(parts));
     Identification result = parts.front().result;
     if (parts.size() == 1) {
         return result;

@@ -118,6 +118,20 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
             EXPECT_NEAR(found.edges[i].length_deviation, mean(i), 0.15 * std(i)) << i;
             EXPECT_NEAR(found.edges[i].std / std(i), 1.0, 0.15) << i;
         }
+        if (!reference.prior_exact) {  // (prior-mixture)
+            const double prior_std = reference.json.at("prior_std");
+            const double prior_std_std = reference.json.at("prior_std_std");
+            EXPECT_NEAR(found.prior.std, prior_std, 0.4 * prior_std_std);
+            EXPECT_NEAR(found.prior.std_std / prior_std_std, 1.0, 0.3);
+            EXPECT_NEAR(found.prior.uniform_probability, reference.json.at("uniform_probability"),
+                        0.25);
+            const Eigen::VectorXd lowest = vector_of(reference.json.at("lower"));
+            const Eigen::VectorXd highest = vector_of(reference.json.at("upper"));
+            for (Eigen::Index i = 0; i < mean.size(); ++i) {
+                EXPECT_NEAR(found.edges[i].lower, lowest(i), 0.3 * std(i)) << i;
+                EXPECT_NEAR(found.edges[i].upper, highest(i), 0.3 * std(i)) << i;
+            }
+        }
         const Eigen::VectorXd tension = vector_of(reference.json.at("tension_mean"));
         const Eigen::VectorXd tension_std = vector_of(reference.json.at("tension_std"));
         const Eigen::VectorXd lower = vector_of(reference.json.at("tension_lower"));
