@@ -168,6 +168,7 @@ def full_identification(folder, net):
         "fit": {"rms": 1e-4, "count": 1},
         "control": control,
     }
+    result["detectable"].update(adjustable=0.004, support=0.009)
     result["doubt"].update(boundary=boundary, boundary_beyond=1)
     result["doubt"]["law"].update(found=True, contradicted="uniform:1mm", likeliest="uniform:3mm")
     result["doubt"]["lengths_beyond_law"] = [
