@@ -379,6 +379,8 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     for (const Epoch& epoch : epochs) {
         steps.push_back(epoch.turned);
     }
+    result.prior = first.prior;
+    result.prior.nodes = {{.law = prior}};
     result.contradicted_law = first.contradicted_law;
     result.law_was_told = options.law.has_value();
     result.turned = all_turned(steps);

@@ -388,7 +388,11 @@ test("law, noise ratio, frame and control residuals are shown", async () => {
   assert.match(top, /anywhere within ±2 mm/);
   const ratio = plainNumber(/residuals are ([\d.]+) times what its noise lets expect/.exec(top)[1]);
   assert.ok(Math.abs(ratio - result.survey.noise_ratio) <= 0.006 * ratio);
-  assert.match(await page.textContent("#settings"), /law of the length deviationsuniform:2mm/);
+  const settings = await page.textContent("#settings");
+  assert.match(settings, /law of the length deviationsuniform:2mm/);
+  assert.match(settings, /prior of the length deviationsuniform:2mm, taken as exact/);
+  const found = `target ${Number((1e3 * result.detectable.target).toPrecision(2))} mm`;
+  assert.ok((await page.textContent("#detectable")).includes(found), found);
   const { fit, control } = result.frame;
   assert.equal(fit.count, control.length);
   assert.ok(top.includes(`moved into the net's frame by ${fit.count} control points`));

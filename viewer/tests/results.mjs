@@ -110,7 +110,7 @@ export function makeReports() {
   taut("form", "net.json", "-o", "survey.csv");
   taut("identify", "net.json", "survey.csv", "--model", "study/model.h5", "-o", "plain.json", "--quiet");
   taut("survey", "net.json", "survey.csv", "--noise", "0.2mm", "--frame", "random", "--seed", "3", "-o", "moved.csv");
-  taut("identify", "net.json", "moved.csv", "--noise", "0.2mm", "--law", "uniform:2mm", "-o", "moved.json", "--quiet");
+  taut("identify", "net.json", "moved.csv", "--noise", "0.2mm", "--law", "uniform:2mm", "--prior-exact", "-o", "moved.json", "--quiet");
   const plain = JSON.parse(readFileSync(join(folder, "plain.json"), "utf8"));
   const bare = structuredClone(plain);
   for (const key of ["residuals", "missing_nodes"]) delete bare.survey[key];
