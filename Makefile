@@ -9,6 +9,7 @@
 .SILENT: help
 
 configure := cmake --log-level=WARNING
+programs := taut_programs
 link_programs := for name in taut taut-mpi; do \
 	! test -e build/release/apps/$$name/$$name || ln -sfn release/apps/$$name/$$name build/$$name; done
 
@@ -19,9 +20,10 @@ help: ## list the targets
 build: ## install what is missing, build the release; leaves the programs at build/taut and, with MPI, build/taut-mpi
 	scripts/install_dependencies.sh build
 	test -f build/release/build.ninja || $(configure) --preset release -DTAUT_BUILD_TESTS=OFF
-	cmake --build --preset release --target taut_programs
+	cmake --build --preset release --target $(programs)
 	$(link_programs)
 
+demo: programs := taut_app
 demo: build ## run the paper's experiment and plan a job on the built-in net, reports in build/demo
 	scripts/demo.sh
 
