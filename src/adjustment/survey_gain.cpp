@@ -3,9 +3,10 @@
 #include "adjustment/survey_gain.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "numerics/dense.hpp"
 
 namespace taut {
 namespace {
@@ -57,12 +58,11 @@ std::vector<SurveyGain> gains_of_targets(const Eigen::MatrixXd& forms,
         // With Y_s Y_s' = U S^2 U' and r = sqrt(S^2 + noise): T = 1 - Y_s' U (r (r + noise_std))^-1
         // U' Y_s
         const Eigen::MatrixXd at = Y.middleRows(3 * best, 3);
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(at * at.transpose());
-        const Eigen::Array3d r =
-            (eigen.eigenvalues().array().max(0.0) + noise_std * noise_std).sqrt();
-        const Eigen::Matrix3d seen = eigen.eigenvectors() *
+        const SymmetricEigen eigen = symmetric_eigen(at * at.transpose());
+        const Eigen::Array3d r = (eigen.values.array().max(0.0) + noise_std * noise_std).sqrt();
+        const Eigen::Matrix3d seen = eigen.vectors *
                                      (r * (r + noise_std)).inverse().matrix().asDiagonal() *
-                                     eigen.eigenvectors().transpose();
+                                     eigen.vectors.transpose();
         X -= (X * at.transpose()) * (seen * at);
         Y -= (Y * at.transpose()) * (seen * at);
         result.push_back({.place = static_cast<int>(best),

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/boundary_snooping.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "estimation/data_snooping.hpp"
 #include "estimation/rival_scores.hpp"
+#include "numerics/dense.hpp"
+#include "numerics/small_dense.hpp"
 
 namespace taut {
 namespace {
@@ -82,11 +83,14 @@ void BoundarySnooping::take_score(Hypothesis& hypothesis, const LinearisedStatic
     hypothesis.found = {.kind = hypothesis.kind, .index = hypothesis.index};
     hypothesis.score = 0.0;
     hypothesis.tested.noncentrality = 0.0 * score.information;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(score.information);
+    if (!score.information.allFinite()) {
+        return;
+    }
+    const SymmetricEigen eigen = symmetric_eigen(score.information);
     for (Eigen::Index k = 0; k < score.gradient.size(); ++k) {
-        const double information = eigen.eigenvalues()(k);
+        const double information = eigen.values(k);
         if (information * weakest_shown * weakest_shown > 1.0) {
-            const Eigen::VectorXd direction = eigen.eigenvectors().col(k);
+            const Eigen::VectorXd direction = eigen.vectors.col(k);
             const double along = direction.dot(score.gradient);
             hypothesis.tested.noncentrality +=
                 information / scale * direction * direction.transpose();
@@ -114,7 +118,8 @@ void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedSta
     hypothesis.found = {.kind = hypothesis.kind, .index = hypothesis.index};
     hypothesis.found.deviation.head(count) = unit * values;
     hypothesis.found.std.head(count) = unit * covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-    hypothesis.found.statistic = values.dot(covariance.ldlt().solve(values)) / scale;
+    hypothesis.found.statistic =
+        (values.transpose() * symmetric_solution(covariance, values)).value() / scale;
     hypothesis.found.rival = hypothesis.rival;
     hypothesis.score = rival_score(hypothesis.found.statistic, threshold_of(hypothesis));
 }

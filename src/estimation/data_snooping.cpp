@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "estimation/rival_scores.hpp"
+#include "numerics/small_dense.hpp"
 #include "taut/survey/covariance.hpp"
 
 namespace taut {
@@ -327,7 +328,7 @@ double DataSnooping::statistic_at(int target, int node) const {
         {.std = m_noise.col(target), .correlations = m_survey.correlations_of(target)});
     const Eigen::Matrix3d Q = noise + expected.covariance;
     const Eigen::Vector3d residual = m_survey.form.col(target) - expected.place;
-    return residual.dot(Q.ldlt().solve(residual)) / m_residual_scale;
+    return (residual.transpose() * symmetric_solution(Q, residual)).value() / m_residual_scale;
 }
 
 void DataSnooping::tell_swapped(std::vector<Outlier>& outliers) const {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "numerics/small_dense.hpp"
+
 namespace taut {
 namespace {
 
@@ -53,7 +55,8 @@ FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics, co
         result.translation = motion.head<3>();
         result.rotation = motion.tail<3>() / reach;
         result.motion_statistic =
-            motion.dot(covariance.bottomRightCorner<6, 6>().ldlt().solve(motion));
+            (motion.transpose() * symmetric_solution(covariance.bottomRightCorner<6, 6>(), motion))
+                .value();
     }
     return result;
 }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/hyperprior.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
+
+#include "numerics/dense.hpp"
 
 namespace taut {
 namespace {
@@ -156,11 +157,11 @@ std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places
             jacobi(k, k + 1) = jacobi(k + 1, k) = beside[static_cast<size_t>(k)];
         }
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobi);
+    const SymmetricEigen eigen = symmetric_eigen(jacobi);
     std::vector<std::pair<double, double>> nodes;
     for (Eigen::Index k = 0; k < size; ++k) {
-        const double first = eigen.eigenvectors()(0, k);
-        nodes.emplace_back(eigen.eigenvalues()(k), first * first);
+        const double first = eigen.vectors(0, k);
+        nodes.emplace_back(eigen.values(k), first * first);
     }
     return nodes;
 }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "taut/export/core.hpp"
+
 /// The few dense operations that are worth the library of the machine: BLAS and LAPACK. All but
 /// add_product and its kin are parallel by oneTBB over columns, where these are many, each task
 /// with a serial BLAS: their results do not depend on the number of threads.
@@ -65,6 +67,6 @@ struct SymmetricEigen {
 
 /// All eigenvalues and eigenvectors of a symmetric matrix.
 /// @throws std::runtime_error where LAPACK does not converge (an entry that is not finite, say)
-[[nodiscard]] SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix);
+[[nodiscard]] TAUT_CORE_EXPORT SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix);
 
 }  // namespace taut

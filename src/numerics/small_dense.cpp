@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/small_dense.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -16,6 +17,10 @@ Eigen::MatrixXd minimum_norm_solution(const Eigen::MatrixXd& A, const Eigen::Mat
 
 Eigen::MatrixXd lu_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
     return A.partialPivLu().solve(B);
+}
+
+Eigen::MatrixXd symmetric_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+    return A.ldlt().solve(B);
 }
 
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& A) {

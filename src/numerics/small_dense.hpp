@@ -19,6 +19,10 @@ namespace taut {
 /// A^-1 B for a square A that may be indefinite or without symmetry, by its LU decomposition.
 [[nodiscard]] Eigen::MatrixXd lu_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
+/// A^-1 B for a symmetric A that is not singular, by its LDL' decomposition with pivots.
+[[nodiscard]] Eigen::MatrixXd symmetric_solution(const Eigen::MatrixXd& A,
+                                                 const Eigen::MatrixXd& B);
+
 /// The first n columns of Q in A = Q R (m x n, m >= n): orthonormal.
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& A);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "survey/match_by_place.hpp"
 
+// A header of Boost includes one that is deprecated, and says so at each build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <limits>

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "numerics/dense.hpp"
 #include "taut/net/units.hpp"
 
 namespace taut {
@@ -37,10 +37,9 @@ Eigen::Vector3d polygon_normal(const Points& form, int node, const std::vector<i
     Eigen::Matrix3Xd edges = form(Eigen::all, neighbours).colwise() - form.col(node);
     // The directions that the edges spread least in, and a plane across it to go round in.
     const Eigen::Matrix3Xd directions = edges.colwise().normalized();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(directions *
-                                                                directions.transpose());
-    const Eigen::Vector3d u = spread.eigenvectors().col(1);
-    const Eigen::Vector3d v = spread.eigenvectors().col(2);
+    const SymmetricEigen spread = symmetric_eigen(directions * directions.transpose());
+    const Eigen::Vector3d u = spread.vectors.col(1);
+    const Eigen::Vector3d v = spread.vectors.col(2);
     std::vector<Eigen::Index> round(neighbours.size());
     for (size_t i = 0; i < round.size(); ++i) {
         round[i] = static_cast<Eigen::Index>(i);
