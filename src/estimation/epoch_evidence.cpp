@@ -21,14 +21,10 @@ Eigen::MatrixXd symmetric(const Eigen::MatrixXd& matrix) {
     return 0.5 * (matrix + matrix.transpose());
 }
 
-/// By Cholesky; where rounding errors made it indefinite, with pivots.
+/// With pivots, since rounding errors can make it indefinite.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& positive) {
-    const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(positive.rows(), positive.cols());
-    const Eigen::LLT<Eigen::MatrixXd> factor(positive);
-    if (factor.info() == Eigen::Success) {
-        return symmetric(factor.solve(unit));
-    }
-    return symmetric(positive.ldlt().solve(unit));
+    return symmetric(
+        symmetric_solution(positive, Eigen::MatrixXd::Identity(positive.rows(), positive.cols())));
 }
 
 /// A distribution of x in the standard deviations that it has before any survey.
