@@ -42,7 +42,7 @@ int main() {
     const taut::Turning& first = order.turnings.front();
     std::cout << "normal deviation " << 1e3 * plan.as_built.normal_mean << " -> "
               << 1e3 * plan.planned.normal_mean << " mm in the mean, all limits kept with "
-              << 100.0 * plan.limit_probability << " %\n"
+              << 100.0 * plan.limit_probability.value_or(0.0) << " %\n"
               << order.turnings.size() << " turnings, first edge " << net.edge_id(first.edge)
               << " by " << first.stroke / turn.pitch << " turns; on the way "
               << (order.is_safe ? "no limit is broken" : "a limit is broken") << '\n';

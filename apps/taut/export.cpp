@@ -147,27 +147,27 @@ void write(const std::vector<std::string>& files, const std::string& format, con
 
 nlohmann::ordered_json to_json(const ExportOptions& options, const Exported& it,
                                const std::vector<std::string>& files) {
-    return {
-        {"format", "taut-export"},
-        {"version", 1},
-        {"net", counts_json(it.net())},
-        {"lengths", it.lengths},
-        {"form", it.form},
-        {"to", options.format},
-        {"slack_edges", it.slack},
-        {"lengths_not_known", {{"slack", it.source.slack}, {"unobserved", it.source.unobserved}}},
-        {"out_of_balance", it.balance.largest},
-        {"mean_tension", it.balance.mean_tension},
-        {"warnings", it.warnings},
-        {"files", files}};
+    return {{"format", "taut-export"},
+            {"version", 1},
+            {"net", counts_json(it.net())},
+            {"lengths", it.lengths},
+            {"form", it.form},
+            {"to", options.format},
+            {"slack_edges", it.slack},
+            {"lengths_not_known",
+             {{"slack", it.source.slack}, {"not_determined", it.source.not_determined}}},
+            {"out_of_balance", it.balance.largest},
+            {"mean_tension", it.balance.mean_tension},
+            {"warnings", it.warnings},
+            {"files", files}};
 }
 
 void print(const Exported& it, const std::vector<std::string>& files) {
     const CableNet& net = it.net();
     say("{}\nlengths: {}\n", counts_text(net), it.lengths);
     if (it.source.is_identified) {
-        say("  not known, the estimate stands for them: {} slack, {} unobserved of {}\n",
-            it.source.slack.size(), it.source.unobserved.size(), net.interior_edge_count());
+        say("  not known, the estimate stands for them: {} slack, {} not determined of {}\n",
+            it.source.slack.size(), it.source.not_determined.size(), net.interior_edge_count());
     }
     say("form: {}\n  {}\nslack edges: {}\n",
         it.form == "equilibrium" ? "equilibrium of the net"

@@ -123,6 +123,43 @@ CLI::Option* add_unknown_option(CLI::App& command, std::vector<std::string>& unk
         ->allow_extra_args(false);
 }
 
+bool UncertainOptions::assume_site() const {
+    return unknowns.empty() && std::ranges::find(uncertain, "none") == uncertain.end();
+}
+
+std::vector<Unknown> UncertainOptions::given(const CableNet& net,
+                                             const std::string& net_file) const {
+    if (!unknowns.empty() && !uncertain.empty()) {
+        throw std::invalid_argument(
+            "--uncertain and --unknown cannot stand together: --uncertain none takes all else as "
+            "exact, as --unknown does");
+    }
+    std::vector<std::string> texts = unknowns.empty() ? uncertain : unknowns;
+    std::erase(texts, "none");
+    return unknowns_of(net, texts, net_file);
+}
+
+void add_uncertain_option(CLI::App& command, UncertainOptions& options, CLI::Option* needed) {
+    CLI::Option* uncertain =
+        command
+            .add_option("--uncertain", options.uncertain,
+                        "What else is uncertain, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
+                        "stiffness:5% (one factor), stiffness-each:2%, temperature:5K, "
+                        "adjustable:0.5mm, supports:1mm: so much is assumed of those that are not "
+                        "given; loads:20N (of each node), loads:10% (one factor). GROUP of edges, "
+                        "of the net. none: all that is not given is exact. May be repeated")
+            ->allow_extra_args(false);
+    CLI::Option* unknown =
+        command
+            .add_option("--unknown", options.unknowns,
+                        "As --uncertain none and each of these (the option of versions before 0.3)")
+            ->allow_extra_args(false);
+    if (needed != nullptr) {
+        uncertain->needs(needed);
+        unknown->needs(needed);
+    }
+}
+
 std::vector<Unknown> unknowns_of(const CableNet& net, const std::vector<std::string>& texts,
                                  const std::string& net_file) {
     std::vector<Unknown> unknowns;

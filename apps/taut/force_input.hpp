@@ -40,6 +40,24 @@ Forces read_forces(const CableNet& net, const ForceOptions& options);
 /// The readings of read_forces(), or names of edges alone: these are taken to be read as designed.
 Forces read_planned_forces(const CableNet& net, const ForceOptions& options);
 
+/// What --uncertain and --unknown say.
+struct UncertainOptions {
+    std::vector<std::string> uncertain;  ///< "none", or with what else is assumed
+    std::vector<std::string> unknowns;   ///< with nothing else
+
+    /// Whether what is not given is as on a site: with_site_assumptions().
+    [[nodiscard]] bool assume_site() const;
+    /// @throws std::invalid_argument for both options, and as parse_unknown()
+    /// @throws InputError where they are not of this net
+    [[nodiscard]] std::vector<Unknown> given(const CableNet& net,
+                                             const std::string& net_file) const;
+};
+
+/// --uncertain NAME:WIDTH[@GROUP]|none and, as before 0.3, --unknown, any number of times.
+/// @param needed an option that both need, or null
+void add_uncertain_option(CLI::App& command, UncertainOptions& options,
+                          CLI::Option* needed = nullptr);
+
 /// --unknown NAME:WIDTH[@GROUP], any number of times.
 CLI::Option* add_unknown_option(CLI::App& command, std::vector<std::string>& unknowns);
 

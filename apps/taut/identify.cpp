@@ -44,7 +44,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     bool prior_exact = false;
     std::string output;
     std::string covariance_of;
-    std::vector<std::string> unknowns;
+    UncertainOptions uncertain;
     std::vector<std::string> epochs;    ///< SURVEY[:TURNED], of later surveys
     std::optional<std::int64_t> draws;  ///< empty: default_draws()
     std::uint64_t seed = 1;
@@ -343,17 +343,44 @@ void print_trust(const Trust& trust, const DetectableErrors& detectable) {
         detectable_text(detectable));
 }
 
+/// What was uncertain, and how to change it.
+void print_assumptions(const Identification& result) {
+    if (result.assumptions.empty()) {
+        say("uncertain besides lengths: nothing; stiffness, loads, supports and turnbuckles are as "
+            "given\n");
+        return;
+    }
+    std::string text;
+    std::vector<std::string> not_shown;
+    for (const Assumption& one : result.assumptions) {
+        text += fmt::format("{}{}{}", text.empty() ? "" : ", ", one.parameter.to_string(),
+                            one.is_default ? " (assumed)" : "");
+        if (!one.is_testable) {
+            not_shown.push_back(one.parameter.to_string());
+        }
+    }
+    say("uncertain besides lengths: {}\n  --uncertain NAME:WIDTH changes one, --uncertain none "
+        "takes the net as exact\n",
+        text);
+    if (!not_shown.empty()) {
+        say("  this survey does not show {}: intervals rest on {}\n", fmt::join(not_shown, ", "),
+            not_shown.size() == 1 ? "that width" : "those widths");
+    }
+}
+
 void print(const Options& options, const CableNet& net, const Survey& survey,
            const Identification& result) {
     print_trust(result.trust, result.detectable);
     say("{}\n{}", counts_text(net), survey_text(net, options, survey));
+    print_assumptions(result);
     say("method {}: {}\n  chosen because: {}\n\n", result.method, result.how, result.method_reason);
     if (result.noise_ratio > 0.0) {
         say("the survey's residuals are {:.2f} times what its noise lets expect\n",
             result.noise_ratio);
     }
-    say("edges: {} identified, {} slack, {} unobserved\n", count(result, EdgeStatus::identified),
-        count(result, EdgeStatus::slack), count(result, EdgeStatus::unobserved));
+    say("edges: {} determined, {} weakly determined, {} not determined, {} slack\n",
+        count(result, EdgeStatus::determined), count(result, EdgeStatus::weakly_determined),
+        count(result, EdgeStatus::not_determined), count(result, EdgeStatus::slack));
     const auto slack_adjustable = std::ranges::count_if(
         result.predicted.slack_edges,
         [&](int edge) { return std::ranges::binary_search(net.adjustable_edges(), edge); });
@@ -469,7 +496,7 @@ void run(const Options& options) {
     tell_of_survey(options, survey, options.json);
     const std::optional<LengthModel> model = model_of(net, options, law);
     const Forces forces = read_forces(net, options);
-    const std::vector<Unknown> unknowns = unknowns_of(net, options.unknowns, options.net);
+    const std::vector<Unknown> unknowns = options.uncertain.given(net, options.net);
     const std::int64_t draws = options.draws.value_or(default_draws(net));
     check_draws(net, draws);
     std::vector<Epoch> epochs = read_epochs(net, survey, options);
@@ -485,6 +512,7 @@ void run(const Options& options) {
                              .prior_exact = options.prior_exact,
                              .forces = forces,
                              .unknowns = unknowns,
+                             .assume_site = options.uncertain.assume_site(),
                              .model = model ? &*model : nullptr,
                              .draws = static_cast<int>(draws),
                              .estimate_noise = options.noise == estimated_noise,
@@ -553,7 +581,7 @@ void add_identify(CLI::App& program) {
                      "Scale and shape of that prior are exact. Else its scale is uncertain by a "
                      "factor of 1.5, and estimated with the lengths");
     add_force_options(command, *options);
-    add_unknown_option(command, options->unknowns);
+    add_uncertain_option(command, options->uncertain);
     command.add_option("--draws", options->draws,
                        "Draws of lengths, forms and tensions from the posterior, for map; they "
                        "are kept beside the result (_draws.h5). 0: none, and what is slack is told "

@@ -32,7 +32,7 @@ constexpr int sensitive_edges = 10;
 struct InspectOptions : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
     std::string law = "uniform:5mm";
-    std::vector<std::string> unknowns;
+    UncertainOptions uncertain;
 };
 
 struct Range {
@@ -249,9 +249,9 @@ void run(const InspectOptions& options) {
     warn(options.net, inspection.warnings);
     std::optional<Prospect> prospect;
     if (!options.survey.empty()) {
-        prospect = prospect_of(
-            net, inspection.equilibrium, options, law, read_planned_forces(net, options),
-            unknowns_of(net, options.unknowns, options.net), options.net, options.json);
+        prospect = prospect_of(net, inspection.equilibrium, options, law,
+                               read_planned_forces(net, options), options.uncertain, options.net,
+                               options.json);
     }
     if (prospect && !options.names.empty()) {
         check_outputs({options.names}, {options.net, options.survey, options.control});
@@ -299,7 +299,7 @@ void add_inspect(CLI::App& program) {
              "Edges with a load cell, one a line, or its readings: edge,tension[,std]")) {
         option->needs(survey);
     }
-    add_unknown_option(command, options->unknowns)->needs(survey);
+    add_uncertain_option(command, options->uncertain, survey);
     set_action(command, options, run);
 }
 

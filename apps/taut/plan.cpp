@@ -303,19 +303,19 @@ void print_limits(const PlanRecord& record) {
         say("no limits of tension or reaction were given\n");
     }
     if (plan.draws > 0) {
-        const double kept = std::round(plan.limit_probability * plan.draws);
+        const double kept = std::round(*plan.limit_probability * plan.draws);
         const double needed = std::ceil(record.options->confidence * (plan.draws + 1.0));
         say("{} in {:.0f} of {} draws, {:.1f} %; {:g} % takes {:.0f}\n",
             is_limited ? "all limits are kept" : "no cable goes slack", kept, plan.draws,
-            100.0 * plan.limit_probability, 100.0 * record.options->confidence, needed);
+            100.0 * *plan.limit_probability, 100.0 * record.options->confidence, needed);
         if (!plan.is_feasible && kept >= needed) {
             say("  but the estimate itself breaks limits: do not rely on the draws here\n");
         }
     } else {
         const std::string_view kept = is_limited ? "limits are kept" : "no cable goes slack";
         const std::string_view broken = is_limited ? "limits are broken" : "cables go slack";
-        say("{} by the estimate; how surely is not known, since {}\n",
-            plan.is_feasible ? kept : broken, plan.no_draws_since);
+        say("{} by the estimate{}\n", plan.is_feasible ? kept : broken,
+            is_limited ? "" : ", which cannot be promised, since " + plan.no_draws_since);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "command.hpp"
 #include "net_summary.hpp"
@@ -13,9 +14,8 @@
 namespace taut::app {
 
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
-                     const LengthLaw& law, const Forces& forces,
-                     const std::vector<Unknown>& unknowns, const std::string& net_file,
-                     bool with_notes) {
+                     const LengthLaw& law, const Forces& forces, const UncertainOptions& uncertain,
+                     const std::string& net_file, bool with_notes) {
     if (options.noise == estimated_noise) {
         throw std::invalid_argument(
             "--noise estimate is for identify: before a survey nothing shows it");
@@ -25,6 +25,11 @@ Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const Surv
     if (!nominal.balanced()) {
         throw NumericalFailure(
             fmt::format("{}: no equilibrium was found: {}", net_file, equilibrium_text(nominal)));
+    }
+    // As identify does: an exact survey is of an exact net.
+    std::vector<Unknown> unknowns = uncertain.given(net, net_file);
+    if (uncertain.assume_site() && survey.is_noisy()) {
+        unknowns = with_site_assumptions(net, std::move(unknowns));
     }
     SurveyProspect lengths = with_survey_of(options.survey, [&] {
         return survey_prospect(net, nominal.form, survey, law, forces, unknowns);
@@ -58,9 +63,10 @@ nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
             {"law", prospect.law.to_string()},
             {"prior_std", lengths.prior_std},
             {"rms_std", lengths.rms_std()},
-            {"identified", lengths.count(EdgeStatus::identified)},
+            {"determined", lengths.count(EdgeStatus::determined)},
+            {"weakly_determined", lengths.count(EdgeStatus::weakly_determined)},
+            {"not_determined", lengths.count(EdgeStatus::not_determined)},
             {"slack", lengths.count(EdgeStatus::slack)},
-            {"unobserved", lengths.count(EdgeStatus::unobserved)},
             {"warnings", prospect.survey.warnings},
             {"edges", edges},
             {"mean_tension", {{"mean", lengths.mean_tension}, {"std", lengths.mean_tension_std}}},
@@ -73,12 +79,13 @@ std::string prospect_text(const CableNet& net, const Prospect& prospect,
     std::string text = survey_text(net, options, prospect.survey);
     text += fmt::format(
         "what it can tell, lengths {}, to first order at the equilibrium:\n"
-        "  edges: {} identified, {} slack, {} unobserved\n"
+        "  edges: {} determined, {} weakly determined, {} not determined, {} slack\n"
         "  std of a length deviation: {:.3g} mm RMS over the interior edges, {:.3g} mm before\n"
         "  {:<12}{:>10}{:>12}  status\n",
-        prospect.law.to_string(), lengths.count(EdgeStatus::identified),
-        lengths.count(EdgeStatus::slack), lengths.count(EdgeStatus::unobserved),
-        1e3 * lengths.rms_std(), 1e3 * lengths.prior_std, "worst edges", "std [mm]", "of before");
+        prospect.law.to_string(), lengths.count(EdgeStatus::determined),
+        lengths.count(EdgeStatus::weakly_determined), lengths.count(EdgeStatus::not_determined),
+        lengths.count(EdgeStatus::slack), 1e3 * lengths.rms_std(), 1e3 * lengths.prior_std,
+        "worst edges", "std [mm]", "of before");
     std::vector<EdgeProspect> worst = lengths.edges;
     std::ranges::sort(worst, {}, [](const EdgeProspect& e) { return std::pair(-e.std, e.edge); });
     constexpr size_t shown = 8;

@@ -26,9 +26,8 @@ struct Prospect {
 /// @throws InputError as read_survey(), and where nodes are hidden and no noise is told
 /// @throws NumericalFailure where there is no equilibrium to linearise at
 Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
-                     const LengthLaw& law, const Forces& forces,
-                     const std::vector<Unknown>& unknowns, const std::string& net_file,
-                     bool with_notes);
+                     const LengthLaw& law, const Forces& forces, const UncertainOptions& uncertain,
+                     const std::string& net_file, bool with_notes);
 
 nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
                                const std::string& file);

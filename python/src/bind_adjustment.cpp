@@ -191,7 +191,7 @@ void bind_plan(nb::module_& module) {
             "What forbids to turn by the plan, the worst first: the first lines of its lists.")
         .def_prop_ro(
             "limit_probability", [](const Planned& self) { return self.plan.limit_probability; },
-            "That all limits are kept, over the draws.")
+            "That all limits are kept, over the draws; None without.")
         .def_prop_ro(
             "as_built", [](const Planned& self) { return deviation_dict(self.plan.as_built); },
             "Distance from the target [m].")

@@ -87,14 +87,14 @@ std::string repr(const Identified& self) {
                            in_python(found.message));
     }
     int slack = 0;
-    int unobserved = 0;
+    int not_determined = 0;
     for (const IdentifiedEdge& edge : found.edges) {
         slack += edge.status == EdgeStatus::slack ? 1 : 0;
-        unobserved += edge.status == EdgeStatus::unobserved ? 1 : 0;
+        not_determined += edge.status == EdgeStatus::not_determined ? 1 : 0;
     }
     return fmt::format(
-        "Identification({}; {} edges by {}, {} slack, {} unobserved; {})",
-        to_string(found.trust.verdict()), found.edges.size(), found.method, slack, unobserved,
+        "Identification({}; {} edges by {}, {} slack, {} not determined; {})",
+        to_string(found.trust.verdict()), found.edges.size(), found.method, slack, not_determined,
         found.trust.findings.empty() ? "no test speaks against it"
                                      : in_python(found.trust.findings.front().reason));
 }
@@ -130,8 +130,8 @@ void bind_numbers(nb::class_<Identified>& result) {
                 }
                 return list;
             },
-            "'identified', 'slack' (only a lower bound is known) or 'unobserved' of each "
-            "interior edge.")
+            "'determined', 'weakly determined', 'not determined' or 'slack' (only a lower bound is "
+            "known) of each interior edge.")
         .def_prop_ro(
             "tension",
             [](nb::handle_t<Identified> self) {
@@ -222,6 +222,15 @@ void bind_result(nb::module_& module) {
             nb::sig("def detectable(self) -> dict"),
             "The smallest error of each kind that the checks find with a probability of 80 %: "
             "target, length, adjustable, support [m], scale [-], temperature [K]; None: none is.")
+        .def_prop_ro(
+            "assumptions",
+            [](const Identified& self) {
+                return dict_of(
+                    identification_to_json(self.net, self.survey, self.found))["assumptions"];
+            },
+            nb::sig("def assumptions(self) -> list"),
+            "What was taken as uncertain besides lengths: name, value, std, unit, source ('given' "
+            "or 'default') and whether the survey shows it (testable).")
         .def_prop_ro(
             "prior",
             [](const Identified& self) {
@@ -364,16 +373,18 @@ void bind_prospect(nb::module_& module) {
             "The interior edges as a pandas.DataFrame, SI units.")
         .def("__repr__", [](const SurveyProspect& self) {
             return fmt::format(
-                "SurveyProspect({} edges: {} identified, {} slack, {} unobserved; "
+                "SurveyProspect({} edges: {} determined, {} weakly determined, {} not determined, "
+                "{} slack; "
                 "RMS std {:.3g} mm, {:.3g} mm before)",
-                self.edges.size(), self.count(EdgeStatus::identified),
-                self.count(EdgeStatus::slack), self.count(EdgeStatus::unobserved),
-                1e3 * self.rms_std(), 1e3 * self.prior_std);
+                self.edges.size(), self.count(EdgeStatus::determined),
+                self.count(EdgeStatus::weakly_determined), self.count(EdgeStatus::not_determined),
+                self.count(EdgeStatus::slack), 1e3 * self.rms_std(), 1e3 * self.prior_std);
         });
     module.def(
         "inspect",
         [](const CableNet& net, const std::optional<ArrayLike>& targets, double noise,
-           const std::string& law, const std::vector<std::string>& unknowns) {
+           const std::string& law, const std::vector<std::string>& uncertain,
+           const std::optional<std::vector<std::string>>& unknowns) {
             const Equilibrium nominal = solve_equilibrium(net);
             if (!nominal.balanced()) {
                 throw std::runtime_error("the net as designed finds no equilibrium");
@@ -392,19 +403,24 @@ void bind_prospect(nb::module_& module) {
                 }
             }
             return without_lock([&] {
+                const std::vector<Unknown> given = uncertain_told(net, uncertain, unknowns);
                 return survey_prospect(net, nominal.form, survey, parse_length_law(law), {},
-                                       unknowns_told(net, unknowns));
+                                       assumes_site(uncertain, unknowns) && noise > 0.0
+                                           ? with_site_assumptions(net, given)
+                                           : given);
             });
         },
         nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
-        nb::arg("law") = "uniform:5mm", nb::arg("unknowns") = std::vector<std::string>(),
+        nb::arg("law") = "uniform:5mm", nb::arg("uncertain") = std::vector<std::string>(),
+        nb::arg("unknowns") = nb::none(),
         R"(What a survey can tell, before it is made.
 
 Args:
     targets: free nodes that are to be surveyed; all unless told.
     noise: standard deviation of each coordinate [m].
     law: of the length deviations.
-    unknowns: what else is not known, as in 'stiffness:5%'.)");
+    uncertain: as of identify().
+    unknowns: as of identify().)");
 }
 
 }  // namespace
@@ -417,7 +433,8 @@ void bind_identification(nb::module_& module) {
         [](const CableNet& net, const Survey& survey, const std::optional<std::string>& method,
            const std::optional<std::string>& law, const LengthModel* model,
            const Readings& readings, const std::optional<ArrayLike>& taut_edges,
-           const std::optional<ArrayLike>& slack_edges, const std::vector<std::string>& unknowns,
+           const std::optional<ArrayLike>& slack_edges, const std::vector<std::string>& uncertain,
+           const std::optional<std::vector<std::string>>& unknowns,
            const std::optional<std::int64_t>& draws, const std::optional<ArrayLike>& covariance_of,
            bool estimate_noise, bool prior_exact,
            const std::vector<std::pair<Survey, Readings>>& epochs, std::uint64_t seed,
@@ -427,7 +444,8 @@ void bind_identification(nb::module_& module) {
             IdentifyOptions options{.law = law_told(law),
                                     .prior_exact = prior_exact,
                                     .forces = forces_told(net, readings, taut_edges, slack_edges),
-                                    .unknowns = unknowns_told(net, unknowns),
+                                    .unknowns = uncertain_told(net, uncertain, unknowns),
+                                    .assume_site = assumes_site(uncertain, unknowns),
                                     .model = model,
                                     .draws = static_cast<int>(count),
                                     .estimate_noise = estimate_noise,
@@ -443,9 +461,10 @@ void bind_identification(nb::module_& module) {
         nb::arg("net"), nb::arg("survey"), nb::kw_only(), nb::arg("method") = nb::none(),
         nb::arg("law") = nb::none(), nb::arg("model") = nb::none(),
         nb::arg("readings") = Readings(), nb::arg("taut") = nb::none(),
-        nb::arg("slack") = nb::none(), nb::arg("unknowns") = std::vector<std::string>(),
-        nb::arg("draws") = nb::none(), nb::arg("covariance_of") = nb::none(),
-        nb::arg("estimate_noise") = false, nb::arg("prior_exact") = false,
+        nb::arg("slack") = nb::none(), nb::arg("uncertain") = std::vector<std::string>(),
+        nb::arg("unknowns") = nb::none(), nb::arg("draws") = nb::none(),
+        nb::arg("covariance_of") = nb::none(), nb::arg("estimate_noise") = false,
+        nb::arg("prior_exact") = false,
         nb::arg("epochs") = std::vector<std::pair<Survey, Readings>>(), nb::arg("seed") = 1,
         nb::arg("progress") = nb::none(),
         R"(From one survey of the form to all interior edges' unstressed lengths.
@@ -457,7 +476,10 @@ Args:
     readings: tensions read, (edge, tension [N], std [N]) each.
     taut: edges seen to carry tension.
     slack: edges seen to carry none.
-    unknowns: what else is not known, as in 'stiffness:5%', 'supports:1mm'.
+    uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'; of those that are not
+        given 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm' and
+        'supports:1mm' are assumed. ['none']: all that is not given is exact.
+    unknowns: as ['none', *unknowns] for uncertain, the argument of versions before 0.3.
     draws: of the posterior, by which tensions get their intervals; 200 unless told.
     covariance_of: interior edges whose lengths' covariances are wanted.
     estimate_noise: the survey's noise is known but for a factor.

@@ -81,8 +81,9 @@ TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temper
 TAUT_FIELDS(PriorNode, law, weight)
 TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, nodes)
 TAUT_FIELDS(FrameCheck, scale, scale_std, translation, rotation, motion_statistic)
-TAUT_FIELDS(PosteriorDraws, length_deviations, adjustable_deviations, forms, tensions, seed, how,
-            is_refitted, doubt)
+TAUT_FIELDS(ModelPerturbations, stiffness, thermal, supports, loads)
+TAUT_FIELDS(PosteriorDraws, length_deviations, adjustable_deviations, perturbations, forms,
+            tensions, seed, how, is_refitted, doubt)
 TAUT_FIELDS(DrawnEstimate, mean, std, lower, upper)
 TAUT_FIELDS(DrawnTension, edge, tension, slack_probability)
 TAUT_FIELDS(DrawnPlace, node, mean, std, lower, upper)
@@ -91,6 +92,7 @@ TAUT_FIELDS(Trust::Finding, verdict, reason, next)
 TAUT_FIELDS(Trust, findings)
 TAUT_FIELDS(UnknownEstimate, unknown, edge, node, axis, mean, std)
 TAUT_FIELDS(IdentifiedEdge, edge, nominal, length_deviation, std, lower, upper, status)
+TAUT_FIELDS(Assumption, parameter, is_default, is_testable)
 TAUT_FIELDS(LengthCovariance, edges, covariance)
 TAUT_FIELDS(FrameOffset, about, translation, translation_std, rotation, rotation_std)
 TAUT_FIELDS(LengthChange, edge, change, std, statistic)
@@ -101,8 +103,8 @@ TAUT_FIELDS(Identification, method, method_reason, how, law, prior, status, mess
             predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
             lengths_beyond_law, boundary_outliers, boundary_beyond, detectable, noise_scale,
             frame_offset, scales, law_check, frame_check, contradicted_law, law_was_told, readings,
-            reading_outliers, reading_bias, contradicted_taut, contradicted_slack, unknowns, draws,
-            epochs, turned, trust, length_covariance, drawn)
+            reading_outliers, reading_bias, contradicted_taut, contradicted_slack, assumptions,
+            unknowns, draws, epochs, turned, trust, length_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)
 TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
 TAUT_FIELDS(LengthModel, net_fingerprint, law, seed, unknowns, mean, metric, as_in_paper,
@@ -112,7 +114,8 @@ TAUT_FIELDS(TensionProspect, edge, tension, std, mean_std_with_reading)
 TAUT_FIELDS(SurveyProspect, prior_std, edges, mean_tension, mean_tension_std, readings)
 
 // adjustment
-TAUT_FIELDS(BuiltNet, net, length_draws, no_draws_since, failed_since)
+TAUT_FIELDS(Circumstances, stiffness, thermal, supports, adjustable, loads, own_loads)
+TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_since, failed_since)
 TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)
 TAUT_FIELDS(LoadCase, name, loads, tension)

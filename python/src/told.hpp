@@ -4,7 +4,9 @@
 // What is told in words, as on the command line: 'uniform:5mm', 'stiffness:5%'.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,25 @@ namespace taut::python {
     }
     check_unknowns(net, unknowns);
     return unknowns;
+}
+
+/// Whether what is not given is as on a site: with_site_assumptions().
+[[nodiscard]] inline bool assumes_site(const std::vector<std::string>& uncertain,
+                                       const std::optional<std::vector<std::string>>& unknowns) {
+    return !unknowns && std::ranges::find(uncertain, "none") == uncertain.end();
+}
+
+/// @throws std::invalid_argument for both, and as unknowns_told()
+[[nodiscard]] inline std::vector<Unknown> uncertain_told(
+    const CableNet& net, std::vector<std::string> uncertain,
+    const std::optional<std::vector<std::string>>& unknowns) {
+    if (unknowns && !uncertain.empty()) {
+        throw std::invalid_argument(
+            "uncertain and unknowns cannot stand together: unknowns=[...] is uncertain=['none', "
+            "...]");
+    }
+    std::erase(uncertain, "none");
+    return unknowns_told(net, unknowns.value_or(uncertain));
 }
 
 /// @throws std::invalid_argument as parse_length_law()

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -37,28 +39,78 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
     return CableNet(std::move(data));
 }
 
+namespace {
+
+/// Whether the draws hold all that was uncertain: those of older versions hold lengths alone.
+bool holds_all(const PosteriorDraws& draws, std::span<const UnknownEstimate> unknowns) {
+    return std::ranges::all_of(unknowns, [&](const UnknownEstimate& one) {
+        return one.unknown.kind == Unknown::Kind::adjustable
+                   ? draws.adjustable_deviations.size() > 0
+                   : !draws.perturbations.empty();
+    });
+}
+
+/// What differs from the net as identified in a draw, whose perturbations are from the net as it
+/// was turned.
+Circumstances perturbation_of(const CableNet& identified, const CableNet& turned,
+                              const ModelPerturbations& draws, Eigen::Index d) {
+    Circumstances result = as_told(identified);
+    const auto& nodes = turned.supports();
+    result.stiffness =
+        (turned.data().axial_stiffness.array() / identified.data().axial_stiffness.array())
+            .log()
+            .matrix();
+    result.supports(Eigen::all, nodes) = (turned.nodes() - identified.nodes())(Eigen::all, nodes);
+    result.own_loads = turned.loads() - identified.loads();
+    if (draws.stiffness.size() > 0) {
+        result.stiffness += draws.stiffness.col(d);
+    }
+    if (draws.supports.size() > 0) {
+        result.supports(Eigen::all, nodes) += draws.supports.col(d).reshaped(3, std::ssize(nodes));
+    }
+    if (draws.loads.size() > 0) {
+        result.own_loads(Eigen::all, turned.free_nodes()) +=
+            draws.loads.col(d).reshaped(3, turned.free_node_count());
+    }
+    return result;
+}
+
+}  // namespace
+
 void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
                std::span<const UnknownEstimate> unknowns) {
-    const bool has_all_lengths = draws.adjustable_deviations.cols() == draws.count();
-    if (!unknowns.empty() && !has_all_lengths) {
-        built.no_draws_since =
-            "the draws of an identification hold lengths alone, and more than lengths was unknown";
-    } else if (!draws.doubt.empty()) {
+    if (!draws.doubt.empty()) {
         built.no_draws_since = fmt::format("the draws are in doubt: {}", draws.doubt);
-    } else {
-        const auto draw_deviations = [&](const std::vector<int>& edges,
-                                         const Eigen::MatrixXd& deviations) {
-            built.length_draws(edges, Eigen::all) =
-                deviations.colwise() + turned.unstressed_lengths()(edges);
-        };
-        built.length_draws = built.net.unstressed_lengths().replicate(1, draws.count());
-        draw_deviations(turned.interior_edges(), draws.length_deviations);
-        if (!unknowns.empty()) {
-            draw_deviations(turned.adjustable_edges(), draws.adjustable_deviations);
-        }
-        if (draws.count() > 0 && !(built.length_draws.minCoeff() > 0.0)) {
-            throw std::invalid_argument("draws leave an edge no length");
-        }
+        return;
+    }
+    if (!holds_all(draws, unknowns)) {
+        built.no_draws_since =
+            "the draws, of an older version, hold lengths alone, and more was uncertain: identify "
+            "again";
+        return;
+    }
+    const ModelPerturbations& perturbations = draws.perturbations;
+    // Without perturbations of the lengths the estimate holds what was found of adjustable edges.
+    const bool is_thermal = perturbations.thermal.size() > 0;
+    built.length_draws =
+        (is_thermal ? turned : built.net).unstressed_lengths().replicate(1, draws.count());
+    const auto draw_deviations = [&](const std::vector<int>& edges,
+                                     const Eigen::MatrixXd& deviations) {
+        built.length_draws(edges, Eigen::all) =
+            deviations.colwise() + turned.unstressed_lengths()(edges);
+    };
+    draw_deviations(turned.interior_edges(), draws.length_deviations);
+    if (draws.adjustable_deviations.size() > 0) {
+        draw_deviations(turned.adjustable_edges(), draws.adjustable_deviations);
+    }
+    if (is_thermal) {
+        built.length_draws.array() *= 1.0 + perturbations.thermal.array();
+    }
+    if (draws.count() > 0 && !(built.length_draws.minCoeff() > 0.0)) {
+        throw std::invalid_argument("draws leave an edge no length");
+    }
+    for (Eigen::Index d = 0; !perturbations.empty() && d < draws.count(); ++d) {
+        built.perturbations.push_back(perturbation_of(built.net, turned, perturbations, d));
     }
 }
 
@@ -76,6 +128,7 @@ BuiltNet built_net_of(const CableNet& net, const Identification& identification)
     BuiltNet built{.net = net_as_identified(turned, identification.edges, identification.unknowns,
                                             identification.boundary_outliers),
                    .length_draws = {},
+                   .perturbations = {},
                    .no_draws_since = "the identification was made without draws",
                    .failed_since = failure_of(identification.trust)};
     if (identification.draws) {

@@ -35,6 +35,19 @@ int draws_needed(double confidence, Eigen::Index draws) {
                                      std::ceil(confidence * (static_cast<double>(draws) + 1.0))));
 }
 
+DrawnResponse::DrawnResponse(const BuiltNet& built, Eigen::Index draw, StrokeResponse& shared)
+    : m_response(&shared), m_lengths(built.length_draws.col(draw)) {
+    if (!built.perturbations.empty()) {
+        m_net = net_under(shared.net(), built.perturbations[static_cast<size_t>(draw)], m_lengths);
+        m_own = shared.of(*m_net);
+        m_response = &*m_own;
+    }
+}
+
+StrokedNet DrawnResponse::at(const Eigen::VectorXd& strokes, const Points& start) {
+    return m_response->at(m_lengths, strokes, start);
+}
+
 DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedResponse>& responses,
                           const StrokedState& state, double actuator_std, std::uint64_t seed) {
     const Eigen::Index count = built.length_draws.cols();
@@ -53,11 +66,11 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
         return copies;
     });
     tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
-        const Eigen::VectorXd lengths = built.length_draws.col(d);
         const Eigen::VectorXd strokes = strokes_with_play(state.strokes, actuator_std, seed, d);
         std::vector<StrokeResponse>& local = workspaces.local();
         for (size_t i = 0; i < local.size(); ++i) {
-            const StrokedNet drawn = local[i].at(lengths, strokes, state.nets[i].equilibrium.form);
+            const StrokedNet drawn =
+                DrawnResponse(built, d, local[i]).at(strokes, state.nets[i].equilibrium.form);
             result.forces[i].col(d) = drawn.forces;
             if (!drawn.equilibrium.balanced()) {
                 result.unbalanced[static_cast<size_t>(d)] = 1;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "adjustment/stroke_search.hpp"
@@ -23,6 +24,24 @@ struct DrawnStrokes {
 
 /// How many of some draws must keep all limits so that these hold with a confidence.
 [[nodiscard]] int draws_needed(double confidence, Eigen::Index draws);
+
+/// How one draw of a built net answers to strokes.
+class DrawnResponse {
+public:
+    /// @param shared of the built net under some loads; it must live as long, in one thread
+    DrawnResponse(const BuiltNet& built, Eigen::Index draw, StrokeResponse& shared);
+    DrawnResponse(const DrawnResponse&) = delete;
+    DrawnResponse& operator=(const DrawnResponse&) = delete;
+
+    /// As StrokeResponse::at(), of the draw.
+    [[nodiscard]] StrokedNet at(const Eigen::VectorXd& strokes, const Points& start);
+
+private:
+    std::optional<CableNet> m_net;  ///< where more than lengths differs
+    std::optional<StrokeResponse> m_own;
+    StrokeResponse* m_response;
+    Eigen::VectorXd m_lengths;
+};
 
 /// Exact equilibria of all draws under some strokes, each with its own play of what is turned.
 [[nodiscard]] DrawnStrokes draw_strokes(const BuiltNet& built,

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "net/weight_as_load.hpp"
+#include "taut/statics/tensions.hpp"
 
 namespace taut {
 
@@ -20,6 +21,15 @@ std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions) {
     return result;
 }
 
+double least_taut(const CableNet& net) {
+    const Eigen::VectorXd pull = tensions(net, net.unstressed_lengths(), net.nodes());
+    return 2.0 * negligible_violation * pull.mean();
+}
+
+double given_limit(const CableNet& net, double limit) {
+    return limit == least_taut(net) ? 0.0 : limit;
+}
+
 ForceRange range_of(const CableNet& net, const TensionLimits& tension,
                     const std::vector<ReactionLimit>& reactions) {
     Eigen::Index extra = 0;
@@ -28,7 +38,7 @@ ForceRange range_of(const CableNet& net, const TensionLimits& tension,
     }
     ForceRange range{.lower = Eigen::VectorXd(net.edge_count() + extra),
                      .upper = Eigen::VectorXd(net.edge_count() + extra)};
-    range.lower << tension.lower,
+    range.lower << (tension.lower.array() == 0.0).select(least_taut(net), tension.lower),
         Eigen::VectorXd::Constant(extra, -std::numeric_limits<double>::infinity());
     range.upper.head(net.edge_count()) = tension.upper;
     Eigen::Index row = net.edge_count();

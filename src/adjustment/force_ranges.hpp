@@ -15,9 +15,16 @@ inline constexpr double negligible_violation = 1e-5;
 /// The nodes of all reaction limits, in their order.
 [[nodiscard]] std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions);
 
-/// Limits of all tensions, then of the reactions.
+/// An edge that is to be taut has more tension than this: twice what a limit may be broken by [N].
+/// @param net its nodes in equilibrium, or near it
+[[nodiscard]] double least_taut(const CableNet& net);
+
+/// Limits of all tensions, then of the reactions. A least tension of 0 means taut: least_taut().
 [[nodiscard]] ForceRange range_of(const CableNet& net, const TensionLimits& tension,
                                   const std::vector<ReactionLimit>& reactions);
+
+/// A limit of range_of() as it was given.
+[[nodiscard]] double given_limit(const CableNet& net, double limit);
 
 /// The net with other loads.
 [[nodiscard]] CableNet with_loads(const CableNet& net, const Points& loads);

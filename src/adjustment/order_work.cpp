@@ -156,8 +156,7 @@ DrawnWork OrderWork::drawn(
     std::vector<std::vector<Break>> breaks(static_cast<size_t>(draws()));
     std::vector<char> has_no_form = m_has_no_form;  // nothing is predicted of these
     tbb::parallel_for(Eigen::Index{0}, draws(), [&](Eigen::Index d) {
-        StrokeResponse& response = workspaces.local();
-        const Eigen::VectorXd lengths = m_built->length_draws.col(d);
+        DrawnResponse response(*m_built, d, workspaces.local());
         // Of a stroke that is done in part its play is that part.
         const Eigen::VectorXd whole =
             strokes_with_play(m_all, m_options.actuator_std, m_options.seed, d);
@@ -169,7 +168,7 @@ DrawnWork OrderWork::drawn(
             if (predicted(d, static_cast<Eigen::Index>(i)) < -prediction_error * m_unit) {
                 continue;
             }
-            const StrokedNet net = response.at(lengths, strokes + play.cwiseProduct(strokes), near);
+            const StrokedNet net = response.at(strokes + play.cwiseProduct(strokes), near);
             if (!net.equilibrium.balanced()) {
                 has_no_form[static_cast<size_t>(d)] = 1;
                 break;
@@ -221,7 +220,7 @@ LimitBreach OrderWork::breach(Eigen::Index row, double force, bool is_below) con
                     : supports_of(m_limits->reactions)[static_cast<size_t>(row - net.edge_count())],
             .load_case = "",
             .value = is_edge ? std::max(0.0, force) : force,
-            .limit = is_below ? range.lower(row) : range.upper(row),
+            .limit = is_below ? given_limit(net, range.lower(row)) : range.upper(row),
             .probability = 0.0};
 }
 

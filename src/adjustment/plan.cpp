@@ -296,7 +296,8 @@ private:
 
     FormDeviation unavoidable(const StrokedState& state) {
         for (LimitedResponse& limited : m_responses) {
-            limited.range.lower = limited.range.lower.cwiseMin(0.0);  // no slack, and no more
+            // No slack, and no more.
+            limited.range.lower = limited.range.lower.cwiseMin(least_taut(limited.response.net()));
             limited.range.upper.setConstant(std::numeric_limits<double>::infinity());
         }
         StrokeTask free = m_task;
@@ -337,7 +338,6 @@ private:
             StrokedState told = state;
             refresh_state(told);
             plan.is_feasible = !is_violated(told);
-            plan.limit_probability = plan.is_feasible ? 1.0 : 0.0;
             tell_breaches(plan, state, nullptr);
         }
         plan.unavoidable = unavoidable(state);
@@ -445,7 +445,7 @@ private:
                                                            row - m_built->net.edge_count())],
                                     .load_case = i == 0 ? "" : m_limits->load_cases[i - 1].name,
                                     .value = is_edge ? std::max(0.0, forces(row)) : forces(row),
-                                    .limit = limit,
+                                    .limit = given_limit(m_responses[i].response.net(), limit),
                                     .probability = probability});
                 }
             }

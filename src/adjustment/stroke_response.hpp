@@ -41,7 +41,11 @@ public:
     [[nodiscard]] StrokeRates rates(const StrokedNet& stroked) const;
 
     /// Another one of the same net, for another thread.
-    [[nodiscard]] StrokeResponse fresh() const { return {*m_net, m_edges, m_reactions}; }
+    [[nodiscard]] StrokeResponse fresh() const { return of(*m_net); }
+    /// The same of another net with the same edges and supports.
+    [[nodiscard]] StrokeResponse of(const CableNet& net) const {
+        return {net, m_edges, m_reactions};
+    }
 
     [[nodiscard]] const CableNet& net() const { return *m_net; }
     [[nodiscard]] const std::vector<int>& edges() const { return m_edges; }

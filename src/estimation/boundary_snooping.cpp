@@ -41,8 +41,8 @@ BoundarySnooping::BoundarySnooping(const CableNet& net, const std::vector<Unknow
     for (const int edge : net.adjustable_edges()) {
         m_hypotheses.push_back({.kind = BoundaryOutlier::Kind::adjustable_edge, .index = edge});
     }
-    const bool are_supports_known = std_of(unknowns, Unknown::Kind::supports) <= 0.0;
-    for (const int node : are_supports_known ? net.supports() : std::vector<int>()) {
+    m_are_supports_uncertain = std_of(unknowns, Unknown::Kind::supports) > 0.0;
+    for (const int node : net.supports()) {
         m_hypotheses.push_back({.kind = BoundaryOutlier::Kind::support,
                                 .index = node,
                                 .edges = std::move(edges_at[node])});
@@ -65,6 +65,9 @@ void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate&
     for (Hypothesis& hypothesis : m_hypotheses) {
         if (is_released(hypothesis)) {
             take_estimate(hypothesis, statics, fitted, scale);
+        } else if (hypothesis.is_support() && m_are_supports_uncertain) {
+            take_score(hypothesis, score_of_place(hypothesis.index, statics, fitted, observations),
+                       scale);
         } else if (hypothesis.is_support()) {
             take_score(
                 hypothesis,
@@ -75,6 +78,21 @@ void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate&
                        scale);
         }
     }
+}
+
+/// Of a shift of where an uncertain support was expected: with P the precision of that place and C
+/// the covariance of the place found, the gradient is P (found - expected) and has the covariance
+/// P - P C P. With the frame unknown C leaves its variance out, and the score is the smaller for
+/// it. docs/theory.md, (boundary)
+LinearisedStatics::Score BoundarySnooping::score_of_place(int node,
+                                                          const LinearisedStatics& statics,
+                                                          const Iterate& fitted,
+                                                          const Observations& observations) const {
+    const Eigen::Vector3d precision = observations.support_weights.col(node);
+    const Eigen::Vector3d shift = fitted.form.col(node) - m_net.nodes().col(node) -
+                                  statics.common().support_motion(fitted.common).col(node);
+    const Eigen::Matrix3d P = precision.asDiagonal();
+    return {.gradient = P * shift, .information = P - P * statics.form_covariance(node) * P};
 }
 
 /// (boundary)

@@ -19,7 +19,7 @@ namespace taut {
 class BoundarySnooping {
 public:
     /// Keeps a reference to the net.
-    /// @param unknowns supports are not tested where their places are among these
+    /// @param unknowns where supports are among these, they are tested against that width
     /// @param false_alarm_rate of targets; 0: no test
     BoundarySnooping(const CableNet& net, const std::vector<Unknown>& unknowns,
                      double false_alarm_rate);
@@ -76,6 +76,10 @@ private:
         return hypothesis.is_support() ? m_support_threshold : m_edge_threshold;
     }
     [[nodiscard]] bool is_released(const Hypothesis& hypothesis) const;
+    [[nodiscard]] LinearisedStatics::Score score_of_place(int node,
+                                                          const LinearisedStatics& statics,
+                                                          const Iterate& fitted,
+                                                          const Observations& observations) const;
     void take_score(Hypothesis& hypothesis, const LinearisedStatics::Score& score,
                     double scale) const;
     void take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
@@ -85,6 +89,7 @@ private:
     void set_member(const Hypothesis& hypothesis, bool is_member);
 
     const CableNet& m_net;
+    bool m_are_supports_uncertain = false;
     bool m_is_active;
     double m_edge_threshold;     ///< of one degree of freedom
     double m_support_threshold;  ///< of three

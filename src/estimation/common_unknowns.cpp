@@ -96,6 +96,12 @@ Points CommonUnknowns::support_motion(const Eigen::VectorXd& values) const {
     return motion;
 }
 
+Points CommonUnknowns::frame_motion(const Eigen::VectorXd& values) const {
+    Eigen::VectorXd of_frame = values;
+    of_frame.tail(values.size() - kept_count()).setZero();
+    return support_motion(of_frame);
+}
+
 double CommonUnknowns::load_factor(const Eigen::VectorXd& values) const {
     double factor = 1.0;
     for (int k = 0; k < count(); ++k) {

@@ -96,6 +96,8 @@ public:
     [[nodiscard]] bool moves_supports() const { return !m_motions.empty(); }
     /// Motion of all supports, 0 elsewhere (3 x n) [m].
     [[nodiscard]] Points support_motion(const Eigen::VectorXd& values) const;
+    /// What of it is the motion of the frame: no error of the supports.
+    [[nodiscard]] Points frame_motion(const Eigen::VectorXd& values) const;
 
 private:
     void set_frame(const CableNet& net);

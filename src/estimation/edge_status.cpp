@@ -6,14 +6,24 @@ namespace taut {
 
 std::string_view to_string(EdgeStatus status) {
     switch (status) {
-        case EdgeStatus::identified:
-            return "identified";
+        case EdgeStatus::determined:
+            return "determined";
+        case EdgeStatus::weakly_determined:
+            return "weakly determined";
+        case EdgeStatus::not_determined:
+            return "not determined";
         case EdgeStatus::slack:
             return "slack";
-        case EdgeStatus::unobserved:
-            return "unobserved";
     }
     return "unknown";
+}
+
+EdgeStatus status_of(double prior_std, double std) {
+    if (std < determined_ratio * prior_std) {
+        return EdgeStatus::determined;
+    }
+    return std < not_determined_ratio * prior_std ? EdgeStatus::weakly_determined
+                                                  : EdgeStatus::not_determined;
 }
 
 }  // namespace taut

@@ -147,8 +147,7 @@ EdgeStatus status_of(double prior_std, const LengthPosterior& posterior) {
     if (posterior.slack_probability > 0.5) {
         return EdgeStatus::slack;
     }
-    return posterior.std >= unobserved_ratio * prior_std ? EdgeStatus::unobserved
-                                                         : EdgeStatus::identified;
+    return status_of(prior_std, posterior.std);
 }
 
 }  // namespace taut

@@ -191,13 +191,13 @@ double LengthSnooping::released_cost() const {
     return count > 0 ? m_threshold * count : 0.0;
 }
 
-double LengthSnooping::detectable() const {
+double LengthSnooping::detectable(const std::vector<int>& edges) const {
     if (!is_active()) {
         return std::numeric_limits<double>::infinity();
     }
     std::vector<BoundedEstimate> estimates;
     for (size_t i = 0; i < m_told.size(); ++i) {
-        if (m_released[i]) {
+        if (m_released[i] || !std::ranges::binary_search(edges, m_net.interior_edges()[i])) {
             continue;
         }
         // Found where W or W_b is above the threshold; of an edge that may be slack errors may

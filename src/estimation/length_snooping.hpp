@@ -60,7 +60,7 @@ public:
     /// Sum of the thresholds of all that is released.
     [[nodiscard]] double released_cost() const;
     /// DetectableErrors::length, of the edges in use at the fit.
-    [[nodiscard]] double detectable() const;
+    [[nodiscard]] double detectable(const std::vector<int>& edges) const;
     [[nodiscard]] std::vector<LengthOutlier> outliers() const;  ///< the largest statistic first
 
 private:

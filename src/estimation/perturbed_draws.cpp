@@ -17,7 +17,6 @@
 
 #include "estimation/feasible_descent.hpp"
 #include "numerics/random_numbers.hpp"
-#include "taut/sampling/circumstances.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -143,6 +142,7 @@ private:
         Eigen::VectorXd deviations;
         Points form;
         Eigen::VectorXd tensions;
+        std::optional<Circumstances> perturbation;
         double squared_departure = 0.0;
     };
     void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
@@ -352,18 +352,19 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
         result.tensions = tensions(net, l_0, found.form);
         return found.balanced();
     };
-    if (m_knowledge.unknowns.empty() && !m_knowledge.frame_is_unknown) {
+    if (m_knowledge.unknowns.empty() && m_statics.common().count() == 0) {
         if (!balance(workspace.solver, m_net, lengths)) {
             return std::nullopt;
         }
     } else {
         try {
-            const CableNet net =
-                net_under(m_net, drawn_circumstances(drawn, own_stiffness), lengths);
+            result.perturbation = drawn_circumstances(drawn, own_stiffness);
+            const CableNet net = net_under(m_net, *result.perturbation, lengths);
             EquilibriumSolver solver(net);
             if (!balance(solver, net, net.unstressed_lengths())) {
                 return std::nullopt;
             }
+            result.perturbation->supports -= m_statics.common().frame_motion(drawn.common);
         } catch (const NetError&) {
             return std::nullopt;  // a length that is no longer positive
         }
@@ -408,6 +409,9 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
         result.deviations.col(k) = found[k]->deviations;
         result.forms.col(k) = free_coordinates(m_net, found[k]->form);
         result.tensions.col(k) = found[k]->tensions;
+        if (found[k]->perturbation) {
+            result.perturbations.push_back(*found[k]->perturbation);
+        }
         squares += found[k]->squared_departure;
     }
     const auto places = (m_sites.weights(Eigen::all, m_net.free_nodes()).array() > 0.0).count();

@@ -4,12 +4,14 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
+#include "taut/sampling/circumstances.hpp"
 
 namespace taut {
 
@@ -18,7 +20,9 @@ struct PerturbedDraws {
     Eigen::MatrixXd deviations;  ///< m_I x draws [m]
     Eigen::MatrixXd forms;       ///< 3 n_I x draws [m]
     Eigen::MatrixXd tensions;    ///< m x draws, of all edges [N]
-    bool is_refitted = false;    ///< each by a fit of its own, not by the linearisation at the fit
+    /// What differs from the net besides lengths, one a draw; none where nothing can.
+    std::vector<Circumstances> perturbations;
+    bool is_refitted = false;  ///< each by a fit of its own, not by the linearisation at the fit
     /// Root mean square distance, over surveyed coordinates and draws, of the forms in equilibrium
     /// from those that the draw gave, in standard deviations of the survey; readings of forces
     /// alike.

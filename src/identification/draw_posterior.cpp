@@ -88,11 +88,26 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
         reasons);
 }
 
-/// Whether the lengths of adjustable edges are all that is unknown besides.
-bool holds_adjustable_lengths(const std::vector<UnknownEstimate>& unknowns) {
-    return std::ranges::all_of(unknowns, [](const UnknownEstimate& one) {
-        return one.unknown.kind == Unknown::Kind::adjustable;
-    });
+ModelPerturbations perturbations_of(const CableNet& net, const std::vector<Circumstances>& draws) {
+    const auto gathered = [&](Eigen::Index rows, const auto& of_draw) {
+        Eigen::MatrixXd result(rows, std::ssize(draws));
+        for (Eigen::Index k = 0; k < result.cols(); ++k) {
+            result.col(k) = of_draw(draws[static_cast<size_t>(k)]);
+        }
+        return result.isZero(0.0) ? Eigen::MatrixXd() : result;
+    };
+    const Eigen::Index edges = net.edge_count();
+    return {
+        .stiffness = gathered(edges, [](const Circumstances& one) { return one.stiffness; }),
+        .thermal = gathered(edges, [](const Circumstances& one) { return one.thermal; }),
+        .supports = gathered(std::ssize(net.supports()) * 3,
+                             [&](const Circumstances& one) {
+                                 return Eigen::VectorXd(
+                                     one.supports(Eigen::all, net.supports()).reshaped());
+                             }),
+        .loads = gathered(Eigen::Index{3} * net.free_node_count(), [&](const Circumstances& one) {
+            return free_coordinates(net, one.loads * net.loads() + one.own_loads);
+        })};
 }
 
 /// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges
@@ -107,7 +122,7 @@ void tell_open_edges(Identification& result, const std::vector<LengthLaw>& laws,
             edge.std = by_law.std;
             edge.lower = by_law.lower;
             edge.upper = by_law.upper;
-            edge.status = EdgeStatus::unobserved;
+            edge.status = EdgeStatus::not_determined;
         }
     }
 }
@@ -160,6 +175,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     PosteriorDraws draws{
         .length_deviations = {},
         .adjustable_deviations = {},
+        .perturbations = perturbations_of(fit_net, drawn.perturbations),
         .forms = {},
         .tensions = {},
         .seed = settings.seed,
@@ -167,7 +183,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         .is_refitted = drawn.is_refitted,
         .doubt = {}};
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
-    if (has_all_lengths && holds_adjustable_lengths(result.unknowns)) {
+    if (has_all_lengths) {
         draws.adjustable_deviations = drawn.deviations(net.adjustable_edges(), Eigen::all);
     }
     draws.length_deviations =

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "estimation/hyperprior.hpp"
+#include "identification/assumptions.hpp"
 #include "identification/epoch_chain.hpp"
 #include "identification/maximum_a_posteriori.hpp"
 
@@ -302,6 +303,19 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
 
 Identification identify_epochs(const CableNet& net, std::span<const Epoch> epochs,
                                const IdentifyOptions& options, const Progress& progress) {
+    if (options.assume_site) {
+        IdentifyOptions on_site = options;
+        on_site.assume_site = false;
+        on_site.unknowns = with_site_assumptions(net, options.unknowns);
+        // How far turns differ from what was told the surveys show: the chain finds it.
+        std::erase_if(on_site.unknowns, [&](const Unknown& one) {
+            return (!goes_with_epochs(one) || one.kind == Unknown::Kind::adjustable) &&
+                   std::ranges::find(options.unknowns, one) == options.unknowns.end();
+        });
+        Identification result = identify_epochs(net, epochs, on_site, progress);
+        result.assumptions = assumptions_of(on_site.unknowns, options.unknowns, result);
+        return result;
+    }
     check_epochs(net, epochs, options);
     IdentifyOptions alone = options;
     alone.method = IdentificationMethod::map;
@@ -393,6 +407,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     if (!options.unknowns.empty()) {
         result.how += ", unknown besides: " + to_string(options.unknowns);
     }
+    result.assumptions = assumptions_of(options.unknowns, options.unknowns, result);
     result.trust = trust_of_epochs(net, result.epochs);
     std::ranges::move(together.findings, std::back_inserter(result.trust.findings));
     std::ranges::stable_sort(result.trust.findings, std::greater{}, &Trust::Finding::verdict);

@@ -13,10 +13,12 @@
 #include <utility>
 
 #include "estimation/hyperprior.hpp"
+#include "identification/assumptions.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/force_balance.hpp"
 #include "identification/maximum_a_posteriori.hpp"
+#include "identification/mean_bias.hpp"
 #include "identification/prior_mixture.hpp"
 #include "identification/processes.hpp"
 #include "platform/platform.hpp"
@@ -492,6 +494,17 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         result.noise_scale = noise_scale;
         return result;
     }
+    if (options.assume_site) {
+        IdentifyOptions on_site = options;
+        on_site.assume_site = false;
+        if (method == IdentificationMethod::map && survey.is_noisy()) {
+            on_site.unknowns = with_site_assumptions(net, options.unknowns);
+        }
+        Identification result = identify(net, survey, on_site, progress);
+        result.method_reason = reason;
+        result.assumptions = assumptions_of(on_site.unknowns, options.unknowns, result);
+        return result;
+    }
     const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();
     Identification result =
         is_exact
@@ -500,9 +513,13 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (is_exact) {
         result.prior = exact_prior(law);
     }
+    if (survey.is_noisy()) {
+        take_out_mean_bias(result, net, survey, options.unknowns, progress);
+    }
     result.law_was_told = options.law.has_value();
     result.method = to_string(method);
     result.method_reason = reason;
+    result.assumptions = assumptions_of(options.unknowns, options.unknowns, result);
     result.trust = trust_of(net, survey, result);
     return result;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -168,8 +169,10 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
                                const Doubt& doubt) {
     DetectableErrors result{
         .target = fit.snooping().detectable(),
-        .length = fit.length_snooping().detectable(),
-        .adjustable = fit.boundary_snooping().detectable(BoundaryOutlier::Kind::adjustable_edge),
+        .length = fit.length_snooping().detectable(net.interior_edges()),
+        .adjustable =
+            std::min(fit.length_snooping().detectable(net.adjustable_edges()),
+                     fit.boundary_snooping().detectable(BoundaryOutlier::Kind::adjustable_edge)),
         .support = fit.boundary_snooping().detectable(BoundaryOutlier::Kind::support)};
     const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
     const double reach = arms.colwise().norm().maxCoeff();
@@ -226,6 +229,37 @@ LengthCovariance covariance_of(const std::vector<int>& edges, const LinearisedSt
         scale(k) = std > 0.0 ? edge->std / std : 0.0;
     }
     return {.edges = edges, .covariance = linearised.cwiseProduct(scale * scale.transpose())};
+}
+
+/// What was released: interior edges, and what of the boundary is not as given; adjustable edges of
+/// uncertain lengths are edges of the fit like others.
+void tell_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
+    result.boundary_outliers = fit.boundary_snooping().outliers();
+    for (const LengthOutlier& outlier : fit.length_snooping().outliers()) {
+        if (std::ranges::binary_search(net.interior_edges(), outlier.edge)) {
+            result.lengths_beyond_law.push_back(outlier);
+            continue;
+        }
+        BoundaryOutlier turned{.kind = BoundaryOutlier::Kind::adjustable_edge,
+                               .index = outlier.edge,
+                               .statistic = outlier.statistic};
+        turned.deviation.x() = outlier.deviation;
+        turned.std.x() = outlier.std;
+        result.boundary_outliers.push_back(turned);
+    }
+    std::ranges::stable_sort(result.boundary_outliers, std::greater{}, &BoundaryOutlier::statistic);
+}
+
+/// What is told of an adjustable edge that was released is its deviation, and no estimate of how
+/// far those are off that were not.
+void leave_out_released(Identification& result) {
+    std::erase_if(result.unknowns, [&](const UnknownEstimate& one) {
+        return one.unknown.kind == Unknown::Kind::adjustable &&
+               std::ranges::any_of(result.boundary_outliers, [&](const BoundaryOutlier& outlier) {
+                   return outlier.kind == BoundaryOutlier::Kind::adjustable_edge &&
+                          outlier.index == one.edge;
+               });
+    });
 }
 
 /// @param own what the survey tells by itself, with its number of common unknowns; null: not wanted
@@ -295,8 +329,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     result.law_check = doubt.law;
     result.frame_check = doubt.frame;
     result.frame_check.scale_std = std::hypot(doubt.frame.scale_std, survey.scale_std);
-    result.lengths_beyond_law = fit.length_snooping().outliers();
-    result.boundary_outliers = fit.boundary_snooping().outliers();
+    tell_outliers(result, net, fit);
     result.boundary_beyond = fit.boundary_snooping().beyond_count();
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
@@ -305,6 +338,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     }
     result.unknowns =
         unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
+    leave_out_released(result);
     if (!fit_net.is_linear()) {
         fit.statics().hold_laws(fitted.iterate);  // (drawn-law)
     }

@@ -125,30 +125,49 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
             all.is_refitted = true;
         }
     }
-    const auto gathered = [&](auto member) {
+    // Without rows where it has none in any part, 0 in a part that has none.
+    const auto gathered = [&](const auto& of_draws) {
+        Eigen::Index rows = 0;
         Eigen::Index columns = 0;
         std::vector<Eigen::Index> counts;
         for (size_t k = 0; k < parts.size(); ++k) {
-            const Eigen::MatrixXd& of_part = (*parts[k].result.draws).*member;
-            counts.push_back(std::min<Eigen::Index>(shares[k], of_part.cols()));
+            const PosteriorDraws& draws = *parts[k].result.draws;
+            rows = std::max(rows, of_draws(draws).rows());
+            counts.push_back(std::min<Eigen::Index>(shares[k], draws.count()));
             columns += counts.back();
         }
-        Eigen::MatrixXd result((all.*member).rows(), columns);
+        if (rows == 0) {
+            return Eigen::MatrixXd();
+        }
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, columns);
         columns = 0;
         for (size_t k = 0; k < parts.size(); ++k) {
-            result.middleCols(columns, counts[k]) =
-                ((*parts[k].result.draws).*member).leftCols(counts[k]);
+            const Eigen::MatrixXd& of_part = of_draws(*parts[k].result.draws);
+            if (of_part.rows() > 0) {
+                result.middleCols(columns, counts[k]) = of_part.leftCols(counts[k]);
+            }
             columns += counts[k];
         }
         return result;
     };
+    const auto perturbation = [&](Eigen::MatrixXd ModelPerturbations::* member) {
+        return gathered([member](const PosteriorDraws& draws) -> const Eigen::MatrixXd& {
+            return draws.perturbations.*member;
+        });
+    };
+    const auto member = [&](Eigen::MatrixXd PosteriorDraws::* of) {
+        return gathered(
+            [of](const PosteriorDraws& draws) -> const Eigen::MatrixXd& { return draws.*of; });
+    };
     PosteriorDraws result = all;
-    result.length_deviations = gathered(&PosteriorDraws::length_deviations);
-    if (all.adjustable_deviations.size() > 0) {
-        result.adjustable_deviations = gathered(&PosteriorDraws::adjustable_deviations);
-    }
-    result.forms = gathered(&PosteriorDraws::forms);
-    result.tensions = gathered(&PosteriorDraws::tensions);
+    result.length_deviations = member(&PosteriorDraws::length_deviations);
+    result.adjustable_deviations = member(&PosteriorDraws::adjustable_deviations);
+    result.perturbations = {.stiffness = perturbation(&ModelPerturbations::stiffness),
+                            .thermal = perturbation(&ModelPerturbations::thermal),
+                            .supports = perturbation(&ModelPerturbations::supports),
+                            .loads = perturbation(&ModelPerturbations::loads)};
+    result.forms = member(&PosteriorDraws::forms);
+    result.tensions = member(&PosteriorDraws::tensions);
     return result;
 }
 
@@ -229,7 +248,12 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     for (size_t i = 0; i < result.edges.size(); ++i) {
         result.edges[i] = mixed_edge(parts, i, prior.std());
     }
-    for (size_t k = 0; k < result.unknowns.size(); ++k) {
+    const auto is_other = [&](const WeightedIdentification& part) {
+        return part.result.unknowns.size() != result.unknowns.size();
+    };
+    // One that released another adjustable edge than the first has other numbers.
+    const bool has_same_unknowns = std::ranges::none_of(parts, is_other);
+    for (size_t k = 0; has_same_unknowns && k < result.unknowns.size(); ++k) {
         std::tie(result.unknowns[k].mean, result.unknowns[k].std) =
             mixed(parts, [k](const Identification& part) {
                 return std::pair(part.unknowns[k].mean, part.unknowns[k].std);

@@ -130,9 +130,7 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
                                 .std = std,
                                 .lower = mean - half_interval_95 * std,
                                 .upper = mean + half_interval_95 * std,
-                                .status = std > unobserved_ratio * model.law.std()
-                                              ? EdgeStatus::unobserved
-                                              : EdgeStatus::identified});
+                                .status = status_of(model.law.std(), std)});
     }
     predict_form(result, net, survey, survey.form);
     const Eigen::VectorXd measured = edge_lengths(net, survey.form);

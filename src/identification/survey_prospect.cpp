@@ -3,6 +3,7 @@
 #include "taut/identification/survey_prospect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -24,19 +25,19 @@ namespace {
 EdgeStatus probable_status(const LengthLaw& law, double std) {
     LengthLikelihood likelihood = without_prior(0.0, law.std(), 0.0, std);
     if (!std::isfinite(likelihood.std)) {
-        return EdgeStatus::unobserved;
+        return EdgeStatus::not_determined;
     }
     constexpr int count = 10;
     const LengthLaw errors{LengthLaw::Kind::normal, likelihood.std};
-    int unobserved = 0;
+    std::array<int, 4> found{};
     for (int i = 0; i < count; ++i) {
         for (int k = 0; k < count; ++k) {
             likelihood.mean = law.draw((i + 0.5) / count) + errors.draw((k + 0.5) / count);
             const EdgeStatus status = status_of(law.std(), posterior_of(law, likelihood));
-            unobserved += status == EdgeStatus::unobserved ? 1 : 0;
+            ++found.at(static_cast<size_t>(status));
         }
     }
-    return 2 * unobserved > count * count ? EdgeStatus::unobserved : EdgeStatus::identified;
+    return static_cast<EdgeStatus>(std::ranges::max_element(found) - found.begin());
 }
 
 /// Linearised at the design, with all that is told.
@@ -62,7 +63,8 @@ public:
         Iterate design = nominal_iterate(m_fit_net, common);
         design.form = form;
         const std::vector<bool> none_rejected(net.node_count(), false);
-        const Observations observations = observe(m_fit_net, survey, with_noise_floor(net, survey),
+        const Survey seen = with_supports(m_fit_net, survey);
+        const Observations observations = observe(m_fit_net, seen, with_noise_floor(net, seen),
                                                   none_rejected, m_knowledge, common);
         if (!m_statics.linearise(design, observations)) {
             throw NumericalError("the statics of the net are singular at this form");

@@ -180,7 +180,7 @@ private:
 }  // namespace
 
 bool UnknownEstimate::is_observed() const {
-    return std < unobserved_ratio * unknown.std;
+    return std < not_determined_ratio * unknown.std;
 }
 
 double spread_ratio(std::span<const UnknownEstimate> estimates) {

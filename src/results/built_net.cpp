@@ -28,6 +28,7 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
             .built = {.net = net_as_identified(turned, result->edges, result->unknowns,
                                                result->boundary_outliers),
                       .length_draws = {},
+                      .perturbations = {},
                       .no_draws_since = {},
                       .failed_since = failure_of(result->trust)},
             .trust = result->trust};

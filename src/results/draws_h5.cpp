@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <stdexcept>
 
 #include "files/hdf5_reader.hpp"
@@ -12,6 +13,32 @@
 #include "numerics/fnv1a.hpp"
 
 namespace taut {
+namespace {
+
+struct PerturbationField {
+    const char* attribute;  ///< of the file, "uncertain" where it holds the matrix
+    const char* data_set;
+    Eigen::MatrixXd ModelPerturbations::* matrix;
+    const char* unit;
+    double largest;  ///< more is no uncertainty of a net
+};
+
+constexpr std::array perturbation_fields{
+    PerturbationField{"stiffness", "stiffness_perturbation", &ModelPerturbations::stiffness, "1",
+                      3.0},
+    PerturbationField{"thermal", "thermal_perturbation", &ModelPerturbations::thermal, "1", 0.5},
+    PerturbationField{"supports", "support_perturbation", &ModelPerturbations::supports, "m", 1e3},
+    PerturbationField{"loads", "load_perturbation", &ModelPerturbations::loads, "N", 1e9}};
+
+Eigen::Index rows_of(const CableNet& net, const PerturbationField& field) {
+    if (field.matrix == &ModelPerturbations::supports) {
+        return std::ssize(net.supports()) * 3;
+    }
+    return field.matrix == &ModelPerturbations::loads ? Eigen::Index{3} * net.free_node_count()
+                                                      : net.edge_count();
+}
+
+}  // namespace
 
 std::string draws_bytes(const CableNet& net, const Identification& identification) {
     if (!identification.draws) {
@@ -34,6 +61,12 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
         writer.integers("adjustable_edge", net.adjustable_edges());
         writer.matrix("adjustable_deviation", draws.adjustable_deviations, "m");
     }
+    for (const PerturbationField& field : perturbation_fields) {
+        if (const Eigen::MatrixXd& matrix = draws.perturbations.*field.matrix; matrix.size() > 0) {
+            writer.attribute(field.attribute, "uncertain");
+            writer.matrix(field.data_set, matrix, field.unit);
+        }
+    }
     writer.matrix("form", draws.forms, "m");
     writer.matrix("tension", draws.tensions, "N");
     return std::string(writer.finish().view());
@@ -44,6 +77,12 @@ std::string fingerprint_of(const PosteriorDraws& draws) {
     for (const Eigen::MatrixXd* matrix :
          {&draws.length_deviations, &draws.adjustable_deviations, &draws.forms, &draws.tensions}) {
         hash.add_list(*matrix);
+    }
+    for (const PerturbationField& field : perturbation_fields) {
+        const Eigen::MatrixXd& matrix = draws.perturbations.*field.matrix;
+        if (matrix.size() > 0) {  // else as of files before there were any
+            hash.add_list(matrix);
+        }
     }
     return hash.text();
 }
@@ -77,6 +116,17 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
         draws.adjustable_deviations =
             reader.matrix("adjustable_deviation",
                           static_cast<Eigen::Index>(net.adjustable_edges().size()), count);
+    }
+    for (const PerturbationField& field : perturbation_fields) {
+        if (reader.has_attribute(field.attribute)) {
+            Eigen::MatrixXd& matrix = draws.perturbations.*field.matrix;
+            matrix = reader.matrix(field.data_set, rows_of(net, field), count);
+            if (!(matrix.cwiseAbs().maxCoeff() <= field.largest)) {
+                reader.fail(field.data_set, fmt::format("holds a value above {:g} {}, which is no "
+                                                        "uncertainty of a net",
+                                                        field.largest, field.unit));
+            }
+        }
     }
     draws.forms = reader.matrix("form", Eigen::Index{3} * net.free_node_count(), count);
     draws.tensions = reader.matrix("tension", net.edge_count(), count);

@@ -294,6 +294,22 @@ Json unknowns_json(const CableNet& net, const Identification& identification) {
     return result;
 }
 
+/// What was taken as uncertain, in the unit of its kind.
+Json assumptions_json(const Identification& identification) {
+    Json result = Json::array();
+    for (const Assumption& one : identification.assumptions) {
+        result.push_back(
+            {{"name", one.parameter.name()},
+             {"value", one.parameter.to_string()},
+             {"group", one.parameter.group.empty() ? Json() : Json(one.parameter.group)},
+             {"std", one.parameter.std},
+             {"unit", unit_of(one.parameter.kind)},
+             {"source", one.is_default ? "default" : "given"},
+             {"testable", one.is_testable}});
+    }
+    return result;
+}
+
 /// What was told of forces, and what contradicts all else.
 Json forces_json(const CableNet& net, const Identification& identification) {
     Json outliers = Json::array();
@@ -408,6 +424,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                   {"trust", trust_json(identification.trust)},
                   {"law", identification.law.to_string()},
                   {"prior", prior_json(identification)},
+                  {"assumptions", assumptions_json(identification)},
                   {"detectable", detectable_json(identification.detectable)},
                   {"noise", noise},
                   {"net_fingerprint", net.fingerprint()},

@@ -18,12 +18,13 @@ namespace taut {
 namespace {
 
 EdgeStatus read_status(const std::string& name) {
-    for (const EdgeStatus status : {EdgeStatus::slack, EdgeStatus::unobserved}) {
+    using enum EdgeStatus;
+    for (const EdgeStatus status : {weakly_determined, not_determined, slack}) {
         if (name == to_string(status)) {
             return status;
         }
     }
-    return EdgeStatus::identified;
+    return name == "unobserved" ? not_determined : determined;  // words of 0.2.0
 }
 
 IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {

@@ -19,13 +19,13 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
                            const std::string& file_name) {
     Eigen::VectorXd lengths = designed.net.unstressed_lengths();
     std::vector<int> slack;
-    std::vector<int> unobserved;
+    std::vector<int> not_determined;
     for (const IdentifiedEdge& edge : result.edges) {
         lengths(edge.edge) += edge.length_deviation;
         if (edge.status == EdgeStatus::slack) {
             slack.push_back(edge.edge);
-        } else if (edge.status == EdgeStatus::unobserved) {
-            unobserved.push_back(edge.edge);
+        } else if (edge.status == EdgeStatus::not_determined) {
+            not_determined.push_back(edge.edge);
         }
     }
     for (const EdgeTurned& turned : result.turned) {
@@ -47,7 +47,7 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
         return {.file = {.net = CableNet(std::move(data)), .unknown_keys = designed.unknown_keys},
                 .is_identified = true,
                 .slack = std::move(slack),
-                .unobserved = std::move(unobserved)};
+                .not_determined = std::move(not_determined)};
     } catch (const NetError& error) {
         throw InputError(
             file_name, "",

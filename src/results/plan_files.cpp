@@ -84,6 +84,10 @@ Json verdict_json(const Trust& trust) {
     return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}};
 }
 
+Json value_or_null(const auto& value) {
+    return value ? Json(*value) : Json();
+}
+
 Json planned_tension_json(const PlanRecord& record) {
     const Plan& plan = *record.plan;
     const CableNet& built = record.built->net;
@@ -100,9 +104,12 @@ Json planned_tension_json(const PlanRecord& record) {
                   {"limit_upper", std::isinf(upper) ? Json() : Json(upper)}};
         edges.push_back(std::move(edge));
     }
-    return {{"least", plan.tensions.minCoeff()},           {"most", plan.tensions.maxCoeff()},
-            {"least_as_built", as_built.minCoeff()},       {"most_as_built", as_built.maxCoeff()},
-            {"limit_probability", plan.limit_probability}, {"edges", edges}};
+    return {{"least", plan.tensions.minCoeff()},
+            {"most", plan.tensions.maxCoeff()},
+            {"least_as_built", as_built.minCoeff()},
+            {"most_as_built", as_built.maxCoeff()},
+            {"limit_probability", value_or_null(plan.limit_probability)},
+            {"edges", edges}};
 }
 
 Json turn_order_json(const PlanRecord& record) {
@@ -156,10 +163,6 @@ Json node_weights_json(const PlanRecord& record) {
     return result;
 }
 
-Json value_or_null(const auto& value) {
-    return value ? Json(*value) : Json();
-}
-
 }  // namespace
 
 std::string_view sense_of(double stroke) {
@@ -191,6 +194,10 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
     } else if (!order.is_safe) {
         warnings.push_back(fmt::format("NO SAFE ORDER WAS FOUND: a limit is broken at step {}",
                                        order.worst.moment + 1));
+    }
+    if (plan.draws == 0 && record.limits->has_forces()) {
+        warnings.push_back(fmt::format(
+            "LIMITS CANNOT BE PROMISED: tensions are not known, since {}", plan.no_draws_since));
     }
     return warnings;
 }
@@ -278,13 +285,14 @@ std::string plan_to_csv(const PlanRecord& record) {
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
         const auto turns = count_of_turns(record, turning.stroke);
-        text +=
-            fmt::format("{},{},{},{},{},{},{:.3f},{},{:.3f},{:.3f}\n", turning.crew, turning.pass,
-                        turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
-                        sense_of(turning.stroke),
-                        rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
-                        1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
-                        1e3 * listed.reading_after, 1e-3 * listed.tension_after);
+        text += fmt::format(
+            "{},{},{},{},{},{},{:.3f},{},{:.3f},{}\n", turning.crew, turning.pass,
+            turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
+            sense_of(turning.stroke),
+            rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
+            1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
+            1e3 * listed.reading_after,
+            record.plan->draws > 0 ? fmt::format("{:.3f}", 1e-3 * listed.tension_after) : "");
     }
     return text;
 }

@@ -225,6 +225,36 @@ void check_unknowns(const CableNet& net, const std::vector<Unknown>& unknowns) {
     }
 }
 
+std::vector<Unknown> with_site_assumptions(const CableNet& net, std::vector<Unknown> given) {
+    constexpr double common_stiffness = 0.05;
+    constexpr double stiffness_of_each = 0.02;
+    constexpr double temperature = 5.0;  // [K]
+    constexpr double turned = 0.5e-3;    // [m]
+    constexpr double moved = 1e-3;       // [m]
+    constexpr double most_of_length = 0.1;
+    const std::vector<Unknown> before = given;
+    const auto assume = [&](Kind kind, double std) {
+        const auto is_same = [kind](const Unknown& one) {
+            return Unknown{.kind = kind}.name() == one.name();
+        };
+        if (std > 0.0 && std::ranges::none_of(before, is_same)) {
+            given.push_back({.kind = kind, .std = std});
+        }
+    };
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    assume(Kind::stiffness, common_stiffness);
+    assume(Kind::stiffness_each, stiffness_of_each);
+    const Eigen::VectorXd& expansion = net.data().expansion;
+    assume(Kind::temperature,
+           expansion.size() > 0 && expansion.maxCoeff() > 0.0 ? temperature : 0.0);
+    if (!net.adjustable_edges().empty()) {
+        assume(Kind::adjustable,
+               std::min(turned, most_of_length * lengths(net.adjustable_edges()).minCoeff()));
+    }
+    assume(Kind::supports, std::min(moved, most_of_length * lengths.minCoeff()));
+    return given;
+}
+
 std::vector<int> edges_of(const CableNet& net, const Unknown& unknown) {
     if (!unknown.group.empty()) {
         std::vector<int> edges = net.data().groups.at(unknown.group);

@@ -175,6 +175,7 @@ private:
         if (strategy == ControlStrategy::truth) {
             const BuiltNet built{.net = with_lengths(m_net, m_true_lengths, m_form),
                                  .length_draws = {},
+                                 .perturbations = {},
                                  .no_draws_since = "the lengths are known"};
             return plan_strokes(built, m_target, limits(), options);
         }
@@ -196,6 +197,7 @@ private:
         // node that was not seen nothing is known.
         const BuiltNet built{.net = with_lengths(m_net, told.unstressed_lengths(), m_net.nodes()),
                              .length_draws = {},
+                             .perturbations = {},
                              .no_draws_since = "nothing was identified"};
         Points places = m_target.places();
         places(Eigen::all, seen.surveyed) -=

@@ -134,7 +134,8 @@ void hold_against_truth(SettlingOutcome& outcome, const Identification& result,
         const bool is_called_slack = edge.status == EdgeStatus::slack;
         outcome.slack_called += is_called_slack ? 1 : 0;
         outcome.taut_as_slack += is_called_slack && !truth.slack[i] ? 1 : 0;
-        outcome.slack_as_taut += edge.status == EdgeStatus::identified && truth.slack[i] ? 1 : 0;
+        outcome.slack_as_taut +=
+            !is_called_slack && edge.status != EdgeStatus::not_determined && truth.slack[i] ? 1 : 0;
     }
     outcome.tensions_told = static_cast<int>(result.drawn.tensions.size());
     for (const DrawnTension& of_edge : result.drawn.tensions) {

@@ -24,7 +24,10 @@ BuiltNet built_of(const CableNet& net, const Eigen::VectorXd& deviations) {
     CableNetData data = net.data();
     data.unstressed_lengths = with_length_deviations(net, deviations);
     data.nodes = EquilibriumSolver(net).solve(data.unstressed_lengths, net.nodes()).form;
-    return {.net = CableNet(std::move(data)), .length_draws = {}, .no_draws_since = "of a test"};
+    return {.net = CableNet(std::move(data)),
+            .length_draws = {},
+            .perturbations = {},
+            .no_draws_since = "of a test"};
 }
 
 TEST(FurtherEdges, BeginWithTheOneEdgeThatIsWrong) {

@@ -40,7 +40,8 @@ protected:
     }
 
     CableNet net = hilo_quarter();
-    BuiltNet built{.net = net, .length_draws = {}, .no_draws_since = "none were made"};
+    BuiltNet built{
+        .net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = "none were made"};
     Limits limits;
     Plan plan;
 };
@@ -158,7 +159,7 @@ protected:
 
     static constexpr double least = 2.2e3;
     CableNet net = hypar(6, 6);
-    BuiltNet built{.net = net, .length_draws = {}, .no_draws_since = {}};
+    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = {}};
     Limits limits;
     Plan plan;
 };
@@ -180,7 +181,8 @@ TEST_F(TurnOrderOfDraws, KeepsItsConfidenceInOtherDrawsThanItsOwn) {
 
 TEST_F(TurnOrderOfDraws, IsNotSafeWhereTheConfidenceCannotBeKept) {
     // More than the plan itself has.
-    const double most = plan.limit_probability + 0.5 * (1.0 - plan.limit_probability);
+    ASSERT_TRUE(plan.limit_probability.has_value());
+    const double most = *plan.limit_probability + 0.5 * (1.0 - *plan.limit_probability);
     const TurnOrder order = order_turns(built, limits, plan, {.confidence = most});
     ASSERT_LT(plan.limit_probability, 1.0);
     EXPECT_FALSE(order.is_safe);

@@ -211,7 +211,7 @@ TEST_F(Chain, IdentifyFindsNoDeviationInTheNominalForm) {
     const json result = json::parse(read("result.json"));
     ASSERT_EQ(result["edges"].size(), 17U);
     for (const json& edge : result["edges"]) {
-        EXPECT_EQ(edge["status"], "identified");
+        EXPECT_EQ(edge["status"], "determined");
         EXPECT_LT(std::abs(edge["length_deviation"].get<double>()),
                   4.0 * edge["std"].get<double>());
     }

@@ -140,15 +140,16 @@ TEST_F(Export, CountsTheLengthsThatTheSurveyDoesNotTell) {
     identify({});
     json result = json::parse(read("result.json"));
     result["edges"][0]["status"] = "slack";
-    result["edges"][1]["status"] = "unobserved";
-    result["edges"][2]["status"] = "unobserved";
+    result["edges"][1]["status"] = "not determined";
+    result["edges"][2]["status"] = "not determined";
     write("result.json", result.dump());
-    EXPECT_THAT(must_run({"export", "result.json", "--to", "net", "-o", "built.json"}),
-                HasSubstr("not known, the estimate stands for them: 1 slack, 2 unobserved of 17"));
+    EXPECT_THAT(
+        must_run({"export", "result.json", "--to", "net", "-o", "built.json"}),
+        HasSubstr("not known, the estimate stands for them: 1 slack, 2 not determined of 17"));
     const json document = json::parse(
         must_run({"export", "result.json", "--to", "net", "-o", "built.json", "--json"}));
     EXPECT_EQ(document["lengths_not_known"]["slack"].size(), 1U);
-    EXPECT_EQ(document["lengths_not_known"]["unobserved"].size(), 2U);
+    EXPECT_EQ(document["lengths_not_known"]["not_determined"].size(), 2U);
 }
 
 TEST_F(Export, RefusesWhatIsNoBuiltNetInOneLineAndTouchesNoFile) {

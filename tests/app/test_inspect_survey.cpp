@@ -55,23 +55,33 @@ TEST_F(InspectSurvey, TellsEachEdgeAndTheCounts) {
     EXPECT_EQ(told["law"], "uniform:5mm");
     EXPECT_NEAR(told["prior_std"].get<double>(), 0.005 / std::sqrt(3.0), 1e-12);
     ASSERT_EQ(told["edges"].size(), 180U);
-    int unobserved = 0;
+    std::map<std::string, int> of_status;
     double squares = 0.0;
     for (const json& edge : told["edges"]) {
         const double std = edge["std"];
         squares += std * std;
         EXPECT_NEAR(edge["ratio"].get<double>(), std / told["prior_std"].get<double>(), 1e-12);
         EXPECT_LE(edge["ratio"], 1.0 + 1e-9);
-        unobserved += edge["status"] == "unobserved" ? 1 : 0;
+        const double ratio = edge["ratio"];
+        // By its most probable posterior: that of a uniform prior is narrower than to first order.
+        if (edge["status"] == "determined") {
+            EXPECT_LT(ratio, 0.6);
+        } else if (edge["status"] == "not determined") {
+            EXPECT_GT(ratio, 0.85);
+        }
+        ++of_status[edge["status"]];
     }
-    EXPECT_GT(unobserved, 0);
-    EXPECT_EQ(told["unobserved"], unobserved);
-    EXPECT_EQ(told["identified"], 180 - unobserved);
+    EXPECT_GT(of_status["not determined"], 0);
+    EXPECT_EQ(told["not_determined"], of_status["not determined"]);
+    EXPECT_EQ(told["weakly_determined"], of_status["weakly determined"]);
+    EXPECT_EQ(told["determined"], of_status["determined"]);
+    EXPECT_EQ(told["slack"], 0);
     EXPECT_NEAR(told["rms_std"].get<double>(), std::sqrt(squares / 180.0), 1e-12);
     const std::string text =
         must_run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"});
     EXPECT_THAT(text, testing::HasSubstr("survey targets.txt: 60 free nodes, 40 not surveyed"));
-    EXPECT_THAT(text, testing::HasSubstr(std::to_string(unobserved) + " unobserved"));
+    EXPECT_THAT(
+        text, testing::HasSubstr(std::to_string(of_status["not determined"]) + " not determined"));
     EXPECT_THAT(text, testing::HasSubstr("worst edges"));
 }
 
@@ -99,11 +109,12 @@ TEST_F(InspectSurvey, TellsTheSameOfAListAndOfASurvey) {
 
 TEST_F(InspectSurvey, TellsWhatAReadingWouldAdd) {
     plan(30, 70);
-    const json before = survey({"targets.txt", "--noise", "0.5mm"});
+    const json before = survey({"targets.txt", "--noise", "0.5mm", "--uncertain", "none"});
     const json& best = before["readings"][0];
     EXPECT_LT(best["mean_tension_std"], before["mean_tension"]["std"]);
     write("cells.txt", best["id"].get<std::string>() + "\n");
-    const json after = survey({"targets.txt", "--noise", "0.5mm", "--forces", "cells.txt"});
+    const json after =
+        survey({"targets.txt", "--noise", "0.5mm", "--uncertain", "none", "--forces", "cells.txt"});
     EXPECT_NEAR(after["mean_tension"]["std"].get<double>(), best["mean_tension_std"].get<double>(),
                 1e-6 * best["mean_tension_std"].get<double>());
     EXPECT_EQ(after["readings"].size() + 1, before["readings"].size());
@@ -117,7 +128,7 @@ TEST_F(InspectSurvey, TellsWhatAReadingWouldAdd) {
 TEST_F(InspectSurvey, NeedsNoNoiseWhereAllNodesAreTargeted) {
     plan(0, 0);
     const json told = survey({"targets.txt"});
-    EXPECT_EQ(told["identified"], 180);
+    EXPECT_EQ(told["determined"], 180);
     EXPECT_LT(told["rms_std"], 1e-6);
 }
 

@@ -318,6 +318,8 @@ TEST_F(PlanCommand, HoldsTheTotalStrokeSinceInstallation) {
 }
 
 TEST_F(PlanCommand, TellsFurtherEdgesThatWouldHelp) {
+    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "50",
+              "--uncertain", "none", "-o", "result.json"});
     ASSERT_EQ(plan({}).exit_code, 0);
     EXPECT_TRUE(json::parse(read("plan.json"))["further"].is_null());
     const Outcome outcome = plan({"--further", "2"});
@@ -341,7 +343,7 @@ TEST_F(PlanCommand, HoldsLimitsForTheEstimateAloneWithoutDraws) {
               "bare.json"});
     const Outcome outcome = run({"plan", "net.json", "bare.json", "-o", "plan.json"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("by the estimate; how surely is not known, since the "
+    EXPECT_THAT(outcome.out, HasSubstr("by the estimate, which cannot be promised, since the "
                                        "result was made without draws\n"));
     EXPECT_THAT(outcome.out, HasSubstr("no cable goes slack by the estimate"));
     // Draws of a result that stood there before are not taken for its own.
@@ -389,7 +391,7 @@ TEST_F(PlanCommand, IsNotFeasibleWhereItsOwnEstimateBreaksALimit) {
     ASSERT_EQ(form.exit_code, 0) << form.err;
     must_run(
         {"survey", "net.json", "built.csv", "--noise", "0.5mm", "--seed", "3", "-o", "survey.csv"});
-    must_run({"identify", "net.json", "survey.csv", "-o", "result.json"});
+    must_run({"identify", "net.json", "survey.csv", "--uncertain", "none", "-o", "result.json"});
     const Outcome outcome = plan({"--tension", "1kN.."});
     const json document = json::parse(read("plan.json"));
     ASSERT_LT(document["tension"]["least"].get<double>(), 1e3);
@@ -444,6 +446,8 @@ TEST_F(PlanCommand, RefusesAFailedIdentificationUnlessThatIsAccepted) {
 // Where the free strokes hold their limits without a margin, whole steps must not go right up to
 // them.
 TEST_F(PlanCommand, KeepsTheConfidenceOfFreeStrokesInWholeSteps) {
+    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "50",
+              "--uncertain", "none", "-o", "result.json"});
     for (const char* tension : {"2.2kN..", "2.4kN.."}) {
         ASSERT_EQ(plan({"--tension", tension}).exit_code, 0);
         const Outcome outcome = plan({"--tension", tension, "--turn", "5mm", "--step", "1/4"});
@@ -470,18 +474,45 @@ TEST_F(PlanCommand, EndsWithOneWhereLimitsCannotBeKeptAndNamesThem) {
     EXPECT_FALSE(json::parse(read("plan.json"))["violations"].empty());
 }
 
-TEST_F(PlanCommand, HoldsLimitsOverDrawsOfAdjustableLengthsToo) {
-    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "50",
-              "--unknown", "adjustable:0.5mm", "-o", "result.json"});
-    const Outcome outcome = plan({});
+TEST_F(PlanCommand, HoldsLimitsOverDrawsOfAllThatIsUncertain) {
+    const auto spread_of = [this](const std::vector<std::string>& uncertain) {
+        std::vector<std::string> command{"identify", "net.json",    "survey.csv",
+                                         "--law",    "uniform:3mm", "--draws",
+                                         "50",       "-o",          "result.json"};
+        command.insert(command.end(), uncertain.begin(), uncertain.end());
+        must_run(command);
+        const Outcome outcome = plan({});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("of 50 draws"));
+        const json edge = json::parse(read("plan.json"))["tension"]["edges"][0];
+        return (edge["upper"].get<double>() - edge["lower"].get<double>()) /
+               edge["planned"].get<double>();
+    };
+    const double exact = spread_of({"--uncertain", "none"});
+    EXPECT_GT(spread_of({"--uncertain", "none", "--uncertain", "adjustable:0.5mm"}), exact);
+    // EA to 5 % is tensions to 5 %, 95 % of them within twice that.
+    EXPECT_GT(spread_of({"--unknown", "stiffness:5%"}), 0.12);
+}
+
+TEST_F(PlanCommand, PromisesNoLimitsWithoutDraws) {
+    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "0", "-o",
+              "result.json"});
+    const Outcome outcome = plan({"--tension", "0.1kN..", "--csv", "turns.csv"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("of 50 draws"));
-    // Of anything else they hold nothing.
-    must_run({"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws", "50",
-              "--unknown", "adjustable:0.5mm", "--unknown", "stiffness:5%", "-o", "result.json"});
-    const Outcome without = plan({});
-    ASSERT_EQ(without.exit_code, 0) << without.err;
-    EXPECT_THAT(without.out, HasSubstr("more than lengths was unknown"));
+    EXPECT_THAT(outcome.out, HasSubstr("LIMITS CANNOT BE PROMISED"));
+    const json document = json::parse(read("plan.json"));
+    EXPECT_TRUE(document["tension"]["limit_probability"].is_null());
+    const std::string list = read("turns.csv");
+    EXPECT_THAT(list, testing::StartsWith("# LIMITS CANNOT BE PROMISED"));
+    std::istringstream lines(list);
+    int turns = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("1,")) {
+            EXPECT_TRUE(line.ends_with(",")) << line;
+            ++turns;
+        }
+    }
+    EXPECT_GT(turns, 0);
 }
 
 TEST_F(PlanCommand, RefusesWhatCannotBeMeant) {

@@ -29,13 +29,13 @@ protected:
 
     [[nodiscard]] json identified() const {
         return json::parse(run({"identify", "net.json", "readings.csv", "--law", "uniform:4mm",
-                                "--draws", "0", "--json"})
+                                "--uncertain", "none", "--draws", "0", "--json"})
                                .out);
     }
 
     [[nodiscard]] double forecast() const {
         const json told = json::parse(run({"inspect", "net.json", "--survey", "readings.csv",
-                                           "--law", "uniform:4mm", "--json"})
+                                           "--law", "uniform:4mm", "--uncertain", "none", "--json"})
                                           .out);
         return told["survey"]["rms_std"];
     }

@@ -128,7 +128,7 @@ TEST_P(SteelRoofChain, TellsTheSlackEdgesOfAnExactFormAndNoOthersAndNoMoreThanTh
     for (size_t i = 0; i < truth.size(); ++i) {
         const json& edge = result["edges"][i];
         const bool is_slack = truly_slack.contains(edge["edge"].get<int>());
-        EXPECT_EQ(edge["status"], is_slack ? "slack" : "identified") << edge;
+        EXPECT_EQ(edge["status"], is_slack ? "slack" : "determined") << edge;
         if (!is_slack) {
             EXPECT_NEAR(edge["length_deviation"].get<double>(), truth[i], 1e-9) << edge;
             continue;

@@ -82,7 +82,7 @@ TEST(PosteriorOf, IsTheLawWhereTheSurveyTellsNothing) {
     EXPECT_NEAR(p.mean, 0.0, 1e-12);
     EXPECT_NEAR(p.std, uniform.std(), 1e-9);
     EXPECT_NEAR(p.upper, 0.95 * uniform.scale, 1e-9);
-    EXPECT_EQ(status_of(uniform.std(), p), EdgeStatus::unobserved);
+    EXPECT_EQ(status_of(uniform.std(), p), EdgeStatus::not_determined);
 }
 
 TEST(PosteriorOf, NeverLeavesTheBoundsOfAUniformLaw) {
@@ -117,6 +117,15 @@ TEST(PosteriorOf, ASlackEdgeIsOnlyKnownToBeAsLongAsItMeasures) {
     EXPECT_EQ(status_of(normal.std(), tail), EdgeStatus::slack);
     EXPECT_DOUBLE_EQ(tail.lower, 0.001);
     EXPECT_GT(tail.upper, 0.004);
+}
+
+TEST(StatusOf, IsByHowMuchTheSurveyNarrows) {
+    EXPECT_EQ(status_of(2.0, 0.0), EdgeStatus::determined);
+    EXPECT_EQ(status_of(2.0, 0.99), EdgeStatus::determined);
+    EXPECT_EQ(status_of(2.0, 1.01), EdgeStatus::weakly_determined);
+    EXPECT_EQ(status_of(2.0, 1.79), EdgeStatus::weakly_determined);
+    EXPECT_EQ(status_of(2.0, 1.81), EdgeStatus::not_determined);
+    EXPECT_EQ(status_of(2.0, 2.2), EdgeStatus::not_determined);
 }
 
 TEST(PosteriorOf, RefusesWhatIsNoDistribution) {

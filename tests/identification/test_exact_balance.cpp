@@ -47,7 +47,7 @@ void expect_all_lengths(const CableNet& net, const LengthLaw& law, const BuiltNe
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const IdentifiedEdge& edge = found.edges[i];
         const bool is_slack = std::ranges::binary_search(built.equilibrium.slack_edges, edge.edge);
-        EXPECT_EQ(edge.status, is_slack ? EdgeStatus::slack : EdgeStatus::identified) << edge.edge;
+        EXPECT_EQ(edge.status, is_slack ? EdgeStatus::slack : EdgeStatus::determined) << edge.edge;
         const double error = std::abs(edge.length_deviation - built.deviations(i));
         // By a bound of the law the mean of what is left lies off it, by what stands for the noise.
         const bool is_by_a_bound = std::abs(built.deviations(i)) > law.scale - 6.0 * edge.std;

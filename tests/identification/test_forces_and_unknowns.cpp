@@ -195,13 +195,15 @@ TEST(Unknown, ThatIsWiderThanToldShowsInItsSpread) {
     const CableNet net = loaded_net();
     const std::vector<Unknown> told{parse_unknown("supports:1mm")};
     for (int seed = 0; seed < 5; ++seed) {
-        const auto ratio_of = [&](const char* truth) {
+        const auto found_of = [&](const char* truth) {
             const Built built_net = built(net, {parse_unknown(truth)}, 40 + seed);
-            return spread_ratio(
-                identify(net, built_net.simulated.survey, options_with(told)).unknowns);
+            return identify(net, built_net.simulated.survey, options_with(told));
         };
-        EXPECT_NEAR(ratio_of("supports:1mm"), 1.0, 0.4);
-        EXPECT_GT(ratio_of("supports:3mm"), 1.5);
+        EXPECT_NEAR(spread_ratio(found_of("supports:1mm").unknowns), 1.0, 0.4);
+        // Single ones may be named in place of all.
+        const Identification wider = found_of("supports:3mm");
+        EXPECT_TRUE(spread_ratio(wider.unknowns) > 1.5 || !wider.boundary_outliers.empty());
+        EXPECT_NE(wider.trust.verdict(), Trust::Verdict::passed);
     }
     EXPECT_EQ(spread_ratio({}), 0.0);
 }

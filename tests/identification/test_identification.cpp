@@ -78,7 +78,7 @@ TEST_F(OnASmallNet, TheErrorsAreAFewStandardDeviations) {
 TEST_F(OnASmallNet, TheLengthsAreFarBetterKnownThanBefore) {
     for (const IdentifiedEdge& e : identify(training).edges) {
         EXPECT_LT(e.std, 0.2 * m_model.law.std()) << "edge " << e.edge;
-        EXPECT_EQ(e.status, EdgeStatus::identified);
+        EXPECT_EQ(e.status, EdgeStatus::determined);
     }
 }
 
@@ -159,14 +159,14 @@ TEST_F(OnASmallNet, TheResidualsAreTheDistancesOfPredictedAndSurveyedNodes) {
     EXPECT_GT(result.residuals.minCoeff(), 0.0);
 }
 
-TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsUnobservedAndAsUncertainAsTheLaw) {
+TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncertainAsTheLaw) {
     constexpr int constant = 4;
     m_data.length_deviations.row(constant).setZero();
     m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
     const Identification result = identify(training);
     for (size_t i = 0; i < result.edges.size(); ++i) {
         const IdentifiedEdge& e = result.edges[i];
-        EXPECT_EQ(e.status, i == constant ? EdgeStatus::unobserved : EdgeStatus::identified)
+        EXPECT_EQ(e.status, i == constant ? EdgeStatus::not_determined : EdgeStatus::determined)
             << "edge " << e.edge;
         if (i == constant) {
             EXPECT_EQ(e.length_deviation, 0.0);
@@ -175,7 +175,7 @@ TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsUnobservedAndAsUncertainA
     }
 }
 
-TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsUnobserved) {
+TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsNotDetermined) {
     // Deviations drawn anew: the form knows nothing of them.
     constexpr int unrelated = 4;
     for (int k = 0; k < m_data.size(); ++k) {
@@ -184,7 +184,7 @@ TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsUnobserved) {
     }
     m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
     const IdentifiedEdge edge = identify(training).edges[unrelated];
-    EXPECT_EQ(edge.status, EdgeStatus::unobserved);
+    EXPECT_EQ(edge.status, EdgeStatus::not_determined);
     EXPECT_NEAR(edge.std, m_data.law.std(), 0.15 * m_data.law.std());
 }
 
@@ -241,9 +241,10 @@ TEST_F(WithSlackEdges, TheSlackOnesOfThePredictedFormAreMarkedAndNoOthers) {
 }
 
 TEST(EdgeStatus, HasAWordForEachValue) {
-    EXPECT_EQ(to_string(EdgeStatus::identified), "identified");
+    EXPECT_EQ(to_string(EdgeStatus::determined), "determined");
+    EXPECT_EQ(to_string(EdgeStatus::weakly_determined), "weakly determined");
+    EXPECT_EQ(to_string(EdgeStatus::not_determined), "not determined");
     EXPECT_EQ(to_string(EdgeStatus::slack), "slack");
-    EXPECT_EQ(to_string(EdgeStatus::unobserved), "unobserved");
 }
 
 }  // namespace

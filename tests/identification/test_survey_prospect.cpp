@@ -85,7 +85,7 @@ TEST(SurveyProspect, OfAllNodesIsThePosteriorByDifferencesOfEquilibria) {
     EXPECT_LT((stds(prospect) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
     EXPECT_NEAR(prospect.rms_std(), std::sqrt(expected.cwiseAbs2().mean()), 1e-4 * expected.mean());
     EXPECT_DOUBLE_EQ(prospect.prior_std, 0.005 / std::sqrt(3.0));
-    EXPECT_EQ(prospect.count(EdgeStatus::identified), net.interior_edge_count());
+    EXPECT_EQ(prospect.count(EdgeStatus::determined), net.interior_edge_count());
 }
 
 TEST(SurveyProspect, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
@@ -97,16 +97,14 @@ TEST(SurveyProspect, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
         const Eigen::VectorXd expected = reference_std(net, survey, normal_3mm);
         EXPECT_LT((stds(prospect) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
         for (size_t i = 0; i < prospect.edges.size(); ++i) {
-            const bool is_unobserved =
-                expected(static_cast<Eigen::Index>(i)) >= 0.95 * normal_3mm.std();
             EXPECT_EQ(prospect.edges[i].status,
-                      is_unobserved ? EdgeStatus::unobserved : EdgeStatus::identified)
+                      status_of(normal_3mm.std(), expected(static_cast<Eigen::Index>(i))))
                 << i;
         }
     }
 }
 
-TEST(SurveyProspect, FindsUnobservedExactlyEdgesInsideAHiddenRegion) {
+TEST(SurveyProspect, DeterminesAllButEdgesInsideAHiddenRegion) {
     const CableNet net = hypar(10, 10);
     const Points form = solve_equilibrium(net).form;
     const int centre = net.free_nodes()[44];
@@ -118,10 +116,10 @@ TEST(SurveyProspect, FindsUnobservedExactlyEdgesInsideAHiddenRegion) {
     for (const EdgeProspect& e : prospect.edges) {
         const auto [s, t] = net.edges()[e.edge];
         if (core.contains(s) && core.contains(t)) {
-            EXPECT_EQ(e.status, EdgeStatus::unobserved) << net.edge_id(e.edge);
+            EXPECT_EQ(e.status, EdgeStatus::not_determined) << net.edge_id(e.edge);
             ++inside;
         } else if (!hidden.contains(s) || !hidden.contains(t)) {
-            EXPECT_EQ(e.status, EdgeStatus::identified) << net.edge_id(e.edge);
+            EXPECT_NE(e.status, EdgeStatus::not_determined) << net.edge_id(e.edge);
         }
     }
     EXPECT_GT(inside, 30);
@@ -145,10 +143,10 @@ TEST(SurveyProspect, TellsWhatIdentificationsThenGive) {
         }
         EXPECT_NEAR(prospect.rms_std(), std::sqrt(squares / static_cast<double>(then.edges.size())),
                     0.03 * prospect.rms_std());
-        const auto unobserved = static_cast<double>(
-            std::ranges::count(then.edges, EdgeStatus::unobserved, &IdentifiedEdge::status));
-        EXPECT_GT(unobserved, 10);
-        EXPECT_NEAR(prospect.count(EdgeStatus::unobserved), unobserved, 0.3 * unobserved);
+        const auto open = static_cast<double>(
+            std::ranges::count(then.edges, EdgeStatus::not_determined, &IdentifiedEdge::status));
+        EXPECT_GT(open, 10);
+        EXPECT_NEAR(prospect.count(EdgeStatus::not_determined), open, 0.3 * open);
     }
 }
 

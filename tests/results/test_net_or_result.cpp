@@ -55,7 +55,7 @@ TEST(NetOrResult, TellsWhichLengthsTheSurveyDoesNot) {
     const NetOrResult read = parse(document);
     const std::vector<int>& interior = read.file.net.interior_edges();
     EXPECT_THAT(read.slack, ElementsAre(interior[0]));
-    EXPECT_THAT(read.unobserved, ElementsAre(interior[3]));
+    EXPECT_THAT(read.not_determined, ElementsAre(interior[3]));
 }
 
 TEST(NetOrResult, KeepsWhatElseTheNetHolds) {

@@ -348,7 +348,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithAnEdgeTwice", "identification", "/edges/1", good("identification")["edges"][0],
                "/edges/1: is the edge"},
         Damage{"WithAnUnknownStatus", "identification", "/edges/0/status", "broken",
-               R"(/edges/0/status: is the text 'broken', expected "identified" or "slack" or )"},
+               R"(/edges/0/status: is the text 'broken', expected "determined" or )"},
         Damage{"WithANegativeStd", "identification", "/edges/0/std", -1.0,
                "/edges/0/std: is -1.0, expected a number of at least 0"},
         Damage{"WithAReversedInterval", "identification", "/edges/0/lower", 1.0, "/edges/0: has"},

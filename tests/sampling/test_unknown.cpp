@@ -110,6 +110,26 @@ TEST(Unknown, IsRefusedWhereTheNetHasNothingOfIt) {
                 HasSubstr("adjustable edges"));
 }
 
+TEST(Unknown, OfASiteIsWhatIsNotGiven) {
+    CableNetData data = hypar(4, 4).data();
+    EXPECT_EQ(to_string(with_site_assumptions(CableNet(data), {})),
+              "stiffness:5%, stiffness-each:2%, adjustable:0.5mm, supports:1mm");
+    data.expansion = Eigen::VectorXd::Constant(std::ssize(data.edges), 12e-6);
+    data.groups = {{"ridge", {0, 1}}};
+    const CableNet net(data);
+    EXPECT_EQ(to_string(with_site_assumptions(
+                  net, {parse_unknown("loads:20N"), parse_unknown("stiffness:10%@ridge")})),
+              "loads:20N, stiffness:10%@ridge, stiffness-each:2%, temperature:5K, "
+              "adjustable:0.5mm, supports:1mm");
+    // Of a model of 4 mm edges no more than the net bears.
+    data.nodes *= 1e-2;
+    data.unstressed_lengths *= 1e-2;
+    const CableNet small(data);
+    const std::vector<Unknown> assumed = with_site_assumptions(small, {});
+    EXPECT_NO_THROW(check_unknowns(small, assumed));
+    EXPECT_LT(std_of(assumed, Unknown::Kind::supports), 1e-3);
+}
+
 TEST(Circumstances, AsToldLeaveTheNetAsItIs) {
     const CableNet net = hypar(3, 4);
     const CableNet same = net_under(net, as_told(net), net.unstressed_lengths());

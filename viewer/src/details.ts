@@ -5,7 +5,7 @@ import { h, section } from "./dom";
 import { counted, fixed, millimetres, number, percent, rootMeanSquare, short } from "./format";
 import type { Model } from "./model";
 import {
-  type Comparison, controlOf, type FormErrorSummary, type Identification, isSlack, lengthOf, type Method, methodsOf, type Result, type Study,
+  type Comparison, controlOf, type FormErrorSummary, type Identification, isNotDetermined, isSlack, lengthOf, type Method, methodsOf, type Result, type Study,
 } from "./result";
 import type { Selection } from "./selection";
 import { type Column, Table } from "./table";
@@ -76,7 +76,7 @@ export function listsSection(result: Identification, model: Model, selection: Se
   const { survey, edges } = result;
   const slack = edges.filter(isSlack).sort((a, b) => b.lower - a.lower)
     .map((e): Entry => ({ index: e.edge, text: `≥ ${millimetres(e.lower)} mm`, detail: "its length deviation is at least this" }));
-  const unobserved = edges.filter((e) => e.status === "unobserved").map((e) => ({ index: e.edge }));
+  const open = edges.filter(isNotDetermined).map((e) => ({ index: e.edge }));
   const gross = survey.outliers.map(({ node, distance, statistic, swapped_with }): Entry => ({
     index: node,
     ...(distance === undefined ? {} : { text: `${millimetres(distance)} mm${swapped_with === undefined ? "" : `, swapped with ${swapped_with}`}` }),
@@ -91,7 +91,7 @@ export function listsSection(result: Identification, model: Model, selection: Se
   return section("lists", "To look at", h("div", { class: "lists" },
     list("Slack edges", "edge", slack, "None: every cable whose length was asked for carries tension.",
       "No more is known than that the length deviation is at least this. They are in no statistic of the deviations."),
-    list("Unobserved edges", "edge", unobserved, "None: the survey tells about every cable."),
+    list("Edges not determined", "edge", open, "None: the survey tells about every cable.", "Hardly better known than before the survey."),
     list("Gross errors", "node", gross, "None: no surveyed point contradicts the net.", "Targets left out, with their distance from where all others tell."),
     list("Hidden nodes", "node", (survey.missing_nodes ?? []).map((index): Entry => ({ index, ...knownTo(index) })), survey.missing > 0 ? `${survey.missing}, which the result does not name.` : "None: every free node was surveyed."),
     h("div", { class: "list" }, h("h3", {}, "Unmatched targets", h("span", { class: "count" }, String(unmatched.length))),
@@ -195,6 +195,12 @@ export function settingsSection(result: Result): HTMLElement {
     if (result.frame === null) add("frame of the survey", "the net's");
     add("surveyed free nodes", result.survey.used);
     add("hidden free nodes", result.survey.missing);
+    if (result.assumptions) {
+      const words = result.assumptions.map((one) => one.value + (one.source === "default" ? " (assumed)" : "")).join(", ");
+      add("uncertain besides lengths", words || "nothing: stiffness, loads, supports and turnbuckles are as given");
+      const relied = result.assumptions.filter((one) => !one.testable).map((one) => one.value).join(", ");
+      add("of this the survey does not show, and intervals rest on", relied);
+    }
     for (const one of result.unknowns ?? []) {
       if (one.edge === undefined && one.node === undefined) {
         const unit = one.unit === "1" ? "%" : one.unit;

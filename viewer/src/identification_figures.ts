@@ -9,14 +9,15 @@ import { counted, millimetres, number, rootMeanSquare } from "./format";
 import { type Ink, ink } from "./inks";
 import type { Model } from "./model";
 import { nodeMap, planThinning, type Side, sideOf } from "./net_map";
-import { type EdgeStatus, type Identification, isSlack, lengthOf } from "./result";
+import { type Identification, isSlack, lengthOf, type Status, statusNow } from "./result";
 import { netFigure } from "./study_figures";
 import { mostAlong, thinningWords } from "./thinning";
 
-const kinds: { status: EdgeStatus; ink: Ink; words: string }[] = [
-  { status: "identified", ink: "deep", words: "identified" },
+const kinds: { status: Status; ink: Ink; words: string }[] = [
+  { status: "determined", ink: "deep", words: "determined" },
+  { status: "weakly determined", ink: "green", words: "weakly determined" },
+  { status: "not determined", ink: "grey", words: "not determined" },
   { status: "slack", ink: "orange", words: "slack: at least" },
-  { status: "unobserved", ink: "grey", words: "unobserved" },
 ];
 
 /** Length deviations with their 95 % intervals; of a slack edge only the lower bound is known: its dot is there. */
@@ -24,7 +25,7 @@ function intervalFigure({ edges: all }: Identification, model: Model): Figure {
   const count = all.length;
   const slack = all.filter(isSlack).length;
   const widest = all.reduce((most, e) => (isSlack(e) ? most : Math.max(most, e.upper - e.lower)), 0);
-  const present = kinds.filter((kind) => all.some((e) => e.status === kind.status));
+  const present = kinds.filter((kind) => all.some((e) => statusNow(e) === kind.status));
   const of = (key: "lower" | "upper" | "length_deviation"): number[] => all.map((e) => 1e3 * e[key]);
   const [lower, upper, deviation] = [of("lower"), of("upper"), of("length_deviation")];
   const parts = [
@@ -41,10 +42,10 @@ function intervalFigure({ edges: all }: Identification, model: Model): Figure {
       marks(edges, view) {
         const width = Math.min(Math.max(80 / Math.sqrt(Math.max(edges.length, 1)), 2.6), 5);
         return present.flatMap((kind) => {
-          const some = edges.filter((i) => all[i]!.status === kind.status);
+          const some = edges.filter((i) => statusNow(all[i]!) === kind.status);
           return [
             lines(some.map((i) => [i + 1, lower[i]!, i + 1, upper[i]!] as const), ink("grey"), 0.9),
-            dots(some.map((i): [number, number] => [i + 1, kind.status === "slack" ? lower[i]! : deviation[i]!]), ink(kind.ink), kind.status === "identified" ? width : 1.7 * width, view),
+            dots(some.map((i): [number, number] => [i + 1, kind.status === "slack" ? lower[i]! : deviation[i]!]), ink(kind.ink), kind.status === "determined" ? width : 1.7 * width, view),
           ];
         });
       },

@@ -3,7 +3,7 @@
 
 import { palette, type Rgb } from "./colours";
 import { number } from "./format";
-import { type EdgeStatus, type Identification, isSlack, lengthOf, type NetFile, type Study } from "./result";
+import { type Identification, isSlack, lengthOf, type NetFile, type Status, statusNow, type Study } from "./result";
 
 /** A number for each edge or node, in the unit it is shown in; NaN where there is none. */
 export interface Quantity {
@@ -126,17 +126,18 @@ function tensionAndStrain(net: NetFile, tension: number[], which: string, key: s
 }
 
 const statusNames = [
-  { text: "identified", colour: palette.blue },
+  { text: "determined", colour: palette.blue },
+  { text: "weakly determined", colour: palette.green },
+  { text: "not determined", colour: palette.yellow },
   { text: "slack", colour: palette.orange },
-  { text: "unobserved", colour: palette.yellow },
   { text: "adjustable: known and set", colour: palette.grey },
 ];
-const statuses: EdgeStatus[] = ["identified", "slack", "unobserved"];
+const statuses: Status[] = ["determined", "weakly determined", "not determined", "slack"];
 
-function statusQuantity(model: Model, statusOf: (edge: number) => EdgeStatus): Quantity {
+function statusQuantity(model: Model, statusOf: (edge: number) => Status): Quantity {
   return quantity({
     key: "status", label: "status", unit: "", of: "edge", kind: "names", decimals: 0, names: statusNames,
-    values: Float64Array.from(model.isAdjustable, (adjustable, e) => (adjustable ? 3 : statuses.indexOf(statusOf(e)))),
+    values: Float64Array.from(model.isAdjustable, (adjustable, e) => (adjustable ? statuses.length : statuses.indexOf(statusOf(e)))),
   });
 }
 
@@ -150,7 +151,7 @@ export function modelOfStudy(study: Study): Model {
   const node = (key: string, label: string, values: number[]): Quantity =>
     quantity({ key, label, unit: "mm", of: "node", kind: "sequential", decimals: 4, values: spread(model.nodeCount, free, values) });
   model.quantities.push(
-    statusQuantity(model, (e) => (sample.identified_tension[e]! > 0 ? "identified" : "slack")),
+    statusQuantity(model, (e) => (sample.identified_tension[e]! > 0 ? "determined" : "slack")),
     edge("true", "length deviation, true", "true", "diverging", sample.true, "deviation"),
     edge("identified", "length deviation, identified", "identified", "diverging", sample.identified, "deviation"),
     edge("error", "length deviation, error (true − identified)", "error", "diverging", sample.true.map((t, i) => t - sample.identified[i]!)),
@@ -200,10 +201,10 @@ export function modelOfIdentification(result: Identification): Model {
     spread(model.edgeCount, edges.map((e) => e.edge), edges.map((e) => e[key]));
   const tense = result.edges.filter((e) => !isSlack(e));
   const slack = result.edges.filter(isSlack);
-  const statusOf = new Map(result.edges.map((e) => [e.edge, e.status]));
+  const statusOf = new Map(result.edges.map((e) => [e.edge, statusNow(e)]));
   const fromNominal = difference(result.form, net.nodes);
   model.quantities.push(
-    statusQuantity(model, (e) => statusOf.get(e) ?? "unobserved"),
+    statusQuantity(model, (e) => statusOf.get(e) ?? "not determined"),
     quantity({
       key: "identified", label: "length deviation, identified", head: "deviation", unit: "mm", of: "edge", kind: "diverging", decimals: 3, scale: "deviation",
       values: of("length_deviation", tense), interval: { lower: of("lower", tense), upper: of("upper", tense) },

@@ -66,7 +66,7 @@ function rowsOf(plan: Plan, turns: Turn[]): HTMLElement[] {
     pitch === null ? null : h("td", { class: "turns" }, turn.turns === null ? "–" : turnsText(turn.turns, plan.options)),
     h("td", {}, fixed(Math.abs(1e3 * turn.stroke), 2)),
     h("td", {}, signed(1e3 * turn.reading_after, 2)),
-    h("td", {}, fixed(turn.tension_after / 1e3, 2))));
+    h("td", {}, plan.draws > 0 ? fixed(turn.tension_after / 1e3, 2) : "–")));
 }
 
 /** What must be known before the first turn, on the sheets of each crew. */

@@ -46,13 +46,13 @@ function limitSentence(plan: Plan): string {
   const { tension, draws, options } = plan;
   const range = `Tensions go from ${kN(tension.least)} to ${kN(tension.most)} kN, where they are ${kN(tension.least_as_built)} to ${kN(tension.most_as_built)} kN as built.`;
   if (plan.limits_given === false) {
-    const sure = draws > 0 ? `with a probability of ${percent(tension.limit_probability)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for` : `by the estimate; how surely is not known${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}`;
+    const sure = draws > 0 ? `with a probability of ${percent(tension.limit_probability ?? 0)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for` : `by the estimate, which cannot be promised${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}`;
     return `No limits of tension or reaction were given; ${plan.feasible ? "" : "not surely enough "}no cable goes slack ${sure}. ${range}`;
   }
   if (draws > 0) {
-    return `${plan.feasible ? "All limits are kept together with a probability of" : "Not all limits are kept: the probability that they are is"} ${percent(tension.limit_probability)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for. ${range}`;
+    return `${plan.feasible ? "All limits are kept together with a probability of" : "Not all limits are kept: the probability that they are is"} ${percent(tension.limit_probability ?? 0)} % (${counted(draws, "draw")}), where ${short(100 * options.confidence)} % was asked for. ${range}`;
   }
-  return `Limits are ${plan.feasible ? "kept" : "not all kept"} by the estimate; how surely is not known${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}. ${range}`;
+  return `Limits cannot be promised; by the estimate they are ${plan.feasible ? "kept" : "not all kept"}${plan.no_draws_since ? `: ${plan.no_draws_since}` : ""}. ${range}`;
 }
 
 /** How surely the work breaks no limit; nothing where that is not known. */
@@ -91,7 +91,7 @@ export function ofPlan(plan: Plan): Summary {
       { value: `${number(1e3 * form.as_built.normal_rmse, 2)} → ${number(1e3 * form.planned.normal_rmse, 2)}`, unit: "mm", label: "from the target along its normal, RMS" },
       { value: `${kN(tension.least)} – ${kN(tension.most)}`, unit: "kN", label: "tension as planned" },
       draws > 0
-        ? { value: percent(tension.limit_probability), unit: "%", label: `probability that all limits are kept, ${short(100 * plan.options.confidence)} % wanted` }
+        ? { value: percent(tension.limit_probability ?? 0), unit: "%", label: `probability that all limits are kept, ${short(100 * plan.options.confidence)} % wanted` }
         : { value: "–", unit: "", label: "probability of the limits: not known without draws" },
     ],
   };

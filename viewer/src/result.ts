@@ -6,7 +6,7 @@ import type { ControlResidual, Identification, IdentifiedEdge, Method, Result, S
 // The results as taut writes them (docs/files.md), in SI units. taut has checked them before it
 // made the page.
 export type {
-  Comparison, ComparisonRow, Control, ControlResidual, ControlRound, ControlStrategy, Counts, EdgeStatus, FormErrorSummary, Identification, IdentifiedEdge, Method,
+  Comparison, ComparisonRow, Control, ControlResidual, ControlRound, ControlStrategy, Counts, FormErrorSummary, Identification, IdentifiedEdge, Method,
   FormDeviation, LimitBreach, NetFile, Outlier, Plan, PlannedTension, Result, Study, Turn,
 } from "./result_schema";
 
@@ -18,6 +18,17 @@ export function methodsOf(study: Study): [string, Method][] {
 
 /** Whether no more than a lower bound is known of the edge's length. */
 export const isSlack = (edge: IdentifiedEdge): boolean => edge.status === "slack";
+
+/** What the survey tells of an edge's length. */
+export type Status = "determined" | "weakly determined" | "not determined" | "slack";
+
+/** In the words of now: 0.2.0 called edges identified or unobserved. */
+export function statusNow({ status }: IdentifiedEdge): Status {
+  if (status === "identified") return "determined";
+  return status === "unobserved" ? "not determined" : status;
+}
+
+export const isNotDetermined = (edge: IdentifiedEdge): boolean => statusNow(edge) === "not determined";
 
 /** The control points that the survey's frame was fitted to; older results have no `frame`. */
 export const controlOf = (result: Identification): ControlResidual[] => result.frame?.control ?? result.survey.control ?? [];

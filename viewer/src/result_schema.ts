@@ -95,7 +95,10 @@ export type Turned1 = {
    */
   std: number;
 }[];
-export type EdgeStatus = "identified" | "slack" | "unobserved";
+/**
+ * "identified" and "unobserved" in files of 0.2.0.
+ */
+export type EdgeStatus = "determined" | "weakly determined" | "not determined" | "slack" | "identified" | "unobserved";
 /**
  * Of all edges, in the predicted form [N].
  */
@@ -276,6 +279,10 @@ export interface Identification {
   law?: string;
   detectable?: Detectable;
   prior?: Prior;
+  /**
+   * What was taken as uncertain besides lengths.
+   */
+  assumptions?: Assumption[];
   /**
    * Root mean square of the stated standard deviations [m].
    */
@@ -583,6 +590,30 @@ export interface PriorNode {
    * Posterior probability.
    */
   weight: number;
+}
+export interface Assumption {
+  name: string;
+  /**
+   * As on the command line: "stiffness:5%".
+   */
+  value: string;
+  /**
+   * Of edges; null: all.
+   */
+  group: string | null;
+  /**
+   * Before the survey.
+   */
+  std: number;
+  unit: string;
+  /**
+   * Whether it was given, or assumed by taut.
+   */
+  source: "given" | "default";
+  /**
+   * Whether the survey shows any number of it.
+   */
+  testable: boolean;
 }
 export interface IdentifiedEdge {
   edge: Index;
@@ -940,9 +971,9 @@ export interface Plan {
     least_as_built: Size;
     most_as_built: Size;
     /**
-     * That all limits are kept; 0 or 1 without draws.
+     * That all limits are kept; null without draws (0 or 1 in files of 0.2.0).
      */
-    limit_probability: number;
+    limit_probability: number | null;
     /**
      * Of all edges, in their order.
      */

@@ -6,7 +6,7 @@ import { h } from "./dom";
 import { counted, millimetres, number, percent, rootMeanSquare, short } from "./format";
 import { ofPlan, planLines } from "./plan_summary";
 import {
-  type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isSlack, lengthOf, methodsOf, type Result, type Study,
+  type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isNotDetermined, isSlack, lengthOf, methodsOf, type Result, type Study,
 } from "./result";
 
 /** What the top of the page says: a title, what was done, three sentences, some numbers. */
@@ -79,18 +79,18 @@ const methodNames: Record<string, string> = {
 
 function warnings(result: Identification): string {
   const slack = result.edges.filter(isSlack).length;
-  const unobserved = result.edges.filter((e) => e.status === "unobserved").length;
+  const open = result.edges.filter(isNotDetermined).length;
   const { outliers, missing, unmatched = [] } = result.survey;
   const found = [
     slack && `${counted(slack, "slack cable")}, of which only a lower bound of the length is known`,
-    unobserved && `${counted(unobserved, "cable")} that the survey does not tell about`,
+    open && `${counted(open, "cable")} that the survey does not determine`,
     outliers.length && counted(outliers.length, "gross error"),
     missing && counted(missing, "node") + " not surveyed",
     unmatched.length && counted(unmatched.length, "target") + " that fit no node",
   ].filter(Boolean);
   return found.length > 0
     ? `To look at: ${found.join("; ")}.`
-    : "No cable is slack, every cable is observed, and the survey shows no gross error and no hidden node.";
+    : "No cable is slack, the survey tells about every cable, and the survey shows no gross error and no hidden node.";
 }
 
 /** Median half width of the 95 % intervals [m]. */

@@ -5,11 +5,13 @@
 #include <Eigen/Core>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "taut/export/adjustment.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/sampling/circumstances.hpp"
 
 namespace taut {
 
@@ -19,6 +21,8 @@ struct BuiltNet {
     /// Draws of the unstressed lengths of all edges, one a column (m x draws) [m]; none: limits are
     /// held for the estimate alone.
     Eigen::MatrixXd length_draws;
+    /// What else differs from `net` in each draw, but for lengths; none: nothing does.
+    std::vector<Circumstances> perturbations;
     std::string no_draws_since;  ///< why there are none, in words
     /// Why the identification failed its tests, and what to do about it; empty where it did not.
     std::string failed_since;
@@ -41,7 +45,7 @@ struct BuiltNet {
 /// BuiltNet::failed_since; empty where it did not fail.
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string failure_of(const Trust& trust);
 
-/// The same with draws, where they can be relied on and nothing but lengths was unknown.
+/// The same with draws, where they can be relied on.
 /// @param net as designed: what was turned since is in the identification
 /// @param identification of this net, which is not checked
 /// @throws std::invalid_argument as net_as_identified() and add_draws()
@@ -52,7 +56,7 @@ struct BuiltNet {
 /// @param built gets the draws, or the reason
 /// @param turned the net with what was turned, as told
 /// @param draws of this net, whose sizes are not checked
-/// @param unknowns besides lengths of interior edges
+/// @param unknowns of the identification: draws of an older version hold lengths alone
 /// @throws std::invalid_argument where draws leave an edge no length
 TAUT_ADJUSTMENT_EXPORT void add_draws(BuiltNet& built, const CableNet& turned,
                                       const PosteriorDraws& draws,

@@ -95,9 +95,8 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     std::vector<ForceRange> held;
     int draws = 0;               ///< that limits were held for; 0: for the estimate alone
     std::string no_draws_since;  ///< where there are none
-    /// That all limits are kept; 0 or 1 without draws.
-    double limit_probability = 0.0;
-    bool is_feasible = false;    ///< all limits are kept, with the confidence wanted
+    std::optional<double> limit_probability;  ///< that all limits are kept; empty without draws
+    bool is_feasible = false;                 ///< all limits are kept, with the confidence wanted
     bool has_converged = false;  ///< the search for strokes ended where no step promised to help
     std::vector<LimitBreach> breaches;  ///< the worst first
     /// Cost of whole steps: normal RMS with free strokes; that of `planned` where there are no

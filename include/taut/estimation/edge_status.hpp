@@ -11,17 +11,22 @@ namespace taut {
 
 /// What a survey tells of one edge.
 enum class EdgeStatus {
-    identified,
-    slack,       ///< carries no tension in the predicted form: its length shows in nothing
-    unobserved,  ///< no narrower known than before the survey
+    determined,         ///< standard deviation below half of that before the survey
+    weakly_determined,  ///< half to nine tenths
+    not_determined,     ///< more: hardly better known than before the survey
+    slack,  ///< carries no tension in the predicted form: only a lower bound of its length is known
 };
 
-/// "identified", "slack", "unobserved".
+/// "determined", "weakly determined", "not determined", "slack".
 [[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(EdgeStatus status);
 
-/// An edge is unobserved when its standard deviation exceeds this part of that of the law of its
-/// length: two Gaussian processes trained on other samples differ by as much.
-inline constexpr double unobserved_ratio = 0.95;
+/// A number is determined by a survey where its standard deviation is below the first of these
+/// parts of that before the survey, and not determined from the second on.
+inline constexpr double determined_ratio = 0.5;
+inline constexpr double not_determined_ratio = 0.9;
+
+/// By that rule, of a number that is not slack. Standard deviations are not checked.
+[[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(double prior_std, double std);
 
 /// Half the width of the 95 % interval of a normal distribution, in standard deviations.
 inline constexpr double half_interval_95 = 1.959963984540054;

@@ -64,8 +64,8 @@ struct LengthPosterior {
 [[nodiscard]] TAUT_CORE_EXPORT std::pair<double, double> moments_of(
     const LengthLaw& law, const LengthLikelihood& likelihood);
 
-/// What a posterior says of its edge: slack where that is more probable than not; unobserved where
-/// its standard deviation is no smaller than 0.95 of the prior's; identified else.
+/// What a posterior says of its edge: slack where that is more probable than not; else by its
+/// standard deviation.
 /// @param prior_std standard deviation of the length deviation before the survey [m]
 [[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(double prior_std,
                                                     const LengthPosterior& posterior);

@@ -28,7 +28,7 @@ struct ReadingOutlier {
 
 /// An edge whose length the survey shows to be beyond the law of the others: mis-cut, most likely.
 struct LengthOutlier {
-    int edge = 0;  ///< an interior one; where their lengths were unknown, an adjustable one, too
+    int edge = 0;            ///< an interior one
     double deviation = 0.0;  ///< of its length by the survey alone [m]
     double std = 0.0;        ///< of that [m]
     double statistic = 0.0;  ///< squared distance from the law in its variances

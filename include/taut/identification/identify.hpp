@@ -52,6 +52,10 @@ struct IdentifyOptions {
     /// What else is not known: map estimates it with the lengths; the samples of gp are drawn with
     /// it. A model has its own.
     std::vector<Unknown> unknowns = {};
+    /// Of what is not among these taut assumes what is usual on a site, with_site_assumptions():
+    /// for map, of a survey that is not exact. Else all that is not given is as the net tells. Of
+    /// several surveys only common stiffness and temperature are assumed uncertain.
+    bool assume_site = false;
     /// For gp; not copied: it must live until identify() has ended. Null: one is trained now, on
     /// `training_samples` samples of the law, and forgotten.
     const LengthModel* model = nullptr;

@@ -12,13 +12,30 @@
 
 namespace taut {
 
-/// Draws of the posterior, one a column: lengths with the form and the tensions that follow in
-/// exact equilibrium.
+/// What differs from the net besides lengths, one draw a column; a matrix of 0 x 0: nothing.
+struct ModelPerturbations {
+    /// m x draws: logarithm of the factor of EA, or of the tension law.
+    Eigen::MatrixXd stiffness;
+    /// m x draws: relative change of the unstressed lengths, by temperature or, of an adjustable
+    /// edge that was found at another length, by that.
+    Eigen::MatrixXd thermal;
+    Eigen::MatrixXd supports;  ///< 3 n_S x draws: of their places, as CableNet::supports() [m]
+    Eigen::MatrixXd loads;     ///< 3 n_I x draws: of the loads on free nodes [N]
+
+    /// Whether all is as the net tells.
+    [[nodiscard]] bool empty() const {
+        return stiffness.size() + thermal.size() + supports.size() + loads.size() == 0;
+    }
+};
+
+/// Draws of the posterior, one a column: lengths and all else that is uncertain, with the form and
+/// the tensions that follow in exact equilibrium.
 struct PosteriorDraws {
     Eigen::MatrixXd length_deviations;  ///< m_I x draws, of the interior edges [m]
-    /// m_A x draws, of the adjustable edges where their lengths, and nothing else, were unknown
-    /// besides; 0 x 0: they are as told [m].
+    /// m_A x draws, of the adjustable edges where their lengths, too, were uncertain; 0 x 0: they
+    /// are as given [m].
     Eigen::MatrixXd adjustable_deviations;
+    ModelPerturbations perturbations;
     Eigen::MatrixXd forms;     ///< 3 n_I x draws, free coordinates [m]
     Eigen::MatrixXd tensions;  ///< m x draws, of all edges [N]
     std::uint64_t seed = 1;    ///< that the draws follow from

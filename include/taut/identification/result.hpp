@@ -45,7 +45,7 @@ struct IdentifiedEdge {
     double std = 0.0;                            ///< standard deviation of the estimate [m]
     double lower = 0.0;                          ///< 95 % interval of the length deviation [m]
     double upper = 0.0;                          ///< its upper end [m]
-    EdgeStatus status = EdgeStatus::identified;  ///< whether the survey tells its length at all
+    EdgeStatus status = EdgeStatus::determined;  ///< whether the survey tells its length at all
 };
 
 /// Posterior covariances between the lengths of some interior edges.
@@ -54,6 +54,14 @@ struct LengthCovariance {
     /// k x k: the correlations of the fit linearised at the result, (covariance) of docs/theory.md,
     /// times the standard deviations of IdentifiedEdge, which the law itself cuts [m2].
     Eigen::MatrixXd covariance;
+};
+
+/// A parameter that was taken as uncertain.
+struct Assumption {
+    Unknown parameter;        ///< with its standard deviation before the survey
+    bool is_default = false;  ///< assumed, since nothing was given
+    bool is_testable =
+        false;  ///< whether the survey shows any number of it: else it is taken as is
 };
 
 /// How far the frame of a survey is from the net's, where it was unknown: a rotation about a point,
@@ -158,6 +166,7 @@ struct Identification {
     std::vector<int> contradicted_taut;
     std::vector<int> contradicted_slack;  ///< of those seen slack, likewise
 
+    std::vector<Assumption> assumptions;  ///< of what is uncertain, in their order
     /// What else was unknown, in the order in which it was told.
     std::vector<UnknownEstimate> unknowns;
 

@@ -17,7 +17,7 @@ namespace taut {
 struct EdgeProspect {
     int edge = 0;                                ///< index in the net
     double std = 0.0;                            ///< of the length deviation, after the survey [m]
-    EdgeStatus status = EdgeStatus::identified;  ///< that an identification most probably gives
+    EdgeStatus status = EdgeStatus::determined;  ///< that an identification most probably gives
 };
 
 /// What a survey can tell of one edge's tension, before it is made, and what a reading of it would

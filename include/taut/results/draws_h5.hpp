@@ -17,8 +17,11 @@ namespace taut {
 ///     form             [draws, 3 n_I] m, x1,y1,z1,x2,... of the nodes in `node`
 ///     tension          [draws, m]     N, of all edges
 ///
-/// with the fingerprint of the net, the law, the seed and how they were drawn as attributes.
-/// Not for two threads at the same time, as all that uses HDF5.
+/// and, where these are uncertain, adjustable_deviation [draws, m_A], stiffness_perturbation and
+/// thermal_perturbation [draws, m], support_perturbation [draws, 3 n_S], load_perturbation
+/// [draws, 3 n_I], as PosteriorDraws has them; with the fingerprint of the net, the law, the seed
+/// and how they were drawn as attributes. Not for two threads at the same time, as all that uses
+/// HDF5.
 /// @param identification of this net, which is not checked
 /// @throws std::invalid_argument where the identification has none
 [[nodiscard]] TAUT_IO_EXPORT std::string draws_bytes(const CableNet& net,
@@ -32,8 +35,8 @@ namespace taut {
 [[nodiscard]] TAUT_IO_EXPORT std::string fingerprint_of(const PosteriorDraws& draws);
 
 /// Reads what draws_bytes() wrote. Not for two threads at the same time, likewise.
-/// @throws InputError as all readers of HDF5, for draws of another net, and for lengths that are
-///   not positive
+/// @throws InputError as all readers of HDF5, for draws of another net, for lengths that are not
+///   positive, and for perturbations beyond any uncertainty
 [[nodiscard]] TAUT_IO_EXPORT PosteriorDraws read_draws(const CableNet& net,
                                                        const std::filesystem::path& path);
 

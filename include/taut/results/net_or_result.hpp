@@ -20,7 +20,7 @@ struct NetOrResult {
     bool is_identified = false;  ///< false: `file` is the net as designed
     /// Interior edges whose length the survey does not tell; they have the estimate all the same.
     std::vector<int> slack;
-    std::vector<int> unobserved;  ///< EdgeStatus::unobserved, those above EdgeStatus::slack
+    std::vector<int> not_determined;  ///< EdgeStatus::not_determined, those above EdgeStatus::slack
 };
 
 /// Reads a net (parse_net()) or a saved identification (parse_result()), told apart by "format".

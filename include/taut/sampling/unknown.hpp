@@ -53,6 +53,14 @@ struct TAUT_CORE_EXPORT Unknown {
 ///   the shortest edge, common loads where there are none
 TAUT_CORE_EXPORT void check_unknowns(const CableNet& net, const std::vector<Unknown>& unknowns);
 
+/// What is uncertain on a site of which nothing else is given: stiffness 5 % in common and 2 % of
+/// each edge; 5 K where edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm;
+/// of lengths and places no more than a tenth of the shortest edge that they are of.
+/// @param given goes before: of what has its name nothing is assumed
+/// @return `given`, then what is assumed
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<Unknown> with_site_assumptions(
+    const CableNet& net, std::vector<Unknown> given);
+
 /// The edges that an unknown of stiffness or temperature is about, ascending: those of its group,
 /// or all.
 /// @throws std::out_of_range for a group that the net does not have

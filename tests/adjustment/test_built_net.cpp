@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against plans over other nets than those that the posterior samples are of: what a survey
+// leaves open of stiffness, temperature, supports, turnbuckles and loads must be in the samples
+// that limits are kept in.
+#include "taut/adjustment/built_net.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "adjustment/force_ranges.hpp"
+#include "identification/simulated_survey.hpp"
+#include "support/random_nets.hpp"
+#include "taut/adjustment/plan.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/identify.hpp"
+
+namespace taut {
+namespace {
+
+constexpr LengthLaw prior{LengthLaw::Kind::uniform, 0.002};
+constexpr double noise = 0.5e-3;
+
+/// With loads, and cables that expand.
+CableNet site_net() {
+    const CableNet net = hypar(5, 5);
+    CableNetData data = net.data();
+    data.expansion = Eigen::VectorXd::Constant(net.edge_count(), 12e-6);
+    data.loads = Points::Zero(3, net.node_count());
+    for (const int node : net.free_nodes()) {
+        data.loads(2, node) = -20.0;
+    }
+    return CableNet(std::move(data));
+}
+
+Identification identified(const CableNet& net, const Survey& survey,
+                          std::vector<Unknown> uncertain) {
+    return identify(net, survey,
+                    {.method = IdentificationMethod::map,
+                     .law = prior,
+                     .unknowns = std::move(uncertain),
+                     .draws = 30});
+}
+
+/// Each sample of the built net has the form and the tensions that the identification drew.
+void expect_same_samples(const CableNet& net, const Identification& found) {
+    ASSERT_TRUE(found.draws.has_value());
+    ASSERT_EQ(found.draws->doubt, "");
+    const BuiltNet built = built_net_of(net, found);
+    ASSERT_EQ(built.no_draws_since, "");
+    for (int d = 0; d < found.draws->count(); ++d) {
+        const Circumstances perturbation = built.perturbations.empty()
+                                               ? as_told(built.net)
+                                               : built.perturbations.at(static_cast<size_t>(d));
+        const CableNet sample = net_under(built.net, perturbation, built.length_draws.col(d));
+        const Equilibrium equilibrium = solve_equilibrium(sample);
+        const Eigen::VectorXd pull =
+            tensions(sample, sample.unstressed_lengths(), equilibrium.form);
+        const Eigen::VectorXd drawn = found.draws->tensions.col(d);
+        EXPECT_LT((pull - drawn).cwiseAbs().maxCoeff(), 1e-5 * drawn.mean()) << d;
+        EXPECT_LT((free_coordinates(net, equilibrium.form) - found.draws->forms.col(d))
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  1e-7)
+            << d;
+    }
+}
+
+TEST(BuiltNet, HasTheSamplesOfAllThatIsUncertain) {
+    const CableNet net = site_net();
+    const test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);
+    for (const char* one : {"stiffness:5%", "stiffness-each:3%", "temperature:10K", "supports:1mm",
+                            "adjustable:0.5mm", "loads:10%", "loads:2N"}) {
+        SCOPED_TRACE(one);
+        expect_same_samples(net, identified(net, s.survey, {parse_unknown(one)}));
+    }
+    std::vector<Unknown> all = with_site_assumptions(net, {parse_unknown("loads:10%")});
+    expect_same_samples(net, identified(net, s.survey, std::move(all)));
+}
+
+int edge_at(const CableNet& net, int node) {
+    const auto is_at = [node](const Edge& edge) { return edge[0] == node || edge[1] == node; };
+    return static_cast<int>(std::ranges::find_if(net.edges(), is_at) - net.edges().begin());
+}
+
+TEST(BuiltNet, HasTheSamplesOfASupportOrTurnbuckleThatTheSurveyContradicts) {
+    const CableNet net = hilo_quarter();
+    CableNetData moved = net.data();
+    moved.nodes(2, net.supports()[10]) += 0.012;
+    CableNetData turned = net.data();
+    turned.unstressed_lengths(net.adjustable_edges()[40]) += 0.010;
+    for (CableNetData* data : {&moved, &turned}) {
+        const CableNet truth(*data);
+        const test::SimulatedSurvey s = test::simulate(truth, prior, noise, 4);
+        for (const bool is_uncertain : {false, true}) {
+            const Identification found =
+                identified(net, s.survey,
+                           is_uncertain ? with_site_assumptions(net, {}) : std::vector<Unknown>());
+            ASSERT_EQ(found.boundary_outliers.size(), 1U);
+            // At a support with one edge either is named, and the other as what it is confounded
+            // with.
+            const BoundaryOutlier& outlier = found.boundary_outliers.front();
+            const int edge =
+                data == &moved ? edge_at(net, net.supports()[10]) : net.adjustable_edges()[40];
+            const bool is_edge = outlier.kind == BoundaryOutlier::Kind::adjustable_edge;
+            EXPECT_EQ(is_edge ? outlier.index : edge_at(net, outlier.index), edge);
+            expect_same_samples(net, found);
+            // What was found of an edge is in the net once.
+            const CableNet built = built_net_of(net, found).net;
+            if (is_edge && data == &turned) {
+                EXPECT_NEAR(built.unstressed_lengths()(edge), truth.unstressed_lengths()(edge),
+                            0.003);
+            }
+        }
+    }
+}
+
+TEST(BuiltNet, OfOlderSamplesWithoutWhatWasUncertainHasNone) {
+    const CableNet net = site_net();
+    const test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);
+    Identification found = identified(net, s.survey, {parse_unknown("stiffness:5%")});
+    found.draws->perturbations = {};
+    const BuiltNet built = built_net_of(net, found);
+    EXPECT_EQ(built.length_draws.cols(), 0);
+    EXPECT_NE(built.no_draws_since, "");
+}
+
+TEST(Plan, HoldsItsLimitsWhateverTheStiffnessIs) {
+    const CableNet net = hilo_quarter();
+    constexpr double common_std = 0.05;
+    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = ""};
+    test::Random random(5);
+    std::normal_distribution<double> normal;
+    constexpr int draws = 200;
+    built.length_draws = net.unstressed_lengths().replicate(1, draws);
+    for (int d = 0; d < draws; ++d) {
+        Circumstances& one = built.perturbations.emplace_back(as_told(net));
+        one.stiffness.setConstant(common_std * normal(random));
+    }
+    Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 15e-3);
+    limits.tension.lower.setConstant(2.5e3);
+    limits.tension.upper.setConstant(8e3);
+    const Plan plan = plan_strokes(built, FormTarget(net, net.nodes()), limits);
+    ASSERT_TRUE(plan.limit_probability.has_value());
+    EXPECT_TRUE(plan.is_feasible);
+    EXPECT_GE(*plan.limit_probability, 0.95);
+    int kept = 0;
+    for (int job = 0; job < draws; ++job) {
+        Circumstances other = as_told(net);
+        other.stiffness.setConstant(common_std * normal(random));
+        Eigen::VectorXd lengths = net.unstressed_lengths();
+        for (const PlannedStroke& stroke : plan.strokes) {
+            lengths(stroke.edge) += stroke.stroke;
+        }
+        const CableNet truth = net_under(net, other, lengths);
+        const Eigen::VectorXd after =
+            tensions(truth, truth.unstressed_lengths(), solve_equilibrium(truth).form);
+        kept += after.minCoeff() >= 2.5e3 && after.maxCoeff() <= 8e3 ? 1 : 0;
+    }
+    EXPECT_GE(kept, 0.9 * draws);
+    // The estimate alone, without the stiffness in the samples, promises what it cannot keep.
+    built.perturbations.clear();
+    const Plan careless = plan_strokes(built, FormTarget(net, net.nodes()), limits);
+    EXPECT_LT(careless.tensions.maxCoeff(), 8e3 * (1.0 + 1e-4));
+    EXPECT_LT(plan.tensions.maxCoeff(), careless.tensions.maxCoeff());
+}
+
+TEST(ForceRanges, AnEdgeWithoutTensionIsSlack) {
+    const CableNet net = hypar(5, 5);
+    const TensionLimits any = limits_of_stroke(net, net.adjustable_edges().size(), 0.01).tension;
+    const ForceRange range = range_of(net, any, {});
+    Eigen::VectorXd forces = tensions(net, net.unstressed_lengths(), net.nodes());
+    EXPECT_EQ(range.violation(forces), 0.0);
+    forces(3) = 0.0;
+    EXPECT_GT(range.violation(forces), negligible_violation * forces.mean());
+    EXPECT_EQ(given_limit(net, range.lower(3)), 0.0);
+    EXPECT_EQ(given_limit(net, 1500.0), 1500.0);
+}
+
+}  // namespace
+}  // namespace taut
