@@ -115,8 +115,8 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
 
 CLI::Option* add_unknown_option(CLI::App& command, std::vector<std::string>& unknowns) {
     return command
-        .add_option("--unknown", unknowns,
-                    "What else is not known, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
+        .add_option("--uncertain,--unknown", unknowns,
+                    "What else is uncertain, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
                     "stiffness:5% (one factor), stiffness-each:3%, temperature:10K, "
                     "supports:1mm, adjustable:0.5mm, loads:20N (of each node), loads:10% (one "
                     "factor); GROUP of edges, of the net. May be told several times")

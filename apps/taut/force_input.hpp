@@ -58,7 +58,7 @@ struct UncertainOptions {
 void add_uncertain_option(CLI::App& command, UncertainOptions& options,
                           CLI::Option* needed = nullptr);
 
-/// --unknown NAME:WIDTH[@GROUP], any number of times.
+/// --uncertain NAME:WIDTH[@GROUP], any number of times; before 0.3 --unknown.
 CLI::Option* add_unknown_option(CLI::App& command, std::vector<std::string>& unknowns);
 
 /// @throws std::invalid_argument as parse_unknown()

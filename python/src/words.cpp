@@ -26,6 +26,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"--noise estimate", "estimate_noise=True"},
     {"--epoch", "epochs"},
     {"--unknown", "unknowns"},
+    {"--uncertain", "uncertain"},
     {"--forces", "readings"},
     {"--names", "Survey.to_dataframe()"},
     {"taut import ", ""},

@@ -82,8 +82,9 @@ void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate&
 
 /// Of a shift of where an uncertain support was expected: with P the precision of that place and C
 /// the covariance of the place found, the gradient is P (found - expected) and has the covariance
-/// P - P C P. With the frame unknown C leaves its variance out, and the score is the smaller for
-/// it. docs/theory.md, (boundary)
+/// P - P C P. With the frame unknown its variance is in C, which is little where the survey shows
+/// the place: directions of which it shows less than a quarter are not tested. docs/theory.md,
+/// (boundary)
 LinearisedStatics::Score BoundarySnooping::score_of_place(int node,
                                                           const LinearisedStatics& statics,
                                                           const Iterate& fitted,
@@ -92,7 +93,19 @@ LinearisedStatics::Score BoundarySnooping::score_of_place(int node,
     const Eigen::Vector3d shift = fitted.form.col(node) - m_net.nodes().col(node) -
                                   statics.common().support_motion(fitted.common).col(node);
     const Eigen::Matrix3d P = precision.asDiagonal();
-    return {.gradient = P * shift, .information = P - P * statics.form_covariance(node) * P};
+    const Eigen::Matrix3d information = P - P * statics.form_covariance(node) * P;
+    constexpr double least_part = 0.25;
+    LinearisedStatics::Score score{.gradient = P * shift, .information = 0.0 * information};
+    if (information.allFinite()) {
+        const SymmetricEigen eigen = symmetric_eigen(information);
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            if (eigen.values(k) > least_part * precision.minCoeff()) {
+                const Eigen::VectorXd direction = eigen.vectors.col(k);
+                score.information += eigen.values(k) * direction * direction.transpose();
+            }
+        }
+    }
+    return score;
 }
 
 /// (boundary)

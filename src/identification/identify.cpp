@@ -93,7 +93,7 @@ void check_for_method(const IdentifyOptions& options, IdentificationMethod metho
     }
     if (method != IdentificationMethod::gp) {
         throw std::invalid_argument(
-            fmt::format("--unknown is for --method map and gp, not for {}", to_string(method)));
+            fmt::format("--uncertain is for --method map and gp, not for {}", to_string(method)));
     }
     if (options.model != nullptr && options.model->unknowns != options.unknowns) {
         throw std::invalid_argument(fmt::format(

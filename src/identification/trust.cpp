@@ -154,7 +154,7 @@ private:
                             "+- {:.2f} mm",
                             1e3 * check.mean, told, 1e3 * check.mean_std),
                 "wrong turnbuckles, stiffness, temperature, scale of the survey or way of cutting "
-                "do that: tell what is not known by --unknown (adjustable, stiffness, "
+                "do that: tell what is not known by --uncertain (adjustable, stiffness, "
                 "temperature)");
         }
         if (m_result.contradicted_law && m_result.law_was_told) {
@@ -208,7 +208,8 @@ private:
                 fmt::format("{} adjustable edges and supports contradict the survey, and it does "
                             "not show which is wrong",
                             m_result.boundary_beyond),
-                "tell what is not known of them: --unknown adjustable:3mm, --unknown supports:3mm");
+                "tell what is not known of them: --uncertain adjustable:3mm, --uncertain "
+                "supports:3mm");
         }
         if (m_result.boundary_outliers.empty()) {
             return;

@@ -177,6 +177,43 @@ TEST_F(Chain, SampleDrawsWhatElseIsUnknown) {
                 testing::HasSubstr("drawn with supports:1mm, stiffness:5%"));
 }
 
+TEST_F(Chain, IdentifyAssumesWhatIsNotGivenAndSaysSo) {
+    must_run({"form", "net.json", "--law", "uniform:2mm", "-o", "form.csv"});
+    must_run({"survey", "net.json", "form.csv", "--noise", "0.5mm", "-o", "survey.csv"});
+    const auto identified = [this](std::vector<std::string> uncertain) {
+        std::vector<std::string> command{"identify",    "net.json", "survey.csv", "--law",
+                                         "uniform:2mm", "-o",       "result.json"};
+        command.insert(command.end(), uncertain.begin(), uncertain.end());
+        const std::string text = must_run(command);
+        std::vector<std::string> values;
+        const json result = json::parse(read("result.json"));
+        for (const json& one : result["assumptions"]) {
+            values.push_back(one["value"].get<std::string>() + " " +
+                             one["source"].get<std::string>());
+            EXPECT_THAT(text, testing::HasSubstr(one["value"].get<std::string>()));
+        }
+        return std::pair(values, result["mean_tension"]["std"].get<double>());
+    };
+    const auto [assumed, std_on_site] = identified({});
+    EXPECT_EQ(assumed,
+              (std::vector<std::string>{"stiffness:5% default", "stiffness-each:2% default",
+                                        "adjustable:0.5mm default", "supports:1mm default"}));
+    const auto [changed, std_softer] = identified({"--uncertain", "stiffness:10%"});
+    EXPECT_EQ(changed,
+              (std::vector<std::string>{"stiffness:10% given", "stiffness-each:2% default",
+                                        "adjustable:0.5mm default", "supports:1mm default"}));
+    const auto [none, std_exact] = identified({"--uncertain", "none"});
+    EXPECT_TRUE(none.empty());
+    EXPECT_EQ(identified({"--unknown", "stiffness:5%"}).first,
+              std::vector<std::string>{"stiffness:5% given"});
+    EXPECT_GT(std_on_site, 1.5 * std_exact);
+    EXPECT_GT(std_softer, 1.3 * std_on_site);
+    EXPECT_EQ(run({"identify", "net.json", "survey.csv", "--unknown", "stiffness:5%", "--uncertain",
+                   "none"})
+                  .exit_code,
+              2);
+}
+
 TEST_F(Chain, IdentifyTakesForcesAndUnknowns) {
     must_run({"form", "net.json", "--law", "uniform:2mm", "-o", "form.csv"});
     must_run({"survey", "net.json", "form.csv", "--noise", "0.5mm", "-o", "survey.csv"});

@@ -46,7 +46,7 @@ def test_the_program_gives_the_same_to_the_last_bit(net, columns, tmp_path):
     assert ours["trust"] == theirs["trust"]
 
 
-def test_a_target_that_is_off_is_not_passed(net, positions):
+def test_a_target_that_is_off_is_left_out_and_named(net, positions):
     with pytest.raises(ValueError, match="from its nominal place"):
         taut.read_survey(net, positions + 50.0, ids=net.free_nodes, noise=1e-3)
     moved = positions.copy()
@@ -54,8 +54,28 @@ def test_a_target_that_is_off_is_not_passed(net, positions):
     result = taut.identify(
         net, taut.read_survey(net, moved, ids=net.free_nodes, noise=0.5e-3), draws=0
     )
-    assert result.trust != "passed"
-    assert result.findings[0]["reason"]
+    assert any("left out" in finding["reason"] for finding in result.findings)
+
+
+def test_what_is_not_given_is_assumed(net, survey):
+    site = taut.identify(net, survey, law="uniform:3mm", draws=50)
+    assert [one["value"] for one in site.assumptions] == [
+        "stiffness:5%",
+        "stiffness-each:2%",
+        "adjustable:0.5mm",
+        "supports:1mm",
+    ]
+    assert {one["source"] for one in site.assumptions} == {"default"}
+    exact = taut.identify(net, survey, law="uniform:3mm", draws=50, uncertain=["none"])
+    assert exact.assumptions == []
+    assert np.mean(site.tension_upper - site.tension_lower) > np.mean(
+        exact.tension_upper - exact.tension_lower
+    )
+    given = taut.identify(net, survey, law="uniform:3mm", draws=0, uncertain=["stiffness:10%"])
+    assert given.assumptions[0]["source"] == "given"
+    assert not given.assumptions[0]["testable"]
+    with pytest.raises(ValueError, match="cannot stand together"):
+        taut.identify(net, survey, uncertain=["none"], unknowns=[])
 
 
 def test_covariances_between_lengths(net, survey):

@@ -26,6 +26,7 @@ FULL = ROOT / "tests/data/results"
 SCHEMA = json.loads((ROOT / "src/results/result.schema.json").read_text())
 KINDS = ("identification", "plan", "study", "comparison", "control")
 NOISE = ["--noise", "0.5mm", "--law", "uniform:3mm"]
+EXACT = ["--uncertain", "none"]  # what the finding shows is not explained by anything else
 
 
 def run(folder, *words):
@@ -281,7 +282,8 @@ def support(folder):
     surveyed(folder, lift, "--drop", "10%")
     supports = set(map(str, read(folder / "net.json")["supports"]))
     rewrite(folder, [row[:4] for row in rows_of(folder) if row[0] not in supports])
-    return NOISE, lambda result: any("node" in one for one in result["doubt"]["boundary"])
+    words = [*NOISE, *EXACT]
+    return words, lambda result: any("node" in one for one in result["doubt"]["boundary"])
 
 
 def length_outlier(folder):
@@ -357,7 +359,8 @@ def force_measurement(folder):
 
 
 def force_measurements_in_another_unit(folder):
-    return forces(folder, lambda _: 1.3), lambda result: result["forces"]["bias"]
+    words = [*forces(folder, lambda _: 1.3), *EXACT]
+    return words, lambda result: result["forces"]["bias"]
 
 
 def epoch_change(folder):
@@ -370,7 +373,7 @@ def epoch_change(folder):
 
 def slack(folder):
     surveyed(folder, lengthened(lambda net: interior(net)[30], 0.03))
-    law = ["--noise", "0.5mm", "--law", "normal:15mm", "--prior-exact"]
+    law = ["--noise", "0.5mm", "--law", "normal:15mm", "--prior-exact", *EXACT]
     return law, lambda result: any(edge["status"] == "slack" for edge in result["edges"])
 
 

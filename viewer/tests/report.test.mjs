@@ -575,7 +575,7 @@ test("a plan without draws, pitch or turns says what it does not tell", async ()
   assert.equal(reports.unsure.result.draws, 0);
   assert.match(await unsure.textContent("#verdict"), /No limits of tension or reaction were given; no cable goes slack, by the estimate alone/);
   assert.doesNotMatch(await unsure.textContent("header"), /limits are kept/i);
-  assert.match(await unsure.textContent(".sentences"), /how surely is not known: /);
+  assert.match(await unsure.textContent(".sentences"), /cannot be promised: /);
   assert.equal((await crewRows(unsure, 1))[0].length, 7, "neither turns nor which way to turn");
   assert.match(await unsure.textContent("#crews"), /the thread is not known/);
   assert.doesNotMatch(await unsure.textContent("#crews"), /clockwise/);
