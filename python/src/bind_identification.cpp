@@ -216,8 +216,8 @@ void bind_result(nb::module_& module) {
         .def_prop_ro(
             "detectable",
             [](const Identified& self) {
-                return dict_of(
-                    identification_to_json(self.net, self.survey, self.found))["detectable"];
+                return nb::object(dict_of(
+                    identification_to_json(self.net, self.survey, self.found))["detectable"]);
             },
             nb::sig("def detectable(self) -> dict"),
             "The smallest error of each kind that the checks find with a probability of 80 %: "
@@ -225,8 +225,8 @@ void bind_result(nb::module_& module) {
         .def_prop_ro(
             "assumptions",
             [](const Identified& self) {
-                return dict_of(
-                    identification_to_json(self.net, self.survey, self.found))["assumptions"];
+                return nb::object(dict_of(
+                    identification_to_json(self.net, self.survey, self.found))["assumptions"]);
             },
             nb::sig("def assumptions(self) -> list"),
             "What was taken as uncertain besides lengths: name, value, std, unit, source ('given' "
@@ -234,7 +234,8 @@ void bind_result(nb::module_& module) {
         .def_prop_ro(
             "prior",
             [](const Identified& self) {
-                return dict_of(identification_to_json(self.net, self.survey, self.found))["prior"];
+                return nb::object(
+                    dict_of(identification_to_json(self.net, self.survey, self.found))["prior"]);
             },
             nb::sig("def prior(self) -> dict"),
             "Prior of the length deviations after the survey: given, exact, std and std_std [m], "

@@ -19,7 +19,7 @@ const double log_std_broad = std::log(2.5);
 constexpr double own_shape = 0.75;
 
 /// Of the grid over the logarithm of the scale.
-constexpr double reach = 3.0;        // standard deviations of the hyperprior
+constexpr double grid_reach = 3.0;   // standard deviations of the hyperprior
 constexpr double reach_found = 4.5;  // standard deviations of the scale that was found
 constexpr Eigen::Index places = 17;
 
@@ -173,7 +173,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
                              const LawLikelihood& shapes) {
     const double centre = std::log(hyperprior.centre.std());
     double middle = centre;
-    double half_width = reach * hyperprior.log_std;
+    double half_width = grid_reach * hyperprior.log_std;
     const bool is_found = scale.ratio > 0.0 && scale.std > 0.0;
     const double found = is_found ? std::log(scale.ratio * fit_law.std()) : centre;
     if (is_found && scale.std < 1.0 / reach_found) {

@@ -72,10 +72,10 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
     }
     for (const Unknown& unknown : options.unknowns) {
         if (!goes_with_epochs(unknown)) {
-            throw std::invalid_argument(
-                fmt::format("--uncertain {} does not go with --epoch: all surveys would share them, "
-                            "each by itself",
-                            unknown.to_string()));
+            throw std::invalid_argument(fmt::format(
+                "--uncertain {} does not go with --epoch: all surveys would share them, "
+                "each by itself",
+                unknown.to_string()));
         }
     }
     if (!epochs.front().turned.empty()) {
