@@ -20,9 +20,10 @@ enum class EdgeStatus {
 /// "determined", "weakly determined", "not determined", "slack".
 [[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(EdgeStatus status);
 
-/// A number is determined by a survey where its standard deviation is below the first of these
-/// parts of that before the survey, and not determined from the second on.
+/// A number is determined by a survey where its standard deviation is below this part of that
+/// before the survey.
 inline constexpr double determined_ratio = 0.5;
+/// From this part on it is not determined; between, weakly.
 inline constexpr double not_determined_ratio = 0.9;
 
 /// By that rule, of a number that is not slack. Standard deviations are not checked.

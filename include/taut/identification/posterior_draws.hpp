@@ -35,13 +35,13 @@ struct PosteriorDraws {
     /// m_A x draws, of the adjustable edges where their lengths, too, were uncertain; 0 x 0: they
     /// are as given [m].
     Eigen::MatrixXd adjustable_deviations;
-    ModelPerturbations perturbations;
-    Eigen::MatrixXd forms;     ///< 3 n_I x draws, free coordinates [m]
-    Eigen::MatrixXd tensions;  ///< m x draws, of all edges [N]
-    std::uint64_t seed = 1;    ///< that the draws follow from
-    std::string how;           ///< they were made, in words
-    bool is_refitted = false;  ///< each by a fit of its own: they then tell lengths, too
-    std::string doubt;         ///< why they are not to be relied on; empty: they are
+    ModelPerturbations perturbations;  ///< of stiffness, temperature, supports and loads
+    Eigen::MatrixXd forms;             ///< 3 n_I x draws, free coordinates [m]
+    Eigen::MatrixXd tensions;          ///< m x draws, of all edges [N]
+    std::uint64_t seed = 1;            ///< that the draws follow from
+    std::string how;                   ///< they were made, in words
+    bool is_refitted = false;          ///< each by a fit of its own: they then tell lengths, too
+    std::string doubt;                 ///< why they are not to be relied on; empty: they are
 
     /// How many draws.
     [[nodiscard]] int count() const { return static_cast<int>(length_deviations.cols()); }
