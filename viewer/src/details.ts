@@ -195,18 +195,12 @@ export function settingsSection(result: Result): HTMLElement {
     if (result.frame === null) add("frame of the survey", "the net's");
     add("surveyed free nodes", result.survey.used);
     add("hidden free nodes", result.survey.missing);
-    if (result.assumptions) {
-      const words = result.assumptions.map((one) => one.value + (one.source === "default" ? " (assumed)" : "")).join(", ");
-      add("uncertain besides lengths", words || "nothing: stiffness, loads, supports and turnbuckles are as given");
-      const relied = result.assumptions.filter((one) => !one.testable).map((one) => one.value).join(", ");
-      add("of this the survey does not show, and intervals rest on", relied);
-    }
     for (const one of result.unknowns ?? []) {
       if (one.edge === undefined && one.node === undefined) {
         const unit = one.unit === "1" ? "%" : one.unit;
         const scale = one.unit === "1" ? 100 : 1;
         const doubt = one.observed ? "" : "; nothing that was measured shows it";
-        add(`unknown: ${one.told}`, `${number(scale * one.mean)} ${unit} from what was told, standard deviation ${number(scale * one.std)} ${unit}${doubt}`);
+        add(`unknown: ${one.told}`, `${number(Math.abs(one.mean) > 1e-6 * one.std ? scale * one.mean : 0)} ${unit} from the design, standard deviation ${number(scale * one.std)} ${unit}${doubt}`);
       }
     }
     const single = new Map<string, number>();

@@ -130,7 +130,7 @@ const statusNames = [
   { text: "weakly determined", colour: palette.green },
   { text: "not determined", colour: palette.yellow },
   { text: "slack", colour: palette.orange },
-  { text: "adjustable: known and set", colour: palette.grey },
+  { text: "adjustable", colour: palette.grey },
 ];
 const statuses: Status[] = ["determined", "weakly determined", "not determined", "slack"];
 

@@ -6,7 +6,7 @@ import { h } from "./dom";
 import { counted, millimetres, number, percent, rootMeanSquare, short } from "./format";
 import { ofPlan, planLines } from "./plan_summary";
 import {
-  type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isNotDetermined, isSlack, lengthOf, methodsOf, type Result, type Study,
+  type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isNotDetermined, isSlack, lengthOf, methodsOf, type Result, statusNow, type Study,
 } from "./result";
 
 /** What the top of the page says: a title, what was done, three sentences, some numbers. */
@@ -128,15 +128,15 @@ function tensionWords(result: Identification): string {
   if (draws?.doubt) return ` How tight the cables are is not told: ${draws.doubt}.`;
   if (!mean_tension) return "";
   const kN = (newton: number): string => number(newton / 1e3);
-  return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %${asToldWords(result)}.`;
+  return ` The cables carry ${kN(mean_tension.mean)} kN in the mean, between ${kN(mean_tension.lower)} and ${kN(mean_tension.upper)} kN with 95 %${asGivenWords(result)}.`;
 }
 
 /** What the tensions rest on that nobody told to be unknown. */
-function asToldWords({ unknowns = [] }: Identification): string {
+function asGivenWords({ unknowns = [] }: Identification): string {
   const told = ["stiffness", "loads", "supports"].filter((name) => !unknowns.some((one) => one.name === name));
   if (told.length === 0) return "";
   const list = told.length === 1 ? told[0] : `${told.slice(0, -1).join(", ")} and ${told[told.length - 1]}`;
-  return `, where ${list} are as told`;
+  return `, where ${list} are as given`;
 }
 
 /** Readings that were left out, and what was seen that the survey contradicts. */
@@ -169,6 +169,14 @@ function detectableWords(result: Result): string {
   ].join(", ");
 }
 
+/** What was taken as uncertain besides lengths, and which of it the survey does not show. */
+function assumptionWords(result: Result): string {
+  const assumed = ("assumptions" in result ? result.assumptions : undefined) ?? [];
+  const values = (of: typeof assumed): string => of.map((one) => one.value + (one.source === "default" ? " (assumed)" : "")).join(", ");
+  const hidden = assumed.filter((one) => !one.testable).map((one) => one.value).join(", ");
+  return assumed.length === 0 ? "" : `Uncertain besides lengths: ${values(assumed)}.${hidden ? ` The survey does not show ${hidden}: intervals rest on that.` : ""}`;
+}
+
 /** May one act on it: the verdict of all tests, and what they found. */
 function trustLines(result: Result): HTMLElement | null {
   const trust = "trust" in result ? result.trust : undefined;
@@ -177,14 +185,15 @@ function trustLines(result: Result): HTMLElement | null {
   return h("div", { class: `trust ${trust.verdict}` },
     h("p", {}, h("strong", {}, `Trust: ${trust.verdict}`), said ? `, ${said}` : ""),
     ...trust.findings.map(({ verdict, reason, next }) => h("p", {}, h("strong", {}, `${verdict}: `), `${reason}.`, next ? h("small", {}, ` ${next}.`) : "")),
-    ...(detectableWords(result) ? [h("p", { id: "detectable" }, h("small", {}, `Smallest error that these checks find with a probability of 80 %: ${detectableWords(result)}.`))] : []));
+    ...(detectableWords(result) ? [h("p", { id: "detectable" }, h("small", {}, `Smallest error that these checks find with a probability of 80 %: ${detectableWords(result)}.`))] : []),
+    ...(assumptionWords(result) ? [h("p", { id: "assumptions" }, h("small", {}, assumptionWords(result)))] : []));
 }
 
 function ofIdentification(result: Identification): Summary {
   const { edges, survey } = result;
   const tense = edges.filter((e) => !isSlack(e));
-  const identified = edges.filter((e) => e.status === "identified");
-  const median = `±${millimetres(medianHalfWidth(identified))}`;
+  const determined = edges.filter((e) => statusNow(e) === "determined");
+  const median = `±${millimetres(medianHalfWidth(tense))}`;
   const noise = result.noise === undefined ? "" : ` The survey's noise was taken as ${short(1e3 * result.noise)} mm a coordinate.`;
   const law = result.law ? `, for cables made too long or too short ${lawWords(result.law)}` : "";
   const notSlack = tense.length < edges.length ? ", slack cables apart" : "";
@@ -194,14 +203,14 @@ function ofIdentification(result: Identification): Summary {
       `One survey of the net ${nameOf(result.net)}: ${netWords(result.net)}; ${counted(survey.used, "free node")} surveyed.${frameWords(result)} ` +
       `The lengths were identified by ${methodNames[result.method] ?? result.method}${result.method_reason ? ` (${result.method_reason})` : ""}${law}.${noise}`,
     sentences: [
-      `${identified.length} of ${counted(edges.length, "interior cable")} are identified${identified.length > 0 ? `, to ${median} mm (95 %, median)` : ""}${longestWords(result, tense)}.${tensionWords(result)}`,
+      `${determined.length} of ${counted(edges.length, "interior cable")} are determined${tense.length > 0 ? `; 95 % intervals are ${median} mm (median${notSlack})` : ""}${longestWords(result, tense)}.${tensionWords(result)}`,
       fitWords(result) + forceWords(result),
       warnings(result),
     ],
     figures: [
-      { value: `${identified.length} / ${edges.length}`, unit: "", label: "cables identified" },
+      { value: `${determined.length} / ${edges.length}`, unit: "", label: "cables determined" },
       { value: millimetres(rootMeanSquare(tense.map((e) => e.length_deviation))), unit: "mm", label: `length deviation, RMS${notSlack}` },
-      { value: median, unit: "mm", label: "95 % interval, median of the identified" },
+      { value: median, unit: "mm", label: `95 % interval, median${notSlack}` },
       { value: millimetres(survey.rms_residual), unit: "mm", label: "predicted to surveyed, RMS" },
       ...(survey.noise_ratio ? [{ value: number(survey.noise_ratio), unit: "", label: "residuals, over what the noise lets expect" }] : []),
       { value: String(survey.outliers.length), unit: "", label: "gross errors, left out" },

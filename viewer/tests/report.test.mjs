@@ -393,6 +393,10 @@ test("law, noise ratio, frame and control residuals are shown", async () => {
   assert.match(settings, /prior of the length deviationsuniform:2mm, taken as exact/);
   const found = `target ${Number((1e3 * result.detectable.target).toPrecision(2))} mm`;
   assert.ok((await page.textContent("#detectable")).includes(found), found);
+  const determined = result.edges.filter((e) => e.status === "determined").length;
+  assert.ok(determined > 0 && (await page.textContent(".sentences")).includes(`${determined} of ${result.edges.length} interior cables are determined`));
+  const assumed = await page.textContent("#assumptions");
+  assert.ok(result.assumptions.length > 0 && result.assumptions.every((one) => assumed.includes(one.value)), assumed);
   const { fit, control } = result.frame;
   assert.equal(fit.count, control.length);
   assert.ok(top.includes(`moved into the net's frame by ${fit.count} control points`));
