@@ -169,8 +169,8 @@ def row(case, folder):
                     out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
         command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", noise, "--frame", "net"]
         command += ["--law", law, "--quiet", "-o", folder / "result.json"]
-        for unknown in unknowns:
-            command += ["--unknown", unknown]
+        for unknown in ["none", *unknowns]:
+            command += ["--uncertain", unknown]
         if cells:
             read = random.choice(np.flatnonzero(tension > 0), cells, replace=False)
             lines = [f"{e},{tension[e] * (1 + CELL_NOISE * random.normal())}\n" for e in read]

@@ -32,7 +32,7 @@ def identified(net, folder, seed, alter, wrong_target=None):
             if random.random() >= 0.1 or node == wrong_target:
                 out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
     taut("identify", folder / "net.json", folder / "survey.csv", "--noise", "0.5mm", "--law", "uniform:5mm", "--frame",
-         "net", "--draws", "0", "--quiet", "-o", folder / "result.json")
+         "net", "--uncertain", "none", "--draws", "0", "--quiet", "-o", folder / "result.json")
     return json.loads((folder / "result.json").read_text())
 
 

@@ -68,7 +68,7 @@ class Job:
         result = self.folder / "result.json"
         result.unlink(missing_ok=True)
         ended = taut("identify", self.folder / "net.json", self.folder / survey, "--noise", self.noise, "--frame", "net",
-                     "--quiet", "-o", result, *self.options, *options)
+                     "--uncertain", "none", "--quiet", "-o", result, *self.options, *options)
         if not result.exists():
             return None, None, {"trust": {"verdict": "refused", "reasons": [ended.stderr.strip()]}}
         data = json.loads(result.read_text())

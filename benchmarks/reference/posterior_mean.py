@@ -86,7 +86,8 @@ def identified(folder, net, y, seen, noise):
         for node in seen:
             out.write(f"{node}," + ",".join(map(repr, map(float, y[node]))) + "\n")
     command = ["taut", "identify", folder / "net.json", folder / "survey.csv", "--noise", f"{1e3 * noise:g}mm"]
-    command += ["--law", f"uniform:{1e3 * BOUND:g}mm", "--frame", "net", "--draws", "0", "--quiet"]
+    command += ["--law", f"uniform:{1e3 * BOUND:g}mm", "--frame", "net", "--uncertain", "none", "--draws", "0",
+                "--quiet"]
     subprocess.run(list(map(str, [*command, "-o", folder / "result.json"])), check=True, capture_output=True)
     result = json.loads((folder / "result.json").read_text())
     return np.array([edge["length_deviation"] for edge in result["edges"]])
