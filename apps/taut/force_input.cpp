@@ -17,6 +17,12 @@
 namespace taut::app {
 namespace {
 
+const std::string uncertain_text =
+    "What else is uncertain, NAME:WIDTH[@GROUP], WIDTH a standard deviation: stiffness:5% (one "
+    "factor), stiffness-each:2%, temperature:5K, adjustable:0.5mm, supports:1mm, loads:20N (of "
+    "each "
+    "node), loads:10% (one factor); GROUP of edges, of the net. May be repeated";
+
 ForceFormat format_of(const ForceOptions& options) {
     ForceFormat format{.unit = options.force_unit == "kN" ? 1e3 : 1.0};
     const bool is_part = options.force_noise.ends_with('%');
@@ -114,12 +120,7 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
 }
 
 CLI::Option* add_unknown_option(CLI::App& command, std::vector<std::string>& unknowns) {
-    return command
-        .add_option("--uncertain,--unknown", unknowns,
-                    "What else is uncertain, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
-                    "stiffness:5% (one factor), stiffness-each:3%, temperature:10K, "
-                    "supports:1mm, adjustable:0.5mm, loads:20N (of each node), loads:10% (one "
-                    "factor); GROUP of edges, of the net. May be told several times")
+    return command.add_option("--uncertain,--unknown", unknowns, uncertain_text)
         ->allow_extra_args(false);
 }
 
@@ -143,11 +144,9 @@ void add_uncertain_option(CLI::App& command, UncertainOptions& options, CLI::Opt
     CLI::Option* uncertain =
         command
             .add_option("--uncertain", options.uncertain,
-                        "What else is uncertain, NAME:WIDTH[@GROUP], WIDTH a standard deviation: "
-                        "stiffness:5% (one factor), stiffness-each:2%, temperature:5K, "
-                        "adjustable:0.5mm, supports:1mm: so much is assumed of those that are not "
-                        "given; loads:20N (of each node), loads:10% (one factor). GROUP of edges, "
-                        "of the net. none: all that is not given is exact. May be repeated")
+                        uncertain_text +
+                            ". Of those but loads so much is assumed where they are not given; "
+                            "none: all that is not given is exact")
             ->allow_extra_args(false);
     CLI::Option* unknown =
         command

@@ -170,7 +170,7 @@ std::string in_unit(Unknown::Kind kind, double value) {
 }
 
 /// Those common to many edges in full; of the others how many the survey shows, and the one that is
-/// farthest from what was told, in standard deviations before the survey.
+/// farthest from the design, in standard deviations before the survey.
 void print_unknowns(const CableNet& net, const Identification& result) {
     for (auto first = result.unknowns.begin(); first != result.unknowns.end();) {
         const auto last = std::find_if(first, result.unknowns.end(), [&](const auto& other) {
@@ -180,7 +180,7 @@ void print_unknowns(const CableNet& net, const Identification& result) {
         const auto text = [&](double value) { return in_unit(unknown.kind, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
-            say("{}: {} from what was told, std {}{}\n", unknown.to_string(), text(first->mean),
+            say("{}: {} from the design, std {}{}\n", unknown.to_string(), text(first->mean),
                 text(first->std).substr(1),
                 first->is_observed() ? "" : ": nothing that was measured shows it");
         } else {
@@ -189,7 +189,7 @@ void print_unknowns(const CableNet& net, const Identification& result) {
             const auto farthest = std::max_element(first, last, [](const auto& a, const auto& b) {
                 return std::abs(a.mean) < std::abs(b.mean);
             });
-            say("{}: {} of {} better known than before; the farthest from what was told is "
+            say("{}: {} of {} better known than before; the farthest from the design is "
                 "{}{} by {}, std {}\n",
                 unknown.to_string(), shown, count,
                 farthest->edge >= 0 ? net.edge_id(farthest->edge) : net.node_id(farthest->node),
@@ -201,24 +201,24 @@ void print_unknowns(const CableNet& net, const Identification& result) {
 }
 
 /// What the tensions rest on that nothing showed.
-std::string taken_as_told(const Identification& result) {
+std::string taken_as_given(const Identification& result) {
     const auto is_unknown = [&](auto... kinds) {
         return std::ranges::any_of(result.unknowns, [&](const UnknownEstimate& one) {
             return ((one.unknown.kind == kinds) || ...);
         });
     };
     using Kind = Unknown::Kind;
-    std::vector<std::string_view> told;
+    std::vector<std::string_view> given;
     if (!is_unknown(Kind::stiffness)) {
-        told.emplace_back("stiffness");
+        given.emplace_back("stiffness");
     }
     if (!is_unknown(Kind::loads, Kind::loads_each)) {
-        told.emplace_back("loads");
+        given.emplace_back("loads");
     }
     if (!is_unknown(Kind::supports)) {
-        told.emplace_back("supports");
+        given.emplace_back("supports");
     }
-    return told.empty() ? "" : fmt::format("; {} taken as told", fmt::join(told, ", "));
+    return given.empty() ? "" : fmt::format("; {} taken as given", fmt::join(given, ", "));
 }
 
 void print_draws(const Identification& result) {
@@ -232,7 +232,7 @@ void print_draws(const Identification& result) {
         return;
     }
     say("mean tension: {}\n  by {} draws: {}{}\n", tension_text(result.drawn.mean_tension),
-        draws.count(), draws.how, taken_as_told(result));
+        draws.count(), draws.how, taken_as_given(result));
 }
 
 /// What each survey told, where there are several.

@@ -307,7 +307,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         IdentifyOptions on_site = options;
         on_site.assume_site = false;
         on_site.unknowns = with_site_assumptions(net, options.unknowns);
-        // How far turns differ from what was told the surveys show: the chain finds it.
+        // How far turns differ from those given the surveys show: the chain estimates it.
         std::erase_if(on_site.unknowns, [&](const Unknown& one) {
             return (!goes_with_epochs(one) || one.kind == Unknown::Kind::adjustable) &&
                    std::ranges::find(options.unknowns, one) == options.unknowns.end();

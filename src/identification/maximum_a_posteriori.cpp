@@ -250,8 +250,7 @@ void tell_outliers(Identification& result, const CableNet& net, const SurveyFit&
     std::ranges::stable_sort(result.boundary_outliers, std::greater{}, &BoundaryOutlier::statistic);
 }
 
-/// What is told of an adjustable edge that was released is its deviation, and no estimate of how
-/// far those are off that were not.
+/// Of a released adjustable edge the deviation is reported, which the estimate would count twice.
 void leave_out_released(Identification& result) {
     std::erase_if(result.unknowns, [&](const UnknownEstimate& one) {
         return one.unknown.kind == Unknown::Kind::adjustable &&

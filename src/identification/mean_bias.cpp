@@ -19,11 +19,9 @@ constexpr std::uint64_t seed = 20;
 /// Empty where the drawn net finds no equilibrium.
 std::optional<Survey> simulated(const CableNet& net, const Survey& survey, const LengthLaw& law,
                                 const std::vector<Unknown>& uncertain) {
+    const Eigen::VectorXd deviations =
+        draw_length_deviations(law, seed, 0, net.interior_edge_count());
     RandomNumbers random(seed, 0);
-    Eigen::VectorXd deviations(net.interior_edge_count());
-    for (double& deviation : deviations) {
-        deviation = law.draw(random.uniform());
-    }
     Survey result = survey;
     try {
         const CableNet drawn = net_under(net, draw_circumstances(net, uncertain, seed, 0),

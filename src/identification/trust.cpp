@@ -255,6 +255,11 @@ private:
                     : fmt::format(", swapped with {}", m_net.node_id(outlier.swapped_with))));
         }
         const size_t count = names.size();
+        constexpr double far = 10.0;  // standard deviations of the survey
+        const bool is_far = std::ranges::any_of(m_result.outliers, [&](const Outlier& outlier) {
+            return outlier.swapped_with < 0 &&
+                   outlier.distance > far * m_survey.noise_std.col(outlier.node).maxCoeff();
+        });
         const bool is_few = static_cast<double>(count) <=
                             few_outliers * static_cast<double>(m_survey.surveyed.size());
         add(is_few ? Verdict::passed : Verdict::doubtful,
@@ -262,7 +267,11 @@ private:
                 "{} all others and {} left out: {}",
                 count == 1 ? "a target contradicts" : fmt::format("{} targets contradict", count),
                 count == 1 ? "is" : "are", and_more(std::move(names))),
-            is_few ? "" : "are frame, supports and noise right?");
+            !is_few  ? "are frame, supports and noise right?"
+            : is_far ? "taut cannot tell a wrong target from a cable, turnbuckle or support at it "
+                       "that is "
+                       "not as given: look there"
+                     : "");
         constexpr size_t by_chance = 3;
         if (const size_t cluster = largest_cluster(m_net, m_result.outliers);
             is_few && cluster > by_chance) {
@@ -386,10 +395,12 @@ private:
         for (const UnknownSpread& spread : spreads_of(m_result.unknowns)) {
             if (spread.is_contradicted()) {
                 add(Verdict::failed,
-                    fmt::format("{} was told too narrow: its estimates are {:.1f} times as far out "
-                                "as that lets expect",
+                    fmt::format("{} is too narrow: the survey shows {:.1f} times as much",
                                 spread.unknown.to_string(), spread.ratio),
-                    "tell it wider");
+                    fmt::format(
+                        "check it on site, or identify again with --uncertain {} and a width "
+                        "{:.1f} times as large",
+                        spread.unknown.name(), spread.ratio));
             }
         }
     }

@@ -227,7 +227,7 @@ TEST_F(Chain, IdentifyTakesForcesAndUnknowns) {
                   "stiffness:5%", "--unknown", "supports:1mm", "-o", "result.json"});
     EXPECT_THAT(text, testing::HasSubstr("forces: 1 reading, 0 left out"));
     EXPECT_THAT(text, testing::HasSubstr("stiffness:5%: "));
-    EXPECT_THAT(text, testing::HasSubstr("loads taken as told"));
+    EXPECT_THAT(text, testing::HasSubstr("loads taken as given"));
     const json result = json::parse(read("result.json"));
     EXPECT_EQ(result["forces"]["readings"], 1);
     ASSERT_GT(result["unknowns"].size(), 1U);

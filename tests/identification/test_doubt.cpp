@@ -267,6 +267,17 @@ TEST(Doubt, OfNamesOnOtherNodesNamesThem) {
     EXPECT_TRUE(says(result, "elsewhere on node " + net().node_id(node)));
 }
 
+TEST(Doubt, OfATargetFarOffSaysWhatElseItMayBe) {
+    SimulatedSurvey s = survey_of(net(), law, 20);
+    const int node = s.survey.surveyed[100];
+    s.survey.form(2, node) += 0.02;
+    const Identification result = identified(s.survey, law);
+    ASSERT_EQ(result.outliers.size(), 1U);
+    EXPECT_TRUE(std::ranges::any_of(result.trust.findings, [](const Trust::Finding& finding) {
+        return finding.next.find("a cable, turnbuckle or support at it") != std::string::npos;
+    }));
+}
+
 TEST(Doubt, OfATurnbuckleOrASupportNamesIt) {
     const int edge = net().adjustable_edges()[40];
     CableNetData data = net().data();
