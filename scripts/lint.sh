@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Checks licence lines, rooms, format, and by clang-tidy what has changed, or all with --all. Fails when
-# one of them does, after all of them.
+# one of them does, after all of them. Where all has passed, .ci/checked names the commit, which is to be
+# committed: from then on what has changed since is looked at.
 # Usage: scripts/lint.sh [--all]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -31,7 +32,7 @@ check_licence_lines() {
 }
 
 # The commit that a source is compared with: where this branch left main, or, on main itself, the one whose
-# whole tree scripts/nightly.sh last looked at. Nothing where neither is known.
+# whole tree --all last looked at. Nothing where neither is known.
 compared_with() {
     local head base
     head=$(git rev-parse HEAD 2>/dev/null) || return 0
@@ -115,4 +116,8 @@ step "links, self-test" /usr/bin/python3 scripts/check_links.py --self-test
 step "format" clang-format-19 --dry-run --Werror "${sources[@]}"
 step "Python" scripts/python.sh lint
 step "names and bugs" clang_tidy
+if [[ $all && $status == 0 && -z "$(git status --porcelain)" ]]; then
+    git rev-parse HEAD >.ci/checked
+    echo "lint: .ci/checked names this commit: commit it"
+fi
 exit $status

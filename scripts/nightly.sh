@@ -4,8 +4,7 @@
 #
 # What .ci/run leaves out for time: every compiler and library that taut promises, all of clang-tidy, each
 # public header and each source by itself, every test with the sanitizers, long fuzz and hostile runs.
-# A release needs it (docs/releasing.md). At its end .ci/checked names the commit, which is to be committed:
-# `make lint` looks at what has changed since.
+# A release needs it (docs/releasing.md).
 # Usage: scripts/nightly.sh [seconds of fuzzing a reader]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -29,8 +28,4 @@ step scripts/sanitize.sh
 step make fuzz SECONDS="$seconds"
 step "${hostile[@]}" --every-fault --seconds $((5 * seconds))
 print_times
-if [[ -z "$(git status --porcelain)" ]]; then
-    git rev-parse HEAD >.ci/checked
-    echo "nightly: .ci/checked names this commit: commit it"
-fi
 echo "nightly: all passed in $SECONDS s"

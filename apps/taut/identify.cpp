@@ -351,17 +351,19 @@ void print_assumptions(const Identification& result) {
         return;
     }
     std::string text;
+    bool has_default = false;
     std::vector<std::string> not_shown;
     for (const Assumption& one : result.assumptions) {
         text += fmt::format("{}{}{}", text.empty() ? "" : ", ", one.parameter.to_string(),
                             one.is_default ? " (assumed)" : "");
+        has_default = has_default || one.is_default;
         if (!one.is_testable) {
             not_shown.push_back(one.parameter.to_string());
         }
     }
     say("uncertain besides lengths: {}\n  --uncertain NAME:WIDTH changes one, --uncertain none "
-        "takes the net as exact\n",
-        text);
+        "takes the net as exact{}\n",
+        text, has_default ? "; an assumed width is taken as known to a factor of 1.5" : "");
     if (!not_shown.empty()) {
         say("  this survey does not show {}: intervals rest on {}\n", fmt::join(not_shown, ", "),
             not_shown.size() == 1 ? "that width" : "those widths");

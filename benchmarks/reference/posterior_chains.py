@@ -41,6 +41,20 @@ class Net:
         column[self.free] = np.arange(len(self.free))
         self.ends = column[self.edges]
 
+    def runs(self):
+        """Edges that go on straight through free nodes, turning by less than 30 degrees; at least two."""
+        group = np.arange(len(self.edges))
+        for node in self.free:
+            at = np.flatnonzero((self.edges == node).any(axis=1))
+            way = {e: self.nodes[self.edges[e].sum() - node] - self.nodes[node] for e in at}
+            pairs = [(way[a] @ way[b] / np.linalg.norm(way[a]) / np.linalg.norm(way[b]), a, b) for a in at for b in at if a < b]
+            taken = set()
+            for cosine, a, b in sorted(pairs):
+                if cosine < -0.866 and not {a, b} & taken:
+                    taken |= {a, b}
+                    group[group == group[b]] = group[a]
+        return [np.flatnonzero(group == g) for g in np.unique(group) if np.sum(group == g) > 1]
+
     def lengths(self, d):
         l0 = np.tile(self.nominal, (len(d), 1))
         l0[:, self.interior] += d
@@ -146,32 +160,76 @@ class Uniform:
 
 
 class Mixture:
-    """A prior of each chain: log-normal in its standard deviation around `std`, uniform or normal."""
+    """A prior of each chain, docs/theory.md (hyperprior), (length-trend): log-normal in the standard deviation of e around
+    `std`, uniform or normal; d = e + G b, where b are the mean of all and a scale of each run of cable."""
 
-    def __init__(self, std, factor, uniform_probability):
+    MEAN_WIDTH = 0.5
+    RUN_WIDTHS = np.array([1e-6, 0.25, 0.5, 1.0, 2.0])  # the first stands for none
+    RUN_WEIGHTS = np.array([0.1, 0.225, 0.225, 0.225, 0.225])
+
+    def __init__(self, net, std, factor, uniform_probability):
         self.grid = np.log(std) + np.log(factor) * np.linspace(-5.0, 5.0, 2001)
         self.log_scale = -0.5 * np.linspace(-5.0, 5.0, 2001) ** 2
         self.log_shape = np.log([uniform_probability, 1.0 - uniform_probability])
         self.variance = std**2
+        lengths = net.nominal[net.interior]
+        in_run = [np.isin(net.interior, run) for run in net.runs()]
+        # Scales are of an edge of mean length: all of b are lengths.
+        self.G = np.column_stack([np.ones(len(lengths))] + [one * lengths / lengths.mean() for one in in_run])
 
     def start(self, chains):
         self.std = np.full(chains, np.sqrt(self.variance))
         self.uniform = np.zeros(chains, bool)
+        self.b = np.zeros((chains, self.G.shape[1]))
+        self.width = np.full(chains, 2)
+
+    def own(self, d, chains):
+        return d - self.b[chains] @ self.G.T
 
     def logs(self, d, chains):
+        return self.logs_of(self.own(d, chains), chains)
+
+    def logs_of(self, e, chains):
         std = self.std[chains]
-        inside = (np.abs(d) <= np.sqrt(3.0) * std[:, None]).all(axis=1)
-        normal = -0.5 * np.sum(d**2, axis=1) / std**2
+        inside = (np.abs(e) <= np.sqrt(3.0) * std[:, None]).all(axis=1)
+        normal = -0.5 * np.sum(e**2, axis=1) / std**2
         return np.where(self.uniform[chains], np.where(inside, 0.0, -np.inf), normal)
 
+    def widths_of_b(self):
+        return np.column_stack([np.full(len(self.std), self.MEAN_WIDTH)] +
+                               [self.RUN_WIDTHS[self.width]] * (self.G.shape[1] - 1))
+
+    def renew_common(self, d, rng):
+        """b at fixed d: Metropolis steps of one component at a time, and the width of the runs."""
+        everyone = np.arange(len(d))
+        for _ in range(10):
+            stds = self.widths_of_b() * self.std[:, None]
+            for k in range(self.G.shape[1]):
+                own = self.own(d, everyone)
+                change = 0.7 * stds[:, k] * rng.standard_normal(len(d)) * rng.choice([0.1, 0.3, 1.0], len(d))
+                gain = self.logs_of(own - change[:, None] * self.G[:, k], everyone) - self.logs_of(own, everyone)
+                gain -= 0.5 * ((self.b[:, k] + change) ** 2 - self.b[:, k] ** 2) / stds[:, k] ** 2
+                self.b[:, k] += np.where(np.log(rng.random(len(d))) < gain, change, 0.0)
+            # The width with standardised scales kept: d moves nothing, e does.
+            new = rng.choice(len(self.RUN_WIDTHS), len(d), p=self.RUN_WEIGHTS)
+            ratio = self.RUN_WIDTHS[new] / self.RUN_WIDTHS[self.width]
+            before, old_b = self.logs(d, everyone), self.b.copy()
+            self.b[:, 1:] *= ratio[:, None]
+            take = np.log(rng.random(len(d))) < self.logs(d, everyone) - before
+            self.b[~take] = old_b[~take]
+            self.width = np.where(take, new, self.width)
+
     def renew(self, d, rng):
-        m = d.shape[1]
+        self.renew_common(d, rng)
+        e = self.own(d, np.arange(len(d)))
+        m, r = d.shape[1], self.b.shape[1]
         std = np.exp(self.grid)
-        bound = np.abs(d).max(axis=1)[:, None] <= np.sqrt(3.0) * std
+        bound = np.abs(e).max(axis=1)[:, None] <= np.sqrt(3.0) * std
         uniform = np.where(bound, -m * np.log(2.0 * np.sqrt(3.0) * std), -np.inf)
-        squares = np.sum(d**2, axis=1)[:, None]
+        squares = np.sum(e**2, axis=1)[:, None]
         normal = -m * np.log(np.sqrt(2.0 * np.pi) * std) - 0.5 * squares / std**2
-        logs = np.concatenate([uniform + self.log_shape[0], normal + self.log_shape[1]], axis=1)
+        of_b = -r * np.log(std) - 0.5 * np.sum((self.b / self.widths_of_b()) ** 2, axis=1)[:, None] / std**2
+        logs = np.concatenate([uniform + of_b + self.log_shape[0], normal + of_b + self.log_shape[1]], axis=1)
         logs += np.tile(self.log_scale, 2)
         # Gumbel's trick draws from unnormalised logarithms.
         drawn = np.argmax(logs + rng.gumbel(size=logs.shape), axis=1)
@@ -258,7 +316,7 @@ def case(name, net, true_bound, given, noise, hidden, sweeps, seed):
     y[net.free] += noise * rng.standard_normal((len(net.free), 3))
     seen = np.array([i for i in net.free if i not in hidden])
     is_mixture = isinstance(given, tuple)
-    prior = Mixture(*given) if is_mixture else Uniform(given)
+    prior = Mixture(net, *given) if is_mixture else Uniform(given)
     d, t, p = sample(net, y, seen, noise, prior, sweeps, rng)
     flat_d, flat_t, flat_p = (x.reshape(-1, x.shape[2]) for x in (d, t, p))
     print(f"{name}: R-hat {r_hat(d):.3f} lengths, {r_hat(t):.3f} tensions, {r_hat(p):.3f} prior, {len(flat_d)} draws", flush=True)

@@ -239,7 +239,8 @@ void bind_result(nb::module_& module) {
             },
             nb::sig("def prior(self) -> dict"),
             "Prior of the length deviations after the survey: given, exact, std and std_std [m], "
-            "uniform_probability, nodes with law and weight.")
+            "uniform_probability, nodes with law and weight; and what the deviations have in "
+            "common: mean and mean_std [m], run_std and run_probability of the runs of cable.")
         .def_prop_ro(
             "built", [](const Identified& self) { return built_net_of(self.net, self.found).net; },
             "The net as it stands: its lengths as identified, its nodes in equilibrium.")

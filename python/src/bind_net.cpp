@@ -19,6 +19,7 @@
 #include "taut/files/file.hpp"
 #include "taut/io/net_json.hpp"
 #include "taut/net/cable_net.hpp"
+#include "taut/net/cable_runs.hpp"
 #include "taut/net/tension_law.hpp"
 #include "taut/statics/plausibility.hpp"
 
@@ -43,7 +44,8 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
               const std::optional<ArrayLike>& tension_law,
               const std::map<std::string, ArrayLike>& groups, const std::optional<ArrayLike>& mass,
               const std::optional<ArrayLike>& expansion,
-              const std::optional<ArrayLike>& breaking_load, const Names& thread) {
+              const std::optional<ArrayLike>& breaking_load, const Names& thread,
+              const std::map<std::string, ArrayLike>& runs) {
     CableNetData data;
     data.name = name;
     data.nodes = points_argument(nodes, "nodes", -1);
@@ -74,6 +76,10 @@ void make_net(CableNet* self, const ArrayLike& nodes, const ArrayLike& supports,
     data.breaking_load = of_edges(breaking_load, "breaking_load");
     for (const std::string& one : thread) {
         data.thread.push_back(thread_named(one));
+    }
+    for (const auto& [run, members] : runs) {
+        data.runs.push_back(
+            {.name = run, .edges = indices_argument(members, fmt::format("runs['{}']", run))});
     }
     new (self) CableNet(std::move(data));
 }
@@ -136,7 +142,7 @@ void bind_net(nb::module_& module) {
             nb::arg("tension_law") = nb::none(),
             nb::arg("groups") = std::map<std::string, ArrayLike>(), nb::arg("mass") = nb::none(),
             nb::arg("expansion") = nb::none(), nb::arg("breaking_load") = nb::none(),
-            nb::arg("thread") = Names(),
+            nb::arg("thread") = Names(), nb::arg("runs") = std::map<std::string, ArrayLike>(),
             R"(Checks every rule of a net.
 
 Args:
@@ -157,6 +163,8 @@ Args:
     expansion: thermal strain by temperature (m,), or one number [1/K].
     breaking_load: (m,), or one number [N].
     thread: 'right' or 'left' of each turnbuckle, in the order of adjustable.
+    runs: named lists of edges that are cut from one cable; unless told, edges that go straight on
+        through a node.
 
 Raises:
     NetError: naming the place, the value and the rule.
@@ -198,6 +206,10 @@ Raises:
                     "Edges whose length is known and set, ascending.");
     net.def_prop_ro(
         "groups", [](const CableNet& self) { return self.data().groups; }, "Named lists of edges.");
+    net.def_prop_ro(
+        "runs", &cable_runs,
+        "Lists of edges that are cut from one cable: as told, or found by going straight "
+        "on through nodes.");
     net.def("node_id", &CableNet::node_id, nb::arg("node"),
             "The node's name, or its index as text.");
     net.def("edge_id", &CableNet::edge_id, nb::arg("edge"),

@@ -723,11 +723,19 @@ Eigen::MatrixXd LinearisedStatics::length_covariance(const std::vector<int>& edg
     return 0.5 * (result + result.transpose());
 }
 
-double LinearisedStatics::length_sum_variance(const Eigen::VectorXd& weights) const {
-    BorderedFactor::Vector sum = empty_vector();
-    sum.inner.lengths(m_net.interior_edges()) = weights;
-    const Eigen::VectorXd varied = m_matrix.solve(sum).inner.lengths(m_net.interior_edges());
-    return m_length_unit * m_length_unit * weights.dot(varied);
+LinearisedStatics::LengthResponse LinearisedStatics::response_to_lengths(
+    const Eigen::MatrixXd& weights) const {
+    const std::vector<int>& edges = m_net.interior_edges();
+    LengthResponse result{.lengths = Eigen::MatrixXd(weights.rows(), weights.cols()),
+                          .common = Eigen::MatrixXd(m_common.count(), weights.cols())};
+    tbb::parallel_for(Eigen::Index{0}, weights.cols(), [&](Eigen::Index k) {
+        BorderedFactor::Vector sum = empty_vector();
+        sum.inner.lengths(edges) = weights.col(k);
+        const BorderedFactor::Vector varied = m_matrix.solve(sum);
+        result.lengths.col(k) = m_length_unit * m_length_unit * varied.inner.lengths(edges);
+        result.common.col(k) = m_length_unit * varied.border.head(m_common.count());
+    });
+    return result;
 }
 
 }  // namespace taut

@@ -155,8 +155,13 @@ public:
     [[nodiscard]] Eigen::MatrixXd evidence_covariance(int common_count) const;
     /// Of the lengths of these edges, known ones 0; takes a solution for each (k x k) [m2].
     [[nodiscard]] Eigen::MatrixXd length_covariance(const std::vector<int>& edges) const;
-    /// Of the sum of length deviations with weights (m_I) [m2 of the weights].
-    [[nodiscard]] double length_sum_variance(const Eigen::VectorXd& weights) const;
+    /// Covariances of sums of length deviations, one a column of weights (m_I x k), with what is
+    /// unknown; takes a solution for each.
+    struct LengthResponse {
+        Eigen::MatrixXd lengths;  ///< with all length deviations (m_I x k) [m2 of the weights]
+        Eigen::MatrixXd common;   ///< with the common unknowns, in their standard deviations
+    };
+    [[nodiscard]] LengthResponse response_to_lengths(const Eigen::MatrixXd& weights) const;
     /// Of all edges' tensions with the mean of them (m) [N2].
     [[nodiscard]] Eigen::VectorXd covariances_with_mean_tension() const {
         return covariances_with(

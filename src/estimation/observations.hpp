@@ -33,6 +33,9 @@ struct Observations {
     Points support_mean;
     Points support_weights;
     Eigen::VectorXd mean;  ///< m_I, prior mean of the length deviations [m]
+    /// What these means may have in common: a root of its covariance (m_I x r), (length-trend);
+    /// empty: nothing. For draws; a fit is made at the mean [m].
+    Eigen::MatrixXd mean_root;
     /// Of the precision of all lengths, as a part of it: for a search that damps its steps.
     double length_damping = 0.0;
     Eigen::VectorXd variance;         ///< m_I, prior variance, positive [m2]

@@ -98,6 +98,20 @@ Observations perturbed(const CableNet& net, const Observations& observations,
     return result;
 }
 
+/// (length-trend): what the prior means have in common drawn, and known.
+Observations with_drawn_mean(const Observations& observations, RandomNumbers& random) {
+    Observations result = observations;
+    if (result.mean_root.size() > 0) {
+        Eigen::VectorXd error(result.mean_root.cols());
+        for (double& of_one : error) {
+            of_one = random.normal();
+        }
+        result.mean += result.mean_root * error;
+        result.mean_root.resize(0, 0);
+    }
+    return result;
+}
+
 /// A length of the law beyond that of the form, if the law has any.
 double slack_deviation(const LengthLaw& law, double slack_from, RandomNumbers& random) {
     constexpr int most_trials = 1000;
@@ -158,8 +172,8 @@ private:
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    [[nodiscard]] Eigen::VectorXd tell_lengths(Iterate& drawn, bool refit,
-                                               RandomNumbers& random) const;
+    [[nodiscard]] Eigen::VectorXd tell_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
+                                               bool refit, RandomNumbers& random) const;
     [[nodiscard]] std::vector<bool> slack_in(const Eigen::VectorXd& deviations,
                                              const Eigen::VectorXd& spans, bool refit) const;
     [[nodiscard]] double length_of_tension(int edge, double length, double tension,
@@ -232,9 +246,10 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
 /// From what the draw gave, (own-stiffness) and (blurred-law) included, to the edges' own lengths:
 /// of an edge with a tension law the one with which it carries what it does in the draw; of a slack
 /// edge what the law of lengths tells beyond the form.
+/// @param prior_mean of the length deviations (m_I) [m]
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
-Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, bool refit,
-                                           RandomNumbers& random) const {
+Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
+                                           bool refit, RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
     const Eigen::VectorXd spans =
         m_statics.common().cold(lengths, drawn.common) - m_net.unstressed_lengths();
@@ -248,7 +263,7 @@ Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, bool refit,
         double& deviation = drawn.deviations(i);
         if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
             const double part = of_stiffness(i) / (m_sites.variance(i) + m_unknown_lengths(i));
-            const double length = part * (deviation - m_sites.mean(i)) +
+            const double length = part * (deviation - prior_mean(i)) +
                                   std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
             own_stiffness(edge) = -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
             deviation -= length;
@@ -328,7 +343,8 @@ double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
 std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                                                      Workspace& workspace) const {
     RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
-    const Observations again = perturbed(m_net, m_sites, m_unknown_lengths, random);
+    const Observations of_mean = with_drawn_mean(m_sites, random);
+    const Observations again = perturbed(m_net, of_mean, m_unknown_lengths, random);
     auto fit = refit_all ? std::nullopt : followed(again);
     const bool refit = !fit;
     if (refit && can_be_fitted(m_net)) {
@@ -339,7 +355,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
     }
     Iterate& drawn = *fit;
     const Iterate by_fit = drawn;
-    const Eigen::VectorXd own_stiffness = tell_lengths(drawn, refit, random);
+    const Eigen::VectorXd own_stiffness = tell_lengths(drawn, of_mean.mean, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;

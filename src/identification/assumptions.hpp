@@ -15,4 +15,12 @@ namespace taut {
                                                      const std::vector<Unknown>& given,
                                                      const Identification& result);
 
+/// What taut assumes, each width known to a factor of 1.5: docs/theory.md, (assumed-width).
+/// @param given of these what was not assumed by taut, and stays as it is
+[[nodiscard]] std::vector<Unknown> with_uncertain_widths(std::vector<Unknown> uncertain,
+                                                         const std::vector<Unknown>& given);
+
+/// Names estimates of a fit with_uncertain_widths() by the widths that were assumed.
+void tell_assumed_widths(Identification& result, const std::vector<Unknown>& given);
+
 }  // namespace taut

@@ -158,6 +158,7 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
 struct AssumedPrior {
     LengthLaw law;
     std::optional<Hyperprior> around;  ///< empty: it is exact
+    bool has_trend = false;            ///< whether lengths may have something in common
 };
 
 /// What the statics show of noise, law, lengths and frame, whatever the method is: a fit of its
@@ -259,6 +260,7 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
         case IdentificationMethod::map: {
             Told told(prior.law);
             told.hyperprior = prior.around;
+            told.has_trend = prior.has_trend;
             told.unknowns = options.unknowns;
             told.forces = options.forces;
             result = identify_by_maximum_a_posteriori(net, survey, told, {},
@@ -344,7 +346,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
                                     const Progress& progress) {
     constexpr double as_good_as = 0.05;
     const Hyperprior around = options.law ? hyperprior_around(*options.law) : broad_hyperprior();
-    const AssumedPrior first{.law = around.centre, .around = around};
+    const AssumedPrior first{.law = around.centre, .around = around, .has_trend = true};
     Identification centre = identify_at_centre(method, net, survey, first, options, progress);
     PriorEstimate& prior = centre.prior;
     if (centre.status != IdentificationStatus::converged || prior.exact) {
@@ -370,7 +372,8 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         by_node.draws = options.draws > 0 ? std::max(fewest_draws, shares[k]) : 0;
         by_node.seed = options.seed + k;
         Identification part = identify_and_audit(
-            method, net, survey, {.law = prior.nodes[k].law, .around = {}}, by_node, progress);
+            method, net, survey, {.law = prior.nodes[k].law, .around = {}, .has_trend = true},
+            by_node, progress);
         if (part.status == IdentificationStatus::converged) {
             parts.push_back({.weight = prior.nodes[k].weight, .result = std::move(part)});
         }
@@ -387,6 +390,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         part.weight /= converged;
     }
     Identification result = mixture_of(net, survey, std::move(parts), options.draws);
+    prior.common = result.prior.common;
     result.prior = std::move(prior);
     result.contradicted_law = centre.contradicted_law;
     result.how +=
@@ -497,12 +501,15 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (options.assume_site) {
         IdentifyOptions on_site = options;
         on_site.assume_site = false;
+        std::vector<Unknown> uncertain = options.unknowns;
         if (method == IdentificationMethod::map && survey.is_noisy()) {
-            on_site.unknowns = with_site_assumptions(net, options.unknowns);
+            uncertain = with_site_assumptions(net, options.unknowns);
+            on_site.unknowns = with_uncertain_widths(uncertain, options.unknowns);
         }
         Identification result = identify(net, survey, on_site, progress);
         result.method_reason = reason;
-        result.assumptions = assumptions_of(on_site.unknowns, options.unknowns, result);
+        result.assumptions = assumptions_of(uncertain, options.unknowns, result);
+        tell_assumed_widths(result, options.unknowns);
         return result;
     }
     const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();

@@ -18,10 +18,12 @@
 #include "estimation/frame_check.hpp"
 #include "estimation/law_check.hpp"
 #include "estimation/length_likelihoods.hpp"
+#include "estimation/length_trend.hpp"
 #include "estimation/variance_components.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
 #include "identification/unknown_estimates.hpp"
+#include "taut/estimation/edge_status.hpp"
 #include "taut/statics/tensions.hpp"
 
 namespace taut {
@@ -116,6 +118,7 @@ struct Doubt {
     LawCheck law;
     FrameCheck frame;
     std::optional<PriorEstimate> prior;
+    std::vector<bool> left_out;  ///< interior edges (m_I) that do not show the law
 };
 
 /// (common-mean): score and information of a shift of the law.
@@ -127,7 +130,8 @@ void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observat
             weights(static_cast<Eigen::Index>(i)) = 0.0;
         }
     }
-    const double information = weights.sum() - statics.length_sum_variance(weights);
+    const double information =
+        weights.sum() - weights.dot(statics.response_to_lengths(weights).lengths.col(0));
     constexpr double rounding = 1e-6;
     if (information > rounding * weights.sum()) {
         check.mean = weights.dot(fitted.deviations - observations.mean) / information;
@@ -136,8 +140,8 @@ void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observat
 }
 
 /// (components), (law-check). The fit stands as it was afterwards.
-Doubt doubt_of(const CableNet& fit_net, const LengthLaw& law,
-               const std::optional<Hyperprior>& hyperprior, SurveyFit& fit, Iterate fitted) {
+Doubt doubt_of(const CableNet& fit_net, const Told& given, SurveyFit& fit, Iterate fitted) {
+    const LengthLaw& law = given.law;
     Doubt doubt;
     const Iterate at = fitted;
     const Observations told = fit.observations();
@@ -154,13 +158,14 @@ Doubt doubt_of(const CableNet& fit_net, const LengthLaw& law,
     doubt.law = check_law_by_lengths(law, likelihood);
     doubt.law.beyond = fit.length_snooping().given_up();
     tell_mean(doubt.law, fit.statics(), scaled, fitted, left_out);
-    if (hyperprior) {
-        doubt.prior = estimate_prior(*hyperprior, fit_net, fit.statics(), told, at, left_out, law,
-                                     doubt.scales.lengths, likelihood);
+    if (given.hyperprior) {
+        doubt.prior = estimate_prior(*given.hyperprior, fit_net, fit.statics(), told, at, left_out,
+                                     law, doubt.scales.lengths, likelihood);
     }
     if (fit.statics().linearise(at, told)) {
         fit.statics().invert();
     }
+    doubt.left_out = std::move(left_out);
     return doubt;
 }
 
@@ -219,9 +224,57 @@ std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet&
     return result;
 }
 
-LengthCovariance covariance_of(const std::vector<int>& edges, const LinearisedStatics& statics,
+/// Of the edges' gains the rows of some, in the order of the net to fit.
+Eigen::MatrixXd gains_of(const std::vector<int>& edges, const CableNet& fit_net,
+                         const LengthTrend& trend) {
+    std::vector<Eigen::Index> rows;
+    for (const int edge : edges) {
+        rows.push_back(std::ranges::lower_bound(fit_net.interior_edges(), edge) -
+                       fit_net.interior_edges().begin());
+    }
+    return trend.length_gains(rows, Eigen::all);
+}
+
+/// (length-trend): what the lengths have in common moves and widens what a fit without it tells.
+void take_up_trend(Identification& result, const LengthTrend& trend, const CableNet& fit_net) {
+    std::vector<int> edges;
+    std::ranges::transform(result.edges, std::back_inserter(edges), &IdentifiedEdge::edge);
+    const Eigen::MatrixXd gains = gains_of(edges, fit_net, trend);
+    const Eigen::VectorXd shifts = gains * trend.mean;
+    const Eigen::VectorXd stds = (gains * trend.root).rowwise().norm();
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        IdentifiedEdge& edge = result.edges[i];
+        if (edge.status == EdgeStatus::slack || !(edge.std > 0.0)) {
+            continue;
+        }
+        const auto k = static_cast<Eigen::Index>(i);
+        const double std = std::hypot(edge.std, stds(k));
+        const double wider = std / edge.std;
+        const double before = edge.length_deviation;
+        edge.length_deviation += shifts(k);
+        edge.lower = edge.length_deviation - wider * (before - edge.lower);
+        edge.upper = edge.length_deviation + wider * (edge.upper - before);
+        edge.std = std;
+        edge.status = status_of(result.law.std(), {.std = std, .slack_probability = 0.0});
+    }
+    Eigen::Index common = 0;
+    for (UnknownEstimate& one : result.unknowns) {
+        if (one.edge < 0 && one.node < 0) {
+            const Eigen::RowVectorXd gain = one.unknown.std * trend.common_gains.row(common++);
+            one.mean += gain * trend.mean;
+            one.std = std::hypot(one.std, (gain * trend.root).norm());
+        }
+    }
+}
+
+LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fit_net,
+                               const LinearisedStatics& statics, const LengthTrend& trend,
                                const Identification& result) {
-    const Eigen::MatrixXd linearised = statics.length_covariance(edges);
+    Eigen::MatrixXd linearised = statics.length_covariance(edges);
+    if (!trend.empty()) {
+        const Eigen::MatrixXd common = gains_of(edges, fit_net, trend) * trend.root;
+        linearised += common * common.transpose();
+    }
     Eigen::VectorXd scale(edges.size());
     for (Eigen::Index k = 0; k < scale.size(); ++k) {
         const auto edge = std::ranges::find(result.edges, edges[k], &IdentifiedEdge::edge);
@@ -298,9 +351,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     const PriorKnowledge& knowledge = fit.knowledge();
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
-    const Doubt doubt = fitted.converged
-                            ? doubt_of(fit_net, told.law, told.hyperprior, fit, fitted.iterate)
-                            : Doubt();
+    const Doubt doubt = fitted.converged ? doubt_of(fit_net, told, fit, fitted.iterate) : Doubt();
     if (own != nullptr) {
         const Eigen::Index size = fit_net.interior_edge_count() + common_count;
         *own =
@@ -321,6 +372,11 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     result.reading_outliers = fit.snooping().reading_outliers();
     result.reading_bias = fit.snooping().reading_bias();
     result.prior = doubt.prior.value_or(exact_prior(told.law));
+    const LengthTrend trend = told.has_trend && fitted.converged
+                                  ? trend_of(fit_net, fit.statics(), observations, fitted.iterate,
+                                             doubt.left_out, told.law)
+                                  : LengthTrend();
+    result.prior.common = trend.found;
     if (fitted.converged) {
         result.detectable = detectable_of(net, survey, fit, doubt);
     }
@@ -338,6 +394,11 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     result.unknowns =
         unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
     leave_out_released(result);
+    if (!trend.empty()) {
+        take_up_trend(result, trend, fit_net);
+        observations.mean += trend.columns * trend.mean;
+        observations.mean_root = trend.columns * trend.root;
+    }
     if (!fit_net.is_linear()) {
         fit.statics().hold_laws(fitted.iterate);  // (drawn-law)
     }
@@ -345,7 +406,8 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
                    fitted.iterate, wanted, progress);
     if (!wanted.covariance_of.empty() && fitted.converged) {
         // Behind the draws, which may widen what the fit tells.
-        result.length_covariance = covariance_of(wanted.covariance_of, fit.statics(), result);
+        result.length_covariance =
+            covariance_of(wanted.covariance_of, fit_net, fit.statics(), trend, result);
     }
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";

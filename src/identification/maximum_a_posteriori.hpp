@@ -30,6 +30,8 @@ struct Told {
     Eigen::VectorXd own_stds;
     /// Over priors, of which the result then tells the posterior; empty: the law is exact.
     std::optional<Hyperprior> hyperprior;
+    /// Whether lengths may have a mean and scales in common, (length-trend).
+    bool has_trend = false;
     /// Of other surveys of the same net to fit; null: there is none.
     std::shared_ptr<const LengthEvidence> evidence;
 

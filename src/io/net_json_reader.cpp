@@ -135,6 +135,18 @@ std::map<std::string, std::vector<int>> read_groups(const std::optional<JsonValu
     return groups;
 }
 
+std::vector<CableRun> read_runs(const std::optional<JsonValue>& list) {
+    std::vector<CableRun> runs(list ? list->array_size("an array of runs") : 0);
+    for (size_t k = 0; k < runs.size(); ++k) {
+        const JsonValue run = list->at(k);
+        run.require_object("a run of cable: {\"edges\": [...]}");
+        const auto name = run.find("name");
+        runs[k] = {.name = name ? name->text() : "",
+                   .edges = read_indices(run.require("edges", "an array of edges"))};
+    }
+    return runs;
+}
+
 /// A number for each edge, or one for all; none where the key is not there.
 Eigen::VectorXd read_rates(const std::optional<JsonValue>& value, size_t edges) {
     return value ? read_numbers_or_one(*value, edges) : Eigen::VectorXd();
@@ -173,6 +185,7 @@ CableNetData read_data(const JsonValue& root) {
     data.expansion = read_rates(root.find("expansion"), data.edges.size());
     data.breaking_load = read_rates(root.find("breaking_load"), data.edges.size());
     data.thread = read_threads(root.find("thread"));
+    data.runs = read_runs(root.find("runs"));
     return data;
 }
 

@@ -100,6 +100,15 @@ std::string groups_text(const std::map<std::string, std::vector<int>>& groups) {
     return result + "\n  }";
 }
 
+std::string runs_text(const std::vector<CableRun>& runs) {
+    return one_a_line(static_cast<Eigen::Index>(runs.size()), [&runs](Eigen::Index k) {
+        const auto& [name, edges] = runs[static_cast<size_t>(k)];
+        return fmt::format("{{{}\"edges\": {}}}",
+                           name.empty() ? "" : fmt::format("\"name\": {}, ", text_text(name)),
+                           indices_text(edges));
+    });
+}
+
 std::string numbers_text(const Eigen::VectorXd& numbers) {
     std::string result;
     for (const double number : numbers) {
@@ -180,6 +189,9 @@ std::string net_to_json(const CableNet& net, const std::string& unknown_keys) {
         if (rates->size() > 0) {
             add(key, one_or_all(*rates));
         }
+    }
+    if (!data.runs.empty()) {
+        add("runs", runs_text(data.runs));
     }
     if (!data.thread.empty()) {
         add("thread", wrapped(data.thread, [](Thread thread) {

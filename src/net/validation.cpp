@@ -214,6 +214,33 @@ void check_groups(const CableNetData& data) {
     }
 }
 
+void check_runs(const CableNetData& data) {
+    std::vector<bool> taken(data.edges.size(), false);
+    for (int k = 0; k < std::ssize(data.runs); ++k) {
+        const auto& [name, edges] = data.runs[k];
+        if (has_line_break(name)) {
+            throw NetError("runs", {k},
+                           "holds a name with a line break or a zero byte, expected one line");
+        }
+        if (edges.empty()) {
+            throw NetError("runs", {k}, "holds no edges");
+        }
+        try {
+            check_indices("runs", edges, static_cast<int>(data.edges.size()), "edge");
+        } catch (const NetError& error) {
+            throw NetError("runs", {k},
+                           fmt::format("edges[{}]: {}", error.index()[0], error.problem()));
+        }
+        for (const int edge : edges) {
+            if (taken[edge]) {
+                throw NetError("runs", {k},
+                               fmt::format("holds edge {}, which is in another run", edge));
+            }
+            taken[edge] = true;
+        }
+    }
+}
+
 /// One number an edge, or none.
 void check_rates(const std::string& field, const Eigen::VectorXd& values, size_t edges,
                  double least) {
@@ -277,6 +304,7 @@ void validate(const CableNetData& data) {
     check_ids("node_ids", data.node_ids);
     check_ids("edge_ids", data.edge_ids);
     check_groups(data);
+    check_runs(data);
     check_rates("mass", data.mass, data.edges.size(), 0.0);
     check_rates("expansion", data.expansion, data.edges.size(),
                 std::numeric_limits<double>::lowest());

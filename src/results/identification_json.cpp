@@ -195,6 +195,12 @@ Json prior_json(const Identification& identification) {
             {"std", prior.std},
             {"std_std", prior.std_std},
             {"uniform_probability", prior.uniform_probability},
+            {"common",
+             {{"mean", prior.common.mean},
+              {"mean_std", prior.common.mean_std},
+              {"runs", prior.common.runs},
+              {"run_std", prior.common.run_std},
+              {"run_probability", prior.common.run_probability}}},
             {"nodes", nodes}};
 }
 

@@ -108,28 +108,31 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
                      {.law = reference.law, .prior_exact = reference.prior_exact, .draws = 2000});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
+        // What lengths have in common, (length-trend), is told to first order.
+        const double of_mean = reference.prior_exact ? 0.15 : 0.25;
+        const double of_end = reference.prior_exact ? 0.3 : 0.45;
         const Eigen::VectorXd mean = vector_of(reference.json.at("mean"));
         const Eigen::VectorXd std = vector_of(reference.json.at("std"));
         for (Eigen::Index i = 0; i < mean.size(); ++i) {
             const Eigen::VectorXd drawn = found.draws->length_deviations.row(i);
             const DrawnEstimate estimate = estimate_of(drawn);
-            EXPECT_NEAR(estimate.mean, mean(i), 0.15 * std(i)) << i;
+            EXPECT_NEAR(estimate.mean, mean(i), of_mean * std(i)) << i;
             EXPECT_NEAR(estimate.std / std(i), 1.0, 0.15) << i;
-            EXPECT_NEAR(found.edges[i].length_deviation, mean(i), 0.15 * std(i)) << i;
+            EXPECT_NEAR(found.edges[i].length_deviation, mean(i), of_mean * std(i)) << i;
             EXPECT_NEAR(found.edges[i].std / std(i), 1.0, 0.15) << i;
         }
         if (!reference.prior_exact) {  // (prior-mixture)
             const double prior_std = reference.json.at("prior_std");
             const double prior_std_std = reference.json.at("prior_std_std");
-            EXPECT_NEAR(found.prior.std, prior_std, 0.4 * prior_std_std);
+            EXPECT_NEAR(found.prior.std, prior_std, 0.45 * prior_std_std);
             EXPECT_NEAR(found.prior.std_std / prior_std_std, 1.0, 0.3);
             EXPECT_NEAR(found.prior.uniform_probability, reference.json.at("uniform_probability"),
                         0.25);
             const Eigen::VectorXd lowest = vector_of(reference.json.at("lower"));
             const Eigen::VectorXd highest = vector_of(reference.json.at("upper"));
             for (Eigen::Index i = 0; i < mean.size(); ++i) {
-                EXPECT_NEAR(found.edges[i].lower, lowest(i), 0.3 * std(i)) << i;
-                EXPECT_NEAR(found.edges[i].upper, highest(i), 0.3 * std(i)) << i;
+                EXPECT_NEAR(found.edges[i].lower, lowest(i), of_end * std(i)) << i;
+                EXPECT_NEAR(found.edges[i].upper, highest(i), of_end * std(i)) << i;
             }
         }
         const Eigen::VectorXd tension = vector_of(reference.json.at("tension_mean"));
@@ -139,10 +142,10 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
         const Eigen::VectorXd slack = vector_of(reference.json.at("slack_probability"));
         for (Eigen::Index e = 0; e < tension.size(); ++e) {
             const DrawnTension& of_edge = found.drawn.tensions[e];
-            EXPECT_NEAR(of_edge.tension.mean, tension(e), 0.15 * tension_std(e)) << e;
+            EXPECT_NEAR(of_edge.tension.mean, tension(e), of_mean * tension_std(e)) << e;
             EXPECT_NEAR(of_edge.tension.std / tension_std(e), 1.0, 0.15) << e;
-            EXPECT_NEAR(of_edge.tension.lower, lower(e), 0.3 * tension_std(e)) << e;
-            EXPECT_NEAR(of_edge.tension.upper, upper(e), 0.3 * tension_std(e)) << e;
+            EXPECT_NEAR(of_edge.tension.lower, lower(e), of_end * tension_std(e)) << e;
+            EXPECT_NEAR(of_edge.tension.upper, upper(e), of_end * tension_std(e)) << e;
             EXPECT_NEAR(of_edge.slack_probability, slack(e), 0.05) << e;
         }
     }

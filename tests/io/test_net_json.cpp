@@ -51,6 +51,11 @@ void expect_same(const CableNetData& a, const CableNetData& b) {
     EXPECT_TRUE(same_bits(a.expansion, b.expansion));
     EXPECT_TRUE(same_bits(a.breaking_load, b.breaking_load));
     EXPECT_EQ(a.thread, b.thread);
+    ASSERT_EQ(a.runs.size(), b.runs.size());
+    for (size_t k = 0; k < a.runs.size(); ++k) {
+        EXPECT_EQ(a.runs[k].name, b.runs[k].name);
+        EXPECT_EQ(a.runs[k].edges, b.runs[k].edges);
+    }
 }
 
 TEST(NetJson, ReadsBackEverythingOfANetToTheLastBit) {
@@ -85,6 +90,7 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
     data.breaking_load = Eigen::VectorXd::LinSpaced(edges, 1e4, 1e5 / 3.0);
     data.adjustable = {5, 0, 3};
     data.thread = {Thread::left, Thread::right, Thread::right};
+    data.runs = {{.name = "warp \"1\"", .edges = {2, 0}}, {.name = "", .edges = {4}}};
     const CableNet net(data);
     // Sorted with their edges.
     EXPECT_EQ(net.adjustable_edges(), (std::vector<int>{0, 3, 5}));
@@ -94,6 +100,7 @@ TEST(NetJson, ReadsBackBreakingLoadsAndThreadsEachOfItsEdge) {
     CableNetData bare = data;
     bare.breaking_load.resize(0);
     bare.thread.clear();
+    bare.runs.clear();
     EXPECT_EQ(net.fingerprint(), CableNet(bare).fingerprint());
 }
 

@@ -576,10 +576,36 @@ export interface Prior {
    * Posterior probability of the uniform shape.
    */
   uniform_probability: number;
+  common?: CommonDeviation;
   /**
    * The priors of the mixture, the most probable first.
    */
   nodes: PriorNode[];
+}
+/**
+ * What the length deviations have in common, after the survey.
+ */
+export interface CommonDeviation {
+  /**
+   * Of all [m].
+   */
+  mean: number;
+  /**
+   * Of that; 0: taken to be none [m].
+   */
+  mean_std: number;
+  /**
+   * Runs of cable that were tried for a scale each.
+   */
+  runs: number;
+  /**
+   * Of the scales of runs, relative, posterior mean.
+   */
+  run_std: number;
+  /**
+   * That runs have such scales.
+   */
+  run_probability: number;
 }
 export interface PriorNode {
   /**

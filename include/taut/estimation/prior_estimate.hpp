@@ -14,6 +14,15 @@ struct PriorNode {
     double weight = 1.0;  ///< its posterior probability; all of a mixture sum to 1
 };
 
+/// What the deviations have in common, after the survey, docs/theory.md (length-trend).
+struct CommonDeviation {
+    double mean = 0.0;             ///< of all [m]
+    double mean_std = 0.0;         ///< of that; 0: taken to be none [m]
+    int runs = 0;                  ///< of cable, cable_runs(), whose lengths were tried for a scale
+    double run_std = 0.0;          ///< of the scales of the runs, posterior mean, relative
+    double run_probability = 0.0;  ///< that there are such scales
+};
+
 /// The prior of the length deviations after the survey: a distribution over shapes and scales,
 /// represented by the nodes of a quadrature, docs/theory.md (hyperprior), (prior-evidence).
 struct PriorEstimate {
@@ -22,6 +31,7 @@ struct PriorEstimate {
     double std = 0.0;                  ///< posterior mean of the deviations' standard deviation [m]
     double std_std = 0.0;              ///< posterior standard deviation of that [m]
     double uniform_probability = 0.0;  ///< posterior probability of the uniform shape
+    CommonDeviation common;            ///< of the most probable node
     std::vector<PriorNode> nodes;      ///< most probable first; at least one where estimated
 };
 

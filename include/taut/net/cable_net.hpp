@@ -48,6 +48,12 @@ private:
 /// along the cable, shortens the cable.
 enum class Thread { right, left };
 
+/// Edges that are cut from one cable, and may share what is wrong with their lengths.
+struct CableRun {
+    std::string name;        ///< may be empty
+    std::vector<int> edges;  ///< none in another run
+};
+
 /// The plain content of a net, before it is checked. Sizes: n nodes, m edges.
 struct CableNetData {
     std::string name;                    ///< for people and files; may be empty
@@ -69,6 +75,7 @@ struct CableNetData {
     Eigen::VectorXd expansion;      ///< m, thermal strain by temperature; or none [1/K]
     Eigen::VectorXd breaking_load;  ///< m, > 0; or none [N]
     std::vector<Thread> thread;     ///< one an entry of `adjustable`; or none
+    std::vector<CableRun> runs;     ///< or none: cable_runs() finds them
 };
 
 /// The edges with at least one support as an end: CableNetData::adjustable of most nets.
@@ -91,7 +98,8 @@ public:
     ///   is not finite, no free node, names that are empty or doubled; a tension law that does not
     ///   start at (0, 0), falls, is flat at its start or end, or whose strains do not ascend; a
     ///   group without name or edges; a mass that is negative, an expansion that is not finite, a
-    ///   breaking load that is not positive and finite, other than one thread an adjustable edge.
+    ///   breaking load that is not positive and finite, other than one thread an adjustable edge, a
+    ///   run without edges or with one that another run has.
     explicit CableNet(CableNetData data);
     /// Nets are copied, not moved: what is left behind is a net still.
     CableNet(const CableNet&) = default;

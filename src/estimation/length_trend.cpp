@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "estimation/length_trend.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "numerics/dense.hpp"
+#include "taut/net/cable_runs.hpp"
+
+namespace taut {
+namespace {
+
+/// The prior of the mean, in standard deviations of the law.
+constexpr double mean_width = 0.5;
+/// Whether lengths of a run have a scale in common at all; and how much of it, in standard
+/// deviations of the law at an edge of mean length.
+constexpr double probability_of_runs = 0.9;
+constexpr std::array run_widths{0.25, 0.5, 1.0, 2.0};
+
+constexpr int most_edges = 5000;
+constexpr Eigen::Index most_runs = 128;
+
+/// Of the mean and, behind it, of each run, per unit: [m] and relative.
+Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_out) {
+    std::vector<std::vector<int>> runs = cable_runs(net);
+    if (std::ssize(runs) > most_runs) {
+        runs.clear();
+    }
+    Eigen::MatrixXd of_edges = Eigen::MatrixXd::Zero(net.edge_count(), 1 + std::ssize(runs));
+    of_edges.col(0).setOnes();
+    for (Eigen::Index k = 0; k < std::ssize(runs); ++k) {
+        for (const int edge : runs[static_cast<size_t>(k)]) {
+            of_edges(edge, 1 + k) = net.unstressed_lengths()(edge);
+        }
+    }
+    Eigen::MatrixXd columns = of_edges(net.interior_edges(), Eigen::all);
+    for (size_t i = 0; i < left_out.size(); ++i) {
+        if (left_out[i]) {
+            columns.row(static_cast<Eigen::Index>(i)).setZero();
+        }
+    }
+    return columns;
+}
+
+/// Of b, where its priors have these standard deviations.
+struct Posterior {
+    double log_evidence = 0.0;
+    Eigen::VectorXd mean;
+    Eigen::MatrixXd covariance;
+};
+Posterior posterior_of_trend(const Eigen::VectorXd& score, const Eigen::MatrixXd& information,
+                             const Eigen::VectorXd& stds) {
+    const SymmetricEigen eigen =
+        symmetric_eigen(stds.asDiagonal() * information * stds.asDiagonal());
+    const Eigen::ArrayXd values = eigen.values.array().max(0.0);
+    const Eigen::VectorXd turned = eigen.vectors.transpose() * stds.cwiseProduct(score);
+    const Eigen::VectorXd shrunk = turned.array() / (1.0 + values);
+    const Eigen::MatrixXd spread = stds.asDiagonal() * eigen.vectors;
+    return {
+        .log_evidence = 0.5 * turned.dot(shrunk) - 0.5 * (1.0 + values).log().sum(),
+        .mean = spread * shrunk,
+        .covariance = spread * (1.0 + values).inverse().matrix().asDiagonal() * spread.transpose()};
+}
+
+}  // namespace
+
+LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
+                     const Observations& observations, const Iterate& fitted,
+                     const std::vector<bool>& left_out, const LengthLaw& law) {
+    LengthTrend trend;
+    if (net.interior_edge_count() > most_edges) {
+        return trend;
+    }
+    trend.columns = columns_of(net, left_out);
+    const Eigen::Index count = trend.columns.cols();
+    const Eigen::VectorXd variances =
+        observations.variance + statics.blur().length_variances(observations.variance.size());
+    const Eigen::VectorXd weights = variances.cwiseInverse();
+    const Eigen::MatrixXd weighted = weights.asDiagonal() * trend.columns;
+    const LinearisedStatics::LengthResponse response = statics.response_to_lengths(weighted);
+    const Eigen::VectorXd score = weighted.transpose() * (fitted.deviations - observations.mean);
+    const Eigen::MatrixXd information =
+        trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
+
+    // Over the widths of the runs: each as probable as another.
+    std::vector<Posterior> posteriors;
+    std::vector<double> widths;
+    Eigen::VectorXd log_weights(count > 1 ? 1 + std::ssize(run_widths) : 1);
+    const double mean_length = net.unstressed_lengths()(net.interior_edges()).mean();
+    for (Eigen::Index k = 0; k < log_weights.size(); ++k) {
+        widths.push_back(k == 0 ? 0.0
+                                : run_widths[static_cast<size_t>(k - 1)] * law.std() / mean_length);
+        Eigen::VectorXd stds = Eigen::VectorXd::Constant(count, widths.back());
+        stds(0) = mean_width * law.std();
+        posteriors.push_back(posterior_of_trend(score, information, stds));
+        log_weights(k) = posteriors.back().log_evidence +
+                         std::log(k == 0 ? 1.0 - probability_of_runs
+                                         : probability_of_runs / std::ssize(run_widths));
+    }
+    const Eigen::VectorXd weights_of =
+        (log_weights.array() - log_weights.maxCoeff()).exp().matrix();
+    const double sum = weights_of.sum();
+    trend.mean = Eigen::VectorXd::Zero(count);
+    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(count, count);
+    for (size_t k = 0; k < posteriors.size(); ++k) {
+        const double weight = weights_of(static_cast<Eigen::Index>(k)) / sum;
+        const Posterior& one = posteriors[k];
+        trend.mean += weight * one.mean;
+        squares += weight * (one.covariance + one.mean * one.mean.transpose());
+        trend.found.run_std += weight * widths[k];
+        trend.found.run_probability += k > 0 ? weight : 0.0;
+    }
+    const SymmetricEigen eigen = symmetric_eigen(squares - trend.mean * trend.mean.transpose());
+    trend.root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    // Of the sum with what nobody knows a part is the edge's own.
+    const Eigen::VectorXd own = observations.variance.cwiseQuotient(variances);
+    trend.length_gains = trend.columns + own.asDiagonal() * (response.lengths - trend.columns);
+    trend.common_gains = response.common;
+    trend.found.mean = trend.mean(0);
+    trend.found.mean_std = trend.root.row(0).norm();
+    trend.found.runs = static_cast<int>(count) - 1;
+    return trend;
+}
+
+}  // namespace taut

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "estimation/linearised_statics.hpp"
+#include "estimation/observations.hpp"
+#include "taut/estimation/prior_estimate.hpp"
+#include "taut/net/cable_net.hpp"
+#include "taut/sampling/length_law.hpp"
+
+namespace taut {
+
+/// What length deviations have in common, after the survey: d = e + G b, where e are independent
+/// under their prior and b, the mean of all and the relative length of each run of cable, are
+/// normal. To first order, docs/theory.md (length-trend).
+struct LengthTrend {
+    Eigen::MatrixXd columns;       ///< G, m_I x r: of one standard deviation of the prior each [m]
+    Eigen::VectorXd mean;          ///< of b (r)
+    Eigen::MatrixXd root;          ///< R, r x r: R R' is the covariance of b
+    Eigen::MatrixXd length_gains;  ///< d of the estimated lengths by b, m_I x r [m]
+    Eigen::MatrixXd
+        common_gains;  ///< the same of the common unknowns, in their standard deviations
+    CommonDeviation found;
+
+    [[nodiscard]] bool empty() const { return columns.cols() == 0; }
+};
+
+/// The trend that a fit without one shows: empty where the net has too many edges, of which the
+/// mean is known better than a linearisation is right.
+/// @param statics linearised and inverted at the fit
+/// @param left_out interior edges (m_I) of another prior than the law
+[[nodiscard]] LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
+                                   const Observations& observations, const Iterate& fitted,
+                                   const std::vector<bool>& left_out, const LengthLaw& law);
+
+}  // namespace taut

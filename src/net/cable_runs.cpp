@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/net/cable_runs.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace taut {
+namespace {
+
+/// Sets of edges that are joined two by two.
+class JoinedEdges {
+public:
+    explicit JoinedEdges(int count) : m_next(count) { std::iota(m_next.begin(), m_next.end(), 0); }
+    void join(int a, int b) {
+        const auto [low, high] = std::minmax({first_of(a), first_of(b)});
+        m_next[high] = low;
+    }
+    /// The lowest edge of its set.
+    int first_of(int edge) {
+        while (m_next[edge] != edge) {
+            edge = m_next[edge] = m_next[m_next[edge]];
+        }
+        return edge;
+    }
+
+private:
+    std::vector<int> m_next;
+};
+
+/// Pairs of edges that go straight on through a node.
+std::vector<std::pair<int, int>> straight_pairs(const CableNet& net, int node,
+                                                const std::vector<int>& edges) {
+    constexpr double straight = 0.866;  // cosine of 30 degrees
+    constexpr size_t most_edges = 64;   // a hub joins cables, it is none that they pass through
+    if (edges.size() > most_edges) {
+        return {};
+    }
+    std::vector<std::tuple<double, int, int>> candidates;
+    const auto direction = [&](int edge) {
+        const auto [s, t] = net.edges()[edge];
+        return (net.nodes().col(s == node ? t : s) - net.nodes().col(node)).normalized().eval();
+    };
+    for (size_t i = 0; i < edges.size(); ++i) {
+        for (size_t j = i + 1; j < edges.size(); ++j) {
+            const double cosine = direction(edges[i]).dot(direction(edges[j]));
+            if (cosine < -straight) {
+                candidates.emplace_back(cosine, edges[i], edges[j]);
+            }
+        }
+    }
+    std::ranges::sort(candidates);
+    std::vector<std::pair<int, int>> pairs;
+    std::vector<int> taken;
+    for (const auto& [cosine, a, b] : candidates) {
+        if (std::ranges::find(taken, a) == taken.end() &&
+            std::ranges::find(taken, b) == taken.end()) {
+            pairs.emplace_back(a, b);
+            taken.insert(taken.end(), {a, b});
+        }
+    }
+    return pairs;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> cable_runs(const CableNet& net) {
+    std::vector<std::vector<int>> runs;
+    if (!net.data().runs.empty()) {
+        std::ranges::transform(net.data().runs, std::back_inserter(runs), &CableRun::edges);
+        return runs;
+    }
+    std::vector<std::vector<int>> edges_at(net.node_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        for (const int node : net.edges()[e]) {
+            edges_at[node].push_back(e);
+        }
+    }
+    JoinedEdges joined(net.edge_count());
+    for (const int node : net.free_nodes()) {
+        for (const auto& [a, b] : straight_pairs(net, node, edges_at[node])) {
+            joined.join(a, b);
+        }
+    }
+    runs.resize(net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e) {
+        runs[joined.first_of(e)].push_back(e);
+    }
+    std::erase_if(runs, [](const std::vector<int>& run) { return run.size() < 2; });
+    return runs;
+}
+
+}  // namespace taut

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against intervals that are too narrow where lengths are wrong together: all by the same,
+// or each cable by a scale of its own.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "identification/simulated_survey.hpp"
+#include "taut/design/builtin_nets.hpp"
+#include "taut/identification/identify.hpp"
+#include "taut/net/cable_runs.hpp"
+
+namespace {
+
+using namespace taut;
+
+constexpr int surveys = 8;
+const LengthLaw law{LengthLaw::Kind::uniform, 2e-3};
+
+struct Coverage {
+    double lengths = 0.0;
+    double tensions = 0.0;
+    double mean_error = 0.0;  ///< of the common mean, root mean square, in its standard deviations
+};
+
+/// Of 95 % intervals, with the prior given as the law that the lengths follow apart from what is
+/// altered.
+template <class Alter>
+Coverage coverage(const CableNet& net, bool prior_exact, double mean, const Alter& alter) {
+    Coverage result;
+    for (int seed = 0; seed < surveys; ++seed) {
+        const auto s =
+            test::simulate(net, law, 5e-4, static_cast<std::uint64_t>(seed),
+                           [&](Eigen::VectorXd& d) { alter(d, static_cast<unsigned>(seed)); });
+        const Identification found =
+            identify(net, s.survey, {.law = law, .prior_exact = prior_exact, .draws = 100});
+        const Eigen::VectorXd tension =
+            tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
+        for (size_t i = 0; i < found.edges.size(); ++i) {
+            const double truth = s.deviations(static_cast<Eigen::Index>(i));
+            result.lengths +=
+                found.edges[i].lower <= truth && truth <= found.edges[i].upper ? 1 : 0;
+        }
+        for (const DrawnTension& one : found.drawn.tensions) {
+            const double truth = tension(one.edge);
+            result.tensions += one.tension.lower <= truth && truth <= one.tension.upper ? 1 : 0;
+        }
+        const CommonDeviation& common = found.prior.common;
+        result.mean_error += std::pow((common.mean - mean) / common.mean_std, 2);
+    }
+    result.lengths /= surveys * net.interior_edge_count();
+    result.tensions /= surveys * net.edge_count();
+    result.mean_error = std::sqrt(result.mean_error / surveys);
+    return result;
+}
+
+TEST(LengthTrend, IntervalsHoldWhereAllLengthsAreWrongByTheSame) {
+    const CableNet net = hypar(9, 9);
+    constexpr double mean = 0.7e-3;
+    const auto longer = [=](Eigen::VectorXd& d, unsigned) { d.array() += mean; };
+    const Coverage with = coverage(net, false, mean, longer);
+    EXPECT_GT(with.lengths, 0.92);
+    EXPECT_GT(with.tensions, 0.90);
+    EXPECT_LT(with.mean_error, 2.0);
+    // What a prior without trend misses.
+    EXPECT_LT(coverage(net, true, mean, longer).tensions, with.tensions);
+}
+
+TEST(LengthTrend, IntervalsHoldWhereEachCableHasAScaleOfItsOwn) {
+    const CableNet net = hypar(9, 9);
+    const auto scaled = [&](Eigen::VectorXd& d, unsigned seed) {
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> scale(0.0, 0.005);
+        Eigen::VectorXd of_edges = Eigen::VectorXd::Zero(net.edge_count());
+        for (const std::vector<int>& run : cable_runs(net)) {
+            of_edges(run).setConstant(scale(random));
+        }
+        d += of_edges.cwiseProduct(net.unstressed_lengths())(net.interior_edges());
+    };
+    const Coverage with = coverage(net, false, 0.0, scaled);
+    EXPECT_GT(with.lengths, 0.88);
+    EXPECT_GT(with.tensions, 0.88);
+    const Coverage without = coverage(net, true, 0.0, scaled);
+    EXPECT_LT(without.tensions, with.tensions);
+}
+
+TEST(LengthTrend, IsNoneWhereThePriorIsExact) {
+    const CableNet net = hypar(4, 4);
+    const auto s = test::simulate(net, law, 5e-4, 1);
+    const Identification found = identify(net, s.survey, {.law = law, .prior_exact = true});
+    EXPECT_EQ(found.prior.common.mean_std, 0.0);
+    EXPECT_EQ(found.prior.common.runs, 0);
+}
+
+}  // namespace
