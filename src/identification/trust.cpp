@@ -145,6 +145,24 @@ private:
                 : again);
     }
 
+    /// (length-trend): scales near the widest that the prior holds are more likely a prior that is
+    /// too narrow.
+    void test_runs() {
+        constexpr double surely = 0.95;
+        constexpr double widest = 1.4;  // standard deviations of the law, at an edge of mean length
+        const CommonDeviation& common = m_result.prior.common;
+        const double at_edge =
+            common.run_std * m_net.unstressed_lengths()(m_net.interior_edges()).mean();
+        if (common.run_probability > surely && at_edge > widest * m_result.law.std()) {
+            add(Verdict::doubtful,
+                fmt::format(
+                    "runs of cable differ by scales of {:.2g} %, which is more than the law "
+                    "{} lets expect",
+                    100.0 * common.run_std, law_text(m_result.law)),
+                "the law may be too narrow, or cables were measured by different tapes");
+        }
+    }
+
     void test_law() {
         const LawCheck& check = m_result.law_check;
         const std::string told = law_text(m_result.law);
@@ -157,6 +175,7 @@ private:
                 "do that: tell what is not known by --uncertain (adjustable, stiffness, "
                 "temperature)");
         }
+        test_runs();
         if (m_result.contradicted_law && m_result.law_was_told) {
             add(Verdict::doubtful,
                 fmt::format("the law told, {}, is contradicted (log likelihood {:.0f} lower): "
