@@ -227,11 +227,11 @@ std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet&
 /// Of the edges' gains the rows of some, in the order of the net to fit.
 Eigen::MatrixXd gains_of(const std::vector<int>& edges, const CableNet& fit_net,
                          const LengthTrend& trend) {
-    std::vector<Eigen::Index> rows;
-    for (const int edge : edges) {
-        rows.push_back(std::ranges::lower_bound(fit_net.interior_edges(), edge) -
-                       fit_net.interior_edges().begin());
-    }
+    std::vector<Eigen::Index> rows(edges.size());
+    std::ranges::transform(edges, rows.begin(), [&](int edge) {
+        return std::ranges::lower_bound(fit_net.interior_edges(), edge) -
+               fit_net.interior_edges().begin();
+    });
     return trend.length_gains(rows, Eigen::all);
 }
 
