@@ -79,6 +79,35 @@ def shifted(by):
     return alter
 
 
+def softer(part):
+    """EA of all edges lower by a part."""
+
+    def alter(net, deviations, nodes, random):
+        net.stiffness = np.array(net.data["axial_stiffness"]) * (1 - part)
+        return set()
+
+    return alter
+
+
+def scaled_runs(std):
+    """Each cable, straight through its nodes, has a scale of its own."""
+
+    def alter(net, deviations, nodes, random):
+        run = np.arange(len(net.edges))
+        for node in net.free:
+            at = np.flatnonzero((net.edges == node).any(axis=1))
+            way = {e: net.nodes[net.edges[e]].sum(axis=0) - 2 * net.nodes[node] for e in at}
+            for a in at:
+                for b in at:
+                    if a < b and way[a] @ way[b] < -0.9 * np.linalg.norm(way[a]) * np.linalg.norm(way[b]):
+                        run[run == run[b]] = run[a]
+        scale = std * random.normal(size=len(net.edges))[run]
+        deviations[net.interior] += (scale * np.array(net.data["unstressed_lengths"]))[net.interior]
+        return set()
+
+    return alter
+
+
 def slipped(by):
     """A clamp: of two interior edges at a node that go on straight one is longer, the other shorter."""
 
@@ -134,6 +163,12 @@ CASES = [
                                 ("hypar:5x5", "uniform:4mm", "uniform:2mm")]],
     *[Case(f"{text} not given", told="uniform:5mm", unknowns=[text])
       for text in ["stiffness:10%", "stiffness-each:5%", "temperature:20K", "adjustable:0.5mm", "supports:1mm"]],
+    Case("EA 10 % lower", told="uniform:5mm", alter=softer(0.1)),
+    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", told="uniform:2mm", net="hypar:9x9", alter=alter)
+      for name, alter in [("nothing is wrong", None), ("EA 10 % lower", softer(0.1)), ("20 K warmer", warmer(20.0)),
+                          ("all lengths 0.7 mm too long", shifted(0.0007)), ("a scale of 0.5 % of each cable", scaled_runs(0.005))]],
+    Case("hypar:5x5, uniform:2mm: nothing is wrong", truth="uniform:2mm", told="uniform:2mm", net="hypar:5x5"),
+    Case("hypar:5x5: uniform:0.2mm given, lengths uniform:3mm", truth="uniform:3mm", told="uniform:0.2mm", net="hypar:5x5"),
     Case("a clamp slipped by 10 mm", told="uniform:5mm", alter=slipped(0.01), culprits=2),
     Case("hypar:9x9, uniform:2mm: a clamp slipped by 10 mm", truth="uniform:2mm", told="uniform:2mm", alter=slipped(0.01),
          culprits=2, net="hypar:9x9"),

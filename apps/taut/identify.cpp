@@ -221,6 +221,20 @@ std::string taken_as_given(const Identification& result) {
     return given.empty() ? "" : fmt::format("; {} taken as given", fmt::join(given, ", "));
 }
 
+/// (length-trend)
+void print_common_deviation(const CommonDeviation& common) {
+    if (!(common.mean_std > 0.0)) {
+        return;
+    }
+    say("lengths deviate in common by {:+.2f} mm, std {:.2f} mm", 1e3 * common.mean,
+        1e3 * common.mean_std);
+    if (common.runs > 0) {
+        say("; {} runs of cable, scales of {:.2g} % with a probability of {:.0f} %", common.runs,
+            1e2 * common.run_std, 1e2 * common.run_probability);
+    }
+    say("\n");
+}
+
 void print_draws(const Identification& result) {
     if (!result.draws) {
         say("tensions: no intervals, since no draws were made\n");
@@ -397,6 +411,7 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     print_frame(result);
     print_epochs(net, result);
     print_forces(net, result);
+    print_common_deviation(result.prior.common);
     print_unknowns(net, result);
     print_draws(result);
     say("\n");

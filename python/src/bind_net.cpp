@@ -163,7 +163,7 @@ Args:
     expansion: thermal strain by temperature (m,), or one number [1/K].
     breaking_load: (m,), or one number [N].
     thread: 'right' or 'left' of each turnbuckle, in the order of adjustable.
-    runs: named lists of edges that are cut from one cable; unless told, edges that go straight on
+    runs: named lists of edges that are cut from one cable; by default edges that go straight on
         through a node.
 
 Raises:
@@ -208,7 +208,7 @@ Raises:
         "groups", [](const CableNet& self) { return self.data().groups; }, "Named lists of edges.");
     net.def_prop_ro(
         "runs", &cable_runs,
-        "Lists of edges that are cut from one cable: as told, or found by going straight "
+        "Lists of edges that are cut from one cable: as given, or found by going straight "
         "on through nodes.");
     net.def("node_id", &CableNet::node_id, nb::arg("node"),
             "The node's name, or its index as text.");

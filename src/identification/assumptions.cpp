@@ -41,7 +41,7 @@ std::vector<Unknown> with_uncertain_widths(std::vector<Unknown> uncertain,
     return uncertain;
 }
 
-void tell_assumed_widths(Identification& result, const std::vector<Unknown>& given) {
+void name_assumed_widths(Identification& result, const std::vector<Unknown>& given) {
     for (UnknownEstimate& estimate : result.unknowns) {
         estimate.unknown.std /= is_given(estimate.unknown, given) ? 1.0 : wider;
     }

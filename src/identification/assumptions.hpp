@@ -21,6 +21,6 @@ namespace taut {
                                                          const std::vector<Unknown>& given);
 
 /// Names estimates of a fit with_uncertain_widths() by the widths that were assumed.
-void tell_assumed_widths(Identification& result, const std::vector<Unknown>& given);
+void name_assumed_widths(Identification& result, const std::vector<Unknown>& given);
 
 }  // namespace taut

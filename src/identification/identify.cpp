@@ -270,9 +270,6 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
                                                       progress);
             result.how = fmt::format("maximum a posteriori under the statics, lengths {}",
                                      prior.law.to_string());
-            if (!options.unknowns.empty()) {
-                result.how += ", unknown besides: " + to_string(options.unknowns);
-            }
             break;
         }
         case IdentificationMethod::gp:
@@ -508,8 +505,9 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
         }
         Identification result = identify(net, survey, on_site, progress);
         result.method_reason = reason;
+        name_assumed_widths(result, options.unknowns);
         result.assumptions = assumptions_of(uncertain, options.unknowns, result);
-        tell_assumed_widths(result, options.unknowns);
+        result.trust = trust_of(net, survey, result);
         return result;
     }
     const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();

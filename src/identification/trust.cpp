@@ -151,9 +151,12 @@ private:
         constexpr double surely = 0.95;
         constexpr double widest = 1.4;  // standard deviations of the law, at an edge of mean length
         const CommonDeviation& common = m_result.prior.common;
+        if (common.run_probability <= surely) {
+            return;
+        }
         const double at_edge =
             common.run_std * m_net.unstressed_lengths()(m_net.interior_edges()).mean();
-        if (common.run_probability > surely && at_edge > widest * m_result.law.std()) {
+        if (at_edge > widest * m_result.law.std()) {
             add(Verdict::doubtful,
                 fmt::format(
                     "runs of cable differ by scales of {:.2g} %, which is more than the law "
@@ -415,11 +418,11 @@ private:
             if (spread.is_contradicted()) {
                 add(Verdict::failed,
                     fmt::format("{} is too narrow: the survey shows {:.1f} times as much",
-                                spread.unknown.to_string(), spread.ratio),
+                                spread.unknown.to_string(), spread.ratio * spread.widening),
                     fmt::format(
                         "check it on site, or identify again with --uncertain {} and a width "
                         "{:.1f} times as large",
-                        spread.unknown.name(), spread.ratio));
+                        spread.unknown.name(), spread.ratio * spread.widening));
             }
         }
     }

@@ -80,6 +80,9 @@ public:
                     break;
             }
         }
+        for (UnknownEstimate& one : m_result) {
+            one.prior_std = one.unknown.std;
+        }
         return std::move(m_result);
     }
 
@@ -180,7 +183,7 @@ private:
 }  // namespace
 
 bool UnknownEstimate::is_observed() const {
-    return std < not_determined_ratio * unknown.std;
+    return std < not_determined_ratio * prior_std;
 }
 
 double spread_ratio(std::span<const UnknownEstimate> estimates) {
@@ -189,8 +192,8 @@ double spread_ratio(std::span<const UnknownEstimate> estimates) {
     double told = 0.0;
     for (const UnknownEstimate& one : estimates) {
         found += one.mean * one.mean;
-        told += one.unknown.std * one.unknown.std;
-        expected += std::max(0.0, one.unknown.std * one.unknown.std - one.std * one.std);
+        told += one.prior_std * one.prior_std;
+        expected += std::max(0.0, one.prior_std * one.prior_std - one.std * one.std);
     }
     // What the survey shows less of than this is moved by what is not linear as much as by it.
     constexpr double least_shown = 0.02;
@@ -211,7 +214,8 @@ std::vector<UnknownSpread> spreads_of(const std::vector<UnknownEstimate>& estima
         });
         result.push_back({.unknown = first->unknown,
                           .count = static_cast<int>(last - first),
-                          .ratio = spread_ratio({first, last})});
+                          .ratio = spread_ratio({first, last}),
+                          .widening = first->prior_std / first->unknown.std});
         first = last;
     }
     return result;

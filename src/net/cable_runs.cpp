@@ -4,32 +4,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "net/union_find.hpp"
+
 namespace taut {
 namespace {
-
-/// Sets of edges that are joined two by two.
-class JoinedEdges {
-public:
-    explicit JoinedEdges(int count) : m_next(count) { std::iota(m_next.begin(), m_next.end(), 0); }
-    void join(int a, int b) {
-        const auto [low, high] = std::minmax({first_of(a), first_of(b)});
-        m_next[high] = low;
-    }
-    /// The lowest edge of its set.
-    int first_of(int edge) {
-        while (m_next[edge] != edge) {
-            edge = m_next[edge] = m_next[m_next[edge]];
-        }
-        return edge;
-    }
-
-private:
-    std::vector<int> m_next;
-};
 
 /// Pairs of edges that go straight on through a node.
 std::vector<std::pair<int, int>> straight_pairs(const CableNet& net, int node,
@@ -79,7 +60,7 @@ std::vector<std::vector<int>> cable_runs(const CableNet& net) {
             edges_at[node].push_back(e);
         }
     }
-    JoinedEdges joined(net.edge_count());
+    UnionFind joined(net.edge_count());
     for (const int node : net.free_nodes()) {
         for (const auto& [a, b] : straight_pairs(net, node, edges_at[node])) {
             joined.join(a, b);
@@ -87,9 +68,10 @@ std::vector<std::vector<int>> cable_runs(const CableNet& net) {
     }
     runs.resize(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
-        runs[joined.first_of(e)].push_back(e);
+        runs[joined.root(e)].push_back(e);
     }
     std::erase_if(runs, [](const std::vector<int>& run) { return run.size() < 2; });
+    std::ranges::sort(runs);
     return runs;
 }
 

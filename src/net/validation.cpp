@@ -10,9 +10,10 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string_view>
+
+#include "net/union_find.hpp"
 
 namespace taut {
 namespace {
@@ -134,28 +135,17 @@ void check_edges(const CableNetData& data, const std::vector<bool>& is_support) 
     }
 }
 
-/// Root of a node's part in a union-find forest, with path halving.
-int find_root(std::vector<int>& parent, int node) {
-    while (parent[node] != node) {
-        int& up = parent[node];
-        up = parent[up];
-        node = up;
-    }
-    return node;
-}
-
 void check_connected(const CableNetData& data, const std::vector<bool>& is_support) {
     const auto n = static_cast<int>(is_support.size());
-    std::vector<int> parent(n);
-    std::iota(parent.begin(), parent.end(), 0);
+    UnionFind parts(n);
     std::vector<bool> has_edge(n, false);
     for (const auto& [s, t] : data.edges) {
         has_edge[s] = has_edge[t] = true;
-        parent[find_root(parent, s)] = find_root(parent, t);
+        parts.join(s, t);
     }
     std::vector<bool> supported(n, false);
     for (const int support : data.supports) {
-        supported[find_root(parent, support)] = true;
+        supported[parts.root(support)] = true;
     }
     for (int i = 0; i < n; ++i) {
         if (is_support[i]) {
@@ -164,7 +154,7 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
         if (!has_edge[i]) {
             throw NetError("nodes", {i}, "is a free node without edges");
         }
-        if (!supported[find_root(parent, i)]) {
+        if (!supported[parts.root(i)]) {
             throw NetError("nodes", {i},
                            "is a free node in a part of the net that reaches no support");
         }

@@ -284,6 +284,7 @@ Json unknowns_json(const CableNet& net, const Identification& identification) {
                  {"told", unknown.to_string()},
                  {"mean", estimate.mean},
                  {"std", estimate.std},
+                 {"prior_std", estimate.prior_std},
                  {"unit", unit_of(unknown.kind)},
                  {"observed", estimate.is_observed()}};
         if (estimate.edge >= 0) {

@@ -161,6 +161,8 @@ UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
     } catch (const std::invalid_argument& error) {
         told.fail(error.what());
     }
+    const auto prior_std = value.find("prior_std");
+    estimate.prior_std = prior_std ? prior_std->number() : estimate.unknown.std;
     const Unknown::Kind kind = estimate.unknown.kind;
     if (kind == Unknown::Kind::stiffness_each || kind == Unknown::Kind::adjustable) {
         estimate.edge = read_edge_index(value.require("edge", "the edge whose it is"), net);

@@ -701,6 +701,10 @@ export interface Unknown {
   std: number;
   unit: string;
   /**
+   * Before the survey, in that unit: of an assumed width 1.2 times that.
+   */
+  prior_std?: number;
+  /**
    * Whether it is known better than before the survey.
    */
   observed: boolean;

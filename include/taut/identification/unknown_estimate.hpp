@@ -21,6 +21,9 @@ struct TAUT_CORE_EXPORT UnknownEstimate {
     int axis = -1;      ///< of the node: 0, 1, 2 for x, y, z
     double mean = 0.0;  ///< deviation from what the net tells
     double std = 0.0;   ///< of that, after the survey
+    /// Of that, before the survey: of an assumed width 1.2 times that, docs/theory.md
+    /// (assumed-width).
+    double prior_std = 0.0;
     /// Whether the survey shows it at all: whether it is known better than before.
     [[nodiscard]] bool is_observed() const;
 };
@@ -32,9 +35,10 @@ struct TAUT_CORE_EXPORT UnknownEstimate {
 
 /// The spread_ratio() of the estimates of one unknown.
 struct TAUT_CORE_EXPORT UnknownSpread {
-    Unknown unknown;     ///< with its standard deviation before the survey
-    int count = 0;       ///< of numbers
-    double ratio = 0.0;  ///< 0 where nothing shows them
+    Unknown unknown;        ///< with its standard deviation before the survey
+    int count = 0;          ///< of numbers
+    double ratio = 0.0;     ///< 0 where nothing shows them
+    double widening = 1.0;  ///< standard deviation before the survey over the width of `unknown`
 
     /// Whether chance does not explain it.
     [[nodiscard]] bool is_contradicted() const;
