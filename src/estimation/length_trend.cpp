@@ -18,6 +18,9 @@ constexpr double mean_width = 0.5;
 constexpr double probability_of_runs = 0.9;
 constexpr std::array run_widths{0.25, 0.5, 1.0, 2.0};
 
+/// By which the linearised mean may be off, in standard deviations of the law.
+constexpr double nonlinearity = 0.06;
+
 constexpr int most_edges = 5000;
 constexpr Eigen::Index most_runs = 128;
 
@@ -79,9 +82,16 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     const Eigen::VectorXd weights = variances.cwiseInverse();
     const Eigen::MatrixXd weighted = weights.asDiagonal() * trend.columns;
     const LinearisedStatics::LengthResponse response = statics.response_to_lengths(weighted);
-    const Eigen::VectorXd score = weighted.transpose() * (fitted.deviations - observations.mean);
-    const Eigen::MatrixXd information =
+    Eigen::VectorXd score = weighted.transpose() * (fitted.deviations - observations.mean);
+    Eigen::MatrixXd information =
         trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
+
+    // What is not linear moves the mean by as much, so that it is known no better.
+    const double bias = nonlinearity * law.std();
+    const Eigen::VectorXd of_mean = information.col(0);
+    const double part = bias * bias / (1.0 + bias * bias * of_mean(0));
+    score -= part * score(0) * of_mean;
+    information -= part * of_mean * of_mean.transpose();
 
     // Over the widths of the runs: each as probable as another.
     std::vector<Posterior> posteriors;

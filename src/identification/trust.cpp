@@ -166,6 +166,21 @@ private:
         }
     }
 
+    /// (hyperprior): what the survey finds is cut off where the prior over scales ends.
+    void test_scale_of_prior() {
+        constexpr double two_standard_deviations = 1.5 * 1.5;
+        const PriorEstimate& prior = m_result.prior;
+        if (m_result.law_was_told && !prior.exact &&
+            prior.std > two_standard_deviations * prior.given.std()) {
+            add(Verdict::doubtful,
+                fmt::format(
+                    "the lengths scatter with a standard deviation of {:.2f} mm or more, the "
+                    "prior that was given, {}, allows {:.2f} mm",
+                    1e3 * prior.std, law_text(prior.given), 1e3 * prior.given.std()),
+                "give a wider prior, or none");
+        }
+    }
+
     void test_law() {
         const LawCheck& check = m_result.law_check;
         const std::string told = law_text(m_result.law);
@@ -186,6 +201,8 @@ private:
                             law_text(m_result.contradicted_law->checked),
                             m_result.contradicted_law->gain, told),
                 "is that how the edges were cut?");
+        } else {
+            test_scale_of_prior();
         }
         if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
             const std::string likeliest = law_text(check.likeliest);

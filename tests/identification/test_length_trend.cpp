@@ -87,6 +87,18 @@ TEST(LengthTrend, IntervalsHoldWhereEachCableHasAScaleOfItsOwn) {
     EXPECT_LT(without.tensions, with.tensions);
 }
 
+TEST(LengthTrend, DoesNotStandForAPriorThatIsFarTooNarrow) {
+    const CableNet net = hypar(5, 5);
+    const LengthLaw wide{LengthLaw::Kind::uniform, 3e-3};
+    const LengthLaw narrow{LengthLaw::Kind::uniform, 2e-4};
+    for (int seed = 0; seed < surveys; ++seed) {
+        const auto s = test::simulate(net, wide, 5e-4, static_cast<std::uint64_t>(seed));
+        const Identification found =
+            identify(net, s.survey, {.law = narrow, .assume_site = true, .draws = 20});
+        EXPECT_NE(found.trust.verdict(), Trust::Verdict::passed) << seed;
+    }
+}
+
 TEST(LengthTrend, IsNoneWhereThePriorIsExact) {
     const CableNet net = hypar(4, 4);
     const auto s = test::simulate(net, law, 5e-4, 1);
