@@ -19,7 +19,7 @@ constexpr double probability_of_runs = 0.9;
 constexpr std::array run_widths{0.25, 0.5, 1.0, 2.0};
 
 /// By which the linearised mean may be off, in standard deviations of the law.
-constexpr double nonlinearity = 0.06;
+constexpr double nonlinearity = 0.1;
 
 constexpr int most_edges = 5000;
 constexpr Eigen::Index most_runs = 128;
