@@ -80,6 +80,13 @@ auto of_drawn_edges(Get get) {
     };
 }
 
+/// What result.json holds under a key.
+auto part_of_json(const char* key) {
+    return [key](const Identified& self) {
+        return nb::object(dict_of(identification_to_json(self.net, self.survey, self.found))[key]);
+    };
+}
+
 std::string repr(const Identified& self) {
     const Identification& found = self.found;
     if (found.status != IdentificationStatus::converged) {
@@ -214,33 +221,24 @@ void bind_result(nb::module_& module) {
             "law", [](const Identified& self) { return self.found.law.to_string(); },
             "The most probable prior of the length deviations.")
         .def_prop_ro(
-            "detectable",
-            [](const Identified& self) {
-                return nb::object(dict_of(
-                    identification_to_json(self.net, self.survey, self.found))["detectable"]);
-            },
-            nb::sig("def detectable(self) -> dict"),
+            "detectable", part_of_json("detectable"), nb::sig("def detectable(self) -> dict"),
             "The smallest error of each kind that the checks find with a probability of 80 %: "
             "target, length, adjustable, support [m], scale [-], temperature [K]; None: none is.")
         .def_prop_ro(
-            "assumptions",
-            [](const Identified& self) {
-                return nb::object(dict_of(
-                    identification_to_json(self.net, self.survey, self.found))["assumptions"]);
-            },
-            nb::sig("def assumptions(self) -> list"),
+            "assumptions", part_of_json("assumptions"), nb::sig("def assumptions(self) -> list"),
             "What was taken as uncertain besides lengths: name, value, std, unit, source ('given' "
             "or 'default') and whether the survey shows it (testable).")
         .def_prop_ro(
-            "prior",
-            [](const Identified& self) {
-                return nb::object(
-                    dict_of(identification_to_json(self.net, self.survey, self.found))["prior"]);
-            },
-            nb::sig("def prior(self) -> dict"),
+            "prior", part_of_json("prior"), nb::sig("def prior(self) -> dict"),
             "Prior of the length deviations after the survey: given, exact, std and std_std [m], "
             "uniform_probability, nodes with law and weight; and what the deviations have in "
             "common: mean and mean_std [m], run_std and run_probability of the runs of cable.")
+        .def_prop_ro(
+            "diagnostics", part_of_json("doubt"), nb::sig("def diagnostics(self) -> dict"),
+            "The numbers behind findings: noise, lengths, law, frame; lengths_beyond_law: edges of "
+            "another length than the prior lets expect, with the other edge where a clamp slipped "
+            "or two were swapped; boundary: adjustable edges and supports that are not as "
+            "designed.")
         .def_prop_ro(
             "built", [](const Identified& self) { return built_net_of(self.net, self.found).net; },
             "The net as it stands: its lengths as identified, its nodes in equilibrium.")

@@ -71,7 +71,8 @@ TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights)
 // estimation, identification
 TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
 TAUT_FIELDS(ReadingOutlier, edge, read, expected, statistic)
-TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic)
+TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_beside_target,
+            is_swapped)
 TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, rival)
 TAUT_FIELDS(ReadingBias, part, std)
 TAUT_FIELDS(FoundScale, ratio, std)

@@ -67,6 +67,7 @@ DataSnooping::DataSnooping(const CableNet& net, const Survey& survey, const Poin
       m_neighbours(neighbours_of(net)),
       m_rejected(net.node_count(), false),
       m_readmitted(net.node_count(), false),
+      m_rejected_for_good(Eigen::VectorXd::Zero(net.node_count())),
       m_statistics(Eigen::VectorXd::Zero(net.node_count())),
       m_distances(Eigen::VectorXd::Zero(net.node_count())),
       m_rejected_readings(readings.size(), false),
@@ -137,6 +138,11 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
         m_residual_scale = is_told_too_small ? scale : 1.0;
     }
     m_statistics /= m_residual_scale;
+    for (const int node : m_survey.surveyed) {
+        if (m_rejected_for_good(node) > 0.0) {
+            m_statistics(node) = m_rejected_for_good(node);
+        }
+    }
 }
 
 void DataSnooping::evaluate_readings(const Eigen::VectorXd& tensions,
@@ -240,7 +246,8 @@ bool DataSnooping::reject(const Eigen::VectorXd& rivals) {
 bool DataSnooping::readmit() {
     bool has_changed = readmit_readings();
     for (const int node : m_survey.surveyed) {
-        if (is_rejected(node) && m_statistics(node) <= m_threshold) {
+        if (is_rejected(node) && m_rejected_for_good(node) == 0.0 &&
+            m_statistics(node) <= m_threshold) {
             m_rejected[node] = false;
             m_readmitted[node] = true;
             has_changed = true;
@@ -314,6 +321,7 @@ void DataSnooping::reject_suspicious() {
 
 void DataSnooping::readmit_all() {
     m_rejected.assign(m_rejected.size(), false);
+    m_rejected_for_good.setZero();
     m_rejected_readings.assign(m_readings.size(), false);
     m_reading_bias.reset();
 }

@@ -93,6 +93,11 @@ public:
     [[nodiscard]] bool reject(const Eigen::VectorXd& rivals);
     /// Its second half.
     [[nodiscard]] bool readmit();
+    /// Rejects one target, or takes it back.
+    void set_rejected(int node, bool is_rejected) { m_rejected[node] = is_rejected; }
+    [[nodiscard]] bool is_rejected(int node) const { return m_rejected[node]; }
+    /// Of each target, from the last fit (n).
+    [[nodiscard]] const Eigen::VectorXd& statistics() const { return m_statistics; }
     /// The (rivals) score of the target in use at each node (n), to be held against
     /// those of other tests.
     [[nodiscard]] Eigen::VectorXd scores() const;
@@ -101,15 +106,19 @@ public:
     /// What is rejected: one flag a node, one a reading.
     struct Rejected {
         std::vector<bool> targets;
+        /// Statistics of targets that cannot be told apart from something else that is wrong, and
+        /// are not readmitted; else 0 (n).
+        Eigen::VectorXd for_good;
         std::vector<bool> readings;
         std::optional<ReadingBias> bias;
     };
     [[nodiscard]] Rejected all_rejected() const {
-        return {m_rejected, m_rejected_readings, m_reading_bias};
+        return {m_rejected, m_rejected_for_good, m_rejected_readings, m_reading_bias};
     }
     /// Rejects these, and no others.
     void set_rejected(Rejected rejected) {
         m_rejected = std::move(rejected.targets);
+        m_rejected_for_good = std::move(rejected.for_good);
         m_rejected_readings = std::move(rejected.readings);
         m_reading_bias = rejected.bias;
     }
@@ -132,7 +141,6 @@ public:
     [[nodiscard]] double residual_scale() const { return m_residual_scale; }
 
 private:
-    [[nodiscard]] bool is_rejected(int node) const { return m_rejected[node]; }
     /// T of a target at another node's expected place, as if that were its own.
     [[nodiscard]] double statistic_at(int target, int node) const;
     void tell_swapped(std::vector<Outlier>& outliers) const;
@@ -151,9 +159,10 @@ private:
     double m_reading_threshold;
     std::vector<std::vector<int>> m_neighbours;  ///< nodes next to each node
     std::vector<bool> m_rejected;
-    std::vector<bool> m_readmitted;  ///< for good
-    Eigen::VectorXd m_statistics;    ///< n
-    Eigen::VectorXd m_distances;     ///< n [m]
+    std::vector<bool> m_readmitted;       ///< for good
+    Eigen::VectorXd m_rejected_for_good;  ///< Rejected::for_good
+    Eigen::VectorXd m_statistics;         ///< n
+    Eigen::VectorXd m_distances;          ///< n [m]
     /// Where all others tell a rejected target's node to be, and the variance of that.
     struct ExpectedPlace {
         Eigen::Vector3d place;       // [m]

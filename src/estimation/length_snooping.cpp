@@ -2,22 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "estimation/length_snooping.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <Eigen/LU>
 #include <functional>
 #include <limits>
+#include <utility>
 
+#include "estimation/data_snooping.hpp"
 #include "estimation/detectable_error.hpp"
 #include "estimation/rival_scores.hpp"
+#include "taut/net/cable_runs.hpp"
 
 namespace taut {
 namespace {
 
-/// More edges beyond the law than this part, and than a few: the law is wrong.
+/// More edges beyond their prior than this part, and than a few: the prior is wrong.
 constexpr double most_released = 0.1;
 constexpr int a_few = 3;
 
-/// Of a released edge's law, in standard deviations of its own.
+/// Of a released edge's prior, in standard deviations of its own.
 constexpr double released_width = 20.0;
 /// No cut is further off.
 constexpr double widest_part_of_length = 0.25;
@@ -25,6 +27,14 @@ constexpr double widest_part_of_length = 0.25;
 /// Of an edge that may be slack as well as taut a bound alone is known: it is no shorter than it
 /// would be if it were taut. So it is tested for being too long alone.
 constexpr double surely_taut = 4.0;  // standard deviations of the extension
+
+/// Where more edges meet, it is a hub.
+constexpr size_t most_edges_at_node = 8;
+
+/// Pairs are looked at by what each edge tells, and those that come so near their threshold by a
+/// covariance, which takes a solution an edge.
+constexpr double worth_a_look = 0.5;
+constexpr size_t most_looked_at = 100;
 
 struct Estimate {
     double mean = 0.0;
@@ -39,7 +49,7 @@ Estimate tested_deviation(const LengthLikelihood& told) {
     return told.extension < surely_taut && known.mean <= 0.0 ? Estimate() : known;
 }
 
-/// Where the density of a law begins to fall, and the standard deviation by which it falls there.
+/// Where the density of a prior begins to fall, and the standard deviation by which it falls there.
 struct Core {
     double end = 0.0;
     double fall = 0.0;
@@ -58,41 +68,238 @@ Core core_of(const LengthLaw& law) {
     return {};
 }
 
+/// What is so far beyond a core.
+double core_statistic(double deviation, const Core& core, double variance) {
+    const double beyond = std::max(0.0, std::abs(deviation) - core.end);
+    return beyond * beyond / (core.fall * core.fall + variance);
+}
+
+/// Of both deviations' difference.
+Core core_of_difference(const LengthLaw& one, const LengthLaw& other) {
+    const auto [end, fall] = core_of(one);
+    const auto [other_end, other_fall] = core_of(other);
+    return {.end = end + other_end, .fall = std::hypot(fall, other_fall)};
+}
+
 }  // namespace
 
-LengthSnooping::LengthSnooping(const CableNet& net, std::vector<LengthLaw> laws, double threshold)
+LengthSnooping::LengthSnooping(const CableNet& net, std::vector<LengthLaw> laws,
+                               double false_alarm_rate)
     : m_net(net),
       m_laws(std::move(laws)),
-      m_threshold(threshold),
-      m_released_std(released_width * std::ranges::max(m_laws, {}, &LengthLaw::std).std()),
-      m_released(m_laws.size(), false),
-      m_readmitted(m_laws.size(), false),
-      m_statistics(Eigen::VectorXd::Zero(std::ssize(m_laws))),
-      m_core_statistics(m_statistics) {}
+      m_threshold(snooping_threshold(false_alarm_rate, m_laws.size(), 1)),
+      m_released_std(released_width * std::ranges::max(m_laws, {}, &LengthLaw::std).std()) {
+    for (Eigen::Index i = 0; i < std::ssize(m_laws); ++i) {
+        m_suspects.push_back({.edge = i});
+    }
+    if (std::isfinite(m_threshold)) {
+        add_pairs();
+    }
+    m_pair_threshold = snooping_threshold(
+        false_alarm_rate, std::max<size_t>(1, m_suspects.size() - m_laws.size()), 1);
+}
 
-void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told) {
-    m_told = told;
-    m_statistics.setZero();
-    m_core_statistics.setZero();
-    for (size_t i = 0; i < m_laws.size(); ++i) {
-        const Estimate found = tested_deviation(m_told[i]);
-        const double variance = found.std * found.std;
-        if (!std::isfinite(variance)) {
-            continue;
+/// Pairs of edges at each free node whose priors are much alike: of one run, or of any two that may
+/// have been swapped.
+void LengthSnooping::add_pairs() {
+    constexpr double alike = 2.0;
+    std::vector<int> run_of(m_net.edge_count(), -1);
+    const std::vector<std::vector<int>> runs = cable_runs(m_net);
+    for (size_t k = 0; k < runs.size(); ++k) {
+        for (const int edge : runs[k]) {
+            run_of[edge] = static_cast<int>(k);
         }
-        const auto k = static_cast<Eigen::Index>(i);
-        const double std = m_laws[i].std();
-        const auto [end, fall] = core_of(m_laws[i]);
-        const double beyond = std::max(0.0, std::abs(found.mean) - end);
-        m_statistics(k) = found.mean * found.mean / (std * std + variance);
-        m_core_statistics(k) = beyond * beyond / (fall * fall + variance);
+    }
+    std::vector<std::vector<Eigen::Index>> at(m_net.node_count());
+    for (Eigen::Index i = 0; i < std::ssize(m_laws); ++i) {
+        for (const int node : m_net.edges()[m_net.interior_edges()[i]]) {
+            at[node].push_back(i);
+        }
+    }
+    for (const int node : m_net.free_nodes()) {
+        for (size_t a = 0; at[node].size() <= most_edges_at_node && a < at[node].size(); ++a) {
+            for (size_t b = a + 1; b < at[node].size(); ++b) {
+                const Eigen::Index i = at[node][a];
+                const Eigen::Index j = at[node][b];
+                const double ratio = m_laws[i].std() / m_laws[j].std();
+                if (ratio < alike && alike * ratio > 1.0) {
+                    const int run = run_of[m_net.interior_edges()[i]];
+                    const bool is_of_one_run = run >= 0 && run == run_of[m_net.interior_edges()[j]];
+                    m_suspects.push_back(
+                        {.edge = i, .other = j, .node = node, .is_of_one_run = is_of_one_run});
+                }
+            }
+        }
     }
 }
 
-/// (length-snooping)
-bool LengthSnooping::is_beyond(size_t i) const {
-    const auto k = static_cast<Eigen::Index>(i);
-    return std::max(m_statistics(k), m_core_statistics(k)) > m_threshold;
+void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told,
+                              const LinearisedStatics& statics, const Observations& observations,
+                              const Iterate& fitted) {
+    m_told = told;
+    for (size_t i = 0; i < m_laws.size(); ++i) {
+        evaluate_one(m_suspects[i]);
+    }
+    evaluate_pairs(statics, observations, fitted);
+}
+
+void LengthSnooping::evaluate_one(LengthSuspect& suspect) const {
+    suspect.statistic = 0.0;
+    suspect.core_statistic = 0.0;
+    const Estimate found = tested_deviation(m_told[suspect.edge]);
+    const double variance = found.std * found.std;
+    if (std::isfinite(variance)) {
+        const LengthLaw& law = m_laws[suspect.edge];
+        suspect.statistic = found.mean * found.mean / (law.std() * law.std() + variance);
+        suspect.core_statistic = core_statistic(found.mean, core_of(law), variance);
+    }
+}
+
+/// Whether a pair is to be held against its prior: something is known of both edges, and neither is
+/// released by itself.
+bool LengthSnooping::is_testable(const LengthSuspect& pair,
+                                 const std::vector<bool>& released) const {
+    const auto is_told = [&](Eigen::Index i) {
+        return std::isfinite(tested_deviation(m_told[i]).std);
+    };
+    return is_told(pair.edge) && is_told(pair.other) &&
+           (pair.is_released || (!released[pair.edge] && !released[pair.other]));
+}
+
+/// (slip)
+void LengthSnooping::evaluate_pairs(const LinearisedStatics& statics,
+                                    const Observations& observations, const Iterate& fitted) {
+    const std::vector<bool> released = this->released();
+    std::vector<std::pair<double, LengthSuspect*>> looked_at;
+    for (size_t k = m_laws.size(); k < m_suspects.size(); ++k) {
+        LengthSuspect& pair = m_suspects[k];
+        if (pair.is_beside_target) {
+            continue;  // as it was when the target was left out
+        }
+        const bool is_told = is_testable(pair, released);
+        if (pair.is_released && !is_told) {
+            continue;  // as it was when it was released
+        }
+        pair.statistic = 0.0;
+        pair.core_statistic = 0.0;
+        if (!is_told) {
+            continue;
+        }
+        const Estimate one = tested_deviation(m_told[pair.edge]);
+        const Estimate other = tested_deviation(m_told[pair.other]);
+        const double one_scatter = std::pow(m_laws[pair.edge].std(), 2) + one.std * one.std;
+        const double other_scatter = std::pow(m_laws[pair.other].std(), 2) + other.std * other.std;
+        const double gradient = one.mean / one_scatter - other.mean / other_scatter;
+        const double about =
+            std::max(gradient * gradient / (1.0 / one_scatter + 1.0 / other_scatter),
+                     core_statistic(one.mean - other.mean,
+                                    core_of_difference(m_laws[pair.edge], m_laws[pair.other]),
+                                    one.std * one.std + other.std * other.std));
+        if (pair.is_released || about > worth_a_look * m_pair_threshold) {
+            looked_at.emplace_back(
+                pair.is_released ? std::numeric_limits<double>::infinity() : about, &pair);
+        }
+    }
+    std::ranges::sort(looked_at, std::greater{}, [](const auto& one) { return one.first; });
+    looked_at.resize(std::min(looked_at.size(), most_looked_at));
+    std::vector<Eigen::Index> places;
+    for (const auto& [about, pair] : looked_at) {
+        places.insert(places.end(), {pair->edge, pair->other});
+    }
+    std::ranges::sort(places);
+    places.erase(std::ranges::unique(places).begin(), places.end());
+    std::vector<int> edges;
+    for (const Eigen::Index i : places) {
+        edges.push_back(m_net.interior_edges()[i]);
+    }
+    const Eigen::MatrixXd covariance = statics.length_covariance(edges);
+    const Eigen::VectorXd unseen = statics.blur().length_variances(m_net.interior_edge_count());
+    const auto place_of = [&](Eigen::Index i) {
+        return std::ranges::lower_bound(places, i) - places.begin();
+    };
+    for (const auto& [about, pair] : looked_at) {
+        const std::array<Eigen::Index, 2> both{place_of(pair->edge), place_of(pair->other)};
+        take_pair(*pair, covariance(both, both), {unseen(pair->edge), unseen(pair->other)},
+                  observations, fitted);
+    }
+}
+
+/// @param covariance of both lengths, posterior [m2]
+/// @param unseen variances that no survey tells anything of, LawBlur::length_variances() [m2]
+void LengthSnooping::take_pair(LengthSuspect& pair, const Eigen::Matrix2d& covariance,
+                               const Eigen::Vector2d& unseen, const Observations& observations,
+                               const Iterate& fitted) const {
+    const std::array<Eigen::Index, 2> both{pair.edge, pair.other};
+    const Estimate one = tested_deviation(m_told[pair.edge]);
+    const Estimate other = tested_deviation(m_told[pair.other]);
+    Eigen::Matrix2d survey_covariance;
+    if (std::isinf(m_told[pair.edge].extension) || std::isinf(m_told[pair.other].extension)) {
+        // Where one is slack, its distance is known; the place of the node moves both against each
+        // other.
+        pair.deviation = {one.mean, other.mean};
+        const double covariance_at_most = one.std * other.std;
+        survey_covariance << one.std * one.std, -covariance_at_most, -covariance_at_most,
+            other.std * other.std;
+    } else {
+        const Eigen::Vector2d mean = observations.mean(both);
+        const Eigen::Vector2d before = (observations.variance(both) + unseen).cwiseInverse();
+        const Eigen::Matrix2d posterior = covariance.inverse();
+        const Eigen::Matrix2d information = posterior - Eigen::Matrix2d(before.asDiagonal());
+        // In units of what was known before, a part below which rounding is all there is.
+        constexpr double rounding = 1e-6;
+        const Eigen::Vector2d unit = before.cwiseSqrt().cwiseInverse();
+        const Eigen::Matrix2d relative = unit.asDiagonal() * information * unit.asDiagonal();
+        if (!(relative.determinant() > rounding) || !(relative.trace() > 0.0)) {
+            return;
+        }
+        const Eigen::Matrix2d inverse = information.inverse();
+        survey_covariance = inverse + Eigen::Matrix2d(unseen.asDiagonal());
+        pair.deviation =
+            inverse * (posterior * fitted.deviations(both) - before.cwiseProduct(mean));
+    }
+    pair.std = survey_covariance.diagonal().cwiseSqrt();
+    Eigen::Matrix2d scatter = survey_covariance;
+    scatter.diagonal() += Eigen::Vector2d(std::pow(m_laws[pair.edge].std(), 2),
+                                          std::pow(m_laws[pair.other].std(), 2));
+    if (pair.is_of_one_run ? !is_slip(pair) : !is_swap(pair, scatter)) {
+        return;
+    }
+    const Eigen::Vector2d against(1.0, -1.0);
+    const Eigen::Vector2d weights = scatter.inverse() * against;
+    pair.statistic = std::pow(weights.dot(pair.deviation), 2) / weights.dot(against);
+    pair.core_statistic = core_statistic(pair.deviation(0) - pair.deviation(1),
+                                         core_of_difference(m_laws[pair.edge], m_laws[pair.other]),
+                                         against.dot(survey_covariance * against));
+}
+
+/// How much longer the first of a pair is if each has the other's length [m].
+double LengthSnooping::swapped_difference(const LengthSuspect& pair) const {
+    const auto length = [this](Eigen::Index i) {
+        return m_net.unstressed_lengths()(m_net.interior_edges()[i]);
+    };
+    return length(pair.other) - length(pair.edge);
+}
+
+/// (swap)
+bool LengthSnooping::is_swap(const LengthSuspect& pair, const Eigen::Matrix2d& scatter) const {
+    constexpr double by_chance = 13.8;  // chi-squared of two degrees of freedom, once in 1,000
+    const double difference = swapped_difference(pair);
+    const Eigen::Vector2d misfit = pair.deviation - Eigen::Vector2d(difference, -difference);
+    return misfit.dot(scatter.inverse() * misfit) < by_chance;
+}
+
+double LengthSnooping::score_of(const LengthSuspect& suspect) const {
+    return rival_score(suspect.statistic, threshold_of(suspect));
+}
+
+std::vector<int> LengthSnooping::nodes_of(const LengthSuspect& suspect) const {
+    const Edge& one = m_net.edges()[m_net.interior_edges()[suspect.edge]];
+    std::vector<int> nodes(one.begin(), one.end());
+    if (suspect.is_pair()) {
+        const Edge& other = m_net.edges()[m_net.interior_edges()[suspect.other]];
+        nodes.insert(nodes.end(), other.begin(), other.end());
+    }
+    return nodes;
 }
 
 Eigen::VectorXd LengthSnooping::scores() const {
@@ -100,73 +307,139 @@ Eigen::VectorXd LengthSnooping::scores() const {
     if (!is_active()) {
         return scores;
     }
-    for (size_t i = 0; i < m_laws.size(); ++i) {
-        if (m_released[i] || m_readmitted[i]) {
+    const std::vector<bool> released = this->released();
+    for (const LengthSuspect& suspect : m_suspects) {
+        const double own = score_of(suspect);
+        if (own <= 0.0 || suspect.is_readmitted || released[suspect.edge] ||
+            (suspect.is_pair() && released[suspect.other])) {
             continue;
         }
-        const double own = rival_score(m_statistics(static_cast<Eigen::Index>(i)), m_threshold);
-        for (const int node : m_net.edges()[m_net.interior_edges()[i]]) {
+        for (const int node : nodes_of(suspect)) {
             scores(node) = std::max(scores(node), own);
         }
     }
     return scores;
 }
 
+bool LengthSnooping::may_release(const LengthSuspect& suspect,
+                                 const std::vector<bool>& released) const {
+    return !suspect.is_readmitted && !released[suspect.edge] &&
+           !(suspect.is_pair() && released[suspect.other]) && is_beyond(suspect);
+}
+
 bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
     if (!is_active()) {
         return false;
     }
+    std::vector<bool> released = this->released();
     const Eigen::VectorXd nearby = largest_nearby(m_net, scores().cwiseMax(rivals));
     Eigen::VectorXd beyond = Eigen::VectorXd::Zero(m_net.node_count());
-    for (size_t i = 0; i < m_laws.size(); ++i) {
-        if (may_release(i)) {
-            for (const int node : m_net.edges()[m_net.interior_edges()[i]]) {
-                beyond(node) =
-                    std::max(beyond(node), m_core_statistics(static_cast<Eigen::Index>(i)));
+    for (const LengthSuspect& suspect : m_suspects) {
+        if (may_release(suspect, released)) {
+            for (const int node : nodes_of(suspect)) {
+                beyond(node) = std::max(beyond(node), suspect.core_statistic);
             }
         }
     }
     const Eigen::VectorXd beyond_nearby = largest_nearby(m_net, beyond);
     bool has_changed = false;
-    for (size_t i = 0; i < m_laws.size(); ++i) {
-        if (!may_release(i)) {
+    for (LengthSuspect& suspect : m_suspects) {
+        if (!may_release(suspect, released)) {
             continue;
         }
-        const auto k = static_cast<Eigen::Index>(i);
-        const double own = rival_score(m_statistics(k), m_threshold);
+        const double own = score_of(suspect);
         const auto stands_out = [&](int node) {
-            // A normal law bears what the true one, which ends, does not: where nothing nearby is
-            // beyond its threshold by that, the edge furthest beyond its law is the one.
+            // A normal prior bears what the true one, which ends, does not: where nothing nearby is
+            // beyond its threshold by that, the edge furthest beyond its prior is the one.
             return own >= nearby(node) ||
-                   (nearby(node) < 1.0 && m_core_statistics(k) >= beyond_nearby(node));
+                   (nearby(node) < 1.0 && suspect.core_statistic >= beyond_nearby(node));
         };
-        const auto [s, t] = m_net.edges()[m_net.interior_edges()[i]];
-        if (stands_out(s) && stands_out(t)) {
-            m_released[i] = true;
+        if (std::ranges::all_of(nodes_of(suspect), stands_out)) {
+            suspect.is_released = true;
+            released[suspect.edge] = true;
+            if (suspect.is_pair()) {
+                released[suspect.other] = true;
+            }
             has_changed = true;
         }
     }
     return has_changed;
 }
 
-bool LengthSnooping::may_release(size_t i) const {
-    return !m_released[i] && !m_readmitted[i] && is_beyond(i);
+std::vector<size_t> LengthSnooping::pairs_at(int node) const {
+    std::vector<bool> in_pairs(m_laws.size(), false);
+    for (const LengthSuspect& suspect : m_suspects) {
+        if (suspect.is_pair() && suspect.is_released) {
+            in_pairs[suspect.edge] = true;
+            in_pairs[suspect.other] = true;
+        }
+    }
+    std::vector<size_t> result;
+    for (size_t k = m_laws.size(); k < m_suspects.size(); ++k) {
+        const LengthSuspect& pair = m_suspects[k];
+        const bool is_free = pair.is_released || (!in_pairs[pair.edge] && !in_pairs[pair.other]);
+        if (pair.node == node && pair.is_of_one_run && is_free) {
+            result.push_back(k);
+        }
+    }
+    return result;
+}
+
+void LengthSnooping::set_pair(size_t place, bool is_released) {
+    LengthSuspect& pair = m_suspects[place];
+    pair.is_released = is_released;
+    m_suspects[pair.edge].is_released = false;
+    m_suspects[pair.other].is_released = false;
+}
+
+bool LengthSnooping::is_slip(const LengthSuspect& pair) const {
+    constexpr double nearly = 3.0;  // standard deviations of both, and of their priors
+    const double scatter = std::sqrt(pair.std.squaredNorm() + std::pow(m_laws[pair.edge].std(), 2) +
+                                     std::pow(m_laws[pair.other].std(), 2));
+    return pair.deviation(0) * pair.deviation(1) < 0.0 &&
+           std::abs(pair.deviation.sum()) < nearly * scatter;
 }
 
 bool LengthSnooping::readmit() {
     bool has_changed = false;
-    for (size_t i = 0; i < m_laws.size(); ++i) {
-        if (m_released[i] && !is_beyond(i)) {
-            m_released[i] = false;
-            m_readmitted[i] = true;
+    for (LengthSuspect& suspect : m_suspects) {
+        if (suspect.is_released && !suspect.is_beside_target && !is_beyond(suspect)) {
+            suspect.is_released = false;
+            suspect.is_readmitted = true;
             has_changed = true;
         }
     }
     return has_changed;
 }
 
+void LengthSnooping::readmit_all() {
+    for (LengthSuspect& suspect : m_suspects) {
+        suspect.is_released = false;
+        suspect.is_beside_target = false;
+    }
+}
+
+void LengthSnooping::reopen() {
+    for (LengthSuspect& suspect : m_suspects) {
+        suspect.is_readmitted = false;
+    }
+}
+
+std::vector<bool> LengthSnooping::released() const {
+    std::vector<bool> result(m_laws.size(), false);
+    for (const LengthSuspect& suspect : m_suspects) {
+        if (suspect.is_released) {
+            result[suspect.edge] = true;
+            if (suspect.is_pair()) {
+                result[suspect.other] = true;
+            }
+        }
+    }
+    return result;
+}
+
 int LengthSnooping::released_count() const {
-    return static_cast<int>(std::ranges::count(m_released, true));
+    return static_cast<int>(std::ranges::count(m_suspects, true, &LengthSuspect::is_released));
 }
 
 bool LengthSnooping::releases_too_many() const {
@@ -176,28 +449,47 @@ bool LengthSnooping::releases_too_many() const {
 
 std::vector<LengthLaw> LengthSnooping::laws() const {
     std::vector<LengthLaw> result = m_laws;
-    for (size_t i = 0; i < m_laws.size(); ++i) {
-        if (m_released[i]) {
-            const double length = m_net.unstressed_lengths()(m_net.interior_edges()[i]);
-            result[i] = {LengthLaw::Kind::normal,
-                         std::min(m_released_std, widest_part_of_length * length)};
+    const auto widen = [&](Eigen::Index i, double std) {
+        const double length = m_net.unstressed_lengths()(m_net.interior_edges()[i]);
+        result[i] = {LengthLaw::Kind::normal, std::min(std, widest_part_of_length * length)};
+    };
+    for (const LengthSuspect& suspect : m_suspects) {
+        if (!suspect.is_released) {
+            continue;
+        }
+        // Beside a target that is left out, nothing but its prior and what was found with the
+        // target tells of an edge.
+        const auto width = [&](Eigen::Index i, int k) {
+            return suspect.is_beside_target ? std::hypot(m_laws[i].std(), suspect.deviation(k))
+                                            : m_released_std;
+        };
+        widen(suspect.edge, width(suspect.edge, 0));
+        if (suspect.is_pair()) {
+            widen(suspect.other, width(suspect.other, 1));
         }
     }
     return result;
 }
 
 double LengthSnooping::released_cost() const {
-    const int count = released_count();
-    return count > 0 ? m_threshold * count : 0.0;
+    double cost = 0.0;
+    for (const LengthSuspect& suspect : m_suspects) {
+        // What stands beside a target costs as much as the target does.
+        if (suspect.is_released && !suspect.is_beside_target) {
+            cost += threshold_of(suspect);
+        }
+    }
+    return cost;
 }
 
 double LengthSnooping::detectable(const std::vector<int>& edges) const {
     if (!is_active()) {
         return std::numeric_limits<double>::infinity();
     }
+    const std::vector<bool> released = this->released();
     std::vector<BoundedEstimate> estimates;
     for (size_t i = 0; i < m_told.size(); ++i) {
-        if (m_released[i] || !std::ranges::binary_search(edges, m_net.interior_edges()[i])) {
+        if (released[i] || !std::ranges::binary_search(edges, m_net.interior_edges()[i])) {
             continue;
         }
         // Found where W or W_b is above the threshold; of an edge that may be slack errors may
@@ -218,21 +510,68 @@ double LengthSnooping::detectable(const std::vector<int>& edges) const {
 
 std::vector<LengthOutlier> LengthSnooping::outliers() const {
     std::vector<LengthOutlier> result;
-    for (size_t i = 0; i < m_laws.size(); ++i) {
-        if (m_released[i] && i < m_told.size()) {
-            const auto k = static_cast<Eigen::Index>(i);
-            Estimate found = tested_deviation(m_told[i]);
-            if (!std::isfinite(found.std)) {
-                found = {m_told[i].mean, m_told[i].std};
+    for (const LengthSuspect& suspect : m_suspects) {
+        if (!suspect.is_released || m_told.empty()) {
+            continue;
+        }
+        const double statistic = std::max(suspect.statistic, suspect.core_statistic);
+        const int edge = m_net.interior_edges()[suspect.edge];
+        if (suspect.is_pair()) {
+            const int other = m_net.interior_edges()[suspect.other];
+            LengthOutlier outlier{.edge = edge,
+                                  .deviation = suspect.deviation(0),
+                                  .std = suspect.std(0),
+                                  .statistic = statistic,
+                                  .other = other,
+                                  .node = suspect.node,
+                                  .is_beside_target = suspect.is_beside_target};
+            result.push_back(outlier);
+            std::swap(outlier.edge, outlier.other);
+            outlier.deviation = suspect.deviation(1);
+            outlier.std = suspect.std(1);
+            result.push_back(outlier);
+            continue;
+        }
+        Estimate found = tested_deviation(m_told[suspect.edge]);
+        if (!std::isfinite(found.std)) {
+            found = {m_told[suspect.edge].mean, m_told[suspect.edge].std};
+        }
+        result.push_back(
+            {.edge = edge, .deviation = found.mean, .std = found.std, .statistic = statistic});
+    }
+    std::ranges::stable_sort(result, std::greater{}, &LengthOutlier::statistic);
+    tell_swapped(result);
+    return result;
+}
+
+/// (swap): of the edges that were released, those two of which each has the other's length.
+void LengthSnooping::tell_swapped(std::vector<LengthOutlier>& outliers) const {
+    constexpr double apart = 5.0;   // standard deviations that the lengths differ by, at least
+    constexpr double nearly = 3.0;  // standard deviations of both, and of their prior
+    const double prior = std::ranges::max(m_laws, {}, &LengthLaw::std).std();
+    const auto fits = [&](const LengthOutlier& outlier, double difference) {
+        const double scatter = std::hypot(outlier.std, prior);
+        const double misfit = outlier.deviation - difference;
+        const auto place = std::ranges::lower_bound(m_net.interior_edges(), outlier.edge) -
+                           m_net.interior_edges().begin();
+        const bool is_at_least = m_told[place].extension < surely_taut;
+        return std::abs(difference) > apart * scatter && misfit < nearly * scatter &&
+               (is_at_least || misfit > -nearly * scatter);
+    };
+    for (LengthOutlier& one : outliers) {
+        for (LengthOutlier& other : outliers) {
+            const double difference =
+                m_net.unstressed_lengths()(other.edge) - m_net.unstressed_lengths()(one.edge);
+            if (one.edge != other.edge && (one.other < 0 || one.other == other.edge) &&
+                (other.other < 0 || other.other == one.edge) && fits(one, difference) &&
+                fits(other, -difference)) {
+                one.other = other.edge;
+                other.other = one.edge;
+                one.is_swapped = true;
+                other.is_swapped = true;
             }
-            result.push_back({.edge = m_net.interior_edges()[i],
-                              .deviation = found.mean,
-                              .std = found.std,
-                              .statistic = std::max(m_statistics(k), m_core_statistics(k))});
         }
     }
-    std::ranges::sort(result, std::greater{}, &LengthOutlier::statistic);
-    return result;
 }
 
 }  // namespace taut

@@ -66,11 +66,8 @@ bool tests_what_was_told(const Survey& survey, const SurveyFitSettings& settings
 }
 
 /// One false alarm in all tests together, as seldom as among the targets.
-double length_threshold(const Survey& survey, const PriorKnowledge& knowledge,
-                        const SurveyFitSettings& settings) {
-    return snooping_threshold(
-        tests_what_was_told(survey, settings) ? settings.false_alarm_rate : 0.0,
-        knowledge.laws.size(), 1);
+double alarm_rate_of_what_was_told(const Survey& survey, const SurveyFitSettings& settings) {
+    return tests_what_was_told(survey, settings) ? settings.false_alarm_rate : 0.0;
 }
 
 }  // namespace
@@ -86,9 +83,8 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net, knowledge.unknowns, knowledge.frame_is_unknown, {}, knowledge.coupling()),
       m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
-      m_length_snooping(net, knowledge.laws, length_threshold(survey, knowledge, settings)),
-      m_boundary_snooping(net, knowledge.unknowns,
-                          tests_what_was_told(survey, settings) ? settings.false_alarm_rate : 0.0) {
+      m_length_snooping(net, knowledge.laws, alarm_rate_of_what_was_told(survey, settings)),
+      m_boundary_snooping(net, knowledge.unknowns, alarm_rate_of_what_was_told(survey, settings)) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.unknowns));
 }
 
@@ -117,8 +113,13 @@ GaussNewtonResult SurveyFit::run() {
     GaussNewtonResult fitted = fit_and_snoop(nominal(), 1.0);
     if (!is_settled(fitted)) {
         fitted = by_rounded_laws();
-    } else if (m_boundary_snooping.is_active()) {
-        doubt_boundary(fitted);
+    } else {
+        if (m_boundary_snooping.is_active()) {
+            doubt_boundary(fitted);
+        }
+        if (m_length_snooping.is_active() && !nodes_in_doubt().empty()) {
+            doubt_clamps(fitted);
+        }
     }
     if (!fitted.converged) {
         m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
@@ -153,8 +154,9 @@ Eigen::VectorXd SurveyFit::blamed() const {
     for (int node = 0; node < m_net.node_count(); ++node) {
         result(node) = m_snooping.rejected()[node] ? 1.0 : 0.0;
     }
-    for (size_t i = 0; i < m_length_snooping.released().size(); ++i) {
-        if (m_length_snooping.released()[i]) {
+    const std::vector<bool> released = m_length_snooping.released();
+    for (size_t i = 0; i < released.size(); ++i) {
+        if (released[i]) {
             result(m_net.edges()[m_net.interior_edges()[i]][0]) = 1.0;
         }
     }
@@ -172,23 +174,6 @@ void SurveyFit::doubt_boundary(GaussNewtonResult& fitted) {
     }
     const Iterate start = fitted.iterate;
     const std::vector<bool> slack = m_statics.slack();
-    struct Explanation {
-        double cost = 0.0;
-        DataSnooping::Rejected rejected;
-        std::vector<bool> released;
-        BoundaryReleases boundary;
-        Iterate iterate;
-        std::vector<bool> slack;
-    };
-    const auto explanation_of = [&](const GaussNewtonResult& fit) -> Explanation {
-        const bool is_one = is_settled(fit) && !m_boundary_snooping.releases_too_many();
-        return {.cost = is_one ? cost_of(fit) : std::numeric_limits<double>::infinity(),
-                .rejected = m_snooping.all_rejected(),
-                .released = m_length_snooping.released(),
-                .boundary = m_boundary_snooping.released(),
-                .iterate = fit.iterate,
-                .slack = m_statics.slack()};
-    };
     Explanation best = explanation_of(fitted);
     for (const BoundaryTest test : {BoundaryTest::at_once, BoundaryTest::one_by_one}) {
         m_boundary_test = test;
@@ -199,16 +184,131 @@ void SurveyFit::doubt_boundary(GaussNewtonResult& fitted) {
         }
         m_boundary_test = BoundaryTest::none;
     }
-    m_snooping.set_rejected(best.rejected);
-    m_length_snooping.set_released(best.released);
-    m_boundary_snooping.set_released(best.boundary);
-    take_over_releases();
-    fitted = fit(with_released(best.iterate), best.slack, 1.0);
+    fitted = fit_as(best);
     if (!is_settled(fitted)) {  // as before
         readmit_all();
         fitted = fit_and_snoop(nominal(), 1.0);
     }
     m_boundary_test = BoundaryTest::at_once;  // so that evaluate() tells of what was released
+}
+
+SurveyFit::Explanation SurveyFit::explanation_of(const GaussNewtonResult& fitted) const {
+    const bool is_one = is_settled(fitted) && !m_boundary_snooping.releases_too_many();
+    return {.cost = is_one ? cost_of(fitted) : std::numeric_limits<double>::infinity(),
+            .rejected = m_snooping.all_rejected(),
+            .lengths = m_length_snooping.suspects(),
+            .boundary = m_boundary_snooping.released(),
+            .iterate = fitted.iterate,
+            .slack = m_statics.slack(),
+            .target_statistics = m_snooping.statistics()};
+}
+
+/// Fits again, with what an explanation leaves out and releases.
+GaussNewtonResult SurveyFit::fit_as(const Explanation& explanation) {
+    m_snooping.set_rejected(explanation.rejected);
+    m_length_snooping.set_suspects(explanation.lengths);
+    m_boundary_snooping.set_released(explanation.boundary);
+    take_over_releases();
+    return fit(with_released(explanation.iterate), explanation.slack, 1.0);
+}
+
+/// (slip): nodes at which a target was left out, or edges were released; those of the largest
+/// statistics.
+std::vector<int> SurveyFit::nodes_in_doubt() const {
+    constexpr size_t most = 8;
+    std::vector<std::pair<double, int>> nodes;
+    for (const Outlier& outlier : m_snooping.outliers()) {
+        nodes.emplace_back(outlier.statistic, outlier.node);
+    }
+    for (const LengthOutlier& outlier : m_length_snooping.outliers()) {
+        if (outlier.node >= 0) {
+            nodes.emplace_back(outlier.statistic, outlier.node);
+            continue;
+        }
+        for (const int node : m_net.edges()[outlier.edge]) {
+            nodes.emplace_back(outlier.statistic, node);
+        }
+    }
+    std::ranges::stable_sort(nodes, std::greater{}, [](const auto& one) { return one.first; });
+    std::vector<int> result;
+    for (const auto& [statistic, node] : nodes) {
+        if (std::ranges::find(result, node) == result.end() && result.size() < most) {
+            result.push_back(node);
+        }
+    }
+    return result;
+}
+
+/// (slip): fits again with a clamp that slipped in place of what was found at its node, and with
+/// the target there left out. Takes what costs least; where a target and a clamp cost much the
+/// same, neither is relied on.
+void SurveyFit::doubt_clamps(GaussNewtonResult& fitted) {
+    // Chi-squared of two degrees of freedom, which a target has more than a clamp, exceeds it in 3
+    // of 1,000.
+    constexpr double inseparable = 11.6;
+    // Of one degree of freedom, which a clamp has more than one edge by itself: 1 of 100.
+    constexpr double more_than_one_edge = 6.6;
+    const BoundaryTest boundary_test = std::exchange(m_boundary_test, BoundaryTest::none);
+    evaluate(fitted, 1.0);
+    const Explanation before = explanation_of(fitted);
+    Explanation best = before;
+    const auto tried = [&](int node, size_t place, bool is_target) {
+        m_snooping.set_rejected(best.rejected);
+        m_snooping.set_rejected(node, is_target);
+        m_length_snooping.set_suspects(best.lengths);
+        m_length_snooping.set_pair(place, !is_target);
+        Explanation other = best;
+        other.rejected = m_snooping.all_rejected();
+        other.lengths = m_length_snooping.suspects();
+        const LengthSuspect& pair = other.lengths[place];
+        if (!is_target) {  // a shorter one that was taken for slack may be taut
+            other.slack[m_net.interior_edges()[pair.edge]] = false;
+            other.slack[m_net.interior_edges()[pair.other]] = false;
+        }
+        const GaussNewtonResult fit = fit_as(other);
+        if (is_settled(fit)) {
+            evaluate(fit, 1.0);
+        }
+        return explanation_of(fit);
+    };
+    bool has_changed = false;
+    for (const int node : nodes_in_doubt()) {
+        const bool is_surveyed = std::ranges::binary_search(m_survey.surveyed, node);
+        m_length_snooping.set_suspects(best.lengths);
+        for (const size_t place : m_length_snooping.pairs_at(node)) {
+            const bool is_in_place_of_edge = best.lengths[best.lengths[place].edge].is_released ||
+                                             best.lengths[best.lengths[place].other].is_released;
+            const bool is_released = best.lengths[place].is_released;
+            const Explanation clamp = is_released ? best : tried(node, place, false);
+            if (!(clamp.cost <
+                  best.cost + (is_in_place_of_edge ? -more_than_one_edge : inseparable)) ||
+                !m_length_snooping.is_slip(clamp.lengths[place])) {
+                continue;
+            }
+            const Explanation target =
+                best.rejected.targets[node] || !is_surveyed ? best : tried(node, place, true);
+            if (target.rejected.targets[node] && std::abs(clamp.cost - target.cost) < inseparable) {
+                best = clamp;
+                best.lengths[place].is_beside_target = true;
+                best.rejected.targets[node] = true;
+                best.rejected.for_good(node) = target.target_statistics(node);
+            } else if (!is_released && clamp.cost < std::min(best.cost, target.cost)) {
+                best = clamp;
+            } else {
+                continue;
+            }
+            has_changed = true;
+            break;
+        }
+    }
+    fitted = fit_as(best);
+    if (has_changed && is_settled(fitted)) {
+        fitted = fit_and_snoop(fitted.iterate, m_statics.slack(), 1.0);
+    }
+    if (!is_settled(fitted)) {
+        fitted = fit_as(before);
+    }
+    m_boundary_test = boundary_test;
 }
 
 /// Fits with the edges slack that the fitted form shows to be so. Whether an edge is taut is a
@@ -389,7 +489,7 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
     GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal(), 1.0); });
     const bool is_rounded_settled = is_settled(rounded);
     const DataSnooping::Rejected rejected = m_snooping.all_rejected();
-    const std::vector<bool> released = m_length_snooping.released();
+    std::vector<LengthSuspect> lengths = m_length_snooping.suspects();
     const BoundaryReleases released_boundary = m_boundary_snooping.released();
     if (is_rounded_settled) {
         GaussNewtonResult fitted =
@@ -406,7 +506,7 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
         return without_slack_set([this] { return from_coarse_to_fine(); });
     }
     m_snooping.set_rejected(rejected);
-    m_length_snooping.set_released(released);
+    m_length_snooping.set_suspects(std::move(lengths));
     m_boundary_snooping.set_released(released_boundary);
     take_over_releases();
     return fit_rounded(with_released(rounded.iterate), 1.0);
@@ -515,8 +615,10 @@ void SurveyFit::evaluate(const GaussNewtonResult& fitted, double inflation) {
                                      m_snooping.residual_scale());
     }
     if (m_length_snooping.is_active() && !m_is_rounded) {
-        m_length_snooping.evaluate(length_likelihoods(m_net, m_knowledge, m_statics,
-                                                      observations(inflation), fitted.iterate));
+        const Observations observed = observations(inflation);
+        m_length_snooping.evaluate(
+            length_likelihoods(m_net, m_knowledge, m_statics, observed, fitted.iterate), m_statics,
+            observed, fitted.iterate);
     }
 }
 

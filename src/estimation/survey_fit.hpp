@@ -89,6 +89,20 @@ private:
         return fitted;
     }
     [[nodiscard]] bool revise();
+    /// What was left out and released at a fit, and what it costs.
+    struct Explanation {
+        double cost = 0.0;  ///< infinite where it did not settle
+        DataSnooping::Rejected rejected;
+        std::vector<LengthSuspect> lengths;
+        BoundaryReleases boundary;
+        Iterate iterate;
+        std::vector<bool> slack;
+        Eigen::VectorXd target_statistics;  ///< n
+    };
+    [[nodiscard]] Explanation explanation_of(const GaussNewtonResult& fitted) const;
+    [[nodiscard]] GaussNewtonResult fit_as(const Explanation& explanation);
+    [[nodiscard]] std::vector<int> nodes_in_doubt() const;
+    void doubt_clamps(GaussNewtonResult& fitted);
     void readmit_all();
     [[nodiscard]] Eigen::VectorXd blamed() const;
     [[nodiscard]] double cost_of(const GaussNewtonResult& fitted) const;

@@ -224,21 +224,61 @@ private:
             return;
         }
         std::vector<std::string> names;
-        names.reserve(m_result.lengths_beyond_law.size());
         for (const LengthOutlier& edge : m_result.lengths_beyond_law) {
-            const auto found = std::ranges::find(m_result.edges, edge.edge, &IdentifiedEdge::edge);
-            const bool is_slack =
-                found != m_result.edges.end() && found->status == EdgeStatus::slack;
-            names.push_back(fmt::format("{} ({:+.1f} +- {:.1f} mm{})", m_net.edge_id(edge.edge),
-                                        1e3 * edge.deviation, 1e3 * edge.std,
-                                        is_slack ? " or longer: it is slack" : ""));
+            if (edge.other < 0) {
+                names.push_back(length_text(edge));
+            } else if (const auto* other = other_of(edge); other == nullptr || other > &edge) {
+                test_two_lengths(edge, other);
+            }
         }
         const size_t count = names.size();
+        if (count == 0) {
+            return;
+        }
         add(Verdict::doubtful,
             fmt::format("{} beyond the law of lengths: {}",
                         count == 1 ? "an edge is" : fmt::format("{} edges are", count),
                         and_more(std::move(names))),
             "mis-cut, most likely: look at them. Their intervals are by the survey alone");
+    }
+
+    [[nodiscard]] const LengthOutlier* other_of(const LengthOutlier& edge) const {
+        const auto found =
+            std::ranges::find(m_result.lengths_beyond_law, edge.other, &LengthOutlier::edge);
+        return found == m_result.lengths_beyond_law.end() ? nullptr : &*found;
+    }
+
+    [[nodiscard]] std::string length_text(const LengthOutlier& edge) const {
+        const auto found = std::ranges::find(m_result.edges, edge.edge, &IdentifiedEdge::edge);
+        const bool is_slack = found != m_result.edges.end() && found->status == EdgeStatus::slack;
+        return fmt::format("{} ({:+.1f} +- {:.1f} mm{})", m_net.edge_id(edge.edge),
+                           1e3 * edge.deviation, 1e3 * edge.std,
+                           is_slack ? " or longer: it is slack" : "");
+    }
+
+    /// (slip), (swap)
+    /// @param other null where it is an adjustable edge, which is named by itself
+    void test_two_lengths(const LengthOutlier& one, const LengthOutlier* other) {
+        const std::string both =
+            fmt::format("{} and {}", length_text(one),
+                        other == nullptr ? m_net.edge_id(one.other) : length_text(*other));
+        if (one.is_swapped) {
+            add(Verdict::doubtful, fmt::format("two edges have each other's length: {}", both),
+                "swapped, most likely: look at them. Their intervals are by the survey alone");
+        } else if (one.is_beside_target) {
+            add(Verdict::doubtful,
+                fmt::format("the target of {} is wrong, or a clamp slipped there: {} if the target "
+                            "is right",
+                            m_net.node_id(one.node), both),
+                "the survey does not show which: look there. The target is left out, and the "
+                "intervals of both edges hold either way");
+        } else {
+            add(Verdict::doubtful,
+                fmt::format("a clamp slipped at {}, one edge there is longer, the other shorter: "
+                            "{}",
+                            m_net.node_id(one.node), both),
+                "look at it. Their intervals are by the survey alone");
+        }
     }
 
     void test_boundary() {

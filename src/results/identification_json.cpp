@@ -154,6 +154,14 @@ Json doubt_json(const CableNet& net, const Identification& identification) {
                           {"deviation", outlier.deviation},
                           {"std", outlier.std},
                           {"statistic", outlier.statistic}});
+        if (outlier.other >= 0) {
+            beyond.back()["other"] = net.edge_id(outlier.other);
+            beyond.back()["swapped"] = outlier.is_swapped;
+            beyond.back()["beside_target"] = outlier.is_beside_target;
+        }
+        if (outlier.node >= 0) {
+            beyond.back()["node"] = net.node_id(outlier.node);
+        }
     }
     return {{"noise", scale_json(identification.scales.noise)},
             {"lengths", scale_json(identification.scales.lengths)},

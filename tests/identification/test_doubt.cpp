@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
+#include "taut/net/cable_runs.hpp"
 
 namespace {
 
@@ -141,6 +143,114 @@ TEST(Doubt, NamesMisCutCablesThatHangSlack) {
             }
         }
     }
+}
+
+/// The edges of one run that meet at a free node.
+std::pair<int, int> pair_at(const CableNet& of, int node) {
+    for (const std::vector<int>& run : cable_runs(of)) {
+        std::vector<int> both;
+        std::ranges::copy_if(run, std::back_inserter(both), [&](int edge) {
+            const auto [s, t] = of.edges()[edge];
+            return s == node || t == node;
+        });
+        if (both.size() == 2) {
+            return {both[0], both[1]};
+        }
+    }
+    return {-1, -1};
+}
+
+int place_of(const CableNet& of, int edge) {
+    return static_cast<int>(std::ranges::lower_bound(of.interior_edges(), edge) -
+                            of.interior_edges().begin());
+}
+
+/// Whether these edges are named together.
+bool names_both(const Identification& result, int one, int other) {
+    return std::ranges::any_of(result.lengths_beyond_law, [&](const LengthOutlier& outlier) {
+        return outlier.edge == one && outlier.other == other;
+    });
+}
+
+// A clamp that slips along its cable does at its node what a wrong target does: before, the target
+// was left out, and both edges were told to be right.
+TEST(Doubt, NamesClampsThatSlipped) {
+    const CableNet saddle = hypar(9, 9);
+    const LengthLaw narrow{LengthLaw::Kind::uniform, 0.002};
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        const int node = saddle.free_nodes()[12 + 9 * seed];
+        const auto [longer, shorter] = pair_at(saddle, node);
+        ASSERT_GE(longer, 0);
+        const SimulatedSurvey s =
+            simulate(saddle, narrow, noise, seed, [&](Eigen::VectorXd& deviations) {
+                deviations(place_of(saddle, longer)) += 0.010;
+                deviations(place_of(saddle, shorter)) -= 0.010;
+            });
+        const Identification result =
+            identify(saddle, s.survey, {.method = IdentificationMethod::map, .law = narrow});
+        EXPECT_TRUE(names_both(result, longer, shorter)) << seed;
+        EXPECT_EQ(result.lengths_beyond_law.size(), 2u) << seed;
+        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
+        EXPECT_TRUE(says(result, "slipped")) << seed;
+        EXPECT_GE(result.edges[place_of(saddle, longer)].upper, 0.008);
+        EXPECT_LE(result.edges[place_of(saddle, shorter)].lower, -0.008);
+    }
+}
+
+// And a target that is wrong along its cable is not taken for a clamp: at the least both are named,
+// the target is left out, and the intervals of both edges hold what they are.
+TEST(Doubt, DoesNotTakeAWrongTargetForAClamp) {
+    const CableNet saddle = hypar(9, 9);
+    const LengthLaw narrow{LengthLaw::Kind::uniform, 0.002};
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        SimulatedSurvey s = survey_of(saddle, narrow, seed);
+        const int node = saddle.free_nodes()[12 + 9 * seed];
+        const auto [one, other] = pair_at(saddle, node);
+        const auto [a, b] = saddle.edges()[one];
+        const Eigen::Vector3d along = (saddle.nodes().col(a) - saddle.nodes().col(b)).normalized();
+        s.survey.form.col(node) += 0.008 * along;
+        const Identification result =
+            identify(saddle, s.survey, {.method = IdentificationMethod::map, .law = narrow});
+        ASSERT_EQ(result.outliers.size(), 1u) << seed;
+        EXPECT_EQ(result.outliers[0].node, node);
+        EXPECT_GT(result.outliers[0].statistic, result.outlier_threshold);
+        for (const LengthOutlier& outlier : result.lengths_beyond_law) {
+            EXPECT_TRUE(outlier.is_beside_target) << seed;
+        }
+        for (const int edge : {one, other}) {
+            const int i = place_of(saddle, edge);
+            EXPECT_LE(result.edges[i].lower, s.deviations(i)) << seed;
+            EXPECT_GE(result.edges[i].upper, s.deviations(i)) << seed;
+        }
+    }
+}
+
+TEST(Doubt, NamesCablesThatAreSwapped) {
+    int tried = 0;
+    for (const int node : net().free_nodes()) {
+        std::vector<int> at;
+        std::ranges::copy_if(net().interior_edges(), std::back_inserter(at), [&](int edge) {
+            const auto [s, t] = net().edges()[edge];
+            return s == node || t == node;
+        });
+        for (size_t k = 1; k < at.size() && tried < 4; ++k) {
+            const double difference =
+                net().unstressed_lengths()(at[k]) - net().unstressed_lengths()(at[0]);
+            if (std::abs(difference) < 0.020 || std::abs(difference) > 0.040) {
+                continue;
+            }
+            ++tried;
+            const SimulatedSurvey s = simulate(net(), law, noise, 7, [&](Eigen::VectorXd& all) {
+                all(place_of(net(), at[0])) += difference;
+                all(place_of(net(), at[k])) -= difference;
+            });
+            const Identification result = identified(s.survey, law);
+            EXPECT_TRUE(names_both(result, at[0], at[k])) << node;
+            EXPECT_TRUE(says(result, "each other's length")) << node;
+            break;
+        }
+    }
+    EXPECT_EQ(tried, 4);
 }
 
 // Force balance at a form with one wrong target explains it by lengths all around.

@@ -415,6 +415,22 @@ export interface Doubt {
     deviation: number;
     std: number;
     statistic: number;
+    /**
+     * Edge that is as much shorter as this one is longer, or the reverse: a clamp slipped, or both were swapped.
+     */
+    other?: string;
+    /**
+     * Where both meet.
+     */
+    node?: string;
+    /**
+     * Whether each has the length of the other.
+     */
+    swapped?: boolean;
+    /**
+     * Whether the target at the node explains it as well, and is left out, too: deviation and std are those if it is right.
+     */
+    beside_target?: boolean;
   }[];
 }
 export interface FoundScale {

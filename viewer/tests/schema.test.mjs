@@ -4,7 +4,8 @@
 // Guards against a result that taut writes and its schema refuses, and against a reader that takes
 // another schema for the same: Ajv, which knows nothing of taut, must refuse and accept the same
 // documents, and at the same places.
-// TAUT_PROGRAM names the program.
+// TAUT_PROGRAM names the program. With TAUT_EVERY_CHANGE each key is changed in each way, else in one
+// of them, another one from key to key.
 
 import assert from "node:assert/strict";
 import { readFileSync, rmSync } from "node:fs";
@@ -64,6 +65,7 @@ test("what taut writes keeps to the schema", () => {
 
 test("reader and schema refuse the same changes of a result, at the same places", () => {
   let tried = 0;
+  let keys = 0;
   const everything = { ...reports.troubled.result, frame: reports.moved.result.frame };
   for (const [name, result] of Object.entries({ study: reports.study.result, identification: everything, comparison: reports.comparison.result, plan: reports.infeasible.result, control: reports.jobs.result })) {
     for (const path of members(result)) {
@@ -72,7 +74,9 @@ test("reader and schema refuse the same changes of a result, at the same places"
       // An interval has both ends or none, which no schema tells.
       const isEnd = name === "plan" && /^tension,edges,0,(lower|upper)$/.test(String(path));
       const isLeaf = typeof path.reduce((part, key) => part[key], result) !== "object";
-      for (const [words, change] of Object.entries(isLeaf ? { ...exact, ...loose } : exact)) {
+      const ways = Object.entries(isLeaf ? { ...exact, ...loose } : exact);
+      ++keys;
+      for (const [words, change] of process.env.TAUT_EVERY_CHANGE ? ways : [ways[keys % ways.length]]) {
         if (isEnd && words === "null") continue;
         const document = changed(result, path, change);
         const places = refused(document);
@@ -88,5 +92,5 @@ test("reader and schema refuse the same changes of a result, at the same places"
       }
     }
   }
-  assert.ok(tried > 500, `${tried} changes`);
+  assert.ok(tried > (process.env.TAUT_EVERY_CHANGE ? 500 : 300), `${tried} changes`);
 });

@@ -32,6 +32,14 @@ struct LengthOutlier {
     double deviation = 0.0;  ///< of its length by the survey alone [m]
     double std = 0.0;        ///< of that [m]
     double statistic = 0.0;  ///< squared distance from the law in its variances
+    /// Edge that is as much shorter as this one is longer, or the other way round: a clamp slipped
+    /// along the cable, or both were swapped; -1: none.
+    int other = -1;
+    int node = -1;  ///< where the clamp is, or both meet; -1: nowhere
+    /// Whether the target at that node explains it as well, and is left out, too: deviation and std
+    /// are those if the target is right.
+    bool is_beside_target = false;
+    bool is_swapped = false;  ///< whether each of both has the length of the other
 };
 
 /// An adjustable edge or a support that the survey shows not to be as told.

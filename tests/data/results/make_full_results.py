@@ -172,7 +172,16 @@ def full_identification(folder, net):
     result["doubt"].update(boundary=boundary, boundary_beyond=1)
     result["doubt"]["law"].update(found=True, contradicted="uniform:1mm", likeliest="uniform:3mm")
     result["doubt"]["lengths_beyond_law"] = [
-        {**edge, "deviation": 0.004, "std": 0.001, "statistic": 5.0}
+        {
+            **edge,
+            "deviation": 0.004,
+            "std": 0.001,
+            "statistic": 5.0,
+            "other": net["edge_ids"][inner[1]],
+            "node": net["node_ids"][nodes[2]],
+            "swapped": False,
+            "beside_target": True,
+        }
     ]
     result["forces"] = {
         "readings": 2,
