@@ -27,7 +27,8 @@ class Case:
     """
 
     def __init__(self, name, truth="uniform:5mm", told=None, alter=None, survey=None, noise=NOISE, told_noise=None,
-                 frame="net", culprits=0, options=(), net=NET, heavy=False, unknowns=()):
+                 frame="net", culprits=0, options=(), net=NET, heavy=False, unknowns=(), cells=0):
+        self.cells = cells  # load cells: forces measured to 2 %
         self.unknowns = list(unknowns)
         self.name, self.truth, self.told, self.alter, self.survey = name, truth, told, alter, survey
         self.noise, self.told_noise, self.frame = noise, told_noise or noise, frame
@@ -40,10 +41,11 @@ class Case:
 
 
 def off(kind, count, by):
-    """So many edges of a kind, "interior" or "adjustable", longer than told."""
+    """So many edges of a kind, "interior" or "adjustable", longer than told; None: all."""
 
     def alter(net, deviations, nodes, random):
-        edges = random.choice(getattr(net, kind), count, replace=False)
+        of_kind = getattr(net, kind)
+        edges = random.choice(of_kind, count or len(of_kind), replace=False)
         deviations[edges] = by
         return {("edge", edge) for edge in edges.tolist()}
 
@@ -87,6 +89,77 @@ def softer(part):
         return set()
 
     return alter
+
+
+def softer_group(part):
+    """EA of the cables of one direction lower by a part."""
+
+    def alter(net, deviations, nodes, random):
+        way = np.abs(net.nodes[net.edges[:, 0]] - net.nodes[net.edges[:, 1]])
+        factor = np.where(way[:, 0] > way[:, 1], 1 - part, 1.0)
+        net.stiffness = np.array(net.data["axial_stiffness"]) * factor
+        return set()
+
+    return alter
+
+
+def bedding_in(part):
+    """Cables that are softer by a part where they are slack, and as given at their nominal tension."""
+
+    def alter(net, deviations, nodes, random):
+        stiffness = np.array(net.data["axial_stiffness"])
+        strain = np.maximum(net.spans(net.nodes) / np.array(net.data["unstressed_lengths"]) - 1, 1e-5)
+        at = np.linspace(0, 2, 9)
+        net.data["tension_laws"] = [
+            {"name": f"edge {e}", "strain": (s * at).tolist(), "tension": (s * k * at * (1 - part + part * at)).tolist()}
+            for e, (s, k) in enumerate(zip(strain, stiffness))]
+        net.data["tension_law"] = list(range(len(net.edges)))
+        return set()
+
+    return alter
+
+
+def turned(std):
+    """All turnbuckles, by strokes that nobody tells."""
+
+    def alter(net, deviations, nodes, random):
+        deviations[net.adjustable] += std * random.normal(size=len(net.adjustable))
+        return set()
+
+    return alter
+
+
+def moved_frame(by):
+    """Supports along z: by(place along x, from 0 to 1)."""
+
+    def alter(net, deviations, nodes, random):
+        supports = net.data["supports"]
+        x = net.nodes[supports, 0]
+        nodes[supports, 2] += by((x - x.min()) / np.ptp(x))
+        return set()
+
+    return alter
+
+
+def swapped():
+    """Two interior edges at a node have each other's length; their lengths differ by 10 mm or more."""
+
+    def alter(net, deviations, nodes, random):
+        lengths = np.array(net.data["unstressed_lengths"])
+        pairs = []
+        for node in net.free:
+            at = [e for e in np.flatnonzero((net.edges == node).any(axis=1)) if e in net.interior]
+            pairs += [(a, b) for a in at for b in at if a < b and 0.01 < abs(lengths[a] - lengths[b]) < 0.04]
+        a, b = pairs[random.integers(len(pairs))]
+        deviations[[a, b]] += lengths[b] - lengths[a], lengths[a] - lengths[b]
+        return {("edge", int(a)), ("edge", int(b))}
+
+    return alter
+
+
+def two_stations(by):
+    """Places beyond the middle of x are off by so much in all."""
+    return lambda place, random: place + by * (place[0] > 0) * np.array([0.6, 0, 0.8])
 
 
 def scaled_runs(std):
@@ -172,6 +245,24 @@ CASES = [
     Case("a clamp slipped by 10 mm", told="uniform:5mm", alter=slipped(0.01), culprits=2),
     Case("hypar:9x9, uniform:2mm: a clamp slipped by 10 mm", truth="uniform:2mm", told="uniform:2mm", alter=slipped(0.01),
          culprits=2, net="hypar:9x9"),
+    Case("two cables swapped", told="uniform:5mm", alter=swapped(), culprits=2),
+    Case("EA of one direction 10 % lower", told="uniform:5mm", alter=softer_group(0.1)),
+    Case("cables bed in", told="uniform:5mm", alter=bedding_in(0.3)),
+    Case("all turnbuckles 1 mm too long", told="uniform:5mm", alter=off("adjustable", None, 0.001)),
+    Case("24 turnbuckles 30 mm too long", told="uniform:5mm", alter=off("adjustable", 24, 0.03), culprits=24),
+    Case("turns that are not given, 5 mm", told="uniform:5mm", alter=turned(0.005)),
+    Case("the frame bends by 1 mm", told="uniform:5mm", alter=moved_frame(lambda x: 0.004 * x * (1 - x))),
+    Case("one side of the frame 2 mm off", told="uniform:5mm", alter=moved_frame(lambda x: 0.002 * (x > 0.9))),
+    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", told="uniform:2mm", net="hypar:9x9", alter=alter, **more)
+      for name, alter, more in [
+          ("EA of one direction 10 % lower", softer_group(0.1), {}), ("EA 10 % lower, five load cells", softer(0.1), {"cells": 5}),
+          ("cables bed in", bedding_in(0.3), {}), ("all turnbuckles 1 mm too long", off("adjustable", None, 0.001), {}),
+          ("turns that are not given, 5 mm", turned(0.005), {}),
+          ("the frame bends by 1 mm", moved_frame(lambda x: 0.004 * x * (1 - x)), {}),
+          ("one side of the frame 2 mm off", moved_frame(lambda x: 0.002 * (x > 0.9)), {}),
+          ("two stations 0.5 mm apart", None, {"survey": two_stations(0.0005)}),
+          ("survey drifts by 0.5 mm in 10 m", None, {"survey": drifting(0.0005)})]],
+    Case("two stations 0.5 mm apart", told="uniform:5mm", survey=two_stations(0.0005)),
     Case("survey drifts by 0.5 mm in 10 m", told="uniform:5mm", survey=drifting(0.0005)),
     Case("hypar:8x8, uniform:3mm: x and y exchanged", truth="uniform:3mm", told="uniform:3mm", net="hypar:8x8", frame=None,
          survey=lambda place, random: place[[1, 0, 2]]),
@@ -222,6 +313,11 @@ def try_survey(net, case, folder, seed):
                 seen.add(int(node))
                 out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
     command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", case.told_noise, *case.options]
+    if case.cells:
+        rows = [f"{edge},{tension[edge] * (1 + 0.02 * random.normal())}"
+                for edge in random.choice(len(tension), case.cells, replace=False)]
+        (folder / "forces.csv").write_text("edge,tension\n" + "\n".join(rows) + "\n")
+        command += ["--forces", folder / "forces.csv"]
     command += ["--draws", "100", "--quiet", "-o", folder / "result.json"]
     command += ["--frame", case.frame] if case.frame else []
     command += ["--law", case.told] if case.told else []

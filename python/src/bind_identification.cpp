@@ -232,7 +232,8 @@ void bind_result(nb::module_& module) {
             "prior", part_of_json("prior"), nb::sig("def prior(self) -> dict"),
             "Prior of the length deviations after the survey: given, exact, std and std_std [m], "
             "uniform_probability, nodes with law and weight; and what the deviations have in "
-            "common: mean and mean_std [m], run_std and run_probability of the runs of cable.")
+            "common: mean and mean_std [m], run_std and run_probability of the runs of cable, "
+            "adjustable and adjustable_std of the adjustable edges [m].")
         .def_prop_ro(
             "diagnostics", part_of_json("doubt"), nb::sig("def diagnostics(self) -> dict"),
             "The numbers behind findings: noise, lengths, law, frame; lengths_beyond_law: edges of "

@@ -24,8 +24,14 @@ constexpr double nonlinearity = 0.1;
 constexpr int most_edges = 5000;
 constexpr Eigen::Index most_runs = 128;
 
-/// Of the mean and, behind it, of each run, per unit: [m] and relative.
-Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_out) {
+/// What all adjustable edges are longer than given, in their prior standard deviations: all may
+/// have been set or read by the same.
+constexpr double adjustable_width = 0.6;
+
+/// Of the mean and, behind it, of each run, per unit: [m] and relative; last, where there are
+/// any, of all adjustable edges [m].
+Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_out,
+                           const Eigen::VectorXd& adjustable_stds) {
     std::vector<std::vector<int>> runs = cable_runs(net);
     if (std::ssize(runs) > most_runs) {
         runs.clear();
@@ -42,6 +48,10 @@ Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_ou
         if (left_out[i]) {
             columns.row(static_cast<Eigen::Index>(i)).setZero();
         }
+    }
+    if ((adjustable_stds.array() > 0.0).any()) {
+        columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+        columns.rightCols(1) = (adjustable_stds.array() > 0.0).cast<double>().matrix();
     }
     return columns;
 }
@@ -70,13 +80,16 @@ Posterior posterior_of_trend(const Eigen::VectorXd& score, const Eigen::MatrixXd
 
 LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
                      const Observations& observations, const Iterate& fitted,
-                     const std::vector<bool>& left_out, const LengthLaw& law) {
+                     const std::vector<bool>& left_out, const Eigen::VectorXd& adjustable_stds,
+                     const LengthLaw& law) {
     LengthTrend trend;
     if (net.interior_edge_count() > most_edges) {
         return trend;
     }
-    trend.columns = columns_of(net, left_out);
+    trend.columns = columns_of(net, left_out, adjustable_stds);
     const Eigen::Index count = trend.columns.cols();
+    const double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
+    const Eigen::Index runs = count - 1 - (adjustable_std > 0.0 ? 1 : 0);
     const Eigen::VectorXd variances =
         observations.variance + statics.blur().length_variances(observations.variance.size());
     const Eigen::VectorXd weights = variances.cwiseInverse();
@@ -86,23 +99,32 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     Eigen::MatrixXd information =
         trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
 
-    // What is not linear moves the mean by as much, so that it is known no better.
+    // What is not linear moves a mean by as much, so that it is known no better.
     const double bias = nonlinearity * law.std();
-    const Eigen::VectorXd of_mean = information.col(0);
-    const double part = bias * bias / (1.0 + bias * bias * of_mean(0));
-    score -= part * score(0) * of_mean;
-    information -= part * of_mean * of_mean.transpose();
+    const auto blur = [&](Eigen::Index k) {
+        const Eigen::VectorXd of_mean = information.col(k);
+        const double part = bias * bias / (1.0 + bias * bias * of_mean(k));
+        score -= part * score(k) * of_mean;
+        information -= part * of_mean * of_mean.transpose();
+    };
+    blur(0);
+    if (adjustable_std > 0.0) {
+        blur(count - 1);
+    }
 
     // Over the widths of the runs: each as probable as another.
     std::vector<Posterior> posteriors;
     std::vector<double> widths;
-    Eigen::VectorXd log_weights(count > 1 ? 1 + std::ssize(run_widths) : 1);
+    Eigen::VectorXd log_weights(runs > 0 ? 1 + std::ssize(run_widths) : 1);
     const double mean_length = net.unstressed_lengths()(net.interior_edges()).mean();
     for (Eigen::Index k = 0; k < log_weights.size(); ++k) {
         widths.push_back(k == 0 ? 0.0
                                 : run_widths[static_cast<size_t>(k - 1)] * law.std() / mean_length);
         Eigen::VectorXd stds = Eigen::VectorXd::Constant(count, widths.back());
         stds(0) = mean_width * law.std();
+        if (adjustable_std > 0.0) {
+            stds(count - 1) = adjustable_std;
+        }
         posteriors.push_back(posterior_of_trend(score, information, stds));
         log_weights(k) = posteriors.back().log_evidence +
                          std::log(k == 0 ? 1.0 - probability_of_runs
@@ -129,7 +151,12 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     trend.common_gains = response.common;
     trend.found.mean = trend.mean(0);
     trend.found.mean_std = trend.root.row(0).norm();
-    trend.found.runs = static_cast<int>(count) - 1;
+    trend.found.runs = static_cast<int>(runs);
+    if (adjustable_std > 0.0) {
+        trend.adjustable_std = adjustable_std;
+        trend.found.adjustable = trend.mean(count - 1);
+        trend.found.adjustable_std = trend.root.row(count - 1).norm();
+    }
     return trend;
 }
 

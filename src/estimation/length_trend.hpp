@@ -14,15 +14,17 @@
 namespace taut {
 
 /// What length deviations have in common, after the survey: d = e + G b, where e are independent
-/// under their prior and b, the mean of all and the relative length of each run of cable, are
-/// normal. To first order, docs/theory.md (length-trend).
+/// under their prior and b, the mean of all, the relative length of each run of cable and what all
+/// adjustable edges are longer than given, are normal. To first order, docs/theory.md
+/// (length-trend).
 struct LengthTrend {
     Eigen::MatrixXd columns;       ///< G, m_I x r: of one standard deviation of the prior each [m]
     Eigen::VectorXd mean;          ///< of b (r)
     Eigen::MatrixXd root;          ///< R, r x r: R R' is the covariance of b
     Eigen::MatrixXd length_gains;  ///< d of the estimated lengths by b, m_I x r [m]
     Eigen::MatrixXd
-        common_gains;  ///< the same of the common unknowns, in their standard deviations
+        common_gains;             ///< the same of the common unknowns, in their standard deviations
+    double adjustable_std = 0.0;  ///< of the prior of what adjustable edges have in common [m]
     CommonDeviation found;
 
     [[nodiscard]] bool empty() const { return columns.cols() == 0; }
@@ -32,8 +34,11 @@ struct LengthTrend {
 /// mean is known better than a linearisation is right.
 /// @param statics linearised and inverted at the fit
 /// @param left_out interior edges (m_I) of another prior than the law
+/// @param adjustable_stds of adjustable edges of uncertain length the prior standard deviation,
+///   else 0 (m_I) [m]
 [[nodiscard]] LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
                                    const Observations& observations, const Iterate& fitted,
-                                   const std::vector<bool>& left_out, const LengthLaw& law);
+                                   const std::vector<bool>& left_out,
+                                   const Eigen::VectorXd& adjustable_stds, const LengthLaw& law);
 
 }  // namespace taut

@@ -118,7 +118,8 @@ struct Doubt {
     LawCheck law;
     FrameCheck frame;
     std::optional<PriorEstimate> prior;
-    std::vector<bool> left_out;  ///< interior edges (m_I) that do not show the law
+    std::vector<bool> left_out;       ///< interior edges (m_I) that do not show the law
+    Eigen::VectorXd adjustable_stds;  ///< of what is uncertain of adjustable ones, else 0 (m_I)
 };
 
 /// (common-mean): score and information of a shift of the law.
@@ -140,7 +141,8 @@ void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observat
 }
 
 /// (components), (law-check). The fit stands as it was afterwards.
-Doubt doubt_of(const CableNet& fit_net, const Told& given, SurveyFit& fit, Iterate fitted) {
+Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const Told& given, SurveyFit& fit,
+               Iterate fitted) {
     const LengthLaw& law = given.law;
     Doubt doubt;
     const Iterate at = fitted;
@@ -148,8 +150,13 @@ Doubt doubt_of(const CableNet& fit_net, const Told& given, SurveyFit& fit, Itera
     Observations scaled = told;
     doubt.frame = check_frame(fit_net, fit.statics(), at, told, fit.snooping().residual_scale());
     std::vector<bool> left_out = fit.length_snooping().released();
+    doubt.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
+        const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
+        if (is_adjustable && !left_out[i] && !fit.statics().slack()[edge]) {
+            doubt.adjustable_stds(i) = fit.knowledge().laws[i].std();
+        }
         left_out[i] = left_out[i] || fit.statics().slack()[edge] || fit.knowledge().laws[i] != law;
     }
     doubt.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
@@ -259,11 +266,15 @@ void take_up_trend(Identification& result, const LengthTrend& trend, const Cable
     }
     Eigen::Index common = 0;
     for (UnknownEstimate& one : result.unknowns) {
+        Eigen::RowVectorXd gain = Eigen::RowVectorXd::Zero(trend.mean.size());
         if (one.edge < 0 && one.node < 0) {
-            const Eigen::RowVectorXd gain = one.unknown.std * trend.common_gains.row(common++);
-            one.mean += gain * trend.mean;
-            one.std = std::hypot(one.std, (gain * trend.root).norm());
+            gain = one.unknown.std * trend.common_gains.row(common++);
+        } else if (one.unknown.kind == Unknown::Kind::adjustable) {
+            gain = gains_of({one.edge}, fit_net, trend);
+            one.prior_std = std::hypot(one.prior_std, trend.adjustable_std);
         }
+        one.mean += gain * trend.mean;
+        one.std = std::hypot(one.std, (gain * trend.root).norm());
     }
 }
 
@@ -351,7 +362,8 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     const PriorKnowledge& knowledge = fit.knowledge();
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
-    const Doubt doubt = fitted.converged ? doubt_of(fit_net, told, fit, fitted.iterate) : Doubt();
+    const Doubt doubt =
+        fitted.converged ? doubt_of(net, fit_net, told, fit, fitted.iterate) : Doubt();
     if (own != nullptr) {
         const Eigen::Index size = fit_net.interior_edge_count() + common_count;
         *own =
@@ -374,7 +386,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     result.prior = doubt.prior.value_or(exact_prior(told.law));
     const LengthTrend trend = told.has_trend && fitted.converged
                                   ? trend_of(fit_net, fit.statics(), observations, fitted.iterate,
-                                             doubt.left_out, told.law)
+                                             doubt.left_out, doubt.adjustable_stds, told.law)
                                   : LengthTrend();
     result.prior.common = trend.found;
     if (fitted.converged) {

@@ -208,7 +208,9 @@ Json prior_json(const Identification& identification) {
               {"mean_std", prior.common.mean_std},
               {"runs", prior.common.runs},
               {"run_std", prior.common.run_std},
-              {"run_probability", prior.common.run_probability}}},
+              {"run_probability", prior.common.run_probability},
+              {"adjustable", prior.common.adjustable},
+              {"adjustable_std", prior.common.adjustable_std}}},
             {"nodes", nodes}};
 }
 

@@ -198,9 +198,9 @@ TEST_F(Chain, IdentifyAssumesWhatIsNotGivenAndSaysSo) {
     EXPECT_EQ(assumed,
               (std::vector<std::string>{"stiffness:5% default", "stiffness-each:2% default",
                                         "adjustable:0.5mm default", "supports:1mm default"}));
-    const auto [changed, std_softer] = identified({"--uncertain", "stiffness:10%"});
+    const auto [changed, std_softer] = identified({"--uncertain", "stiffness:20%"});
     EXPECT_EQ(changed,
-              (std::vector<std::string>{"stiffness:10% given", "stiffness-each:2% default",
+              (std::vector<std::string>{"stiffness:20% given", "stiffness-each:2% default",
                                         "adjustable:0.5mm default", "supports:1mm default"}));
     const auto [none, std_exact] = identified({"--uncertain", "none"});
     EXPECT_TRUE(none.empty());

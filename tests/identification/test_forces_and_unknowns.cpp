@@ -129,7 +129,7 @@ TEST_P(Unknowns, AreInTheIntervalsOfLengthsAndTensions) {
         }
         for (const UnknownEstimate& estimate : found.unknowns) {
             // The mixture over priors may be a little wider than each of its parts.
-            EXPECT_LE(estimate.std, 1.001 * estimate.unknown.std);
+            EXPECT_LE(estimate.std, 1.001 * estimate.prior_std);
             of_unknowns[estimate.unknown.kind].add(
                 std::abs(estimate.mean - truth_of(truth.circumstances, net, estimate)) <=
                 half_interval_95 * estimate.std);

@@ -155,8 +155,9 @@ function priorWords(prior: Identification["prior"]): string {
   if (prior.exact) return `${prior.nodes[0]?.law ?? ""}, taken as exact`;
   const found = `estimated, standard deviation ${millimetres(prior.std)} ± ${millimetres(prior.std_std)} mm`;
   const common = prior.common && prior.common.mean_std > 0 ? `; mean of all ${millimetres(prior.common.mean)} ± ${millimetres(prior.common.mean_std)} mm` : "";
+  const turnbuckles = prior.common?.adjustable_std ? `; adjustable edges ${millimetres(prior.common.adjustable ?? 0)} ± ${millimetres(prior.common.adjustable_std)} mm longer in common` : "";
   const runs = prior.common && prior.common.run_probability > 0.5 ? `; runs of cable scaled by ${(100 * prior.common.run_std).toPrecision(2)} %` : "";
-  return `${prior.given ?? "none given"}; ${found}${common}${runs}; uniform with a probability of ${percent(prior.uniform_probability)} %, ${counted(prior.nodes.length, "node")}`;
+  return `${prior.given ?? "none given"}; ${found}${common}${turnbuckles}${runs}; uniform with a probability of ${percent(prior.uniform_probability)} %, ${counted(prior.nodes.length, "node")}`;
 }
 
 /** By what, how and in which time. */

@@ -622,6 +622,14 @@ export interface CommonDeviation {
    * That runs have such scales.
    */
   run_probability: number;
+  /**
+   * What all adjustable edges are longer than given [m].
+   */
+  adjustable?: number;
+  /**
+   * Of that; 0: their lengths are taken as given [m].
+   */
+  adjustable_std?: number;
 }
 export interface PriorNode {
   /**
