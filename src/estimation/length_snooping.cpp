@@ -208,10 +208,9 @@ void LengthSnooping::evaluate_pairs(const LinearisedStatics& statics,
     }
     std::ranges::sort(places);
     places.erase(std::ranges::unique(places).begin(), places.end());
-    std::vector<int> edges;
-    for (const Eigen::Index i : places) {
-        edges.push_back(m_net.interior_edges()[i]);
-    }
+    std::vector<int> edges(places.size());
+    std::ranges::transform(places, edges.begin(),
+                           [this](Eigen::Index i) { return m_net.interior_edges()[i]; });
     const Eigen::MatrixXd covariance = statics.length_covariance(edges);
     const Eigen::VectorXd unseen = statics.blur().length_variances(m_net.interior_edge_count());
     const auto place_of = [&](Eigen::Index i) {
