@@ -18,8 +18,10 @@ constexpr double mean_width = 0.5;
 constexpr double probability_of_runs = 0.9;
 constexpr std::array run_widths{0.25, 0.5, 1.0, 2.0};
 
-/// By which the linearised mean may be off, in standard deviations of the law.
+/// By which the linearised means may be off, in standard deviations of the law: of all lengths, and
+/// of the adjustable edges.
 constexpr double nonlinearity = 0.1;
+constexpr double nonlinearity_of_adjustable = 0.2;
 
 constexpr int most_edges = 5000;
 constexpr Eigen::Index most_runs = 128;
@@ -49,7 +51,7 @@ Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_ou
             columns.row(static_cast<Eigen::Index>(i)).setZero();
         }
     }
-    if ((adjustable_stds.array() > 0.0).any()) {
+    if (adjustable_stds.size() > 0) {
         columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
         columns.rightCols(1) = (adjustable_stds.array() > 0.0).cast<double>().matrix();
     }
@@ -86,9 +88,15 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     if (net.interior_edge_count() > most_edges) {
         return trend;
     }
-    trend.columns = columns_of(net, left_out, adjustable_stds);
+    // Of no use where a survey tells it no better than it was known.
+    const double adjustable_bias = nonlinearity_of_adjustable * law.std();
+    double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
+    if (adjustable_std < adjustable_bias) {
+        adjustable_std = 0.0;
+    }
+    trend.columns =
+        columns_of(net, left_out, adjustable_std > 0.0 ? adjustable_stds : Eigen::VectorXd());
     const Eigen::Index count = trend.columns.cols();
-    const double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
     const Eigen::Index runs = count - 1 - (adjustable_std > 0.0 ? 1 : 0);
     const Eigen::VectorXd variances =
         observations.variance + statics.blur().length_variances(observations.variance.size());
@@ -100,16 +108,15 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
         trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
 
     // What is not linear moves a mean by as much, so that it is known no better.
-    const double bias = nonlinearity * law.std();
-    const auto blur = [&](Eigen::Index k) {
+    const auto blur = [&](Eigen::Index k, double bias) {
         const Eigen::VectorXd of_mean = information.col(k);
         const double part = bias * bias / (1.0 + bias * bias * of_mean(k));
         score -= part * score(k) * of_mean;
         information -= part * of_mean * of_mean.transpose();
     };
-    blur(0);
+    blur(0, nonlinearity * law.std());
     if (adjustable_std > 0.0) {
-        blur(count - 1);
+        blur(count - 1, adjustable_bias);
     }
 
     // Over the widths of the runs: each as probable as another.
