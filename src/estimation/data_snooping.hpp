@@ -95,7 +95,6 @@ public:
     [[nodiscard]] bool readmit();
     /// Rejects one target, or takes it back.
     void set_rejected(int node, bool is_rejected) { m_rejected[node] = is_rejected; }
-    [[nodiscard]] bool is_rejected(int node) const { return m_rejected[node]; }
     /// Of each target, from the last fit (n).
     [[nodiscard]] const Eigen::VectorXd& statistics() const { return m_statistics; }
     /// The (rivals) score of the target in use at each node (n), to be held against
@@ -141,6 +140,7 @@ public:
     [[nodiscard]] double residual_scale() const { return m_residual_scale; }
 
 private:
+    [[nodiscard]] bool is_rejected(int node) const { return m_rejected[node]; }
     /// T of a target at another node's expected place, as if that were its own.
     [[nodiscard]] double statistic_at(int target, int node) const;
     void tell_swapped(std::vector<Outlier>& outliers) const;

@@ -3,6 +3,7 @@
 #include "estimation/length_snooping.hpp"
 
 #include <Eigen/LU>
+#include <array>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -159,10 +160,10 @@ void LengthSnooping::evaluate_one(LengthSuspect& suspect) const {
 /// released by itself.
 bool LengthSnooping::is_testable(const LengthSuspect& pair,
                                  const std::vector<bool>& released) const {
-    const auto is_told = [&](Eigen::Index i) {
+    const auto is_known = [&](Eigen::Index i) {
         return std::isfinite(tested_deviation(m_told[i]).std);
     };
-    return is_told(pair.edge) && is_told(pair.other) &&
+    return is_known(pair.edge) && is_known(pair.other) &&
            (pair.is_released || (!released[pair.edge] && !released[pair.other]));
 }
 
@@ -176,13 +177,13 @@ void LengthSnooping::evaluate_pairs(const LinearisedStatics& statics,
         if (pair.is_beside_target) {
             continue;  // as it was when the target was left out
         }
-        const bool is_told = is_testable(pair, released);
-        if (pair.is_released && !is_told) {
+        const bool is_known = is_testable(pair, released);
+        if (pair.is_released && !is_known) {
             continue;  // as it was when it was released
         }
         pair.statistic = 0.0;
         pair.core_statistic = 0.0;
-        if (!is_told) {
+        if (!is_known) {
             continue;
         }
         const Estimate one = tested_deviation(m_told[pair.edge]);

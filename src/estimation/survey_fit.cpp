@@ -203,12 +203,17 @@ SurveyFit::Explanation SurveyFit::explanation_of(const GaussNewtonResult& fitted
             .target_statistics = m_snooping.statistics()};
 }
 
-/// Fits again, with what an explanation leaves out and releases.
-GaussNewtonResult SurveyFit::fit_as(const Explanation& explanation) {
+/// Leaves out and releases what an explanation does.
+void SurveyFit::take_over(const Explanation& explanation) {
     m_snooping.set_rejected(explanation.rejected);
     m_length_snooping.set_suspects(explanation.lengths);
     m_boundary_snooping.set_released(explanation.boundary);
     take_over_releases();
+}
+
+/// Fits again, with what an explanation leaves out and releases.
+GaussNewtonResult SurveyFit::fit_as(const Explanation& explanation) {
+    take_over(explanation);
     return fit(with_released(explanation.iterate), explanation.slack, 1.0);
 }
 
@@ -488,9 +493,7 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
     m_corner_width = widest_corner();
     GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal(), 1.0); });
     const bool is_rounded_settled = is_settled(rounded);
-    const DataSnooping::Rejected rejected = m_snooping.all_rejected();
-    std::vector<LengthSuspect> lengths = m_length_snooping.suspects();
-    const BoundaryReleases released_boundary = m_boundary_snooping.released();
+    const Explanation found = explanation_of(rounded);
     if (is_rounded_settled) {
         GaussNewtonResult fitted =
             fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), 1.0);
@@ -505,10 +508,7 @@ GaussNewtonResult SurveyFit::by_rounded_laws() {
     if (!is_rounded_settled) {
         return without_slack_set([this] { return from_coarse_to_fine(); });
     }
-    m_snooping.set_rejected(rejected);
-    m_length_snooping.set_suspects(std::move(lengths));
-    m_boundary_snooping.set_released(released_boundary);
-    take_over_releases();
+    take_over(found);
     return fit_rounded(with_released(rounded.iterate), 1.0);
 }
 

@@ -100,6 +100,7 @@ private:
         Eigen::VectorXd target_statistics;  ///< n
     };
     [[nodiscard]] Explanation explanation_of(const GaussNewtonResult& fitted) const;
+    void take_over(const Explanation& explanation);
     [[nodiscard]] GaussNewtonResult fit_as(const Explanation& explanation);
     [[nodiscard]] std::vector<int> nodes_in_doubt() const;
     void doubt_clamps(GaussNewtonResult& fitted);

@@ -57,6 +57,20 @@ def test_a_target_that_is_off_is_left_out_and_named(net, positions):
     assert any("left out" in finding["reason"] for finding in result.findings)
 
 
+def test_a_clamp_that_slipped_is_in_the_diagnostics():
+    saddle = taut.hypar(9, 9)
+    longer, shorter = saddle.runs[4][4:6]
+    data = saddle.to_dict()
+    data["unstressed_lengths"][longer] += 0.01
+    data["unstressed_lengths"][shorter] -= 0.01
+    form = taut.solve_equilibrium(taut.CableNet.from_json(json.dumps(data))).form
+    survey = taut.read_survey(saddle, taut.simulate_survey(saddle, form, noise=0.5e-3))
+    found = taut.identify(saddle, survey, law="uniform:2mm", draws=0)
+    named = {(one["edge"], one["other"]) for one in found.diagnostics["lengths_beyond_law"]}
+    assert named == {(longer, str(shorter)), (shorter, str(longer))}
+    assert found.trust == "doubtful"
+
+
 def test_what_is_not_given_is_assumed(net, survey):
     site = taut.identify(net, survey, law="uniform:3mm", draws=50)
     assert [one["value"] for one in site.assumptions] == [
