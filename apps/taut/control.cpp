@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "command.hpp"
+#include "force_input.hpp"
 #include "output_directory.hpp"
 #include "plan_options.hpp"
 #include "progress_line.hpp"
@@ -27,6 +28,7 @@ struct ControlCommand : CommonOptions {
     std::string net;
     std::string directory;
     std::string law = "uniform:5mm";
+    UncertainOptions uncertain;
     std::string noise = "0.5mm";
     std::string drop = "10%";
     std::string actuator = "0mm";
@@ -41,7 +43,7 @@ struct ControlCommand : CommonOptions {
     std::uint64_t seed = 1;
 };
 
-ControlSettings settings_of(const ControlCommand& command) {
+ControlSettings settings_of(const CableNet& net, const ControlCommand& command) {
     ControlSettings settings{.law = parse_length_law(command.law),
                              .noise_std = parse_length(command.noise),
                              .hidden_part = parse_part(command.drop),
@@ -53,6 +55,10 @@ ControlSettings settings_of(const ControlCommand& command) {
                              .rounds = command.rounds,
                              .trials = command.trials,
                              .seed = command.seed};
+    settings.uncertain = command.uncertain.given(net, command.net);
+    if (command.uncertain.assume_site()) {
+        settings.uncertain = with_site_assumptions(net, std::move(settings.uncertain));
+    }
     if (!command.tension.empty()) {
         const TensionRange range = parse_tension_range(command.tension);
         if (range.has_part()) {
@@ -83,7 +89,7 @@ void print_record(const ControlRecord& record, const ControlSettings& settings) 
 
 void run(const ControlCommand& command) {
     const CableNet net = read_net(command.net).net;
-    const ControlSettings settings = settings_of(command);
+    const ControlSettings settings = settings_of(net, command);
     const std::filesystem::path directory(command.directory);
     if (team().is_first()) {
         check_output_directory(directory, {"control.json", "control.csv", "report.html"},
@@ -105,6 +111,8 @@ void run(const ControlCommand& command) {
         say("{}", json);
         return;
     }
+    say("uncertain of the nets besides lengths ({}): {} (--uncertain)\n", settings.law.to_string(),
+        to_string(settings.uncertain));
     say("{:<16}{:>6}{:>18}{:>29}{:>20}{:>10}{:>10}{:>10}\n", "", "", "from target [mm]",
         "along its normal [mm]", "tension [kN]", "limits", "by at", "not");
     say("{:<16}{:>6}{:>10}{:>8}{:>12}{:>8}{:>9}{:>12}{:>8}{:>10}{:>10}{:>10}\n", "planned on",
@@ -131,6 +139,7 @@ void add_control(CLI::App& program) {
     command.add_option("-o,--output", options->directory, "Directory to write into")->required();
     command.add_option("--law", options->law, "Law of the length deviations that are built")
         ->capture_default_str();
+    add_uncertain_option(command, options->uncertain);
     command.add_option("--noise", options->noise, "Of a surveyed coordinate")
         ->capture_default_str();
     command.add_option("--drop", options->drop, "Part of the free nodes that a survey misses")

@@ -60,6 +60,10 @@ std::string control_to_json(const std::vector<ControlRecord>& records, const Cab
         strategies.push_back(
             {{"strategy", to_string(record.strategy)}, {"rounds", rounds}, {"states", states}});
     }
+    ResultJson uncertain = ResultJson::array();
+    for (const Unknown& one : settings.uncertain) {
+        uncertain.push_back(one.to_string());
+    }
     ResultJson document{
         {"format", "taut-control"},
         {"version", 1},
@@ -68,6 +72,7 @@ std::string control_to_json(const std::vector<ControlRecord>& records, const Cab
         {"net", counts_json(net)},
         {"settings",
          {{"law", settings.law.to_string()},
+          {"uncertain", std::move(uncertain)},
           {"noise", settings.noise_std},
           {"hidden", settings.hidden_part},
           {"actuator", settings.actuator_std},

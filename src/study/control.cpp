@@ -15,6 +15,7 @@
 #include "numerics/random_numbers.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/numerical_error.hpp"
+#include "taut/sampling/circumstances.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -29,6 +30,7 @@ constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identif
 
 void check_control(const CableNet& net, const ControlSettings& settings) {
     check_law(net, settings.law);
+    check_unknowns(net, settings.uncertain);
     const auto require = [](bool is_sound, const char* what, double value) {
         if (!is_sound) {
             throw std::invalid_argument(fmt::format("{} is {:g}", what, value));
@@ -82,9 +84,13 @@ public:
             draw_length_deviations(settings.law, settings.seed, static_cast<std::uint64_t>(trial),
                                    net.interior_edge_count());
         m_true_lengths = with_length_deviations(net, deviations);
+        if (!settings.uncertain.empty()) {
+            m_circumstances = draw_circumstances(net, settings.uncertain, settings.seed,
+                                                 static_cast<std::uint64_t>(trial));
+        }
         m_told_strokes =
             Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
-        m_form = with_lengths(net, m_true_lengths, net.nodes()).nodes();
+        m_form = true_net(net.nodes()).nodes();
     }
 
     [[nodiscard]] ControlState state(int round, double turned, bool has_failed) const {
@@ -93,7 +99,8 @@ public:
                            .deviation = deviation_from(m_target, m_net, m_form),
                            .turned = turned,
                            .has_failed = has_failed};
-        const Eigen::VectorXd tension = tensions(m_net, m_true_lengths, m_form);
+        const CableNet built = true_net(m_form);
+        const Eigen::VectorXd tension = tensions(built, built.unstressed_lengths(), m_form);
         state.least_tension = tension.minCoeff();
         state.most_tension = tension.maxCoeff();
         // A plan may lead right up to a limit, and the form is then as exact as its equilibrium.
@@ -138,6 +145,15 @@ private:
                static_cast<std::uint64_t>(round);
     }
 
+    /// The net as it was built and turned, in equilibrium.
+    [[nodiscard]] CableNet true_net(const Points& start) const {
+        if (!m_circumstances) {
+            return with_lengths(m_net, m_true_lengths, start);
+        }
+        const CableNet built = net_under(m_net, *m_circumstances, m_true_lengths);
+        return with_lengths(built, built.unstressed_lengths(), start);
+    }
+
     /// The design with the strokes that were told.
     [[nodiscard]] CableNet told_net() const {
         Eigen::VectorXd lengths = m_net.unstressed_lengths();
@@ -173,10 +189,10 @@ private:
                             .turn = m_settings.turn,
                             .seed = seed_of(round)};
         if (strategy == ControlStrategy::truth) {
-            const BuiltNet built{.net = with_lengths(m_net, m_true_lengths, m_form),
+            const BuiltNet built{.net = true_net(m_form),
                                  .length_draws = {},
                                  .perturbations = {},
-                                 .no_draws_since = "the lengths are known"};
+                                 .no_draws_since = "the net is known"};
             return plan_strokes(built, m_target, limits(), options);
         }
         const CableNet told = told_net();
@@ -186,6 +202,7 @@ private:
                                                   {.method = IdentificationMethod::map,
                                                    .law = m_settings.law,
                                                    .prior_exact = true,
+                                                   .unknowns = m_settings.uncertain,
                                                    .draws = m_settings.draws,
                                                    .seed = seed_of(round)});
             if (found.status != IdentificationStatus::converged) {
@@ -224,7 +241,7 @@ private:
             m_true_lengths(stroke.edge) += stroke.stroke + m_settings.actuator_std * play.normal();
             sum += std::abs(stroke.stroke);
         }
-        m_form = with_lengths(m_net, m_true_lengths, m_form).nodes();
+        m_form = true_net(m_form).nodes();
         return sum;
     }
 
@@ -232,7 +249,9 @@ private:
     const ControlSettings& m_settings;
     const FormTarget& m_target;
     int m_trial;
-    Eigen::VectorXd m_true_lengths;
+    /// What is not as the net says besides lengths; empty: nothing.
+    std::optional<Circumstances> m_circumstances;
+    Eigen::VectorXd m_true_lengths;  ///< as they would be in a net that is else as given [m]
     Eigen::VectorXd m_told_strokes;  ///< of the adjustable edges, in all [m]
     Points m_form;                   ///< the true one
 };

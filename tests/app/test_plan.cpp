@@ -549,6 +549,9 @@ TEST_F(PlanCommand, IsTriedOverWholeJobsByControl) {
     EXPECT_THAT(told, HasSubstr("identified"));
     const json document = json::parse(read("jobs/control.json"));
     EXPECT_EQ(document["format"].get<std::string>(), "taut-control");
+    // As on a site, unless it is given.
+    EXPECT_EQ(document["settings"]["uncertain"],
+              json({"stiffness:5%", "stiffness-each:2%", "adjustable:0.5mm", "supports:1mm"}));
     EXPECT_EQ(document["strategies"].size(), 4U);
     EXPECT_EQ(document["strategies"][1]["states"].size(), 4U);
     EXPECT_THAT(read("jobs/control.csv"), testing::StartsWith("strategy,trial,round,mean"));

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "taut/design/builtin_nets.hpp"
@@ -60,6 +61,21 @@ TEST(Control, CountsLimitsOfTheTrueNet) {
     }
 }
 
+TEST(Control, BuildsNetsWithWhatIsUncertain) {
+    const CableNet net = hypar(5, 5);
+    ControlSettings settings = small_job();
+    const ControlRecord exact = simulate_control(net, settings)[1];
+    settings.uncertain = {parse_unknown("stiffness:10%"), parse_unknown("supports:2mm")};
+    const ControlRecord built = simulate_control(net, settings)[1];
+    for (size_t k = 0; k < exact.states.size(); k += 3) {  // as built, of the same lengths
+        EXPECT_GT(std::abs(built.states[k].most_tension / exact.states[k].most_tension - 1.0),
+                  0.01);
+        EXPECT_GT(std::abs(built.states[k].deviation.mean - exact.states[k].deviation.mean), 1e-5);
+    }
+    EXPECT_EQ(built.after(1).failed, 0);
+    EXPECT_LT(built.after(1).normal_rmse, built.after(0).normal_rmse);
+}
+
 TEST(Control, RefusesSettingsThatCannotBeMeant) {
     const CableNet net = hypar(3, 3);
     const auto expect_refused = [&](auto change, const char* text) {
@@ -88,6 +104,7 @@ TEST(Control, RefusesSettingsThatCannotBeMeant) {
         expect_refused([&](ControlSettings& s) { s.most_tension = value; }, "largest tension");
     }
     expect_refused([](ControlSettings& s) { s.draws = -1; }, "draws");
+    expect_refused([](ControlSettings& s) { s.uncertain = {parse_unknown("loads:10%")}; }, "loads");
 }
 
 }  // namespace

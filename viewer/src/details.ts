@@ -232,6 +232,7 @@ export function settingsSection(result: Result): HTMLElement {
     const { settings } = result;
     const kN = (newton: number): string => `${short(newton / 1e3)} kN`;
     add("law of the length deviations", settings.law);
+    add("uncertain besides", settings.uncertain?.join(", ") || "nothing");
     add("noise of a coordinate", `${short(1e3 * settings.noise)} mm`);
     add("free nodes that a survey misses", `${short(100 * settings.hidden)} %`);
     add("play of what is turned, standard deviation", `${short(1e3 * settings.actuator)} mm`);

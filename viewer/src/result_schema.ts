@@ -1288,6 +1288,10 @@ export interface Control {
      */
     law: string;
     /**
+     * What else is built with values of its own: ["stiffness:5%"]; nothing in files of version 0.2.
+     */
+    uncertain?: string[];
+    /**
      * Standard deviation of a surveyed coordinate [m].
      */
     noise: number;

@@ -11,6 +11,7 @@
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
 #include "taut/sampling/length_law.hpp"
+#include "taut/sampling/unknown.hpp"
 
 namespace taut {
 
@@ -27,7 +28,10 @@ enum class ControlStrategy {
 
 /// A job: nets are built, surveyed, turned, and so on.
 struct ControlSettings {
-    LengthLaw law;                 ///< of the length deviations as built; "identified" is told
+    LengthLaw law;  ///< of the length deviations as built; "identified" is told
+    /// What else is uncertain of the nets, each built with values of its own; "identified" is given
+    /// the widths, with_site_assumptions() where the program assumes a site.
+    std::vector<Unknown> uncertain = {};
     double noise_std = 0.5e-3;     ///< of a surveyed coordinate [m]
     double hidden_part = 0.1;      ///< of the free nodes, in each survey
     double actuator_std = 0.0;     ///< of what is turned, from what was told [m]
@@ -83,7 +87,8 @@ struct TAUT_ADJUSTMENT_EXPORT ControlRecord {
 
 /// The whole loop, simulated: survey, identification, plan, turns, again, beside its rivals. The
 /// net of a trial, its surveys and the play of its turnbuckles follow from the seed.
-/// @throws std::invalid_argument for settings that cannot be meant, and as plan_strokes()
+/// @throws std::invalid_argument for settings that cannot be meant, as check_unknowns(), and as
+///   plan_strokes()
 /// @param progress told of the stage "control" before each job and at the end
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<ControlRecord> simulate_control(
