@@ -36,7 +36,7 @@ bool can_be_fitted(const CableNet& net) {
     return net.is_linear() && net.interior_edge_count() <= most_edges_of_fits;
 }
 
-constexpr int most_descents_a_draw = 20;
+constexpr int most_descents_a_draw = 60;
 constexpr double decrement_of_draw = 0.05;
 constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
 
@@ -454,7 +454,7 @@ PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& prog
 
 bool PerturbedDraws::in_doubt() const {
     const auto asked = static_cast<double>(count() + left_out);
-    return left_out > most_left_out * asked || !(departure <= largest_departure);
+    return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure);
 }
 
 PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics& statics,

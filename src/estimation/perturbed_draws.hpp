@@ -29,8 +29,8 @@ struct PerturbedDraws {
     double departure = 0.0;
     int left_out = 0;  ///< draws that found no fit or no equilibrium
 
-    /// Whether more than 2 % were left out, or forms lie farther than 0.3 standard deviations from
-    /// what the draws gave: then they are not of this posterior.
+    /// Whether more than one, and more than 2 %, were left out, or forms lie farther than 0.3
+    /// standard deviations from what the draws gave: then they are not of this posterior.
     [[nodiscard]] bool in_doubt() const;
     [[nodiscard]] int count() const { return static_cast<int>(tensions.cols()); }
 };

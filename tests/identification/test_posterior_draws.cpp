@@ -226,6 +226,18 @@ TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
     }
 }
 
+// Without a prior and with all that taut assumes on a site a few samples have to be fitted by
+// themselves.
+TEST(PosteriorDraws, ShowTensionsOfSoundSurveys) {
+    const CableNet net = hypar(9, 9);
+    const LengthLaw law{LengthLaw::Kind::uniform, 3e-3};
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        const auto s = test::simulate(net, law, 5e-4, seed);
+        const Identification found = identify(net, s.survey, {.assume_site = true, .draws = 100});
+        EXPECT_EQ(found.draws.value().doubt, "") << seed;
+    }
+}
+
 TEST(PosteriorDraws, AreTheSameFromTheSameSeedWithAnyNumberOfThreads) {
     const CableNet net = hypar(3, 4);
     const LengthLaw law{LengthLaw::Kind::normal, 2e-3};
