@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "net/rounded_length.hpp"
@@ -321,12 +322,21 @@ private:
     }
 
     void test_targets() {
-        if (m_result.outliers.empty()) {
+        // Those beside a clamp are named with it.
+        const auto is_beside_clamp = [this](const Outlier& outlier) {
+            return std::ranges::any_of(m_result.lengths_beyond_law, [&](const LengthOutlier& edge) {
+                return edge.is_beside_target && edge.node == outlier.node;
+            });
+        };
+        std::vector<Outlier> outliers;
+        std::ranges::remove_copy_if(m_result.outliers, std::back_inserter(outliers),
+                                    is_beside_clamp);
+        if (outliers.empty()) {
             return;
         }
         std::vector<std::string> names;
-        names.reserve(m_result.outliers.size());
-        for (const Outlier& outlier : m_result.outliers) {
+        names.reserve(outliers.size());
+        for (const Outlier& outlier : outliers) {
             names.push_back(fmt::format(
                 "{} ({:.1f} mm{})", m_net.node_id(outlier.node), 1e3 * outlier.distance,
                 outlier.swapped_with < 0
@@ -335,7 +345,7 @@ private:
         }
         const size_t count = names.size();
         constexpr double far = 10.0;  // standard deviations of the survey
-        const bool is_far = std::ranges::any_of(m_result.outliers, [&](const Outlier& outlier) {
+        const bool is_far = std::ranges::any_of(outliers, [&](const Outlier& outlier) {
             return outlier.swapped_with < 0 &&
                    outlier.distance > far * m_survey.noise_std.col(outlier.node).maxCoeff();
         });
@@ -352,7 +362,7 @@ private:
                        "not as given: look there"
                      : "");
         constexpr size_t by_chance = 3;
-        if (const size_t cluster = largest_cluster(m_net, m_result.outliers);
+        if (const size_t cluster = largest_cluster(m_net, outliers);
             is_few && cluster > by_chance) {
             add(Verdict::doubtful,
                 fmt::format("{} of the targets that are left out stand next to each other",

@@ -217,6 +217,7 @@ TEST(Doubt, DoesNotTakeAWrongTargetForAClamp) {
         for (const LengthOutlier& outlier : result.lengths_beyond_law) {
             EXPECT_TRUE(outlier.is_beside_target) << seed;
         }
+        EXPECT_NE(says(result, "or a clamp slipped"), says(result, "contradicts all others"));
         for (const int edge : {one, other}) {
             const int i = place_of(saddle, edge);
             EXPECT_LE(result.edges[i].lower, s.deviations(i)) << seed;
