@@ -6,8 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "net/rounded_length.hpp"
 #include "taut/identification/result.hpp"
@@ -65,14 +67,57 @@ size_t largest_cluster(const CableNet& net, const std::vector<Outlier>& outliers
     return largest;
 }
 
+/// How much likelier so many normal numbers are with a standard deviation this many times as large,
+/// logarithm.
+double gain_of_scale(double ratio, double count) {
+    return count * (0.5 * (ratio * ratio - 1.0) - std::log(ratio));
+}
+
+/// Something else than noise or the prior of the lengths that is not as given.
+struct OtherCause {
+    double gain = 0.0;  ///< by which it makes the survey likelier, logarithm
+    std::string name;
+
+    [[nodiscard]] std::string advice() const {
+        return fmt::format("look at {} first: it explains more", name);
+    }
+};
+
+/// (rival-causes): the one that explains most.
+OtherCause other_cause_of(const Identification& result) {
+    const FrameCheck& frame = result.frame_check;
+    OtherCause cause;
+    const auto take = [&](double gain, std::string name) {
+        if (gain > cause.gain) {
+            cause = {gain, std::move(name)};
+        }
+    };
+    if (frame.is_scaled()) {
+        take(0.5 * std::pow(frame.scale / frame.scale_std, 2), "the scale of the survey");
+    }
+    if (frame.is_moved()) {
+        take(0.5 * frame.motion_statistic, "the frame of the survey");
+    }
+    for (const UnknownSpread& spread : spreads_of(result.unknowns)) {
+        if (spread.is_contradicted()) {
+            take(gain_of_scale(spread.ratio, spread.count), spread.unknown.to_string());
+        }
+    }
+    return cause;
+}
+
 class Tests {
 public:
     Tests(const CableNet& net, const Survey& survey, const Identification& result)
-        : m_net(net), m_survey(survey), m_result(result) {}
+        : m_net(net), m_survey(survey), m_result(result), m_other_cause(other_cause_of(result)) {}
 
     Trust run() {
         test_end();
         test_frame();
+        const bool is_noise_first = is_noise_likelier();
+        if (!is_noise_first) {
+            test_unknowns();
+        }
         test_noise();
         test_law();
         test_lengths();
@@ -82,7 +127,9 @@ public:
         test_names();
         test_places();
         test_forces();
-        test_unknowns();
+        if (is_noise_first) {
+            test_unknowns();
+        }
         test_draws();
         std::ranges::stable_sort(m_trust.findings, std::greater{}, &Trust::Finding::verdict);
         return std::move(m_trust);
@@ -122,6 +169,13 @@ private:
         }
     }
 
+    /// (rival-causes). The ratio of n numbers has the standard deviation 1 / sqrt(2 n).
+    [[nodiscard]] bool is_noise_likelier() const {
+        const FoundScale& noise = m_result.scales.noise;
+        return !noise.is_contradicted() ||
+               gain_of_scale(noise.ratio, 0.5 / (noise.std * noise.std)) > m_other_cause.gain;
+    }
+
     void test_noise() {
         const FoundScale& noise = m_result.scales.noise;
         const FoundScale& lengths = m_result.scales.lengths;
@@ -141,7 +195,8 @@ private:
             fmt::format("the noise told, {}, is contradicted: the survey shows {}, {:.2f} times "
                         "that, where chance gives 1 +- {:.2f}",
                         rounded_length(told), found, noise.ratio, noise.std),
-            noise.ratio > 1.0
+            !is_noise_likelier() ? m_other_cause.advice()
+            : noise.ratio > 1.0
                 ? "if the frame is right, and no target stands off the cables (--offset), " + again
                 : again);
     }
@@ -211,7 +266,9 @@ private:
                 fmt::format("the law {} is contradicted: {} lengths show {} (log likelihood "
                             "{:.0f} higher)",
                             told, check.lengths, likeliest, check.gain),
-                fmt::format("identify again with --law {}", likeliest));
+                check.gain > m_other_cause.gain
+                    ? fmt::format("identify again with --law {}", likeliest)
+                    : m_other_cause.advice());
         } else if (check.beyond > 0) {
             add(Verdict::failed,
                 fmt::format("{} edges are beyond the law {}: too many to be mis-cut", check.beyond,
@@ -504,6 +561,7 @@ private:
     const CableNet& m_net;
     const Survey& m_survey;
     const Identification& m_result;
+    OtherCause m_other_cause;
     Trust m_trust;
 };
 

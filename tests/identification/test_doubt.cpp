@@ -488,6 +488,25 @@ TEST(Doubt, OfNoiseIsToldWithTheNoiseThatFits) {
     EXPECT_LE(result.outliers.size(), 6U);  // sound targets
 }
 
+// Another noise is not the remedy where something else explains more of what was found.
+TEST(Doubt, AdvisesWhatExplainsMost) {
+    const SimulatedSurvey s = survey_of(net(), law, 1);
+    Identification result = identified(s.survey, law);
+    result.scales.noise = {.ratio = 1.5, .std = 0.02};
+    const auto advice = [&] {
+        const Trust trust = trust_of(net(), s.survey, result);
+        const auto found = std::ranges::find_if(trust.findings, [](const Trust::Finding& one) {
+            return one.reason.starts_with("the noise told");
+        });
+        return found == trust.findings.end() ? "" : found->next;
+    };
+    EXPECT_THAT(advice(), testing::HasSubstr("--noise"));
+    result.frame_check = {.scale = 4.5e-4, .scale_std = 1e-4};  // beyond chance, but less
+    EXPECT_THAT(advice(), testing::HasSubstr("--noise"));
+    result.frame_check.scale = 40e-4;
+    EXPECT_EQ(advice(), "look at the scale of the survey first: it explains more");
+}
+
 TEST(Doubt, OfNoiseCanBeLeftToTheSurvey) {
     SimulatedSurvey s = survey_of(net(), law, 11);
     const int gross = s.survey.surveyed[40];
