@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 7> ignored{"vn", "vt", "vp", "s", "mtllib
 constexpr std::array<std::string_view, 5> known{"v", "l", "f", "g", "p"};
 
 /// More than any net has, and more would take memory for nothing.
-constexpr int most_lines = 4'000'000;
+constexpr int most_statement_lines = 4'000'000;
 constexpr size_t most_arguments = 100'000;
 
 }  // namespace
@@ -64,8 +64,9 @@ void for_each_obj_statement(std::string_view text, const std::string& file_name,
         const size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        if (++statement.line > most_lines) {
-            throw InputError(file_name, "", fmt::format("has more than {} lines", most_lines));
+        if (++statement.line > most_statement_lines) {
+            throw InputError(file_name, "",
+                             fmt::format("has more than {} lines", most_statement_lines));
         }
         std::istringstream words{std::string(line.substr(0, line.find('#')))};
         if (!(words >> statement.keyword) ||
