@@ -83,8 +83,16 @@ struct OtherCause {
     }
 };
 
+/// Whether the survey is of another scale, by more than is lost in its noise at the node furthest
+/// out.
+bool has_scale(const CableNet& net, const Survey& survey, const FrameCheck& check) {
+    const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
+    const double furthest = std::abs(check.scale) * arms.colwise().norm().maxCoeff();
+    return check.is_scaled() && furthest > negligible_scale * survey.rms_noise_std();
+}
+
 /// (rival-causes): the one that explains most.
-OtherCause other_cause_of(const Identification& result) {
+OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Identification& result) {
     const FrameCheck& frame = result.frame_check;
     OtherCause cause;
     const auto take = [&](double gain, std::string name) {
@@ -92,7 +100,7 @@ OtherCause other_cause_of(const Identification& result) {
             cause = {gain, std::move(name)};
         }
     };
-    if (frame.is_scaled()) {
+    if (has_scale(net, survey, frame)) {
         take(0.5 * std::pow(frame.scale / frame.scale_std, 2), "the scale of the survey");
     }
     if (frame.is_moved()) {
@@ -109,7 +117,10 @@ OtherCause other_cause_of(const Identification& result) {
 class Tests {
 public:
     Tests(const CableNet& net, const Survey& survey, const Identification& result)
-        : m_net(net), m_survey(survey), m_result(result), m_other_cause(other_cause_of(result)) {}
+        : m_net(net),
+          m_survey(survey),
+          m_result(result),
+          m_other_cause(other_cause_of(net, survey, result)) {}
 
     Trust run() {
         test_end();
@@ -148,9 +159,7 @@ private:
 
     void test_frame() {
         const FrameCheck& check = m_result.frame_check;
-        const Points arms = m_net.nodes().colwise() - m_net.nodes().rowwise().mean();
-        const double furthest = std::abs(check.scale) * arms.colwise().norm().maxCoeff();
-        if (check.is_scaled() && furthest > negligible_scale * m_survey.rms_noise_std()) {
+        if (has_scale(m_net, m_survey, check)) {
             add(Verdict::failed,
                 std::abs(check.scale) < 2e-4
                     ? fmt::format("the survey is {:+.0f} +- {:.0f} ppm larger than the net",

@@ -505,6 +505,8 @@ TEST(Doubt, AdvisesWhatExplainsMost) {
     EXPECT_THAT(advice(), testing::HasSubstr("--noise"));
     result.frame_check.scale = 40e-4;
     EXPECT_EQ(advice(), "look at the scale of the survey first: it explains more");
+    result.frame_check = {.scale = 1e-7, .scale_std = 1e-9};  // does no harm, and is not named
+    EXPECT_THAT(advice(), testing::HasSubstr("--noise"));
 }
 
 TEST(Doubt, OfNoiseCanBeLeftToTheSurvey) {

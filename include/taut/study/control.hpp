@@ -17,7 +17,7 @@ namespace taut {
 
 /// What is known of the net when turns are planned.
 enum class ControlStrategy {
-    truth,       ///< the true lengths: the best that turning can do
+    truth,       ///< the true net: the best that turning can do
     identified,  ///< lengths identified from the survey of each round
     nominal,     ///< no identification: the design, moved by what the survey tells
     once,        ///< the same, in the first round alone
@@ -29,8 +29,8 @@ enum class ControlStrategy {
 /// A job: nets are built, surveyed, turned, and so on.
 struct ControlSettings {
     LengthLaw law;  ///< of the length deviations as built; "identified" is told
-    /// What else is uncertain of the nets, each built with values of its own; "identified" is given
-    /// the widths, with_site_assumptions() where the program assumes a site.
+    /// What else is uncertain: each net is built with values of its own, and "identified" knows the
+    /// widths alone. Empty: nothing; with_site_assumptions() has what the program assumes.
     std::vector<Unknown> uncertain = {};
     double noise_std = 0.5e-3;     ///< of a surveyed coordinate [m]
     double hidden_part = 0.1;      ///< of the free nodes, in each survey
