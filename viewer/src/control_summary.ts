@@ -68,11 +68,12 @@ export function ofControl(control: Control): Summary {
   const [before, after] = [builtOf(control), lastOf(main)];
   const failures = control.strategies.reduce((sum, s) => sum + failuresOf(s), 0);
   const others = control.strategies.filter((s) => s !== main).map((s) => on[s.strategy]).join(", ");
+  const uncertain = settings.uncertain?.length ? `, and each net has values of its own of what is uncertain besides (${settings.uncertain.join(", ")})` : "";
   return {
     title: "What comes of surveying, planning and turning",
     done:
       `${counted(settings.trials, "simulated job")} on the net ${nameOf(control.net)}: ${netWords(control.net)}. Interior cables are made too long or too short ` +
-      `${lawWords(settings.law)}; then come ${roundsWords(control)}, each a survey, a plan ${on[main.strategy]}, and its turns.` + (others ? ` Beside them the same jobs, planned ${others}.` : ""),
+      `${lawWords(settings.law)}${uncertain}; then come ${roundsWords(control)}, each a survey, a plan ${on[main.strategy]}, and its turns.` + (others ? ` Beside them the same jobs, planned ${others}.` : ""),
     sentences: [formSentence(control), limitSentence(control), workSentence(control)],
     figures: [
       { value: `${number(1e3 * before.normal_rmse, 2)} → ${number(1e3 * after.normal_rmse, 2)}`, unit: "mm", label: `from the target along its normal, RMS, planned ${on[main.strategy]}` },
