@@ -18,12 +18,13 @@ namespace {
 
 using test::normal_matrix;
 
-constexpr Eigen::Index n = 200;
+constexpr Eigen::Index row_count = 200;
 constexpr double lambda = 0.4;
 
 struct Equations {
-    Eigen::MatrixXd inputs = normal_matrix(3, n, 1);
-    Eigen::MatrixXd outputs = inputs.transpose() * normal_matrix(3, 4, 2) + normal_matrix(n, 4, 3);
+    Eigen::MatrixXd inputs = normal_matrix(3, row_count, 1);
+    Eigen::MatrixXd outputs =
+        inputs.transpose() * normal_matrix(3, 4, 2) + normal_matrix(row_count, 4, 3);
     Eigen::VectorXd noise_ratios = Eigen::Vector4d(1e-3, 0.1, 1e-5, 10.0);
 
     [[nodiscard]] Eigen::MatrixXd matrix(Eigen::Index j) const {
@@ -48,9 +49,9 @@ TEST(WeightsBySpectrum, OfALowRankSolveThoseOfTheMatrixThatItStandsFor) {
     const Eigen::MatrixXd& Q = spectrum.eigenvectors;
     const Eigen::MatrixXd weights = weights_by_spectrum(spectrum, it.outputs, it.noise_ratios);
     for (Eigen::Index j = 0; j < 4; ++j) {
-        Eigen::MatrixXd A =
-            Q * spectrum.eigenvalues.asDiagonal() * Q.transpose() +
-            spectrum.tail_mean * (Eigen::MatrixXd::Identity(n, n) - Q * Q.transpose());
+        Eigen::MatrixXd A = Q * spectrum.eigenvalues.asDiagonal() * Q.transpose() +
+                            spectrum.tail_mean * (Eigen::MatrixXd::Identity(row_count, row_count) -
+                                                  Q * Q.transpose());
         A.diagonal().array() += it.noise_ratios(j);
         EXPECT_LT((A * weights.col(j) - it.outputs.col(j)).norm(), 1e-7) << j;
     }
@@ -66,7 +67,7 @@ TEST(RefinedWeights, TellTheirResidualsWhichAreSmallerThanBefore) {
         const Eigen::MatrixXd A = it.matrix(j);
         const Eigen::VectorXd exact = A.llt().solve(it.outputs.col(j));
         const Eigen::VectorXd residual = it.outputs.col(j) - A * after.weights.col(j);
-        EXPECT_NEAR(after.residuals(j), std::sqrt(residual.squaredNorm() / n),
+        EXPECT_NEAR(after.residuals(j), std::sqrt(residual.squaredNorm() / row_count),
                     1e-6 * after.residuals(j) + 1e-9);
         // In the norm in which conjugate gradients descend.
         const Eigen::VectorXd off = after.weights.col(j) - exact;

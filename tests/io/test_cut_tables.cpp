@@ -40,10 +40,6 @@ struct Table {
     std::function<void(const std::string&)> read;
 };
 
-CableNet net() {
-    return CableNet(test::two_node_net_data());
-}
-
 void PrintTo(const Table& table, std::ostream* stream) {
     *stream << table.name;
 }
@@ -83,17 +79,25 @@ INSTANTIATE_TEST_SUITE_P(
         Table{"Polar", "station,target,hz [gon],v [gon],distance [m]\nS,A,1,99,2.5\nS,B,1,99,2.5\n",
               [](const std::string& text) { (void)parse_polar_csv(text, file_name, {}); }},
         Table{"Lengths", "edge,nominal,length_deviation\naB,1.45,0.001\nab,0.97,0\nbC,0.99,0.012\n",
-              [](const std::string& text) { (void)parse_lengths(net(), text, file_name); }},
+              [](const std::string& text) {
+                  (void)parse_lengths(test::two_node_net(), text, file_name);
+              }},
         Table{"Forces", "edge,tension\naB,1000\nab,20000\n",
               [](const std::string& text) {
-                  (void)parse_force_readings(net(), text, file_name, {});
+                  (void)parse_force_readings(test::two_node_net(), text, file_name, {});
               }},
         Table{"EdgeList", "aB\nab\n",
-              [](const std::string& text) { (void)parse_edge_list(net(), text, file_name); }},
+              [](const std::string& text) {
+                  (void)parse_edge_list(test::two_node_net(), text, file_name);
+              }},
         Table{"Turned", "edge,stroke\naA,0.01\nbD,0.012\n",
-              [](const std::string& text) { (void)parse_turned(net(), text, file_name); }},
+              [](const std::string& text) {
+                  (void)parse_turned(test::two_node_net(), text, file_name);
+              }},
         Table{"Loads", "id,x,y,z\na,1,2,3\nb,1,2,33\n",
-              [](const std::string& text) { (void)parse_loads(net(), text, file_name); }},
+              [](const std::string& text) {
+                  (void)parse_loads(test::two_node_net(), text, file_name);
+              }},
         Table{"Offsets", "target,offset\nA,3mm\nB,33mm\n",
               [](const std::string& text) { (void)parse_target_offsets(text, file_name); }},
         Table{"Targets", "12\n345\n",

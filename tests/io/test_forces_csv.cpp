@@ -20,13 +20,10 @@ using namespace taut;
 using namespace taut::test;
 using testing::HasSubstr;
 
-CableNet net() {
-    return CableNet(two_node_net_data());  // edges aA, aB, ab, bC, bD
-}
-
 TEST(ForcesCsv, IsReadByTheNamesOfEdges) {
     const auto readings = parse_force_readings(
-        net(), "edge,tension,std\nab,1500,30\n# a cell that was moved\n\"aA\",2000,50\n", "f.csv");
+        two_node_net(), "edge,tension,std\nab,1500,30\n# a cell that was moved\n\"aA\",2000,50\n",
+        "f.csv");
     ASSERT_EQ(readings.size(), 2U);
     EXPECT_EQ(readings[0].edge, 2);
     EXPECT_EQ(readings[0].tension, 1500.0);
@@ -35,7 +32,7 @@ TEST(ForcesCsv, IsReadByTheNamesOfEdges) {
 }
 
 TEST(ForcesCsv, MayLeaveOutHeaderAndDeviationsAndTellAUnit) {
-    const auto readings = parse_force_readings(net(),
+    const auto readings = parse_force_readings(two_node_net(),
                                                "\xEF\xBB\xBF"
                                                "ab;1.5\r\nbD;2\r\n",
                                                "f.csv", {.unit = 1e3, .relative_std = 0.01});
@@ -43,18 +40,19 @@ TEST(ForcesCsv, MayLeaveOutHeaderAndDeviationsAndTellAUnit) {
     EXPECT_EQ(readings[0].tension, 1500.0);
     EXPECT_DOUBLE_EQ(readings[0].std, 15.0);
     EXPECT_EQ(readings[1].edge, 4);
-    EXPECT_EQ(parse_force_readings(net(), "ab,0\n", "f.csv", {.std = 20.0})[0].std, 20.0);
+    EXPECT_EQ(parse_force_readings(two_node_net(), "ab,0\n", "f.csv", {.std = 20.0})[0].std, 20.0);
 }
 
 TEST(ForcesCsv, AListOfEdgesIsNoReadings) {
     EXPECT_TRUE(is_edge_list("edge\nab\n", "f.csv"));
     EXPECT_FALSE(is_edge_list("edge,tension\nab,3\n", "f.csv"));
-    EXPECT_THAT(parse_edge_list(net(), "edge\nbD\n\nab\n", "f.csv"), testing::ElementsAre(4, 2));
-    EXPECT_THAT(parse_edge_list(net(), "bD\n", "f.csv"), testing::ElementsAre(4));
+    EXPECT_THAT(parse_edge_list(two_node_net(), "edge\nbD\n\nab\n", "f.csv"),
+                testing::ElementsAre(4, 2));
+    EXPECT_THAT(parse_edge_list(two_node_net(), "bD\n", "f.csv"), testing::ElementsAre(4));
 }
 
 TEST(ForcesCsv, AUnitThatIsMostLikelyAnotherIsNamed) {
-    const CableNet tense = net();
+    const CableNet tense = two_node_net();
     const double designed = tensions(tense, tense.unstressed_lengths(), tense.nodes())(2);
     const auto told_of = [&](double part) {
         return force_unit_warning(tense, {{.edge = 2, .tension = part * designed, .std = 1.0}},
@@ -70,9 +68,9 @@ TEST(ForcesCsv, AUnitThatIsMostLikelyAnotherIsNamed) {
 class RefusedForces : public testing::TestWithParam<BadText> {};
 
 TEST_P(RefusedForces, WithLineAndRule) {
-    EXPECT_THAT(
-        input_error_of([] { return parse_force_readings(net(), GetParam().text, "f.csv"); }),
-        HasSubstr(GetParam().message));
+    EXPECT_THAT(input_error_of(
+                    [] { return parse_force_readings(two_node_net(), GetParam().text, "f.csv"); }),
+                HasSubstr(GetParam().message));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -96,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ForcesCsv, RefusesEdgeListsThatAreNone) {
     const auto refused = [](const char* text) {
-        return input_error_of([&] { return parse_edge_list(net(), text, "taut.txt"); });
+        return input_error_of([&] { return parse_edge_list(two_node_net(), text, "taut.txt"); });
     };
     EXPECT_THAT(refused(""), HasSubstr("taut.txt: names no edge"));
     EXPECT_THAT(refused("ab\nab\n"), HasSubstr("taut.txt:2: names edge 'ab' a second"));

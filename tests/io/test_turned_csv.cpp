@@ -19,20 +19,16 @@ using namespace taut::test;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-CableNet net() {
-    return CableNet(two_node_net_data());  // bD and aA are adjustable
-}
-
 TEST(TurnedCsv, IsReadByTheNamesOfEdges) {
-    const auto turned =
-        parse_turned(net(), "edge,stroke,std\nbD,0.004,0.0002\n# by hand\naA,-3e-3,0\n", "t.csv");
+    const auto turned = parse_turned(
+        two_node_net(), "edge,stroke,std\nbD,0.004,0.0002\n# by hand\naA,-3e-3,0\n", "t.csv");
     ASSERT_EQ(turned.size(), 2U);
     EXPECT_EQ(turned[0].edge, 0);
     EXPECT_EQ(turned[0].stroke, -3e-3);
     EXPECT_EQ(turned[0].std, 0.0);
     EXPECT_EQ(turned[1].edge, 4);
     EXPECT_EQ(turned[1].std, 0.0002);
-    EXPECT_EQ(parse_turned(net(),
+    EXPECT_EQ(parse_turned(two_node_net(),
                            "\xEF\xBB\xBF"
                            "aA;0.002\r\n",
                            "t.csv")[0]
@@ -41,7 +37,7 @@ TEST(TurnedCsv, IsReadByTheNamesOfEdges) {
 }
 
 TEST(TurnedCsv, AddsUpThePassesOfAList) {
-    const auto turned = parse_turned(net(),
+    const auto turned = parse_turned(two_node_net(),
                                      "crew,pass,moment,edge,sense,rotation,stroke_mm,turns\n"
                                      "1,1,1,aA,lengthen,,2.5,0.5\n"
                                      "1,1,2,bD,shorten,,-1.25,0.25\n"
@@ -55,7 +51,7 @@ TEST(TurnedCsv, AddsUpThePassesOfAList) {
 TEST(TurnedCsv, RefusesWhatCannotBeMeant) {
     const auto refused = [](const std::string& text, const std::string& line,
                             const std::string& words) {
-        EXPECT_THAT([&] { static_cast<void>(parse_turned(net(), text, "t.csv")); },
+        EXPECT_THAT([&] { static_cast<void>(parse_turned(two_node_net(), text, "t.csv")); },
                     ThrowsMessage<InputError>(
                         testing::AllOf(HasSubstr("t.csv"), HasSubstr(line), HasSubstr(words))))
             << text;

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "statics/reference_net.hpp"
+#include "support/balance.hpp"
 #include "support/random_nets.hpp"
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -26,6 +27,7 @@ namespace taut {
 namespace {
 
 using test::Json;
+using test::largest_distance;
 using test::points_of;
 using test::reference_net;
 using test::vector_of;
@@ -38,11 +40,6 @@ protected:
         }
     }
 };
-
-/// Largest distance of a node between two forms [m].
-double distance(const Points& a, const Points& b) {
-    return (a - b).colwise().norm().maxCoeff();
-}
 
 double elastic_energy(const CableNet& net, const Points& form) {
     const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), form);
@@ -68,7 +65,7 @@ TEST_F(ConeProgram, AgreesWithNewtonOnTheBuiltInNets) {
             const Equilibrium newton = solve_equilibrium(net);
             const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
             EXPECT_EQ(cone.status, ConeStatus::solved) << name;
-            EXPECT_LT(distance(cone.form, newton.form), 1e-6) << name;
+            EXPECT_LT(largest_distance(cone.form, newton.form), 1e-6) << name;
             const double lowest = energy(net, net.unstressed_lengths(), newton.form);
             const double scale = elastic_energy(net, newton.form);
             EXPECT_NEAR(energy(net, net.unstressed_lengths(), cone.form), lowest, 1e-9 * scale);
@@ -84,7 +81,7 @@ TEST_F(ConeProgram, InThePapersFormHasTheSameOptimum) {
     const ConeSolution cone =
         solve_cone_program(net, net.unstressed_lengths(), {.form = ConeForm::paper});
     ASSERT_TRUE(cone.solved());
-    EXPECT_LT(distance(cone.form, newton.form), 1e-5);
+    EXPECT_LT(largest_distance(cone.form, newton.form), 1e-5);
     const double lowest = energy(net, net.unstressed_lengths(), newton.form);
     EXPECT_NEAR(cone.primal_objective, lowest, 1e-7 * elastic_energy(net, newton.form));
 }
@@ -120,7 +117,7 @@ TEST_F(ConeProgram, DoesNotCareForTheSizeOfANet) {
             const ConeSolution two = solve_cone_program(other, other.unstressed_lengths());
             EXPECT_TRUE(two.solved());
             EXPECT_NEAR(two.iterations, one.iterations, 2);
-            EXPECT_LT(distance(two.form / length, one.form), 1e-6);
+            EXPECT_LT(largest_distance(two.form / length, one.form), 1e-6);
         }
     }
 }
@@ -130,7 +127,7 @@ TEST_F(ConeProgram, FindsAHangingChainFromANetThatIsSlack) {
     const Equilibrium newton = solve_equilibrium(net);
     const ConeSolution cone = solve_cone_program(net, net.unstressed_lengths());
     ASSERT_TRUE(cone.solved());
-    EXPECT_LT(distance(cone.form, newton.form), 1e-5);
+    EXPECT_LT(largest_distance(cone.form, newton.form), 1e-5);
 }
 
 TEST_F(ConeProgram, TellsThatItWasStopped) {
@@ -157,7 +154,7 @@ TEST_F(ConeProgram, AgreesWithCvxpyWithEcosAndScs) {
         ASSERT_TRUE(cone.solved()) << name;
         const Json reference = reference_net("cone_reference.json", name);
         for (const auto* solver : {"ECOS", "SCS"}) {
-            EXPECT_LT(distance(cone.form, points_of(reference.at(solver).at("form"))), 1e-6)
+            EXPECT_LT(largest_distance(cone.form, points_of(reference.at(solver).at("form"))), 1e-6)
                 << name << ", " << solver;
             const double value = reference.at(solver).at("value").get<double>();
             EXPECT_NEAR(cone.primal_objective, value, 1e-7 * std::abs(value))

@@ -12,6 +12,7 @@
 #include "statics/interior_point.hpp"
 #include "statics/local_net.hpp"
 #include "support/all_edges.hpp"
+#include "support/balance.hpp"
 #include "support/finite_differences.hpp"
 #include "support/random_laws.hpp"
 #include "support/small_nets.hpp"
@@ -26,9 +27,7 @@
 namespace taut {
 namespace {
 
-double distance(const Points& a, const Points& b) {
-    return (a - b).colwise().norm().maxCoeff();
-}
+using test::largest_distance;
 
 /// The built-in lattice with edges that start at half their stiffness, have a constructional
 /// stretch and then are stiff; lengths are cut for the same tensions.
@@ -113,7 +112,7 @@ TEST(TensionLaws, OfPointsOnALineAreTheLinearLaw) {
         EXPECT_EQ(a.status, b.status) << seed;
         if (a.status == EquilibriumStatus::converged) {
             EXPECT_EQ(a.slack_edges, b.slack_edges) << seed;
-            EXPECT_LT(distance(a.form, b.form), 1e-7) << seed;
+            EXPECT_LT(largest_distance(a.form, b.form), 1e-7) << seed;
         }
         EXPECT_NEAR(energy(linear, linear.unstressed_lengths(), a.form),
                     energy(straight, straight.unstressed_lengths(), a.form), 1e-9);
@@ -210,7 +209,7 @@ TEST(TensionLaws, EquilibriumIsThatOfTheConeProgram) {
             const ConeSolution cone =
                 solve_cone_program(net, net.unstressed_lengths(), {.form = form});
             ASSERT_TRUE(cone.solved()) << to_string(form);
-            EXPECT_LT(distance(cone.form, newton.form), 1e-5) << to_string(form);
+            EXPECT_LT(largest_distance(cone.form, newton.form), 1e-5) << to_string(form);
             const double lowest = energy(net, net.unstressed_lengths(), newton.form);
             EXPECT_NEAR(cone.primal_objective, lowest, 1e-7 * lowest) << to_string(form);
             EXPECT_LT(
@@ -224,7 +223,7 @@ TEST(TensionLaws, CutForTheSameTensionsKeepTheForm) {
     const CableNet net = two_slope_hypar(0.0);
     const Equilibrium found = solve_equilibrium(net);
     ASSERT_EQ(found.status, EquilibriumStatus::converged);
-    EXPECT_LT(distance(found.form, hypar(6, 7).nodes()), 1e-9);
+    EXPECT_LT(largest_distance(found.form, hypar(6, 7).nodes()), 1e-9);
 }
 
 TEST(TensionLaws, SensitivityIsTheDerivativeOfTheForm) {
@@ -256,7 +255,7 @@ TEST(TensionLaws, InteriorPointsComeNearTheEquilibriumOfASlackNet) {
     const Equilibrium found = solve_equilibrium(net);
     ASSERT_EQ(found.status, EquilibriumStatus::converged);
     EXPECT_GT(found.slack_edges.size(), 10u);
-    EXPECT_LT(distance(approached, found.form), 1e-4);
+    EXPECT_LT(largest_distance(approached, found.form), 1e-4);
 }
 
 }  // namespace

@@ -23,4 +23,9 @@ inline double mean_tension(const CableNet& net, const Eigen::VectorXd& lengths,
     return taut_count > 0 ? tension.sum() / static_cast<double>(taut_count) : 0.0;
 }
 
+/// Largest distance of a node between two forms [m].
+inline double largest_distance(const Points& a, const Points& b) {
+    return (a - b).colwise().norm().maxCoeff();
+}
+
 }  // namespace taut::test

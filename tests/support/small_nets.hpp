@@ -39,6 +39,10 @@ inline CableNetData two_node_net_data() {
     return data;
 }
 
+inline CableNet two_node_net() {
+    return CableNet(two_node_net_data());
+}
+
 /// A free node (0) at the origin between four supports, at 1 m along x, -x, y and -y: unstressed
 /// lengths 1 m / (1 + strain), EA = 100 kN.
 inline CableNetData cross_data(double strain) {
