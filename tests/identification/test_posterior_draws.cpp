@@ -206,7 +206,7 @@ TEST(PosteriorDraws, TellIntervalsThatHoldTheTrueTensions) {
 TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
     const CableNet net = test::stiffened(hypar(9, 9), 10.0);
     const LengthLaw law{LengthLaw::Kind::uniform, 2e-3};
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
         const auto s = test::simulate(net, law, 5e-4, seed);
         const Identification found = identify(net, s.survey, {.law = law, .draws = 100});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;

@@ -101,11 +101,6 @@ TEST(SteelNet, TellsSlackEdgesFromTautOnes) {
     EXPECT_EQ(found.far_off, 0);
 }
 
-TEST(SteelNet, FindsManyGrossErrors) {
-    const Tally found = tally(stiffened(hilo_quarter(), 100.0), uniform_law(0.003), 0.0005, 4, 20);
-    expect_sound(found, 0.015);
-}
-
 // A roof of steel, our own and the real one: what must hold of both. Errors of one survey's lengths
 // go together, so that the coverage of 20 surveys varies by some 0.4 %.
 constexpr double noise_on_site = 0.0005;
@@ -127,7 +122,7 @@ TEST(SteelRoof, KeepsAllSoundTargets) {
 }
 
 TEST(SteelRoof, ShowsManyGrossErrors) {
-    expect_sound(tally(steel_lattice(), uniform_law(0.001), noise_on_site, 10, 20), 0.015);
+    expect_sound(tally(steel_lattice(), uniform_law(0.001), noise_on_site, 4, 20), 0.015);
 }
 
 // Multipliers large against what they hold: the noise is a hundredth of the deviations.
@@ -140,11 +135,6 @@ TEST(HiloRoof, KeepsAllSoundTargets) {
     const Tally found = tally(hilo_roof(), uniform_law(0.005), noise_on_site, 5, 0);
     expect_sound(found, 0.01);
     EXPECT_LE(found.far_off, 1);
-}
-
-TEST(HiloRoof, ShowsManyGrossErrors) {
-    TAUT_NEEDS_HILO_ROOF();
-    expect_sound(tally(hilo_roof(), uniform_law(0.001), noise_on_site, 1, 20), 0.01);
 }
 
 TEST(HiloRoof, SettlesWithLittleNoise) {
