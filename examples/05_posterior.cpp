@@ -43,7 +43,7 @@ int main() {
         }
     }
     const taut::Identification found = taut::identify(net, survey, options);
-    std::cout << "trust: " << to_string(found.trust.verdict()) << '\n';
+    std::cout << "checks: " << to_string(found.trust.verdict()) << '\n';
 
     int inside = 0;
     for (size_t i = 0; i < found.edges.size(); ++i) {

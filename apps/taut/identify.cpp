@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -349,13 +350,39 @@ std::string detectable_text(const DetectableErrors& errors) {
                        text("temperature", errors.temperature, 1.0, "K"));
 }
 
+/// With the option that is the remedy: "Use this standard deviation (--noise 0.71mm)."
+std::string advice(const Trust::Finding& finding) {
+    if (!finding.remedy) {
+        return finding.next;
+    }
+    const auto& [parameter, value] = *finding.remedy;
+    return fmt::format("{} (--{}{}{}).", finding.next.substr(0, finding.next.size() - 1),
+                       parameter == "prior" ? "law" : parameter, value.empty() ? "" : " ", value);
+}
+
 /// May I act on this?
 void print_trust(const Trust& trust, const DetectableErrors& detectable) {
-    say("trust: {}{}\n", to_string(trust.verdict()),
-        trust.findings.empty() ? ", no test speaks against it" : "");
-    for (const Trust::Finding& finding : trust.findings) {
-        say("  {}: {}\n{}", to_string(finding.verdict), finding.reason,
-            finding.next.empty() ? "" : fmt::format("    {}\n", finding.next));
+    say("checks: {}\n", to_string(trust.verdict()));
+    constexpr int shown = 6;
+    std::map<std::pair<Trust::Finding::Kind, Trust::Verdict>, int> counts;
+    const std::vector<Trust::Finding>& all = trust.findings;
+    for (size_t i = 0; i < all.size(); ++i) {
+        const int count = ++counts[{all[i].kind, all[i].severity}];
+        if (count > shown) {
+            continue;
+        }
+        say("  {}: {}\n", to_string(all[i].severity), all[i].reason);
+        const bool is_said_next =
+            count < shown && i + 1 < all.size() && advice(all[i + 1]) == advice(all[i]);
+        if (!all[i].next.empty() && !is_said_next) {
+            say("    {}\n", advice(all[i]));
+        }
+    }
+    for (const auto& [of, count] : counts) {
+        if (count > shown) {
+            say("  {} more findings of kind {} are in the result\n", count - shown,
+                to_string(of.first));
+        }
     }
     say("smallest error that these checks find with a probability of 80 %:\n  {}\n\n",
         detectable_text(detectable));

@@ -102,7 +102,7 @@ std::string repr(const Identified& self) {
     return fmt::format(
         "Identification({}; {} edges by {}, {} slack, {} not determined; {})",
         to_string(found.trust.verdict()), found.edges.size(), found.method, slack, not_determined,
-        found.trust.findings.empty() ? "no test speaks against it"
+        found.trust.findings.empty() ? "no findings"
                                      : in_python(found.trust.findings.front().reason));
 }
 
@@ -203,14 +203,29 @@ void bind_result(nb::module_& module) {
                 nb::list list;
                 for (const Trust::Finding& finding : self.found.trust.findings) {
                     nb::dict one;
-                    one["verdict"] = to_string(finding.verdict);
+                    one["kind"] = to_string(finding.kind);
+                    one["severity"] = to_string(finding.severity);
+                    one["ids"] = finding.ids;
+                    one["value"] = finding.value;
+                    one["std"] = finding.std;
+                    one["confounded_with"] = finding.confounded_with;
+                    one["remedy"] = nb::none();
+                    if (finding.remedy) {
+                        nb::dict remedy;
+                        remedy["parameter"] = argument_name(finding.remedy->parameter);
+                        remedy["value"] = finding.remedy->value;
+                        one["remedy"] = remedy;
+                    }
                     one["reason"] = in_python(finding.reason);
-                    one["next"] = in_python(finding.next);
+                    one["next"] = advice_in_python(finding);
                     list.append(one);
                 }
                 return list;
             },
-            "What tests found, the worst first: verdict, reason, and what to do next.")
+            "What the checks found, the worst first. Of each: kind, severity ('passed', "
+            "'doubtful', "
+            "'failed'), ids of its edges or nodes, value and std in SI units, confounded_with, "
+            "remedy (parameter and value to identify again with), reason, and what to do next.")
         .def_prop_ro(
             "method", [](const Identified& self) { return self.found.method; },
             "'map', 'balance' or 'gp'.")

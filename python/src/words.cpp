@@ -95,11 +95,20 @@ std::string argument(const std::string& name, std::string_view value) {
     if (value.empty()) {
         return name;
     }
+    if (name == "noise" && value == "estimate") {
+        return "estimate_noise=True";
+    }
     if (name == "noise") {
         return fmt::format("{}={}", name, in_metres(value));
     }
-    return name == "unknowns" ? fmt::format("{}=['{}']", name, value)
-                              : fmt::format("{}='{}'", name, value);
+    if (name == "unknowns" || name == "uncertain") {
+        std::string list;
+        for (const char c : value) {
+            list += c == ' ' ? std::string("', '") : std::string(1, c);
+        }
+        return fmt::format("{}=['{}']", name, list);
+    }
+    return fmt::format("{}='{}'", name, value);
 }
 
 }  // namespace
@@ -134,6 +143,19 @@ std::string in_python(std::string_view message) {
         }
     }
     return result;
+}
+
+std::string argument_name(const std::string& parameter) {
+    return parameter == "prior" ? "law" : parameter;
+}
+
+std::string advice_in_python(const Trust::Finding& finding) {
+    if (!finding.remedy) {
+        return in_python(finding.next);
+    }
+    const auto& [parameter, value] = *finding.remedy;
+    return fmt::format("{} ({}).", finding.next.substr(0, finding.next.size() - 1),
+                       argument(argument_name(parameter), value));
 }
 
 std::vector<std::string> in_python(const std::vector<std::string>& messages) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "taut/identification/trust.hpp"
+
 namespace taut::python {
 
 /// A message of the library as it is said in Python: where it names an option of the program, the
@@ -17,5 +19,11 @@ namespace taut::python {
 [[nodiscard]] std::string of_file_in_python(std::string_view message);
 
 [[nodiscard]] std::vector<std::string> in_python(const std::vector<std::string>& messages);
+
+/// The argument that sets a parameter of Trust::Remedy.
+[[nodiscard]] std::string argument_name(const std::string& parameter);
+
+/// What to do about a finding, with the argument that is its remedy.
+[[nodiscard]] std::string advice_in_python(const Trust::Finding& finding);
 
 }  // namespace taut::python

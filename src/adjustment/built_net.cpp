@@ -119,8 +119,7 @@ std::string failure_of(const Trust& trust) {
         return {};
     }
     const Trust::Finding& worst = trust.findings.front();
-    return fmt::format("{}; {}", worst.reason,
-                       worst.next.empty() ? "correct that and identify again" : worst.next);
+    return worst.next.empty() ? worst.reason + " Correct that, and identify again." : worst.text();
 }
 
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {

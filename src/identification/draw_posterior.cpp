@@ -53,10 +53,9 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
             return {};
         }
         return fmt::format(
-            "within what the survey leaves open the tension laws are too far from straight: the "
-            "draws' lengths lie {:.2g} standard deviations from those identified, RMS, and {:+.2g} "
-            "in "
-            "the mean",
+            "the tension laws bend too much within what this survey leaves open. The samples' "
+            "lengths differ from those estimated by {:.2g} standard deviations RMS, {:+.2g} in the "
+            "mean",
             shift.rms, shift.mean);
     }
     const double stretch =
@@ -67,24 +66,24 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
     }
     if (stretch < known) {
         return fmt::format(
-            "the survey leaves open which edges are slack: the cables stretch by {:.2g} mm in the "
-            "mean, and their lengths are known to {:.2g} mm",
+            "this survey does not show which edges are slack. The cables stretch by {:.2g} mm in "
+            "the mean, and their lengths are known to +-{:.2g} mm",
             1e3 * stretch, 1e3 * known);
     }
     std::string reasons;
     if (drawn.left_out > 0) {
-        reasons = fmt::format("{} of {} draws found no equilibrium", drawn.left_out,
+        reasons = fmt::format("{} of {} samples found no equilibrium", drawn.left_out,
                               drawn.count() + drawn.left_out);
     }
     if (drawn.count() > 0) {
         reasons += fmt::format(
-            "{}forms in equilibrium lie {:.2g} standard deviations of what was measured from those "
-            "drawn",
+            "{}the samples miss equilibrium by {:.2g} standard deviations of the survey",
             reasons.empty() ? "" : ", ", drawn.departure);
     }
     return fmt::format(
-        "within what the survey leaves open the net is too far from linear: {}. A closer survey, a "
-        "narrower --law if it is true, or load cells would help",
+        "they depend too strongly on how slack the cables are, which this survey does not show "
+        "({}). "
+        "A closer survey, a narrower prior if it is true, or load cells would help",
         reasons);
 }
 

@@ -24,6 +24,7 @@ namespace taut {
 namespace {
 
 using Verdict = Trust::Verdict;
+using FindingKind = Trust::Finding::Kind;
 
 /// A survey that moves lengths by so much more than all let expect contradicts the others.
 constexpr double far_too_much = 1.5;
@@ -118,83 +119,85 @@ double small_play(const std::vector<Epoch>& epochs) {
 }
 
 constexpr const char* what_to_check =
-    "Check what is told of the turns (signs, units, which file), and that both surveys are of this "
-    "net";
+    "Check the turns given (signs, units, which file), and that both surveys are of this net.";
 
 std::string contradiction_text(size_t before, double ratio) {
     return fmt::format(
-        "between surveys {} and {} lengths changed {:.2g} times as much as both let "
-        "expect of the same ones",
+        "Between surveys {} and {} the lengths changed {:.2g} times as much as chance allows.",
         before, before + 1, ratio);
 }
 
-std::string changes_text(const CableNet& net, const std::vector<LengthChange>& changes) {
-    std::vector<std::string> names;
-    names.reserve(changes.size());
-    for (const LengthChange& change : changes) {
-        names.push_back(fmt::format("{} by {:+.2f} +- {:.2f} mm", net.edge_id(change.edge),
-                                    1e3 * change.change, 1e3 * change.std));
-    }
-    return fmt::format("{}", fmt::join(names, ", "));
+std::string change_text(const LengthChange& change) {
+    return fmt::format("{:+.2f} +- {:.2f} mm", 1e3 * change.change, 1e3 * change.std);
 }
 
 /// Of the first survey: adjustable edges that are not as long as the net tells.
 void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
-    if (!first.changes.empty()) {
+    for (const LengthChange& change : first.changes) {
         trust.findings.push_back(
-            {.verdict = Verdict::doubtful,
-             .reason =
-                 fmt::format("at the first survey {} adjustable edge{} not as long as the net "
-                             "tells: {}",
-                             first.changes.size(), first.changes.size() == 1 ? " is" : "s are",
-                             changes_text(net, first.changes)),
-             .next =
-                 "Read the turnbuckles there. All surveys were given the length that they show"});
+            {.kind = FindingKind::adjustable_edge,
+             .severity = Verdict::doubtful,
+             .ids = {net.edge_id(change.edge)},
+             .value = change.change,
+             .std = change.std,
+             .reason = fmt::format("At the first survey adjustable edge {} differs by {} from the "
+                                   "length given. taut used the length that the surveys show.",
+                                   net.edge_id(change.edge), change_text(change)),
+             .next = "Read the turnbuckle there."});
     }
 }
 
-/// How lengths changed before a survey, beside what was told.
+/// How lengths changed before a survey, beside what was given.
 void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, size_t k) {
-    const std::string between = fmt::format("between surveys {} and {}", k, k + 1);
+    const std::string between = fmt::format("Between surveys {} and {}", k, k + 1);
     const bool is_beyond_chance = epoch.change_ratio > epoch.change_limit;
+    const Trust::Finding contradiction{.kind = FindingKind::epoch,
+                                       .severity = Verdict::doubtful,
+                                       .value = epoch.change_ratio,
+                                       .reason = contradiction_text(k, epoch.change_ratio),
+                                       .next = what_to_check};
     if (is_beyond_chance && epoch.change_ratio > far_too_much) {
-        trust.findings.push_back({.verdict = Verdict::failed,
-                                  .reason = contradiction_text(k, epoch.change_ratio),
-                                  .next = what_to_check});
+        trust.findings.push_back(contradiction);
+        trust.findings.back().severity = Verdict::failed;
         return;
     }
     constexpr double beyond_chance = 4.0;
     if (std::abs(epoch.stroke_factor - 1.0) > beyond_chance * epoch.stroke_factor_std) {
         trust.findings.push_back(
-            {.verdict = Verdict::failed,
-             .reason = fmt::format("{} all edges were turned {:.3f} +- {:.3f} times as far as "
-                                   "told",
-                                   between, epoch.stroke_factor, epoch.stroke_factor_std),
-             .next = "Check the sign and unit of what was turned, and the length of a turn"});
+            {.kind = FindingKind::turns,
+             .severity = Verdict::failed,
+             .value = epoch.stroke_factor,
+             .std = epoch.stroke_factor_std,
+             .reason =
+                 fmt::format("{} all edges were turned {:.3f} +- {:.3f} times as far as given.",
+                             between, epoch.stroke_factor, epoch.stroke_factor_std),
+             .next = "Check the sign and unit of what was turned, and the length of a turn."});
     }
-    if (!epoch.changes.empty()) {
+    for (const LengthChange& change : epoch.changes) {
         trust.findings.push_back(
-            {.verdict = Verdict::doubtful,
-             .reason = fmt::format("{} length{} changed {}: {}", epoch.changes.size(),
-                                   epoch.changes.size() == 1 ? "" : "s", between,
-                                   changes_text(net, epoch.changes)),
-             .next = "If these were turned, tell it among the turns; else look whether they "
-                     "slipped, were slack at one survey, or a support at them moved. Each survey "
-                     "was given a length of "
-                     "its own for them"});
+            {.kind = FindingKind::length_change,
+             .severity = Verdict::doubtful,
+             .ids = {net.edge_id(change.edge)},
+             .value = change.change,
+             .std = change.std,
+             .reason = fmt::format("{} the length of edge {} changed by {}. taut gave each survey "
+                                   "a length of its own for it.",
+                                   between, net.edge_id(change.edge), change_text(change)),
+             .next = "If it was turned, add it to the turns. Else check whether it slipped, was "
+                     "slack at one survey, or a support at it moved."});
     }
     if (epoch.untold_play > 0.0) {
         trust.findings.push_back(
-            {.verdict = Verdict::doubtful,
-             .reason = fmt::format("{} turns differ from what is told by {:.2f} mm, root mean "
-                                   "square, more than is told",
+            {.kind = FindingKind::actuator_std,
+             .severity = Verdict::doubtful,
+             .value = epoch.untold_play,
+             .reason = fmt::format("{} turns differ from those given by {:.2f} mm (root mean "
+                                   "square), more than the standard deviation given. taut took it "
+                                   "into account.",
                                    between, 1e3 * epoch.untold_play),
-             .next = "Tell it as play of the turnbuckles, std in the table of what was turned. It "
-                     "was taken into account"});
+             .next = "Give it as the standard deviation of what was turned."});
     } else if (is_beyond_chance) {
-        trust.findings.push_back({.verdict = Verdict::doubtful,
-                                  .reason = contradiction_text(k, epoch.change_ratio),
-                                  .next = what_to_check});
+        trust.findings.push_back(contradiction);
     }
 }
 
@@ -211,14 +214,15 @@ void add_repeats(Trust& trust, const EpochChain& chain) {
             if (difference > 0.0 &&
                 difference < too_close * std::hypot(ratio_of(a), ratio_of(b)) / std::sqrt(2.0)) {
                 trust.findings.push_back(
-                    {.verdict = Verdict::doubtful,
-                     .reason =
-                         fmt::format("surveys {} and {} have the same errors: what lengths do "
-                                     "not explain differs by {:.2g} times what their noise "
-                                     "lets expect",
-                                     a + 1, b + 1, difference),
-                     .next = "Check that they are two surveys. If so, errors of the targets "
-                             "themselves are in both, and the second tells less than is reckoned"});
+                    {.kind = FindingKind::repeated_survey,
+                     .severity = Verdict::doubtful,
+                     .value = difference,
+                     .reason = fmt::format("Surveys {} and {} have the same errors: they differ by "
+                                           "{:.2g} times what chance allows.",
+                                           a + 1, b + 1, difference),
+                     .next =
+                         "Check that they are two surveys. If so, errors of the targets "
+                         "themselves are in both, and the second adds less than taut assumes."});
             }
         }
     }
@@ -229,7 +233,7 @@ Trust trust_of_epochs(const CableNet& net, const std::vector<EpochResult>& epoch
     for (size_t k = 0; k < epochs.size(); ++k) {
         for (const Trust::Finding& finding : epochs[k].trust.findings) {
             trust.findings.push_back(finding);
-            trust.findings.back().reason = fmt::format("survey {}: {}", k + 1, finding.reason);
+            trust.findings.back().reason = fmt::format("Survey {}: {}", k + 1, finding.reason);
         }
     }
     add_start(trust, net, epochs.front());
@@ -343,11 +347,11 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
             result.message =
                 k == 0
                     ? fmt::format(
-                          "at the first survey {} adjustable edges and more are not as "
-                          "long as the net tells. Check that it is this net's file, "
-                          "and what was turned since it was written",
+                          "At the first survey {} or more adjustable edges are not as long as "
+                          "given. Check "
+                          "that this is the net's file, and what was turned since it was written.",
                           changes.lengths.size())
-                    : fmt::format("{}, and more than a tenth of all. {}",
+                    : fmt::format("{} More than a tenth of all changed. {}",
                                   contradiction_text(k, changes.agreement.ratio()), what_to_check);
         }
     }
@@ -371,11 +375,13 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         }
         if (movement.value_or(0.0) > EpochChain::still) {
             together.findings.push_back(
-                {.verdict = Verdict::doubtful,
-                 .reason = fmt::format("what the surveys tell together still moved by {:.2g} "
-                                       "standard deviations",
+                {.kind = FindingKind::no_convergence,
+                 .severity = Verdict::doubtful,
+                 .value = *movement,
+                 .reason = fmt::format("The estimate from all surveys had not converged: it still "
+                                       "moved by {:.2g} standard deviations.",
                                        *movement),
-                 .next = "Identify from the last survey alone, and compare"});
+                 .next = "Identify from the last survey alone, and compare."});
         }
         result.epochs = epoch_results(chain, first, each.changes(), scaled, noise_scales);
         result.epochs.back().trust = trust_of(chain.net_at(last), scaled.back().survey, result);
@@ -384,10 +390,11 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     }
     if (!is_compared) {
         together.findings.push_back(
-            {.verdict = Verdict::doubtful,
-             .reason = "whether lengths changed between the surveys was not tested: not every "
-                       "survey settled with its adjustable lengths unknown",
-             .next = "Look at each survey by itself"});
+            {.kind = FindingKind::epoch,
+             .severity = Verdict::doubtful,
+             .reason = "taut could not test whether lengths changed between the surveys: not every "
+                       "survey converged with its adjustable lengths uncertain.",
+             .next = "Look at each survey by itself."});
     }
     std::vector<std::vector<EdgeTurned>> steps;
     for (const Epoch& epoch : epochs) {
@@ -410,7 +417,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     result.assumptions = assumptions_of(options.unknowns, options.unknowns, result);
     result.trust = trust_of_epochs(net, result.epochs);
     std::ranges::move(together.findings, std::back_inserter(result.trust.findings));
-    std::ranges::stable_sort(result.trust.findings, std::greater{}, &Trust::Finding::verdict);
+    std::ranges::stable_sort(result.trust.findings, std::greater{}, &Trust::Finding::severity);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <string>
@@ -19,8 +20,10 @@ namespace taut {
 namespace {
 
 using Verdict = Trust::Verdict;
+using Finding = Trust::Finding;
+using FindingKind = Finding::Kind;
 
-/// By which scales a width told too small makes intervals hold less than 90 % instead of 95 %.
+/// By which scales a width given too small makes intervals hold less than 90 % instead of 95 %.
 constexpr double far_too_small = 1.2;
 
 /// More of the boundary that contradict the survey, and it is not single ones that are wrong.
@@ -37,14 +40,15 @@ std::string and_more(std::vector<std::string> names) {
                        count > shown ? fmt::format(" and {} more", count - shown) : "");
 }
 
-/// A law as one would tell it, without the rounding errors of its last digit.
+/// A prior as one would write it, without the rounding errors of its last digit.
 std::string law_text(const LengthLaw& law) {
     const std::string exact = law.to_string();
     return exact.substr(0, exact.find(':') + 1) + format_length(law.scale);
 }
 
-/// The largest number of targets left out that stand next to each other.
-size_t largest_cluster(const CableNet& net, const std::vector<Outlier>& outliers) {
+/// The targets left out that stand next to each other, where they are most.
+std::vector<std::string> largest_cluster(const CableNet& net,
+                                         const std::vector<Outlier>& outliers) {
     std::vector<int> cluster(net.node_count(), -1);
     for (const Outlier& outlier : outliers) {
         cluster[outlier.node] = outlier.node;
@@ -59,10 +63,17 @@ size_t largest_cluster(const CableNet& net, const std::vector<Outlier>& outliers
             }
         }
     }
-    size_t largest = 0;
+    std::vector<std::string> largest;
     for (const Outlier& outlier : outliers) {
-        largest = std::max(largest,
-                           static_cast<size_t>(std::ranges::count(cluster, cluster[outlier.node])));
+        std::vector<std::string> ids;
+        for (int node = 0; node < net.node_count(); ++node) {
+            if (cluster[node] >= 0 && cluster[node] == cluster[outlier.node]) {
+                ids.push_back(net.node_id(node));
+            }
+        }
+        if (ids.size() > largest.size()) {
+            largest = std::move(ids);
+        }
     }
     return largest;
 }
@@ -79,7 +90,7 @@ struct OtherCause {
     std::string name;
 
     [[nodiscard]] std::string advice() const {
-        return fmt::format("look at {} first: it explains more", name);
+        return fmt::format("Look at {} first: it explains more.", name);
     }
 };
 
@@ -127,10 +138,10 @@ public:
         test_frame();
         const bool is_noise_first = is_noise_likelier();
         if (!is_noise_first) {
-            test_unknowns();
+            test_uncertain();
         }
         test_noise();
-        test_law();
+        test_prior();
         test_lengths();
         test_boundary();
         test_targets();
@@ -139,42 +150,46 @@ public:
         test_places();
         test_forces();
         if (is_noise_first) {
-            test_unknowns();
+            test_uncertain();
         }
         test_draws();
-        std::ranges::stable_sort(m_trust.findings, std::greater{}, &Trust::Finding::verdict);
+        std::ranges::stable_sort(m_trust.findings, std::greater{}, &Finding::severity);
         return std::move(m_trust);
     }
 
 private:
-    void add(Verdict verdict, std::string reason, std::string next = {}) {
-        m_trust.findings.push_back({verdict, std::move(reason), std::move(next)});
-    }
+    void add(Finding finding) { m_trust.findings.push_back(std::move(finding)); }
 
     void test_end() {
         if (m_result.status != IdentificationStatus::converged) {
-            add(Verdict::failed, m_result.message);
+            add({.kind = FindingKind::no_convergence,
+                 .severity = Verdict::failed,
+                 .reason = m_result.message});
         }
     }
 
     void test_frame() {
         const FrameCheck& check = m_result.frame_check;
         if (has_scale(m_net, m_survey, check)) {
-            add(Verdict::failed,
-                std::abs(check.scale) < 2e-4
-                    ? fmt::format("the survey is {:+.0f} +- {:.0f} ppm larger than the net",
-                                  1e6 * check.scale, 1e6 * check.scale_std)
-                    : fmt::format("the survey is {:.5f} +- {:.5f} times as large as the net",
-                                  1.0 + check.scale, check.scale_std),
-                "check the instrument's scale (ppm, prism, unit); lengths cut by another measure, "
-                "or a temperature, do the same");
+            add({.kind = FindingKind::survey_scale,
+                 .severity = Verdict::failed,
+                 .value = check.scale,
+                 .std = check.scale_std,
+                 .reason = fmt::format("The survey is {:.0f} +- {:.0f} ppm {} than the net.",
+                                       1e6 * std::abs(check.scale), 1e6 * check.scale_std,
+                                       check.scale > 0.0 ? "larger" : "smaller"),
+                 .next = "Check the scale of the instrument (ppm, prism, unit). Cables that were "
+                         "measured by another tape or at another temperature look the same."});
         }
         if (check.is_moved()) {
-            add(Verdict::failed,
-                fmt::format("the survey lies {:.1f} mm off the frame that was told, and turned by "
-                            "{:.2f} mrad",
-                            1e3 * check.translation.norm(), 1e3 * check.rotation.norm()),
-                "identify again without --frame net");
+            add({.kind = FindingKind::survey_frame,
+                 .severity = Verdict::failed,
+                 .value = check.translation.norm(),
+                 .remedy = Trust::Remedy{"frame", "auto"},
+                 .reason = fmt::format("The survey is shifted by {:.1f} mm and turned by {:.2f} "
+                                       "mrad against the frame of the net.",
+                                       1e3 * check.translation.norm(), 1e3 * check.rotation.norm()),
+                 .next = "Check its control points, or let taut fit the frame."});
         }
     }
 
@@ -189,32 +204,44 @@ private:
         const FoundScale& noise = m_result.scales.noise;
         const FoundScale& lengths = m_result.scales.lengths;
         if (m_survey.is_noisy() && !(noise.ratio > 0.0 && lengths.ratio > 0.0)) {
-            add(Verdict::passed, "the survey shows too little to test noise and law");
+            add({.kind = FindingKind::survey_noise,
+                 .reason = "The survey shows too little to test its standard deviation and the "
+                           "prior of the lengths."});
         }
         if (!noise.is_contradicted()) {
             return;
         }
-        const double told = m_survey.largest_noise_std();
-        const std::string found = rounded_length(told * noise.ratio, 3);
-        const std::string again =
-            m_survey.tells_noise
-                ? "identify again with --noise estimate, by which that of the file is multiplied"
-                : fmt::format("identify again with --noise {}", found);
-        add(noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
-            fmt::format("the noise told, {}, is contradicted: the survey shows {}, {:.2f} times "
-                        "that, where chance gives 1 +- {:.2f}",
-                        rounded_length(told), found, noise.ratio, noise.std),
-            !is_noise_likelier() ? m_other_cause.advice()
-            : noise.ratio > 1.0
-                ? "if the frame is right, and no target stands off the cables (--offset), " + again
-                : again);
+        const double given = m_survey.largest_noise_std();
+        const std::string found = rounded_length(given * noise.ratio, 3);
+        Finding finding{
+            .kind = FindingKind::survey_noise,
+            .severity = noise.ratio > far_too_small ? Verdict::failed : Verdict::doubtful,
+            .value = noise.ratio,
+            .std = noise.std,
+            .reason = fmt::format("The survey scatters by {}, {:.2f} times the standard deviation "
+                                  "given, {}. Chance allows 1 +- {:.2f}.",
+                                  found, noise.ratio, rounded_length(given), noise.std),
+            .next = m_other_cause.advice()};
+        if (is_noise_likelier()) {
+            finding.remedy = Trust::Remedy{"noise", m_survey.tells_noise ? "estimate" : found};
+            finding.next = fmt::format(
+                "{}{}",
+                noise.ratio > 1.0
+                    ? "Check the frame, and whether targets stand off the cables (offset). If both "
+                      "are right: "
+                    : "",
+                m_survey.tells_noise ? "let taut scale the standard deviations of the file."
+                                     : "use this standard deviation.");
+            finding.next[0] = static_cast<char>(std::toupper(finding.next[0]));
+        }
+        add(std::move(finding));
     }
 
     /// (length-trend): scales near the widest that the prior holds are more likely a prior that is
     /// too narrow.
     void test_runs() {
         constexpr double surely = 0.95;
-        constexpr double widest = 1.4;  // standard deviations of the law, at an edge of mean length
+        constexpr double widest = 1.4;  // standard deviations of the prior, at a mean edge
         const CommonDeviation& common = m_result.prior.common;
         if (common.run_probability <= surely) {
             return;
@@ -222,12 +249,14 @@ private:
         const double at_edge =
             common.run_std * m_net.unstressed_lengths()(m_net.interior_edges()).mean();
         if (at_edge > widest * m_result.law.std()) {
-            add(Verdict::doubtful,
-                fmt::format(
-                    "runs of cable differ by scales of {:.2g} %, which is more than the law "
-                    "{} lets expect",
-                    100.0 * common.run_std, law_text(m_result.law)),
-                "the law may be too narrow, or cables were measured by different tapes");
+            add({.kind = FindingKind::run_scales,
+                 .severity = Verdict::doubtful,
+                 .value = common.run_std,
+                 .reason = fmt::format("Runs of cable differ in scale by {:.2g} %, more than the "
+                                       "prior {} allows.",
+                                       100.0 * common.run_std, law_text(m_result.law)),
+                 .next = "The prior may be too narrow, or cables were measured by different "
+                         "tapes."});
         }
     }
 
@@ -237,76 +266,87 @@ private:
         const PriorEstimate& prior = m_result.prior;
         if (m_result.law_was_told && !prior.exact &&
             prior.std > two_standard_deviations * prior.given.std()) {
-            add(Verdict::doubtful,
-                fmt::format(
-                    "the lengths scatter with a standard deviation of {:.2f} mm or more, the "
-                    "prior that was given, {}, allows {:.2f} mm",
-                    1e3 * prior.std, law_text(prior.given), 1e3 * prior.given.std()),
-                "give a wider prior, or none");
+            add({.kind = FindingKind::prior,
+                 .severity = Verdict::doubtful,
+                 .value = prior.std,
+                 .reason =
+                     fmt::format("The lengths scatter by +-{:.2f} mm or more. The prior "
+                                 "given, {}, allows +-{:.2f} mm.",
+                                 1e3 * prior.std, law_text(prior.given), 1e3 * prior.given.std()),
+                 .next = "Give a wider prior, or none."});
         }
     }
 
-    void test_law() {
+    void test_prior() {
         const LawCheck& check = m_result.law_check;
-        const std::string told = law_text(m_result.law);
+        const std::string used = law_text(m_result.law);
         if (check.has_mean() && std::abs(check.mean) > negligible_mean * m_result.law.std()) {
-            add(Verdict::failed,
-                fmt::format("the lengths deviate by {:+.2f} mm in common, where the law {} gives 0 "
-                            "+- {:.2f} mm",
-                            1e3 * check.mean, told, 1e3 * check.mean_std),
-                "wrong turnbuckles, stiffness, temperature, scale of the survey or way of cutting "
-                "do that: tell what is not known by --uncertain (adjustable, stiffness, "
-                "temperature)");
+            add({.kind = FindingKind::common_deviation,
+                 .severity = Verdict::failed,
+                 .value = check.mean,
+                 .std = check.mean_std,
+                 .remedy = Trust::Remedy{"uncertain", ""},
+                 .reason = fmt::format("All lengths deviate by {:+.2f} mm in common. Chance allows "
+                                       "+-{:.2f} mm.",
+                                       1e3 * check.mean, 1e3 * check.mean_std),
+                 .next = "Turnbuckles, stiffness, temperature, the scale of the survey or the way "
+                         "of cutting can cause this. State what of it is uncertain."});
         }
         test_runs();
         if (m_result.contradicted_law && m_result.law_was_told) {
-            add(Verdict::doubtful,
-                fmt::format("the law told, {}, is contradicted (log likelihood {:.0f} lower): "
-                            "lengths and intervals are by {}, which the survey shows",
-                            law_text(m_result.contradicted_law->checked),
-                            m_result.contradicted_law->gain, told),
-                "is that how the edges were cut?");
+            add({.kind = FindingKind::prior,
+                 .severity = Verdict::doubtful,
+                 .value = m_result.law.std(),
+                 .reason = fmt::format("The lengths do not scatter as the prior given, {}, but "
+                                       "as {} (log likelihood {:.0f} higher). taut used {}.",
+                                       law_text(m_result.contradicted_law->checked), used,
+                                       m_result.contradicted_law->gain, used),
+                 .next = "Check how the cables were cut."});
         } else {
             test_scale_of_prior();
         }
         if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
             const std::string likeliest = law_text(check.likeliest);
-            add(check.is_untenable() && !check.is_too_wide() ? Verdict::failed : Verdict::doubtful,
-                fmt::format("the law {} is contradicted: {} lengths show {} (log likelihood "
-                            "{:.0f} higher)",
-                            told, check.lengths, likeliest, check.gain),
-                check.gain > m_other_cause.gain
-                    ? fmt::format("identify again with --law {}", likeliest)
-                    : m_other_cause.advice());
+            const bool is_likeliest = check.gain > m_other_cause.gain;
+            Finding finding{
+                .kind = FindingKind::prior,
+                .severity = check.is_untenable() && !check.is_too_wide() ? Verdict::failed
+                                                                         : Verdict::doubtful,
+                .value = check.likeliest.std(),
+                .reason = fmt::format("The lengths of {} edges do not scatter as the prior {}, "
+                                      "but as {} (log likelihood {:.0f} higher).",
+                                      check.lengths, used, likeliest, check.gain),
+                .next = is_likeliest ? "Use that prior." : m_other_cause.advice()};
+            if (is_likeliest) {
+                finding.remedy = Trust::Remedy{"prior", likeliest};
+            }
+            add(std::move(finding));
         } else if (check.beyond > 0) {
-            add(Verdict::failed,
-                fmt::format("{} edges are beyond the law {}: too many to be mis-cut", check.beyond,
-                            told),
-                "are law, net and frame right?");
+            add({.kind = FindingKind::prior,
+                 .severity = Verdict::failed,
+                 .reason = fmt::format("{} lengths lie outside the prior {}: too many for single "
+                                       "errors of cutting.",
+                                       check.beyond, used),
+                 .next = "Check the prior, the net and the frame."});
         }
     }
 
     void test_lengths() {
-        if (m_result.lengths_beyond_law.empty()) {
-            return;
-        }
-        std::vector<std::string> names;
         for (const LengthOutlier& edge : m_result.lengths_beyond_law) {
             if (edge.other < 0) {
-                names.push_back(length_text(edge));
+                add({.kind = FindingKind::length,
+                     .severity = Verdict::doubtful,
+                     .ids = {m_net.edge_id(edge.edge)},
+                     .value = edge.deviation,
+                     .std = edge.std,
+                     .reason = fmt::format("Edge {} than designed, which the prior does not allow. "
+                                           "taut used the survey alone for it.",
+                                           length_text(edge)),
+                     .next = "Check how this cable was cut."});
             } else if (const auto* other = other_of(edge); other == nullptr || other > &edge) {
                 test_two_lengths(edge, other);
             }
         }
-        const size_t count = names.size();
-        if (count == 0) {
-            return;
-        }
-        add(Verdict::doubtful,
-            fmt::format("{} beyond the law of lengths: {}",
-                        count == 1 ? "an edge is" : fmt::format("{} edges are", count),
-                        and_more(std::move(names))),
-            "mis-cut, most likely: look at them. Their intervals are by the survey alone");
     }
 
     [[nodiscard]] const LengthOutlier* other_of(const LengthOutlier& edge) const {
@@ -315,76 +355,106 @@ private:
         return found == m_result.lengths_beyond_law.end() ? nullptr : &*found;
     }
 
+    /// "12 is 5.1 +- 0.4 mm longer"
     [[nodiscard]] std::string length_text(const LengthOutlier& edge) const {
         const auto found = std::ranges::find(m_result.edges, edge.edge, &IdentifiedEdge::edge);
         const bool is_slack = found != m_result.edges.end() && found->status == EdgeStatus::slack;
-        return fmt::format("{} ({:+.1f} +- {:.1f} mm{})", m_net.edge_id(edge.edge),
-                           1e3 * edge.deviation, 1e3 * edge.std,
-                           is_slack ? " or longer: it is slack" : "");
+        return fmt::format("{} is {}{}", m_net.edge_id(edge.edge), is_slack ? "slack and " : "",
+                           longer_text(edge.deviation, edge.std, is_slack ? "at least " : ""));
+    }
+
+    static std::string longer_text(double deviation, double std, std::string_view bound = "") {
+        return fmt::format("{}{:.1f} +- {:.1f} mm {}", bound, 1e3 * std::abs(deviation), 1e3 * std,
+                           deviation < 0.0 ? "shorter" : "longer");
     }
 
     /// (slip), (swap)
     /// @param other null where it is an adjustable edge, which is named by itself
     void test_two_lengths(const LengthOutlier& one, const LengthOutlier* other) {
         const std::string both =
-            fmt::format("{} and {}", length_text(one),
+            fmt::format("edge {}, edge {}", length_text(one),
                         other == nullptr ? m_net.edge_id(one.other) : length_text(*other));
+        Finding finding{.kind = one.is_swapped ? FindingKind::swapped_cables : FindingKind::slip,
+                        .severity = Verdict::doubtful,
+                        .ids = {m_net.edge_id(one.edge), m_net.edge_id(one.other)},
+                        .value = one.deviation,
+                        .std = one.std};
+        const std::string& node = one.node < 0 ? std::string() : m_net.node_id(one.node);
         if (one.is_swapped) {
-            add(Verdict::doubtful, fmt::format("two edges have each other's length: {}", both),
-                "swapped, most likely: look at them. Their intervals are by the survey alone");
+            finding.reason = fmt::format(
+                "Two cables have each other's length: {}. taut used the "
+                "survey alone for both.",
+                both);
+            finding.next = "Check whether they were swapped.";
         } else if (one.is_beside_target) {
-            add(Verdict::doubtful,
-                fmt::format("the target of {} is wrong, or a clamp slipped there: {} if the target "
-                            "is right",
-                            m_net.node_id(one.node), both),
-                "the survey does not show which: look there. The target is left out, and the "
-                "intervals of both edges hold either way");
+            finding.confounded_with = {node};
+            finding.reason = fmt::format(
+                "Either the target of node {} is wrong, or a clamp "
+                "slipped there: {}. taut left out the target; the "
+                "intervals of both edges hold either way.",
+                node, both);
+            finding.next = "Check the clamp and the target.";
         } else {
-            add(Verdict::doubtful,
-                fmt::format("a clamp slipped at {}, one edge there is longer, the other shorter: "
-                            "{}",
-                            m_net.node_id(one.node), both),
-                "look at it. Their intervals are by the survey alone");
+            finding.reason = fmt::format(
+                "A clamp slipped at node {}: {}. taut used the survey "
+                "alone for both.",
+                node, both);
+            finding.next = "Check the clamp.";
         }
+        add(std::move(finding));
     }
 
     void test_boundary() {
         if (m_result.boundary_beyond > 0) {
-            add(m_result.boundary_beyond > a_few_of_boundary ? Verdict::failed : Verdict::doubtful,
-                fmt::format("{} adjustable edges and supports contradict the survey, and it does "
-                            "not show which is wrong",
-                            m_result.boundary_beyond),
-                "tell what is not known of them: --uncertain adjustable:3mm, --uncertain "
-                "supports:3mm");
+            add({.kind = FindingKind::boundary,
+                 .severity = m_result.boundary_beyond > a_few_of_boundary ? Verdict::failed
+                                                                          : Verdict::doubtful,
+                 .value = m_result.boundary_beyond,
+                 .remedy = Trust::Remedy{"uncertain", "adjustable:3mm supports:3mm"},
+                 .reason = fmt::format("{} adjustable edges and supports contradict the survey, "
+                                       "which does not show which of them are wrong.",
+                                       m_result.boundary_beyond),
+                 .next = "Check them, or state how uncertain they are."});
         }
-        if (m_result.boundary_outliers.empty()) {
-            return;
-        }
-        std::vector<std::string> names;
-        names.reserve(m_result.boundary_outliers.size());
         for (const BoundaryOutlier& outlier : m_result.boundary_outliers) {
-            names.push_back(boundary_text(outlier));
+            test_one_of_boundary(outlier);
         }
-        const size_t count = names.size();
-        add(Verdict::doubtful,
-            fmt::format("{} not as told: {}",
-                        count == 1 ? "of the boundary one is"
-                                   : fmt::format("of the boundary {} are", count),
-                        and_more(std::move(names))),
-            "look at them: their lengths and places are told by the survey alone");
     }
 
-    [[nodiscard]] std::string boundary_text(const BoundaryOutlier& outlier) const {
-        if (outlier.kind == BoundaryOutlier::Kind::support) {
-            return fmt::format(
-                "support {} ({:.1f} mm off{})", m_net.node_id(outlier.index),
-                1e3 * outlier.deviation.norm(),
-                outlier.rival < 0 ? "" : fmt::format(", or edge {}", m_net.edge_id(outlier.rival)));
+    void test_one_of_boundary(const BoundaryOutlier& outlier) {
+        const bool is_support = outlier.kind == BoundaryOutlier::Kind::support;
+        Finding finding{.kind = is_support ? FindingKind::support : FindingKind::adjustable_edge,
+                        .severity = Verdict::doubtful};
+        if (is_support) {
+            const double distance = outlier.deviation.norm();
+            const double std = outlier.deviation.normalized().cwiseProduct(outlier.std).norm();
+            finding.ids = {m_net.node_id(outlier.index)};
+            finding.value = distance;
+            finding.std = std;
+            finding.reason = fmt::format(
+                "Support {} is {:.1f} +- {:.1f} mm from its design "
+                "position. taut used the surveyed position.",
+                finding.ids[0], 1e3 * distance, 1e3 * std);
+            finding.next = fmt::format("Check the coordinates of support {}", finding.ids[0]);
+        } else {
+            finding.ids = {m_net.edge_id(outlier.index)};
+            finding.value = outlier.deviation.x();
+            finding.std = outlier.std.x();
+            finding.reason = fmt::format(
+                "Adjustable edge {} is {} than given. taut used the "
+                "length that the survey shows.",
+                finding.ids[0], longer_text(outlier.deviation.x(), outlier.std.x()));
+            finding.next = fmt::format("Check the turnbuckle of edge {}", finding.ids[0]);
         }
-        return fmt::format(
-            "edge {} ({:+.1f} +- {:.1f} mm{})", m_net.edge_id(outlier.index),
-            1e3 * outlier.deviation.x(), 1e3 * outlier.std.x(),
-            outlier.rival < 0 ? "" : fmt::format(", or support {}", m_net.node_id(outlier.rival)));
+        if (outlier.rival >= 0) {
+            finding.confounded_with = {is_support ? m_net.edge_id(outlier.rival)
+                                                  : m_net.node_id(outlier.rival)};
+            finding.next +=
+                fmt::format(", and {} {}: it would explain nearly as much",
+                            is_support ? "edge" : "support", finding.confounded_with[0]);
+        }
+        finding.next += '.';
+        add(std::move(finding));
     }
 
     void test_targets() {
@@ -397,57 +467,50 @@ private:
         std::vector<Outlier> outliers;
         std::ranges::remove_copy_if(m_result.outliers, std::back_inserter(outliers),
                                     is_beside_clamp);
-        if (outliers.empty()) {
-            return;
-        }
-        std::vector<std::string> names;
-        names.reserve(outliers.size());
+        const bool are_few = static_cast<double>(outliers.size()) <=
+                             few_outliers * static_cast<double>(m_survey.surveyed.size());
         for (const Outlier& outlier : outliers) {
-            names.push_back(fmt::format(
-                "{} ({:.1f} mm{})", m_net.node_id(outlier.node), 1e3 * outlier.distance,
-                outlier.swapped_with < 0
-                    ? ""
-                    : fmt::format(", swapped with {}", m_net.node_id(outlier.swapped_with))));
+            constexpr double far = 10.0;  // standard deviations of the survey
+            const bool is_far =
+                outlier.swapped_with < 0 &&
+                outlier.distance > far * m_survey.noise_std.col(outlier.node).maxCoeff();
+            add({.kind = FindingKind::target,
+                 .severity = are_few ? Verdict::passed : Verdict::doubtful,
+                 .ids = {m_net.node_id(outlier.node)},
+                 .value = outlier.distance,
+                 .reason = fmt::format("Target {} is {:.1f} mm from where all other measurements "
+                                       "put it. taut left it out.",
+                                       m_net.node_id(outlier.node), 1e3 * outlier.distance),
+                 .next = !are_few ? "More than a tenth of the targets is left out: check frame, "
+                                    "supports and standard deviation."
+                         : is_far ? "A cable, turnbuckle or support at it that is not as designed "
+                                    "would look the same: check both."
+                                  : ""});
         }
-        const size_t count = names.size();
-        constexpr double far = 10.0;  // standard deviations of the survey
-        const bool is_far = std::ranges::any_of(outliers, [&](const Outlier& outlier) {
-            return outlier.swapped_with < 0 &&
-                   outlier.distance > far * m_survey.noise_std.col(outlier.node).maxCoeff();
-        });
-        const bool is_few = static_cast<double>(count) <=
-                            few_outliers * static_cast<double>(m_survey.surveyed.size());
-        add(is_few ? Verdict::passed : Verdict::doubtful,
-            fmt::format(
-                "{} all others and {} left out: {}",
-                count == 1 ? "a target contradicts" : fmt::format("{} targets contradict", count),
-                count == 1 ? "is" : "are", and_more(std::move(names))),
-            !is_few  ? "are frame, supports and noise right?"
-            : is_far ? "taut cannot tell a wrong target from a cable, turnbuckle or support at it "
-                       "that is "
-                       "not as given: look there"
-                     : "");
         constexpr size_t by_chance = 3;
-        if (const size_t cluster = largest_cluster(m_net, outliers);
-            is_few && cluster > by_chance) {
-            add(Verdict::doubtful,
-                fmt::format("{} of the targets that are left out stand next to each other",
-                            cluster),
-                "rather than these, something near them is not as told: turnbuckles, supports or "
-                "cables there");
+        std::vector<std::string> adjacent = largest_cluster(m_net, outliers);
+        if (are_few && adjacent.size() > by_chance) {
+            add({.kind = FindingKind::adjacent_targets,
+                 .severity = Verdict::doubtful,
+                 .ids = adjacent,
+                 .value = static_cast<double>(adjacent.size()),
+                 .reason = fmt::format("{} of the targets left out are next to each other: {}.",
+                                       adjacent.size(), and_more(adjacent)),
+                 .next = "More likely than these targets, something near them is not as designed: "
+                         "check turnbuckles, supports and cables there."});
         }
     }
 
     /// Where cables stretch by less than their lengths are known to, the form of the mean lengths
-    /// may be off by the law's width; not by far more.
+    /// may be off by the width of the prior; not by far more.
     void test_prediction() {
-        constexpr double far = 10.0;        // in standard deviations of the noise
-        constexpr double beyond_law = 3.0;  // in those of the law
+        constexpr double far = 10.0;          // in standard deviations of the survey
+        constexpr double beyond_prior = 3.0;  // in those of the prior
         if (!m_survey.is_noisy() || m_result.residuals.size() != std::ssize(m_survey.surveyed)) {
             return;
         }
         int worst = -1;
-        double largest = beyond_law * m_result.law.std();
+        double largest = beyond_prior * m_result.law.std();
         for (size_t i = 0; i < m_survey.surveyed.size(); ++i) {
             const int node = m_survey.surveyed[i];
             const double residual = m_result.residuals(static_cast<Eigen::Index>(i));
@@ -459,12 +522,15 @@ private:
             }
         }
         if (worst >= 0) {
-            add(Verdict::doubtful,
-                fmt::format("the form that follows from the lengths is {:.1f} mm from target {}, "
-                            "{:.0f} times its noise",
-                            1e3 * largest, m_net.node_id(worst),
-                            largest / m_survey.noise_std.col(worst).maxCoeff()),
-                "that target is wrong, or a cable, turnbuckle or support near it");
+            add({.kind = FindingKind::predicted_form,
+                 .severity = Verdict::doubtful,
+                 .ids = {m_net.node_id(worst)},
+                 .value = largest,
+                 .reason = fmt::format("The form that follows from the lengths misses target {} by "
+                                       "{:.1f} mm, {:.0f} times its standard deviation.",
+                                       m_net.node_id(worst), 1e3 * largest,
+                                       largest / m_survey.noise_std.col(worst).maxCoeff()),
+                 .next = "Check that target, and the cables, turnbuckles and supports near it."});
         }
     }
 
@@ -473,27 +539,49 @@ private:
         if (m_survey.contradicted_names == 0) {
             return;
         }
+        std::vector<std::string> ids;
         std::vector<std::string> names;
         for (const PlacedPoint& point : m_survey.placed) {
-            if (!point.name.empty() && point.name != m_net.node_id(point.node)) {
-                names.push_back(
-                    fmt::format("{} on node {}", point.name, m_net.node_id(point.node)));
+            const std::string& id = m_net.node_id(point.node);
+            if (!point.name.empty() && point.name != id) {
+                ids.push_back(id);
+                names.push_back(fmt::format("{} on node {}", point.name, id));
             }
         }
         const size_t count = names.size();
-        add(Verdict::doubtful,
-            fmt::format("{} points lie on other nodes than those that they name: {}", count,
-                        and_more(std::move(names))),
-            "taut used the places. If names are those of the surveyor, identify again with --match "
-            "place. If they are the net's, check frame, axes and the order of the points");
+        add({.kind = FindingKind::misplaced_names,
+             .severity = Verdict::doubtful,
+             .ids = std::move(ids),
+             .value = static_cast<double>(count),
+             .remedy = Trust::Remedy{"match", "place"},
+             .reason = fmt::format("{} points lie on other nodes than their names say: {}. taut "
+                                   "used the positions.",
+                                   count, and_more(std::move(names))),
+             .next = "If the names are those of the net, check frame, axes and the order of the "
+                     "points. If they are the surveyor's own, match by place."});
     }
 
     void test_names() {
-        std::vector<std::string> pairs;
+        for (const UnmatchedPoint& point : m_survey.unmatched) {
+            if (point.reason == UnmatchedReason::far_from_its_node && point.swapped_with < 0) {
+                add({.kind = FindingKind::target_far_from_node,
+                     .severity = Verdict::doubtful,
+                     .ids = {m_net.node_id(point.nearest)},
+                     .value = point.distance,
+                     .reason = fmt::format("Target {} is {:.3g} m from the node of its name. taut "
+                                           "left it out.",
+                                           m_net.node_id(point.nearest), point.distance),
+                     .next = "Check its name, and those of the others."});
+            }
+        }
         const auto add_pair = [&](int node, int other) {
             if (node < other) {
-                pairs.push_back(
-                    fmt::format("{} and {}", m_net.node_id(node), m_net.node_id(other)));
+                add({.kind = FindingKind::swapped_targets,
+                     .ids = {m_net.node_id(node), m_net.node_id(other)},
+                     .reason = fmt::format("Targets {} and {} lie at each other's place. taut "
+                                           "left out both.",
+                                           m_net.node_id(node), m_net.node_id(other)),
+                     .next = "Swap their names in the survey."});
             }
         };
         for (const Outlier& outlier : m_result.outliers) {
@@ -502,68 +590,77 @@ private:
         for (const UnmatchedPoint& point : m_survey.unmatched) {
             add_pair(point.nearest, point.swapped_with);
         }
-        std::vector<std::string> far;
-        for (const UnmatchedPoint& point : m_survey.unmatched) {
-            if (point.reason == UnmatchedReason::far_from_its_node && point.swapped_with < 0) {
-                far.push_back(
-                    fmt::format("{} ({:.3g} m)", m_net.node_id(point.nearest), point.distance));
-            }
-        }
-        if (const size_t count = far.size(); count > 0) {
-            add(Verdict::doubtful,
-                fmt::format("{} far from the {} named, and left out: {}",
-                            count == 1 ? "a target lies" : fmt::format("{} targets lie", count),
-                            count == 1 ? "node that is" : "nodes that are",
-                            and_more(std::move(far))),
-                "are their names right, and those of the others?");
-        }
-        if (!pairs.empty()) {
-            add(Verdict::passed,
-                fmt::format(
-                    "names of targets are swapped, which lie at each other's places and are "
-                    "left out: {}",
-                    and_more(std::move(pairs))),
-                "exchange their names in the survey, and identify again");
-        }
     }
 
     void test_forces() {
-        if (!m_result.contradicted_taut.empty() || !m_result.contradicted_slack.empty()) {
-            add(Verdict::doubtful,
-                "the survey contradicts what was seen taut or slack: none of that is used",
-                "look at those edges again");
+        std::vector<std::string> marks;
+        for (const auto* edges : {&m_result.contradicted_taut, &m_result.contradicted_slack}) {
+            std::ranges::transform(*edges, std::back_inserter(marks),
+                                   [&](int edge) { return m_net.edge_id(edge); });
+        }
+        if (!marks.empty()) {
+            add({.kind = FindingKind::slack_marks,
+                 .severity = Verdict::doubtful,
+                 .ids = marks,
+                 .reason = fmt::format("Edges marked as slack or taut contradict the survey: {}. "
+                                       "taut ignored all marks.",
+                                       and_more(marks)),
+                 .next = "Look at those edges again."});
         }
         if (m_result.reading_bias) {
-            add(Verdict::doubtful,
-                fmt::format("all readings of force are off by the same part, {:+.0f} %: none is "
-                            "used",
-                            1e2 * m_result.reading_bias->part),
-                "is their unit right, and their calibration?");
-        } else if (!m_result.reading_outliers.empty()) {
-            add(Verdict::passed,
-                fmt::format("{} of {} readings of force contradict all else and are left out",
-                            m_result.reading_outliers.size(), m_result.readings));
+            add({.kind = FindingKind::force_scale,
+                 .severity = Verdict::doubtful,
+                 .value = m_result.reading_bias->part,
+                 .std = m_result.reading_bias->std,
+                 .reason = fmt::format("All force measurements are off by the same part, {:+.0f} "
+                                       "%. taut used none of them.",
+                                       1e2 * m_result.reading_bias->part),
+                 .next = "Check their unit and calibration."});
+            return;
+        }
+        for (const ReadingOutlier& outlier : m_result.reading_outliers) {
+            add({.kind = FindingKind::force_measurement,
+                 .ids = {m_net.edge_id(outlier.edge)},
+                 .value = outlier.read - outlier.expected,
+                 .reason = fmt::format("The force measured in edge {} is {:.2f} kN, where {:.2f} "
+                                       "kN is expected. taut left it out.",
+                                       m_net.edge_id(outlier.edge), 1e-3 * outlier.read,
+                                       1e-3 * outlier.expected)});
         }
     }
 
-    void test_unknowns() {
+    void test_uncertain() {
         for (const UnknownSpread& spread : spreads_of(m_result.unknowns)) {
             if (spread.is_contradicted()) {
-                add(Verdict::failed,
-                    fmt::format("{} is too narrow: the survey shows {:.1f} times as much",
-                                spread.unknown.to_string(), spread.ratio * spread.widening),
-                    fmt::format(
-                        "check it on site, or identify again with --uncertain {} and a width "
-                        "{:.1f} times as large",
-                        spread.unknown.name(), spread.ratio * spread.widening));
+                const double ratio = spread.ratio * spread.widening;
+                constexpr double widest_part = 0.3;  // parse_unknown() takes no more
+                Unknown wider = spread.unknown;
+                wider.std = to_digits(ratio * wider.std, 2);
+                const bool is_metric = wider.kind == Unknown::Kind::adjustable ||
+                                       wider.kind == Unknown::Kind::supports ||
+                                       wider.kind == Unknown::Kind::temperature ||
+                                       wider.kind == Unknown::Kind::loads_each;
+                add({.kind = FindingKind::uncertain_parameter,
+                     .severity = Verdict::failed,
+                     .ids = {std::string(spread.unknown.name())},
+                     .value = ratio,
+                     .remedy = Trust::Remedy{"uncertain", is_metric || wider.std < widest_part
+                                                              ? wider.to_string()
+                                                              : ""},
+                     .reason = fmt::format("The survey shows {:.1f} times the standard deviation "
+                                           "assumed of {}.",
+                                           ratio, spread.unknown.to_string()),
+                     .next = "Check it on site, or assume a larger one."});
             }
         }
     }
 
     void test_draws() {
         if (m_result.draws && m_result.drawn.tensions.empty()) {
-            add(Verdict::doubtful, fmt::format("no tension is told: {}", m_result.draws->doubt),
-                "lengths may be used, tensions not");
+            add({.kind = FindingKind::tensions,
+                 .severity = Verdict::doubtful,
+                 .reason = fmt::format("Tensions are not reported: {}.", m_result.draws->doubt),
+                 .next = "Lengths may be used, tensions not."});
         }
     }
 
@@ -574,12 +671,45 @@ private:
     Trust m_trust;
 };
 
+constexpr std::pair<FindingKind, std::string_view> kind_names[] = {
+    {FindingKind::no_convergence, "no_convergence"},
+    {FindingKind::survey_scale, "survey_scale"},
+    {FindingKind::survey_frame, "survey_frame"},
+    {FindingKind::survey_noise, "survey_noise"},
+    {FindingKind::prior, "prior"},
+    {FindingKind::common_deviation, "common_deviation"},
+    {FindingKind::run_scales, "run_scales"},
+    {FindingKind::length, "length"},
+    {FindingKind::slip, "slip"},
+    {FindingKind::swapped_cables, "swapped_cables"},
+    {FindingKind::adjustable_edge, "adjustable_edge"},
+    {FindingKind::support, "support"},
+    {FindingKind::boundary, "boundary"},
+    {FindingKind::target, "target"},
+    {FindingKind::adjacent_targets, "adjacent_targets"},
+    {FindingKind::swapped_targets, "swapped_targets"},
+    {FindingKind::target_far_from_node, "target_far_from_node"},
+    {FindingKind::misplaced_names, "misplaced_names"},
+    {FindingKind::predicted_form, "predicted_form"},
+    {FindingKind::slack_marks, "slack_marks"},
+    {FindingKind::force_scale, "force_scale"},
+    {FindingKind::force_measurement, "force_measurement"},
+    {FindingKind::uncertain_parameter, "uncertain_parameter"},
+    {FindingKind::tensions, "tensions"},
+    {FindingKind::length_change, "length_change"},
+    {FindingKind::turns, "turns"},
+    {FindingKind::actuator_std, "actuator_std"},
+    {FindingKind::epoch, "epoch"},
+    {FindingKind::repeated_survey, "repeated_survey"},
+    {FindingKind::other, "other"},
+};
+
 }  // namespace
 
 Trust::Verdict Trust::verdict() const {
     Verdict worst = Verdict::passed;
     for (const Finding& finding : findings) {
-        worst = std::max(worst, finding.verdict);
+        worst = std::max(worst, finding.severity);
     }
     return worst;
 }
@@ -594,6 +724,22 @@ std::string_view to_string(Trust::Verdict verdict) {
             return "failed";
     }
     return "unknown";
+}
+
+std::string Trust::Finding::text() const {
+    return next.empty() ? reason : reason + " " + next;
+}
+
+std::string_view to_string(FindingKind kind) {
+    const auto* const found =
+        std::ranges::find(kind_names, kind, [](const auto& one) { return one.first; });
+    return found->second;
+}
+
+std::optional<FindingKind> finding_kind(std::string_view name) {
+    const auto* const found =
+        std::ranges::find(kind_names, name, [](const auto& one) { return one.second; });
+    return found == std::end(kind_names) ? std::nullopt : std::optional(found->first);
 }
 
 Trust trust_of(const CableNet& net, const Survey& survey, const Identification& result) {

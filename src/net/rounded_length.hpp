@@ -11,12 +11,16 @@
 
 namespace taut {
 
-/// A length that was computed, to a few digits, for people: "0.5008mm".
+/// To a few digits, for people.
+[[nodiscard]] inline double to_digits(double value, int digit_count) {
+    const std::string digits = fmt::format("{:.{}g}", value, digit_count);
+    fast_float::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
+/// A length that was computed, likewise: "0.5008mm".
 [[nodiscard]] inline std::string rounded_length(double metres, int digit_count = 4) {
-    const std::string digits = fmt::format("{:.{}g}", metres, digit_count);
-    double rounded = metres;
-    fast_float::from_chars(digits.data(), digits.data() + digits.size(), rounded);
-    return format_length(rounded);
+    return format_length(to_digits(metres, digit_count));
 }
 
 }  // namespace taut

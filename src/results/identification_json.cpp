@@ -73,17 +73,23 @@ Json frame_json(const Registration& frame) {
         {"control", control_json(frame)}};
 }
 
-/// What the draws tell of an edge; null without them.
-Json trust_json(const Trust& trust) {
+Json findings_json(const Trust& trust) {
     Json findings = Json::array();
-    Json reasons = Json::array();
     for (const Trust::Finding& finding : trust.findings) {
-        reasons.push_back(finding.reason);
-        findings.push_back({{"verdict", to_string(finding.verdict)},
-                            {"reason", finding.reason},
-                            {"next", finding.next}});
+        findings.push_back(
+            {{"kind", to_string(finding.kind)},
+             {"severity", to_string(finding.severity)},
+             {"ids", finding.ids},
+             {"value", finding.value ? Json(*finding.value) : Json()},
+             {"std", finding.std ? Json(*finding.std) : Json()},
+             {"confounded_with", finding.confounded_with},
+             {"remedy", finding.remedy ? Json{{"parameter", finding.remedy->parameter},
+                                              {"value", finding.remedy->value}}
+                                       : Json()},
+             {"reason", finding.reason},
+             {"next", finding.next}});
     }
-    return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}, {"findings", findings}};
+    return findings;
 }
 
 /// From the frame of the survey to that of the net's supports, where it was unknown.
@@ -398,7 +404,8 @@ Json epochs_json(const CableNet& net, const std::vector<EpochResult>& epochs) {
                         {"changes", changes},
                         {"stroke_factor", epoch.stroke_factor},
                         {"stroke_factor_std", epoch.stroke_factor_std},
-                        {"trust", trust_json(epoch.trust)}});
+                        {"trust", trust_json(epoch.trust)},
+                        {"findings", findings_json(epoch.trust)}});
     }
     return list;
 }
@@ -439,6 +446,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
                   {"method_reason", identification.method_reason},
                   {"status", to_string(identification.status)},
                   {"trust", trust_json(identification.trust)},
+                  {"findings", findings_json(identification.trust)},
                   {"law", identification.law.to_string()},
                   {"prior", prior_json(identification)},
                   {"assumptions", assumptions_json(identification)},

@@ -222,22 +222,56 @@ std::vector<BoundaryOutlier> read_boundary(const JsonValue& parent, const CableN
     return result;
 }
 
+Trust::Verdict read_verdict(const JsonValue& value) {
+    using enum Trust::Verdict;
+    const std::string& name = value.text();
+    return name == to_string(failed) ? failed : name == to_string(doubtful) ? doubtful : passed;
+}
+
+std::vector<std::string> read_texts(const JsonValue& value, const char* key) {
+    std::vector<std::string> texts;
+    for (const JsonValue& entry : entries(value, key)) {
+        texts.push_back(entry.text());
+    }
+    return texts;
+}
+
+Trust::Finding read_finding(const JsonValue& entry) {
+    Trust::Finding finding{
+        .kind = finding_kind(member(entry, "kind").text()).value_or(Trust::Finding::Kind::other),
+        .severity = read_verdict(member(entry, "severity")),
+        .ids = read_texts(entry, "ids"),
+        .value = optional_number(entry, "value"),
+        .std = optional_number(entry, "std"),
+        .confounded_with = read_texts(entry, "confounded_with"),
+        .remedy = {},
+        .reason = member(entry, "reason").text(),
+        .next = member(entry, "next").text()};
+    if (const auto remedy = find_unless_null(entry, "remedy")) {
+        finding.remedy = Trust::Remedy{.parameter = member(*remedy, "parameter").text(),
+                                       .value = member(*remedy, "value").text()};
+    }
+    return finding;
+}
+
 Trust read_trust(const JsonValue& root) {
     Trust trust;
-    const auto told = root.find("trust");
-    if (!told) {
+    const auto given = root.find("trust");
+    if (!given) {
         return trust;
     }
-    for (const JsonValue& finding : entries(*told, "findings")) {
-        using enum Trust::Verdict;
-        const std::string& verdict = member(finding, "verdict").text();
-        trust.findings.push_back({.verdict = verdict == to_string(failed)     ? failed
-                                             : verdict == to_string(doubtful) ? doubtful
-                                                                              : passed,
-                                  .reason = member(finding, "reason").text(),
-                                  .next = member(finding, "next").text()});
+    if (root.find("findings")) {
+        std::ranges::transform(entries(root, "findings"), std::back_inserter(trust.findings),
+                               read_finding);
+    } else if (given->find("reasons")) {  // of a version before 0.3
+        for (const std::string& reason : read_texts(*given, "reasons")) {
+            trust.findings.push_back({.kind = Trust::Finding::Kind::other,
+                                      .severity = read_verdict(member(*given, "verdict")),
+                                      .reason = reason + ".",
+                                      .next = {}});
+        }
     }
-    const JsonValue verdict = member(*told, "verdict");
+    const JsonValue verdict = member(*given, "verdict");
     if (verdict.text() != to_string(trust.verdict())) {
         verdict.fail(fmt::format("is {}, expected {}, the worst of all findings",
                                  quote(verdict.text()), quote(to_string(trust.verdict()))));

@@ -76,14 +76,6 @@ Json breach_json(const CableNet& net, const LimitBreach& breach) {
             {"probability", breach.probability}};
 }
 
-Json verdict_json(const Trust& trust) {
-    Json reasons = Json::array();
-    for (const Trust::Finding& finding : trust.findings) {
-        reasons.push_back(finding.reason);
-    }
-    return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}};
-}
-
 Json value_or_null(const auto& value) {
     return value ? Json(*value) : Json();
 }
@@ -232,7 +224,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"net_fingerprint", net.fingerprint()},
         {"net", counts_json(net)},
         {"warnings", plan_warnings(record)},
-        {"identification", verdict_json(*record.trust)},
+        {"identification", trust_json(*record.trust)},
         {"turns", turns},
         {"touched", plan.strokes.size()},
         {"largest_stroke", plan.largest_stroke()},

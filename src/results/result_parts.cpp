@@ -69,6 +69,14 @@ ResultJson net_json(const CableNet& net) {
     return ResultJson::parse(net_to_json(net));
 }
 
+ResultJson trust_json(const Trust& trust) {
+    ResultJson reasons = ResultJson::array();
+    for (const Trust::Finding& finding : trust.findings) {
+        reasons.push_back(finding.reason);
+    }
+    return {{"verdict", to_string(trust.verdict())}, {"reasons", reasons}};
+}
+
 ResultJson numbers_json(const Eigen::Ref<const Eigen::VectorXd>& numbers, int digits) {
     ResultJson list = ResultJson::array();
     for (const double number : numbers) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "taut/identification/trust.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/results/results_json.hpp"
 
@@ -18,6 +19,9 @@ using ResultJson = nlohmann::ordered_json;
 
 /// The net in taut's own format, whole.
 [[nodiscard]] ResultJson net_json(const CableNet& net);
+
+/// {"verdict", "reasons"}
+[[nodiscard]] ResultJson trust_json(const Trust& trust);
 
 /// Numbers rounded to so many significant digits, which keeps a result small.
 [[nodiscard]] ResultJson numbers_json(const Eigen::Ref<const Eigen::VectorXd>& numbers, int digits);

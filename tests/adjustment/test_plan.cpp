@@ -409,13 +409,13 @@ TEST(Plan, StandsOnAFailedIdentificationWhereItsTestsFailed) {
     const CableNet net = hypar(3, 3);
     Identification identification;
     identification.trust.findings = {
-        {.verdict = Trust::Verdict::doubtful, .reason = "a length is odd", .next = ""}};
+        {.severity = Trust::Verdict::doubtful, .reason = "a length is odd", .next = ""}};
     EXPECT_EQ(built_net_of(net, identification).failed_since, "");
-    identification.trust.findings = {{.verdict = Trust::Verdict::failed,
-                                      .reason = "the noise is contradicted",
-                                      .next = "estimate it"}};
+    identification.trust.findings = {{.severity = Trust::Verdict::failed,
+                                      .reason = "The noise is contradicted.",
+                                      .next = "Estimate it."}};
     EXPECT_EQ(built_net_of(net, identification).failed_since,
-              "the noise is contradicted; estimate it");
+              "The noise is contradicted. Estimate it.");
 }
 
 TEST(Plan, RefusesOptionsThatCannotBeMeant) {

@@ -40,7 +40,7 @@ protected:
 TEST_F(EpochCommand, LeadsToAPlanOfWhatIsLeft) {
     const Outcome outcome = identify("second.csv:turns.csv");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("trust: passed"));
+    EXPECT_THAT(outcome.out, HasSubstr("checks: passed"));
     EXPECT_THAT(outcome.out, HasSubstr("survey second.csv"));
     EXPECT_THAT(outcome.out, HasSubstr("survey 2: 36 free nodes"));
     const json result = json::parse(read("both.json"));

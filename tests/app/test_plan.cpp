@@ -422,9 +422,9 @@ TEST_F(PlanCommand, RefusesAFailedIdentificationUnlessThatIsAccepted) {
                    "--draws", "50", "-o", "result.json"})
                   .exit_code,
               0);
-    const json trust = json::parse(read("result.json"))["trust"];
-    ASSERT_EQ(trust["verdict"], "failed");
-    const std::string reason = trust["findings"][0]["reason"];
+    const json result = json::parse(read("result.json"));
+    ASSERT_EQ(result["trust"]["verdict"], "failed");
+    const std::string reason = result["findings"][0]["reason"];
     const Outcome refused = plan({"--csv", "turns.csv"});
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, testing::StartsWith("taut: error: result.json: the identification "

@@ -234,7 +234,7 @@ TEST(Epochs, AreRefusedWhereTheTurnsAreOfAnotherDay) {
     const Job job = job_of(1, some_turns(1), some_turns(2));
     const Identification result = identify_epochs(net(), job.epochs, with_law());
     EXPECT_EQ(result.status, IdentificationStatus::survey_does_not_fit);
-    EXPECT_THAT(result.message, HasSubstr("what is told of the turns"));
+    EXPECT_THAT(result.message, HasSubstr("Check the turns given"));
 }
 
 TEST(Epochs, FailWhereAllTurnsAreALittleOff) {
@@ -318,7 +318,7 @@ TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
     EXPECT_THAT(named, ::testing::UnorderedElementsAre(off[0].edge, off[1].edge));
     EXPECT_TRUE(result.epochs[1].changes.empty());
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
-    EXPECT_THAT(result.trust.findings[0].reason, HasSubstr("at the first survey"));
+    EXPECT_EQ(result.trust.findings[0].kind, Trust::Finding::Kind::adjustable_edge);
     EXPECT_GT(score(result, first.deviations).inside, 0.9);
 }
 
@@ -331,14 +331,14 @@ TEST(Epochs, SayThatOneSurveyWasToldTwice) {
     job.epochs[1].turned.clear();
     job.epochs[1].survey.form = job.epochs[0].survey.form.unaryExpr(
         [](double place) { return 1e-4 * std::round(1e4 * place); });
-    EXPECT_THAT(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().reason,
-                HasSubstr("have the same errors"));
+    EXPECT_EQ(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().kind,
+              Trust::Finding::Kind::repeated_survey);
     job.epochs[1].survey.form.colwise() += Eigen::Vector3d(1e-3, -2e-3, 3e-3);
     for (Epoch& epoch : job.epochs) {
         epoch.survey.frame_is_unknown = true;
     }
-    EXPECT_THAT(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().reason,
-                HasSubstr("have the same errors"));
+    EXPECT_EQ(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().kind,
+              Trust::Finding::Kind::repeated_survey);
 }
 
 TEST(Epochs, SayThatTheLawIsAnother) {
@@ -349,7 +349,8 @@ TEST(Epochs, SayThatTheLawIsAnother) {
     const Identification result = identify_epochs(net(), job.epochs, options);
     EXPECT_TRUE(result.contradicted_law);
     EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
-    EXPECT_THAT(result.trust.findings[0].reason, HasSubstr("survey 1: the law told"));
+    EXPECT_EQ(result.trust.findings[0].kind, Trust::Finding::Kind::prior);
+    EXPECT_THAT(result.trust.findings[0].reason, HasSubstr("Survey 1: "));
     EXPECT_THAT(result.how, HasSubstr("that the first survey shows"));
     EXPECT_GT(score(result, job.deviations).inside, 0.9);
 }

@@ -54,7 +54,13 @@ def test_a_target_that_is_off_is_left_out_and_named(net, positions):
     result = taut.identify(
         net, taut.read_survey(net, moved, ids=net.free_nodes, noise=0.5e-3), draws=0
     )
-    assert any("left out" in finding["reason"] for finding in result.findings)
+    [finding] = [finding for finding in result.findings if finding["kind"] == "target"]
+    assert finding["ids"] == [str(net.free_nodes[7])]
+    assert finding["value"] == pytest.approx(0.03, abs=5e-3)
+    assert finding["severity"] == "passed"
+    assert finding["remedy"] is None
+    saved = json.loads(result.to_json())["findings"]
+    assert [one["reason"] for one in saved] == [one["reason"] for one in result.findings]
 
 
 def test_a_clamp_that_slipped_is_in_the_diagnostics():

@@ -192,5 +192,5 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
     found = taut.identify(net, survey, law="uniform:5mm", prior_exact=True, uncertain=["none"])
     assert found.findings
     assert all("--" not in f["next"] + f["reason"] for f in found.findings)
-    assert any("law='" in f["next"] for f in found.findings)
+    assert any("law='" in f["next"] and f["remedy"]["parameter"] == "law" for f in found.findings)
     assert any("noise=0.000" in f["next"] for f in found.findings)

@@ -106,14 +106,15 @@ function limitsKept({ feasible, limits_given }: Plan): string {
 export function planLines(plan: Plan): HTMLElement[] {
   const { verdict, reasons } = plan.identification;
   const about = {
-    passed: "no test speaks against it",
+    passed: "",
     doubtful: "look into what it names before turning",
     failed: "what is planned on it may do harm; mend what it names first",
   }[verdict];
+  const shown = 5;
   const stands = h("div", { class: `trust ${verdict}` },
     h("p", {}, h("strong", {}, `The identification that this plan stands on: ${verdict}`), about ? `, ${about}` : ""),
-    ...reasons.map((reason) => h("p", {}, `${reason}.`)));
-  const shown = 5;
+    ...reasons.slice(0, shown).map((reason) => h("p", {}, reason)),
+    ...(reasons.length > shown ? [h("p", {}, `${reasons.length - shown} more findings are in the plan.`)] : []));
   const more = plan.violations.length - shown;
   const words = plan.feasible ? (plan.order.safe ? "" : "; but no safe order was found") : "; the plan breaks them the least. In the way stand:";
   const limits = h("div", { class: `trust ${!plan.feasible ? "failed" : plan.order.safe && plan.draws > 0 ? "passed" : "doubtful"}`, id: "verdict" },

@@ -27,7 +27,89 @@ export type Pair = [Index, Index];
 export type Numbers = number[];
 export type Texts = string[];
 export type Sizes = Size[];
-export type Verdict = "passed" | "doubtful" | "failed";
+/**
+ * Those of the findings.
+ */
+export type Texts1 = string[];
+/**
+ * Of its edges or nodes.
+ */
+export type Texts2 = string[];
+/**
+ * Edges and nodes that would explain it nearly as well.
+ */
+export type Texts3 = string[];
+/**
+ * What the checks of a result found, the worst first.
+ */
+export type Findings = {
+  /**
+   * What is wrong, or may be; docs/files.md has the value of each.
+   */
+  kind:
+    | "no_convergence"
+    | "survey_scale"
+    | "survey_frame"
+    | "survey_noise"
+    | "prior"
+    | "common_deviation"
+    | "run_scales"
+    | "length"
+    | "slip"
+    | "swapped_cables"
+    | "adjustable_edge"
+    | "support"
+    | "boundary"
+    | "target"
+    | "adjacent_targets"
+    | "swapped_targets"
+    | "target_far_from_node"
+    | "misplaced_names"
+    | "predicted_form"
+    | "slack_marks"
+    | "force_scale"
+    | "force_measurement"
+    | "uncertain_parameter"
+    | "tensions"
+    | "length_change"
+    | "turns"
+    | "actuator_std"
+    | "epoch"
+    | "repeated_survey"
+    | "other";
+  /**
+   * What this finding alone leads to.
+   */
+  severity: "passed" | "doubtful" | "failed";
+  ids: Texts2;
+  /**
+   * In SI units.
+   */
+  value: number | null;
+  /**
+   * Standard deviation of the value.
+   */
+  std: number | null;
+  confounded_with: Texts3;
+  /**
+   * What to identify again with.
+   */
+  remedy: {
+    /**
+     * As the option is named: "noise", "prior", "uncertain", "frame", "match".
+     */
+    parameter: string;
+    /**
+     * As the option reads it; empty: to be chosen.
+     */
+    value: string;
+  } | null;
+  reason: string;
+  /**
+   * What to do about it; may be empty.
+   */
+  next: string;
+}[];
 /**
  * Off the frame that was told, about the middle of the net [m]; 0 where it was unknown.
  *
@@ -114,12 +196,13 @@ export type Indices2 = Index[];
 /**
  * What was found on reading it.
  */
-export type Texts1 = string[];
+export type Texts4 = string[];
 export type CountOrNull = number | null;
 /**
  * What forbids to turn by the plan, the worst first; the first lines of its lists.
  */
-export type Texts2 = string[];
+export type Texts5 = string[];
+export type Verdict = "passed" | "doubtful" | "failed";
 /**
  * Of each coordinate, over the draws; 0 without.
  */
@@ -263,6 +346,7 @@ export interface Identification {
   method_reason?: string;
   status?: string;
   trust?: Trust;
+  findings?: Findings;
   doubt?: Doubt;
   /**
    * How far the net's supports are moved and turned in the survey's frame; null where that was told to be the net's.
@@ -325,25 +409,14 @@ export interface Identification {
   cable_net: NetFile;
 }
 /**
- * Whether the result may be acted on, and all that was found.
+ * Whether the result may be acted on.
  */
 export interface Trust {
   /**
    * The worst of all findings.
    */
   verdict: "passed" | "doubtful" | "failed";
-  /**
-   * Those of the findings.
-   */
-  reasons?: string[];
-  findings: {
-    verdict: Verdict;
-    reason: string;
-    /**
-     * What to do about it; may be empty.
-     */
-    next: string;
-  }[];
+  reasons?: Texts1;
 }
 /**
  * What the trust rests on, in numbers.
@@ -498,6 +571,7 @@ export interface Epoch {
   stroke_factor?: number;
   stroke_factor_std?: number;
   trust: Trust1;
+  findings?: Findings;
 }
 /**
  * A target left out for a gross error.
@@ -526,18 +600,7 @@ export interface Trust1 {
    * The worst of all findings.
    */
   verdict: "passed" | "doubtful" | "failed";
-  /**
-   * Those of the findings.
-   */
-  reasons?: string[];
-  findings: {
-    verdict: Verdict;
-    reason: string;
-    /**
-     * What to do about it; may be empty.
-     */
-    next: string;
-  }[];
+  reasons?: Texts1;
 }
 /**
  * The smallest error of each kind, at a place drawn at random, that the checks find with a probability of 80 %; null: none is.
@@ -859,7 +922,7 @@ export interface Survey {
    * As in frame, for readers that do not know it.
    */
   control?: ControlResidual[];
-  warnings?: Texts1;
+  warnings?: Texts4;
 }
 /**
  * Surveyed less predicted [m].
@@ -974,7 +1037,7 @@ export interface Plan {
   command?: string;
   net_fingerprint: string;
   net: Counts;
-  warnings?: Texts2;
+  warnings?: Texts5;
   /**
    * Trust in the result that the plan stands on.
    */

@@ -5,6 +5,7 @@ import { ofControl } from "./control_summary";
 import { h } from "./dom";
 import { counted, millimetres, number, percent, rootMeanSquare, short } from "./format";
 import { ofPlan, planLines } from "./plan_summary";
+import type { Findings } from "./result_schema";
 import {
   type Comparison, type ComparisonRow, controlOf, type Counts, type Identification, type IdentifiedEdge, isNotDetermined, isSlack, lengthOf, methodsOf, type Result, statusNow, type Study,
 } from "./result";
@@ -177,14 +178,26 @@ function assumptionWords(result: Result): string {
   return assumed.length === 0 ? "" : `Uncertain besides lengths: ${values(assumed)}.${hidden ? ` The survey does not show ${hidden}: intervals rest on that.` : ""}`;
 }
 
-/** May one act on it: the verdict of all tests, and what they found. */
+/** No more than six of one kind. */
+function firstOfEachKind(findings: Findings = []): Findings {
+  return findings.filter(({ kind }, i) => findings.slice(0, i).filter((other) => other.kind === kind).length < 6);
+}
+
+/** May one act on it: the verdict of all checks, and what they found. */
 function trustLines(result: Result): HTMLElement | null {
   const trust = "trust" in result ? result.trust : undefined;
   if (!trust) return null;
-  const said = trust.findings.length === 0 ? "no test speaks against this result" : "";
+  const found = "findings" in result ? result.findings : undefined;
+  const more = (found?.length ?? 0) - firstOfEachKind(found).length;
+  const option = (remedy: { parameter: string; value: string }): HTMLElement =>
+    h("code", {}, `--${remedy.parameter === "prior" ? "law" : remedy.parameter} ${remedy.value}`.trim());
   return h("div", { class: `trust ${trust.verdict}` },
-    h("p", {}, h("strong", {}, `Trust: ${trust.verdict}`), said ? `, ${said}` : ""),
-    ...trust.findings.map(({ verdict, reason, next }) => h("p", {}, h("strong", {}, `${verdict}: `), `${reason}.`, next ? h("small", {}, ` ${next}.`) : "")),
+    h("p", {}, h("strong", {}, `Checks: ${trust.verdict}`)),
+    // Versions before 0.3 wrote reasons alone.
+    ...(found ? [] : trust.reasons ?? []).map((reason) => h("p", {}, `${reason}.`)),
+    ...firstOfEachKind(found).map(({ severity, reason, next, remedy }) => h("p", {}, h("strong", {}, `${severity}: `), reason,
+      next ? h("small", {}, ` ${next}`, ...(remedy ? [" ", option(remedy)] : [])) : "")),
+    ...(more > 0 ? [h("p", {}, `${more} more findings of these kinds are in the result.`)] : []),
     ...(detectableWords(result) ? [h("p", { id: "detectable" }, h("small", {}, `Smallest error that these checks find with a probability of 80 %: ${detectableWords(result)}.`))] : []),
     ...(assumptionWords(result) ? [h("p", { id: "assumptions" }, h("small", {}, assumptionWords(result)))] : []));
 }

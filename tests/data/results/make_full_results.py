@@ -141,21 +141,41 @@ def full_identification(folder, net):
     trust = {
         "verdict": "failed",
         "reasons": ["one", "two", "three"],
-        "findings": [
-            {"verdict": verdict, "reason": reason, "next": "look at it"}
-            for verdict, reason in (("failed", "one"), ("doubtful", "two"), ("passed", "three"))
-        ],
     }
+    findings = [
+        {
+            "kind": kind,
+            "severity": severity,
+            "ids": ["5"],
+            "value": 0.0123,
+            "std": 0.0004,
+            "confounded_with": ["7"],
+            "remedy": {"parameter": "prior", "value": "uniform:8mm"},
+            "reason": reason,
+            "next": "Look at it.",
+        }
+        for kind, severity, reason in (
+            ("prior", "failed", "one"),
+            ("length", "doubtful", "two"),
+            ("target", "passed", "three"),
+        )
+    ]
     control = [{"id": "C1", "dx": 1e-4, "dy": 0.0, "dz": 0.0}]
     epochs = both["epochs"]
     for epoch in epochs:
         epoch.update(
-            turned=turned, outliers=[outlier], boundary=boundary, frame_offset=offset, trust=trust
+            turned=turned,
+            outliers=[outlier],
+            boundary=boundary,
+            frame_offset=offset,
+            trust=trust,
+            findings=findings,
         )
         epoch["changes"] = [{**edge, "change": 0.002, "std": 0.0003, "statistic": 7.0}]
     result.update(
         date="2026-11-21 06:30 UTC",
         trust=trust,
+        findings=findings,
         frame_offset=offset,
         turned=turned,
         epochs=epochs,
