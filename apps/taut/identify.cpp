@@ -371,7 +371,9 @@ void print_trust(const Trust& trust, const DetectableErrors& detectable) {
         if (count > shown) {
             continue;
         }
-        say("  {}: {}\n", to_string(all[i].severity), all[i].reason);
+        say("  {}: {}\n",
+            all[i].severity == Trust::Verdict::passed ? "note" : to_string(all[i].severity),
+            all[i].reason);
         const bool is_said_next =
             count < shown && i + 1 < all.size() && advice(all[i + 1]) == advice(all[i]);
         if (!all[i].next.empty() && !is_said_next) {

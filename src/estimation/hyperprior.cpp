@@ -225,7 +225,8 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
     const auto [mean, std_of_std] = moments_of(stds, posterior.rowwise().sum());
     result.std = mean;
     result.std_std = std_of_std;
-    result.uniform_probability = posterior.col(0).sum() / sum;
+    // Rounding may leave a sum of parts above that of all.
+    result.uniform_probability = std::min(1.0, posterior.col(0).sum() / sum);
     for (Eigen::Index j = 0; j < 2; ++j) {
         const double probability = posterior.col(j).sum() / sum;
         if (probability < improbable) {

@@ -150,6 +150,7 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
         trend.found.run_std += weight * widths[k];
         trend.found.run_probability += k > 0 ? weight : 0.0;
     }
+    trend.found.run_probability = std::min(1.0, trend.found.run_probability);  // but for rounding
     const SymmetricEigen eigen = symmetric_eigen(squares - trend.mean * trend.mean.transpose());
     trend.root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
     // Of the sum with what nobody knows a part is the edge's own.

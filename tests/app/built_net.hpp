@@ -31,10 +31,13 @@ protected:
         std::string err;
     };
 
+    /// Whatever it finds, a report reads it.
     Identified identify(const std::string& survey, std::vector<std::string> options = {}) const {
         options.insert(options.begin(), {"identify", "net.json", survey, "--draws", "0", "--json"});
         const Outcome outcome = run(options);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        write("identified.json", outcome.out);
+        must_run({"report", "identified.json", "-o", "report.html"});
         return {.result = nlohmann::json::parse(outcome.out, nullptr, false), .err = outcome.err};
     }
 

@@ -195,8 +195,8 @@ function trustLines(result: Result): HTMLElement | null {
     h("p", {}, h("strong", {}, `Checks: ${trust.verdict}`)),
     // Versions before 0.3 wrote reasons alone.
     ...(found ? [] : trust.reasons ?? []).map((reason) => h("p", {}, `${reason}.`)),
-    ...firstOfEachKind(found).map(({ severity, reason, next, remedy }) => h("p", {}, h("strong", {}, `${severity}: `), reason,
-      next ? h("small", {}, ` ${next}`, ...(remedy ? [" ", option(remedy)] : [])) : "")),
+    ...firstOfEachKind(found).map(({ severity, reason, next, remedy }, i, all) => h("p", {}, h("strong", {}, `${severity === "passed" ? "note" : severity}: `), reason,
+      next && next !== all[i + 1]?.next ? h("small", {}, ` ${next}`, ...(remedy ? [" ", option(remedy)] : [])) : "")),
     ...(more > 0 ? [h("p", {}, `${more} more findings of these kinds are in the result.`)] : []),
     ...(detectableWords(result) ? [h("p", { id: "detectable" }, h("small", {}, `Smallest error that these checks find with a probability of 80 %: ${detectableWords(result)}.`))] : []),
     ...(assumptionWords(result) ? [h("p", { id: "assumptions" }, h("small", {}, assumptionWords(result)))] : []));
