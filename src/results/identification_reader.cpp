@@ -75,8 +75,14 @@ double farthest_of(const JsonValue& root) {
     }
     double reach = reach_of(*law);
     if (const auto prior = root.find("prior")) {
+        constexpr double rounding = 1e-6;
+        double sum = 0.0;
         for (const JsonValue& node : entries(*prior, "nodes")) {
             reach = std::max(reach, reach_of(member(node, "law")));
+            sum += member(node, "weight").number();
+        }
+        if (!entries(*prior, "nodes").empty() && std::abs(sum - 1.0) > rounding) {
+            member(*prior, "nodes").fail(fmt::format("has weights of sum {}, expected 1", sum));
         }
     }
     return 2.0 * reach;
@@ -258,6 +264,10 @@ Trust read_trust(const JsonValue& root) {
     Trust trust;
     const auto given = root.find("trust");
     if (!given) {
+        trust.findings.push_back({.kind = Trust::Finding::Kind::other,
+                                  .severity = Trust::Verdict::doubtful,
+                                  .reason = "This result does not say what its checks found.",
+                                  .next = "Identify again."});
         return trust;
     }
     if (root.find("findings")) {

@@ -122,8 +122,11 @@ TEST(ResultFile, OfAnOlderTautLacksLawAndFrame) {
     json result = good("identification");
     result.erase("law");
     result.erase("frame");
+    result.erase("trust");
     result["survey"].erase("control");
-    EXPECT_NO_THROW(static_cast<void>(parse_result(result.dump(), "result.json")));
+    const ResultFile file = parse_result(result.dump(), "result.json");
+    EXPECT_EQ(std::get<IdentificationResult>(file.content).trust.verdict(),
+              Trust::Verdict::doubtful);  // nobody knows what the checks found
 }
 
 TEST(ResultFile, TellsTargetsThatWereLeftOutFromThoseInUse) {
@@ -408,6 +411,9 @@ INSTANTIATE_TEST_SUITE_P(
                "/adjustable_edges/0/nodes: is [3,4], expected ["},
         Damage{"WithTheIdOfAnotherEdge", "identification", "/edges/0/id", "edge 77",
                "/edges/0/id: is 'edge 77', expected '"},
+        Damage{"WithPriorsOfAnotherSumThanOne", "identification", "/prior/nodes",
+               json::parse(R"([{"law": "uniform:5mm", "weight": 0.25}])"),
+               "/prior/nodes: has weights of sum "},
         Damage{"WithAVerdictBetterThanItsFindings", "identification", "/findings",
                json::parse(R"([{"kind": "slip", "severity": "failed", "ids": [], "value": null,
                                 "std": null, "confounded_with": [], "remedy": null,
