@@ -377,7 +377,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
             together.findings.push_back(
                 {.kind = FindingKind::no_convergence,
                  .severity = Verdict::doubtful,
-                 .value = *movement,
+                 .value = movement,
                  .reason = fmt::format("The estimate from all surveys had not converged: it still "
                                        "moved by {:.2g} standard deviations.",
                                        *movement),
