@@ -38,7 +38,7 @@ std::vector<CableNet> nets_of(const TrialsOptions& options) {
     return nets;
 }
 
-constexpr const char* row_format =
+constexpr const char* trials_row =
     "{:<30}{:>8}{:>9}{:>9}{:>9}{:>7}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}\n";
 
 std::string percent_text(double part, double whole) {
@@ -46,9 +46,9 @@ std::string percent_text(double part, double whole) {
 }
 
 std::string table(const std::vector<SettlingRecord>& records) {
-    std::string text = fmt::format(row_format, "", "", "", "median", "largest", "", "inside",
+    std::string text = fmt::format(trials_row, "", "", "", "median", "largest", "", "inside",
                                    "tensions", "inside", "called", "of them", "slack,") +
-                       fmt::format(row_format, "net", "surveys", "settled", "[ms]", "[ms]", "ratio",
+                       fmt::format(trials_row, "net", "surveys", "settled", "[ms]", "[ms]", "ratio",
                                    "95 % [%]", "told [%]", "95 % [%]", "slack", "taut", "missed");
     for (const SettlingRecord& record : records) {
         const double median = record.median_seconds();
@@ -58,7 +58,7 @@ std::string table(const std::vector<SettlingRecord>& records) {
                 return outcome.settled && outcome.tensions_told > 0;
             }));
         text += fmt::format(
-            row_format, record.net, record.outcomes.size(), record.settled(),
+            trials_row, record.net, record.outcomes.size(), record.settled(),
             fmt::format("{:.1f}", 1e3 * median), fmt::format("{:.1f}", 1e3 * largest),
             median > 0.0 ? fmt::format("{:.1f}", largest / median) : "-",
             percent_text(record.coverage(), record.settled() > 0 ? 1.0 : 0.0),
