@@ -28,7 +28,7 @@ struct TAUT_CORE_EXPORT Trust {
         std::string parameter;  ///< "noise", "prior", "uncertain", "frame", "match"
         std::string value;      ///< as read from text, "0.71mm"; empty: to be chosen
 
-        bool operator==(const Remedy&) const = default;
+        bool operator==(const Remedy&) const = default;  ///< all fields
     };
     /// What one test found.
     struct TAUT_CORE_EXPORT Finding {
