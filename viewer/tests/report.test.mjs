@@ -451,6 +451,15 @@ test("what a result does not tell is said, not left empty", async () => {
   await close(one);
 });
 
+test("the findings of a result are shown with the option that is the remedy", async () => {
+  const page = await open(reports.full_identification.page);
+  const shown = await page.innerText(".trust");
+  assert.match(shown, /Checks: failed/);
+  assert.match(shown, /failed: one/);
+  assert.match(shown, /note: three Look at it\. --law uniform:8mm/);
+  await close(page);
+});
+
 test("names with markup are shown as text and run nothing", async () => {
   const { page: path, result } = reports.hostile;
   const page = await open(path);
