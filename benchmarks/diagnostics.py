@@ -209,9 +209,9 @@ def moved(shift=(0, 0, 0), scale=1.0):
 
 CASES = [
     Case("nothing is wrong"),
-    Case("nothing is wrong, the law told", told="uniform:5mm"),
+    Case("nothing is wrong, the prior given", told="uniform:5mm"),
     Case("five cables 15 mm too long", alter=off("interior", 5, 0.015), culprits=5),
-    Case("five cables 15 mm too long, the law told", told="uniform:5mm", alter=off("interior", 5, 0.015), culprits=5),
+    Case("five cables 15 mm too long, the prior given", told="uniform:5mm", alter=off("interior", 5, 0.015), culprits=5),
     Case("hypar:9x9, uniform:2mm: a cable 15 mm too long", truth="uniform:2mm", told="uniform:2mm",
          alter=off("interior", 1, 0.015), culprits=1, net="hypar:9x9"),
     Case("hypar:9x9, uniform:2mm: three cables 15 mm too long", truth="uniform:2mm", told="uniform:2mm",
@@ -225,12 +225,12 @@ CASES = [
     Case("lengths normal:2.9mm", truth="normal:2.9mm", told="uniform:5mm"),
     Case("lengths bimodal:4mm", truth="bimodal:4mm", told="uniform:5mm"),
     Case("lengths 3 mm too long in common", told="uniform:5mm", alter=shifted(0.003)),
-    Case("lengths uniform:5mm told uniform:3.5mm", told="uniform:3.5mm"),
-    Case("lengths uniform:5mm told uniform:2.5mm", told="uniform:2.5mm"),
-    Case("lengths uniform:5mm told uniform:1.67mm", told="uniform:1.67mm"),
-    Case("lengths normal:2.9mm, no law told", truth="normal:2.9mm"),
-    Case("lengths uniform:7mm, no law told", truth="uniform:7mm"),
-    Case("lengths uniform:2mm, no law told", truth="uniform:2mm"),
+    Case("lengths uniform:5mm given uniform:3.5mm", told="uniform:3.5mm"),
+    Case("lengths uniform:5mm given uniform:2.5mm", told="uniform:2.5mm"),
+    Case("lengths uniform:5mm given uniform:1.67mm", told="uniform:1.67mm"),
+    Case("lengths normal:2.9mm, no prior given", truth="normal:2.9mm"),
+    Case("lengths uniform:7mm, no prior given", truth="uniform:7mm"),
+    Case("lengths uniform:2mm, no prior given", truth="uniform:2mm"),
     *[Case(f"{net}: {prior} given, lengths {truth}", truth=truth, told=prior, net=net)
       for net, prior, truth in [("hypar:5x5", None, "uniform:2mm"), ("hypar:5x5", None, "uniform:3mm"),
                                 ("hypar:9x9", None, "uniform:3mm"), ("hypar:5x5", "uniform:2mm", "uniform:2.4mm"),
@@ -268,9 +268,9 @@ CASES = [
     Case("survey drifts by 0.5 mm in 10 m", told="uniform:5mm", survey=drifting(0.0005)),
     Case("hypar:8x8, uniform:3mm: x and y exchanged", truth="uniform:3mm", told="uniform:3mm", net="hypar:8x8", frame=None,
          survey=lambda place, random: place[[1, 0, 2]]),
-    Case("noise told three times too small", told="uniform:5mm", told_noise="0.1667mm"),
-    Case("noise told 1.5 times too small", told="uniform:5mm", told_noise="0.333mm"),
-    Case("noise told two times too large", told="uniform:5mm", told_noise="1mm"),
+    Case("noise given three times too small", told="uniform:5mm", told_noise="0.1667mm"),
+    Case("noise given 1.5 times too small", told="uniform:5mm", told_noise="0.333mm"),
+    Case("noise given two times too large", told="uniform:5mm", told_noise="1mm"),
     Case("noise not known, --noise estimate", told="uniform:5mm", told_noise="estimate"),
     Case("noise with heavy tails", told="uniform:5mm", heavy=True),
     Case("survey 3 mm off as a whole, --frame net", told="uniform:5mm", survey=moved((0.003, 0, 0))),
@@ -281,7 +281,7 @@ CASES = [
     Case("30 turnbuckles 3 mm off", told="uniform:5mm", alter=off("adjustable", 30, 0.003), culprits=30),
     Case("a support 10 mm off", told="uniform:5mm", alter=moved_supports(1, 0.01), culprits=1),
     Case("all supports 2 mm off", told="uniform:5mm", alter=moved_supports(128, 0.002)),
-    Case("all supports 2 mm off, told", told="uniform:5mm", alter=moved_supports(128, 0.002),
+    Case("all supports 2 mm off, given", told="uniform:5mm", alter=moved_supports(128, 0.002),
          options=["--unknown", "supports:1.2mm"]),
     Case("survey scaled by 1.001", told="uniform:5mm", survey=moved(scale=1.001), frame=None),
     Case("survey scaled by 1.001, --frame net", told="uniform:5mm", survey=moved(scale=1.001)),
@@ -383,12 +383,12 @@ def main():
     print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py`: surveys of the built-in net (noise 0.5 mm,")
     print(f"a tenth hidden, {2 * surveys // 5} a row, {surveys} on a hypar), built otherwise than taut is given. Where nothing else is said, lengths are")
     print("uniform:5mm and the frame is the net's. Lengths and tensions are *inside* where the truth is in their 95 % intervals."
-          " *said* is the verdict of each result, `trust` of result.json; a culprit is *named*")
+          " *said* is the verdict of each result, `trust` of result.json; a suspect is *right* where it is named")
     print("in `doubt.lengths_beyond_law` or `doubt.boundary` (there by itself or as the rival that cannot be told apart), of those")
-    print("whose ends were seen; *sound ones blamed* are edges and supports named that are as told, and targets left out (but for")
+    print("whose ends were seen; *false alarms* are edges and supports named that are as given, and targets left out (but for")
     print("those that a clamp that slipped is confounded with), of all surveys together. *passed below 85 %* counts the results that are wrong and")
     print("sure: passed, though less than 85 % of their lengths, or of their tensions, are inside.\n")
-    print("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | culprits named | sound ones blamed | said | passed below 85 % | the worst finding, most often |")
+    print("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | said | passed below 85 % | the worst finding, most often |")
     print("|" + "---|" * 9, flush=True)
     for case in CASES:
         if wanted in case.name:

@@ -29,6 +29,7 @@
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/identification/survey_prospect.hpp"
+#include "taut/net/units.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/statics/equilibrium.hpp"
@@ -85,6 +86,26 @@ auto part_of_json(const char* key) {
     return [key](const Identified& self) {
         return nb::object(dict_of(identification_to_json(self.net, self.survey, self.found))[key]);
     };
+}
+
+nb::object remedy_in_python(const std::optional<Trust::Remedy>& remedy) {
+    if (!remedy) {
+        return nb::none();
+    }
+    nb::dict result;
+    const bool is_estimate = remedy->value == "estimate";
+    result["parameter"] = is_estimate ? "estimate_noise" : argument_name(remedy->parameter);
+    result["value"] = nb::none();
+    if (is_estimate) {
+        result["value"] = true;
+    } else if (remedy->parameter == "noise") {
+        result["value"] = parse_length(remedy->value);
+    } else if (remedy->parameter == "uncertain" && !remedy->value.empty()) {
+        result["value"] = nb::str(remedy->value.c_str()).attr("split")();
+    } else if (!remedy->value.empty()) {
+        result["value"] = remedy->value;
+    }
+    return result;
 }
 
 std::string repr(const Identified& self) {
@@ -209,13 +230,7 @@ void bind_result(nb::module_& module) {
                     one["value"] = finding.value;
                     one["std"] = finding.std;
                     one["confounded_with"] = finding.confounded_with;
-                    one["remedy"] = nb::none();
-                    if (finding.remedy) {
-                        nb::dict remedy;
-                        remedy["parameter"] = argument_name(finding.remedy->parameter);
-                        remedy["value"] = finding.remedy->value;
-                        one["remedy"] = remedy;
-                    }
+                    one["remedy"] = remedy_in_python(finding.remedy);
                     one["reason"] = in_python(finding.reason);
                     one["next"] = advice_in_python(finding);
                     list.append(one);
@@ -225,7 +240,9 @@ void bind_result(nb::module_& module) {
             "What the checks found, the worst first. Of each: kind, severity ('passed', "
             "'doubtful', "
             "'failed'), ids of its edges or nodes, value and std in SI units, confounded_with, "
-            "remedy (parameter and value to identify again with), reason, and what to do next.")
+            "remedy (parameter, an argument of identify() or read_survey(), and its value; None "
+            "where it "
+            "is to be chosen), reason, and what to do next.")
         .def_prop_ro(
             "method", [](const Identified& self) { return self.found.method; },
             "'map', 'balance' or 'gp'.")

@@ -63,16 +63,14 @@ std::vector<std::string> largest_cluster(const CableNet& net,
             }
         }
     }
+    const auto size_of = [&](const Outlier& outlier) {
+        return std::ranges::count(cluster, cluster[outlier.node]);
+    };
+    const auto most = std::ranges::max_element(outliers, {}, size_of);
     std::vector<std::string> largest;
-    for (const Outlier& outlier : outliers) {
-        std::vector<std::string> ids;
-        for (int node = 0; node < net.node_count(); ++node) {
-            if (cluster[node] >= 0 && cluster[node] == cluster[outlier.node]) {
-                ids.push_back(net.node_id(node));
-            }
-        }
-        if (ids.size() > largest.size()) {
-            largest = std::move(ids);
+    for (int node = 0; most != outliers.end() && node < net.node_count(); ++node) {
+        if (cluster[node] == cluster[most->node]) {
+            largest.push_back(net.node_id(node));
         }
     }
     return largest;
@@ -203,12 +201,12 @@ private:
     void test_noise() {
         const FoundScale& noise = m_result.scales.noise;
         const FoundScale& lengths = m_result.scales.lengths;
-        if (m_survey.is_noisy() && !(noise.ratio > 0.0 && lengths.ratio > 0.0)) {
-            add({.kind = FindingKind::survey_noise,
-                 .reason = "The survey shows too little to test its standard deviation and the "
-                           "prior of the lengths."});
-        }
         if (!noise.is_contradicted()) {
+            if (m_survey.is_noisy() && !(noise.ratio > 0.0 && lengths.ratio > 0.0)) {
+                add({.kind = FindingKind::survey_noise,
+                     .reason = "The survey shows too little to test its standard deviation and the "
+                               "prior of the lengths."});
+            }
             return;
         }
         const double given = m_survey.largest_noise_std();
@@ -308,6 +306,10 @@ private:
         if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
             const std::string likeliest = law_text(check.likeliest);
             const bool is_likeliest = check.gain > m_other_cause.gain;
+            // Of a few dozen lengths it is the likeliest by chance, and too sure where it is not
+            // true.
+            const bool is_by_chance = check.likeliest.kind == LengthLaw::Kind::bimodal &&
+                                      m_result.law.kind != LengthLaw::Kind::bimodal;
             Finding finding{
                 .kind = FindingKind::prior,
                 .severity = check.is_untenable() && !check.is_too_wide() ? Verdict::failed
@@ -316,8 +318,11 @@ private:
                 .reason = fmt::format("The lengths of {} edges do not scatter as the prior {}, "
                                       "but as {} (log likelihood {:.0f} higher).",
                                       check.lengths, used, likeliest, check.gain),
-                .next = is_likeliest ? "Use that prior." : m_other_cause.advice()};
-            if (is_likeliest) {
+                .next = !is_likeliest  ? m_other_cause.advice()
+                        : is_by_chance ? "Give a wider prior, or none. Use this one only if the "
+                                         "cables were cut in two lengths."
+                                       : "Use that prior."};
+            if (is_likeliest && !is_by_chance) {
                 finding.remedy = Trust::Remedy{"prior", likeliest};
             }
             add(std::move(finding));
@@ -636,13 +641,14 @@ private:
                 constexpr double widest_part = 0.3;  // parse_unknown() takes no more
                 Unknown wider = spread.unknown;
                 wider.std = to_digits(ratio * wider.std, 2);
+                const std::string group = wider.group.empty() ? std::string() : "@" + wider.group;
                 const bool is_metric = wider.kind == Unknown::Kind::adjustable ||
                                        wider.kind == Unknown::Kind::supports ||
                                        wider.kind == Unknown::Kind::temperature ||
                                        wider.kind == Unknown::Kind::loads_each;
                 add({.kind = FindingKind::uncertain_parameter,
                      .severity = Verdict::failed,
-                     .ids = {std::string(spread.unknown.name())},
+                     .ids = {std::string(wider.name()) + group},
                      .value = ratio,
                      .remedy = Trust::Remedy{"uncertain", is_metric || wider.std < widest_part
                                                               ? wider.to_string()

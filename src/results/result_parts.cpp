@@ -5,16 +5,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "net/rounded_length.hpp"
 #include "taut/io/net_json.hpp"
 
 namespace taut {
 namespace {
-
-double rounded(double value, int digits) {
-    return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
-}
 
 /// On one line. What is not UTF-8, in a file's name say, is replaced.
 std::string line_of(const ResultJson& value) {
@@ -80,7 +76,7 @@ ResultJson trust_json(const Trust& trust) {
 ResultJson numbers_json(const Eigen::Ref<const Eigen::VectorXd>& numbers, int digits) {
     ResultJson list = ResultJson::array();
     for (const double number : numbers) {
-        list.push_back(rounded(number, digits));
+        list.push_back(to_digits(number, digits));
     }
     return list;
 }

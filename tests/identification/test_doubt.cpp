@@ -331,6 +331,9 @@ TEST(Doubt, OfABimodalPriorThatWasNotGivenNamesItAndAssumesNone) {
     const Identification without = identified(s.survey, law);
     EXPECT_NE(without.trust.verdict(), Trust::Verdict::passed);
     EXPECT_TRUE(says(without, "bimodal"));
+    for (const Trust::Finding& finding : without.trust.findings) {
+        EXPECT_FALSE(finding.remedy && finding.remedy->value.starts_with("bimodal"));
+    }
     for (const PriorNode& node : without.prior.nodes) {
         EXPECT_NE(node.law.kind, LengthLaw::Kind::bimodal);
     }

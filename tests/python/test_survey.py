@@ -193,4 +193,9 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
     assert found.findings
     assert all("--" not in f["next"] + f["reason"] for f in found.findings)
     assert any("law='" in f["next"] and f["remedy"]["parameter"] == "law" for f in found.findings)
-    assert any("noise=0.000" in f["next"] for f in found.findings)
+    [noise] = [f for f in found.findings if f["kind"] == "survey_noise"]
+    assert f"noise={noise['remedy']['value']:.6g}" in noise["next"]
+    again = taut.read_survey(
+        net, {k: columns[k] for k in ("id", "x", "y", "z")}, noise=noise["remedy"]["value"]
+    )
+    assert again.noise_std.max() == pytest.approx(noise["value"] * 1e-4, rel=1e-2)

@@ -32,7 +32,7 @@ export type Sizes = Size[];
  */
 export type Texts1 = string[];
 /**
- * Of its edges or nodes.
+ * Of its edges or nodes, or of the uncertain parameter.
  */
 export type Texts2 = string[];
 /**

@@ -189,14 +189,20 @@ function trustLines(result: Result): HTMLElement | null {
   if (!trust) return null;
   const found = "findings" in result ? result.findings : undefined;
   const more = (found?.length ?? 0) - firstOfEachKind(found).length;
-  const option = (remedy: { parameter: string; value: string }): HTMLElement =>
-    h("code", {}, `--${remedy.parameter === "prior" ? "law" : remedy.parameter} ${remedy.value}`.trim());
+  const optionOf = ({ remedy }: Findings[number]): string =>
+    remedy ? `--${remedy.parameter === "prior" ? "law" : remedy.parameter} ${remedy.value}`.trim() : "";
+  const adviceOf = (finding: Findings[number]): string => `${finding.next} ${optionOf(finding)}`.trim();
   return h("div", { class: `trust ${trust.verdict}` },
     h("p", {}, h("strong", {}, `Checks: ${trust.verdict}`)),
     // Versions before 0.3 wrote reasons alone.
     ...(found ? [] : trust.reasons ?? []).map((reason) => h("p", {}, `${reason}.`)),
-    ...firstOfEachKind(found).map(({ severity, reason, next, remedy }, i, all) => h("p", {}, h("strong", {}, `${severity === "passed" ? "note" : severity}: `), reason,
-      next && next !== all[i + 1]?.next ? h("small", {}, ` ${next}`, ...(remedy ? [" ", option(remedy)] : [])) : "")),
+    ...firstOfEachKind(found).map((finding, i, all) => {
+      const next = all[i + 1];
+      const isSaidNext = next !== undefined && adviceOf(next) === adviceOf(finding);
+      const option = finding.remedy ? [" ", h("code", {}, optionOf(finding))] : [];
+      return h("p", {}, h("strong", {}, `${finding.severity === "passed" ? "note" : finding.severity}: `), finding.reason,
+        finding.next && !isSaidNext ? h("small", {}, ` ${finding.next}`, ...option) : "");
+    }),
     ...(more > 0 ? [h("p", {}, `${more} more findings of these kinds are in the result.`)] : []),
     ...(detectableWords(result) ? [h("p", { id: "detectable" }, h("small", {}, `Smallest error that these checks find with a probability of 80 %: ${detectableWords(result)}.`))] : []),
     ...(assumptionWords(result) ? [h("p", { id: "assumptions" }, h("small", {}, assumptionWords(result)))] : []));
