@@ -17,10 +17,10 @@ namespace {
 
 using taut::CableNet;
 
-constexpr taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};
+constexpr taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.005};
 
 taut::Survey survey_of(const CableNet& net, std::uint64_t seed) {
-    const CableNet site = taut::built_net(net, law, 1);
+    const CableNet site = taut::built_net(net, prior, 1);
     return taut::match_to_nodes(
         net, taut::simulate_survey(net, taut::solve_equilibrium(site).form,
                                    {.noise_std = 0.5e-3, .dropped_part = 0.1, .seed = seed}));
@@ -28,7 +28,7 @@ taut::Survey survey_of(const CableNet& net, std::uint64_t seed) {
 
 taut::BuiltNet identified(const CableNet& net, int draws) {
     taut::IdentifyOptions options;
-    options.law = law;
+    options.prior = prior;
     options.draws = draws;
     return taut::built_net_of(net, taut::identify(net, survey_of(net, 1), options));
 }
@@ -73,7 +73,7 @@ void two_epochs(benchmark::State& state) {
     const std::vector<taut::Epoch> epochs{{.survey = survey_of(net, 1), .turned = {}},
                                           {.survey = survey_of(net, 2), .turned = {}}};
     taut::IdentifyOptions options;
-    options.law = law;
+    options.prior = prior;
     for (auto _ : state) {
         benchmark::DoNotOptimize(taut::identify_epochs(net, epochs, options).edges.data());
     }
@@ -84,7 +84,7 @@ BENCHMARK(two_epochs)->Unit(benchmark::kMillisecond)->Iterations(1);
 void control(benchmark::State& state) {
     const CableNet net = taut::hilo_quarter();
     for (auto _ : state) {
-        benchmark::DoNotOptimize(taut::simulate_control(net, {.law = law,
+        benchmark::DoNotOptimize(taut::simulate_control(net, {.prior = prior,
                                                               .actuator_std = 0.2e-3,
                                                               .least_tension = 1.5e3,
                                                               .most_tension = 10e3,

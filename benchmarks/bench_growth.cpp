@@ -16,7 +16,8 @@ namespace {
 
 using taut::CableNet;
 
-constexpr taut::LengthLaw one_millimetre{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.001};
+constexpr taut::LengthPrior one_millimetre{.kind = taut::LengthPrior::Kind::uniform,
+                                           .scale = 0.001};
 
 Eigen::VectorXd drawn_lengths(const CableNet& net) {
     return taut::with_length_deviations(
@@ -86,7 +87,7 @@ void identify(benchmark::State& state) {
     for (auto _ : state) {
         benchmark::DoNotOptimize(
             taut::identify(net, survey,
-                           {.method = taut::IdentificationMethod::map, .law = one_millimetre})
+                           {.method = taut::IdentificationMethod::map, .prior = one_millimetre})
                 .edges.data());
     }
     state.counters["size"] = net.interior_edge_count();

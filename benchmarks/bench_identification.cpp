@@ -14,12 +14,12 @@ namespace {
 
 using taut::CableNet;
 
-constexpr taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};
+constexpr taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.005};
 
 /// The form of drawn lengths with normal noise on each free coordinate.
 taut::Survey survey_of(const CableNet& net, double noise_std) {
     const Eigen::VectorXd deviations =
-        taut::draw_length_deviations(law, 1, 0, net.interior_edge_count());
+        taut::draw_length_deviations(prior, 1, 0, net.interior_edge_count());
     taut::Survey survey{
         .form = taut::EquilibriumSolver(net)
                     .solve(taut::with_length_deviations(net, deviations), net.nodes())
@@ -47,7 +47,8 @@ void balance(benchmark::State& state) {
     const taut::Survey survey = survey_of(net, metres(state));
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            taut::identify(net, survey, {.method = taut::IdentificationMethod::balance, .law = law})
+            taut::identify(net, survey,
+                           {.method = taut::IdentificationMethod::balance, .prior = prior})
                 .edges.data());
     }
 }
@@ -58,7 +59,7 @@ void map(benchmark::State& state) {
     const taut::Survey survey = survey_of(net, metres(state));
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            taut::identify(net, survey, {.method = taut::IdentificationMethod::map, .law = law})
+            taut::identify(net, survey, {.method = taut::IdentificationMethod::map, .prior = prior})
                 .edges.data());
     }
 }
@@ -71,7 +72,7 @@ void map_of_hypar(benchmark::State& state) {
     const taut::Survey survey = survey_of(net, 0.0005);
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            taut::identify(net, survey, {.method = taut::IdentificationMethod::map, .law = law})
+            taut::identify(net, survey, {.method = taut::IdentificationMethod::map, .prior = prior})
                 .edges.data());
     }
 }

@@ -20,10 +20,11 @@ namespace {
 
 using taut::CableNet;
 
-constexpr taut::LengthLaw five_millimetres{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};
+constexpr taut::LengthPrior five_millimetres{.kind = taut::LengthPrior::Kind::uniform,
+                                             .scale = 0.005};
 constexpr double spacing = 0.132;  // m, of the built-in nets
 
-Eigen::VectorXd drawn_lengths(const CableNet& net, const taut::LengthLaw& law,
+Eigen::VectorXd drawn_lengths(const CableNet& net, const taut::LengthPrior& law,
                               std::uint64_t sample) {
     return taut::with_length_deviations(
         net, taut::draw_length_deviations(law, 1, sample, net.interior_edge_count()));
@@ -132,7 +133,7 @@ void solve_hypar(benchmark::State& state) {
     const auto side = static_cast<int>(state.range(0));
     const CableNet net = taut::hypar(side, side);
     const Eigen::VectorXd lengths =
-        drawn_lengths(net, {.kind = taut::LengthLaw::Kind::uniform, .scale = 0.01 * spacing}, 0);
+        drawn_lengths(net, {.kind = taut::LengthPrior::Kind::uniform, .scale = 0.01 * spacing}, 0);
     for (auto _ : state) {
         taut::EquilibriumSolver solver(net);
         const auto found = solver.solve(lengths, net.nodes());

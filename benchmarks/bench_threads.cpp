@@ -17,7 +17,7 @@ namespace {
 
 using taut::CableNet;
 
-constexpr taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};
+constexpr taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.005};
 
 /// What all threads read.
 struct Shared {
@@ -27,7 +27,7 @@ struct Shared {
 
     Shared() {
         const Eigen::VectorXd deviations =
-            taut::draw_length_deviations(law, 1, 0, net.interior_edge_count());
+            taut::draw_length_deviations(prior, 1, 0, net.interior_edge_count());
         survey.form = taut::EquilibriumSolver(net)
                           .solve(taut::with_length_deviations(net, deviations), net.nodes())
                           .form;
@@ -40,7 +40,7 @@ struct Shared {
                 survey.form(k, node) += normal(random);
             }
         }
-        const taut::Sampler sampler(net, law, 1);
+        const taut::Sampler sampler(net, prior, 1);
         taut::DataSet data = sampler.empty();
         sampler.extend(data, 200);
         model = taut::train(net, data, data.converged_in(0, data.size()));
@@ -66,7 +66,7 @@ void equilibria(benchmark::State& state) {
     on_one_thread_a_call(state, [&](int call) {
         const CableNet& net = shared().net;
         const Eigen::VectorXd deviations =
-            taut::draw_length_deviations(law, 2, call, net.interior_edge_count());
+            taut::draw_length_deviations(prior, 2, call, net.interior_edge_count());
         benchmark::DoNotOptimize(
             solver.solve(taut::with_length_deviations(net, deviations), net.nodes()).form.data());
     });
@@ -76,7 +76,7 @@ void map(benchmark::State& state) {
     on_one_thread_a_call(state, [](int /*call*/) {
         taut::IdentifyOptions options;
         options.method = taut::IdentificationMethod::map;
-        options.law = law;
+        options.prior = prior;
         benchmark::DoNotOptimize(
             taut::identify(shared().net, shared().survey, options).edges.data());
     });

@@ -20,7 +20,7 @@ import numpy as np
 UNKNOWNS = ["stiffness:5%", "supports:1mm", "temperature:15K", "adjustable:0.5mm", "loads:20N"]
 UNITS = {"mm": 1e-3, "N": 1.0, "K": 1.0, "%": 1e-2}
 
-# net, factor of its stiffness at the same tensions, law, noise, hidden, surveys, unknowns, load cells
+# net, factor of its stiffness at the same tensions, law, noise, hidden, surveys, uncertain, load cells
 CASES = [
     ("hilo-quarter", 1, "uniform:5mm", "0.5mm", "10%", 50, [], 0),
     ("hypar:9x9", 1, "uniform:2mm", "0.5mm", "10%", 200, [], 0),
@@ -96,12 +96,12 @@ class Net:
                 result[edge] = factor[edge] * (np.interp(strain[edge], x, y) + beyond)
         return result
 
-    def build(self, law, unknowns, seed):
-        """A net as it might be built: its form, tensions, length deviations and unknowns."""
+    def build(self, law, uncertain, seed):
+        """A net as it might be built: its form, tensions, length deviations and uncertain."""
         random = np.random.default_rng(seed)
         count, nodes = len(self.edges), self.nodes.copy()
         factor, lengths, loads, truth = np.ones(count), self.lengths.copy(), self.loads.copy(), {}
-        for text in unknowns:
+        for text in uncertain:
             name, width = text.split(":")
             std = quantity(width)
             if name in ("stiffness", "stiffness-each"):
@@ -155,12 +155,12 @@ def truth_of(unknown, truth):
 
 
 def row(case, folder):
-    name, factor, law, noise, hidden, surveys, unknowns, cells = case
+    name, factor, law, noise, hidden, surveys, uncertain, cells = case
     net = Net(name, factor, folder)
     lengths, slack, tensions, means, places, numbers = (Count() for _ in range(6))
     errors, told, failed, seconds = [], 0, 0, []
     for seed in range(surveys):
-        form, tension, deviations, truth = net.build(law, unknowns, seed)
+        form, tension, deviations, truth = net.build(law, uncertain, seed)
         random = np.random.default_rng(10_000 + seed)
         with (folder / "survey.csv").open("w") as out:
             for node in net.free:
@@ -168,8 +168,8 @@ def row(case, folder):
                 if random.random() >= quantity(hidden):
                     out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
         command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", noise, "--frame", "net"]
-        command += ["--law", law, "--quiet", "-o", folder / "result.json"]
-        for unknown in ["none", *unknowns]:
+        command += ["--prior", law, "--quiet", "-o", folder / "result.json"]
+        for unknown in ["none", *uncertain]:
             command += ["--uncertain", unknown]
         if cells:
             read = random.choice(np.flatnonzero(tension > 0), cells, replace=False)
@@ -185,7 +185,7 @@ def row(case, folder):
         (folder / "result.json").unlink()
         for edge in result["edges"]:
             (slack if edge["status"] == "slack" else lengths).add(deviations[edge["edge"]], edge)
-        for unknown in result["unknowns"]:
+        for unknown in result["uncertain"]:
             value, half = truth_of(unknown, truth), 1.96 * unknown["std"]
             numbers.add(value, {"lower": unknown["mean"] - half, "upper": unknown["mean"] + half})
         if not result["mean_tension"]:
@@ -201,9 +201,9 @@ def row(case, folder):
                 places.add(form[place["node"]][axis], bounds)
     rms = f"{100 * np.sqrt(np.mean(np.square(errors))):.2f} %" if errors else "-"
     of_net = f"`{name}`" + (f", {factor} times as stiff" if factor != 1 else "")
-    of_unknowns = ", ".join(unknowns) or "none"
+    of_parameters = ", ".join(uncertain) or "none"
     return (
-        f"| {of_net} | {law}, {noise}, {hidden} | {of_unknowns} | {cells or 'none'} | {surveys}, {failed}, {told} | {lengths} | "
+        f"| {of_net} | {law}, {noise}, {hidden} | {of_parameters} | {cells or 'none'} | {surveys}, {failed}, {told} | {lengths} | "
         f"{slack} | {tensions} | {places} | {numbers} | {means}, {rms} | {np.median(seconds):.2f} |"
     )
 
@@ -211,12 +211,12 @@ def row(case, folder):
 def main():
     print("# How often the truth is in the intervals\n")
     print("Written by `benchmarks/coverage.py`. Nets are built at random, surveyed with noise and hidden nodes, and")
-    print("identified with the law and the unknowns that they were built with; cells read five taut edges, drawn at")
+    print("identified with the law and the uncertain that they were built with; cells read five taut edges, drawn at")
     print("random, to 2 %. The columns count, in percent, how many true values lie inside their 95 % interval: the")
     print("lengths of edges told taut and of those told slack, the tensions of all edges, the places of hidden nodes,")
-    print("the unknowns, and the mean tension with the root mean square of its error. Tensions are told where")
+    print("the uncertain, and the mean tension with the root mean square of its error. Tensions are told where")
     print("the draws are not in doubt, see [theory.md](theory.md): the third number behind the surveys.\n")
-    print("| net | law, noise, hidden | unknown | cells | surveys, failed, tensions told | lengths | slack | tensions | places | unknowns | mean tension, error | seconds |")
+    print("| net | law, noise, hidden | unknown | cells | surveys, failed, tensions told | lengths | slack | tensions | places | uncertain | mean tension, error | seconds |")
     print("|" + "---|" * 12, flush=True)
     for case in CASES:
         with tempfile.TemporaryDirectory() as folder:

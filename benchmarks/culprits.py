@@ -31,20 +31,20 @@ def identified(net, folder, seed, alter, wrong_target=None):
                 place = place + 0.01 * np.array([0.6, 0.0, 0.8])
             if random.random() >= 0.1 or node == wrong_target:
                 out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
-    taut("identify", folder / "net.json", folder / "survey.csv", "--noise", "0.5mm", "--law", "uniform:5mm", "--frame",
+    taut("identify", folder / "net.json", folder / "survey.csv", "--noise", "0.5mm", "--prior", "uniform:5mm", "--frame",
          "net", "--uncertain", "none", "--draws", "0", "--quiet", "-o", folder / "result.json")
     return json.loads((folder / "result.json").read_text())
 
 
 def named(result):
     """All that is blamed, the largest statistic first: sets of names that cannot be told apart."""
-    doubt = result["doubt"]
-    blamed = [(entry["statistic"], {("edge", entry["edge"])}) for entry in doubt["lengths_beyond_law"]]
-    for entry in doubt["boundary"]:
+    found = result["diagnostics"]
+    blamed = [(entry["statistic"], {("edge", entry["edge"])}) for entry in found["length_outliers"]]
+    for entry in found["boundary"]:
         kinds = ("edge", "support") if "edge" in entry else ("support", "edge")
         either = {(kinds[0], entry.get("edge", entry.get("node")))}
-        if entry["rival"] is not None:
-            either.add((kinds[1], int(entry["rival"])))
+        if entry["confounded_with"] is not None:
+            either.add((kinds[1], int(entry["confounded_with"])))
         blamed.append((entry["statistic"], either))
     blamed += [(o["statistic"], {("target", o["node"])}) for o in result["survey"]["outliers"]]
     return [names for _, names in sorted(blamed, key=lambda one: -one[0])]
@@ -68,7 +68,7 @@ def row(kind, net, folder, trials):
                     deviations[edge] = by
                 return alter
 
-            probe = identified(net, folder, seed, turned(0.03))["doubt"]["boundary"]
+            probe = identified(net, folder, seed, turned(0.03))["diagnostics"]["boundary"]
             std = next((entry["std"] for entry in probe if entry.get("edge") == edge), None)
             if std is None:
                 continue

@@ -22,13 +22,13 @@ NOISE = "0.5mm"
 class Case:
     """One false assumption. All that is not named is true.
 
-    unknowns: as --unknown, by which the net is built otherwise, and which taut is not given.
+    uncertain: as --unknown, by which the net is built otherwise, and which taut is not given.
     """
 
     def __init__(self, name, truth="uniform:5mm", told=None, alter=None, survey=None, noise=NOISE, told_noise=None,
-                 frame="net", culprits=0, options=(), net=NET, heavy=False, unknowns=(), cells=0):
+                 frame="net", culprits=0, options=(), net=NET, heavy=False, uncertain=(), cells=0):
         self.cells = cells  # load cells: forces measured to 2 %
-        self.unknowns = list(unknowns)
+        self.uncertain = list(uncertain)
         self.name, self.truth, self.told, self.alter, self.survey = name, truth, told, alter, survey
         self.noise, self.told_noise, self.frame = noise, told_noise or noise, frame
         self.culprits, self.options, self.net, self.heavy = culprits, list(options), net, heavy
@@ -236,7 +236,7 @@ CASES = [
                                 ("hypar:9x9", None, "uniform:3mm"), ("hypar:5x5", "uniform:2mm", "uniform:2.4mm"),
                                 ("hypar:9x9", "uniform:2mm", "uniform:2.4mm"), ("hypar:5x5", "uniform:2mm", "uniform:3mm"),
                                 ("hypar:5x5", "uniform:4mm", "uniform:2mm")]],
-    *[Case(f"{text} not given", told="uniform:5mm", unknowns=[text])
+    *[Case(f"{text} not given", told="uniform:5mm", uncertain=[text])
       for text in ["stiffness:10%", "stiffness-each:5%", "temperature:20K", "adjustable:0.5mm", "supports:1mm"]],
     Case("EA 10 % lower", told="uniform:5mm", alter=softer(0.1)),
     *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", told="uniform:2mm", net="hypar:9x9", alter=alter)
@@ -282,7 +282,7 @@ CASES = [
     Case("a support 10 mm off", told="uniform:5mm", alter=moved_supports(1, 0.01), culprits=1),
     Case("all supports 2 mm off", told="uniform:5mm", alter=moved_supports(128, 0.002)),
     Case("all supports 2 mm off, given", told="uniform:5mm", alter=moved_supports(128, 0.002),
-         options=["--unknown", "supports:1.2mm"]),
+         options=["--uncertain", "supports:1.2mm"]),
     Case("survey scaled by 1.001", told="uniform:5mm", survey=moved(scale=1.001), frame=None),
     Case("survey scaled by 1.001, --frame net", told="uniform:5mm", survey=moved(scale=1.001)),
 ]
@@ -303,7 +303,7 @@ def try_survey(net, case, folder, seed):
             culprits.update(case.alter(net, deviations, nodes, random))
 
     net.alter = alter
-    form, tension, deviations, _ = net.build(case.truth, case.unknowns, seed)
+    form, tension, deviations, _ = net.build(case.truth, case.uncertain, seed)
     random = np.random.default_rng(10_000 + seed)
     seen = set()
     with (folder / "survey.csv").open("w") as out:
@@ -322,7 +322,7 @@ def try_survey(net, case, folder, seed):
         command += ["--forces", folder / "forces.csv"]
     command += ["--draws", "100", "--quiet", "-o", folder / "result.json"]
     command += ["--frame", case.frame] if case.frame else []
-    command += ["--law", case.told] if case.told else []
+    command += ["--prior", case.told] if case.told else []
     ended = taut(*command)
     if not (folder / "result.json").exists():
         return {"said": "refused", "why": "refused"}
@@ -332,16 +332,16 @@ def try_survey(net, case, folder, seed):
     told = [e for e in result["edges"] + result["adjustable_edges"] if e["tension"] is not None]
     tight = [e["tension_lower"] - 1e-9 <= tension[e["edge"]] <= e["tension_upper"] + 1e-9 for e in told]
     errors = [e["length_deviation"] - deviations[e["edge"]] for e in result["edges"]]
-    doubt = result["doubt"]
-    named = {("edge", e["edge"]) for e in doubt["lengths_beyond_law"]}
-    confounded = {e["node"] for e in doubt["lengths_beyond_law"]
+    found = result["diagnostics"]
+    named = {("edge", e["edge"]) for e in found["length_outliers"]}
+    confounded = {e["node"] for e in found["length_outliers"]
                   if e.get("beside_target") and ("edge", e["edge"]) in culprits}
     innocent = len(named - culprits) + sum(o["id"] not in confounded for o in result["survey"]["outliers"])
-    for entry in doubt["boundary"]:
+    for entry in found["boundary"]:
         blamed, rival = ("edge", "support") if "edge" in entry else ("support", "edge")
         either = {(blamed, entry.get("edge", entry.get("node")))}
-        if entry["rival"] is not None:
-            either.add((rival, int(entry["rival"])))
+        if entry["confounded_with"] is not None:
+            either.add((rival, int(entry["confounded_with"])))
         innocent += not either & culprits
         named |= either
     known = seen | set(net.data["supports"])
@@ -384,7 +384,7 @@ def main():
     print(f"a tenth hidden, {2 * surveys // 5} a row, {surveys} on a hypar), built otherwise than taut is given. Where nothing else is said, lengths are")
     print("uniform:5mm and the frame is the net's. Lengths and tensions are *inside* where the truth is in their 95 % intervals."
           " *said* is the verdict of each result, `trust` of result.json; a suspect is *right* where it is named")
-    print("in `doubt.lengths_beyond_law` or `doubt.boundary` (there by itself or as the rival that cannot be told apart), of those")
+    print("in `diagnostics.length_outliers` or `diagnostics.boundary` (there by itself or confounded with it), of those")
     print("whose ends were seen; *false alarms* are edges and supports named that are as given, and targets left out (but for")
     print("those that a clamp that slipped is confounded with), of all surveys together. *passed below 85 %* counts the results that are wrong and")
     print("sure: passed, though less than 85 % of their lengths, or of their tensions, are inside.\n")

@@ -158,7 +158,7 @@ def none_turned(_):
     return {}, {}, set()
 
 
-def untold_play(job):
+def excess_actuator_std(job):
     return {e: s + 0.7e-3 * job.random.normal() for e, s in job.told.items()}, {}, set()
 
 
@@ -175,8 +175,8 @@ def support_moved(job):
     return job.told, {}, at_it
 
 
-def law_told_narrow(job):
-    job.options = ["--law", "uniform:2mm"]
+def prior_told_narrow(job):
+    job.options = ["--prior", "uniform:2mm"]
     return job.told, {}, set()
 
 
@@ -198,8 +198,8 @@ FALSE = [
     ("all turned 20 % too far", wrong_pitch),
     ("all turned the wrong way", wrong_signs),
     ("none turned", none_turned),
-    ("0.7 mm of play, not told", untold_play),
-    ("law told as uniform:2mm", law_told_narrow),
+    ("0.7 mm of play, not told", excess_actuator_std),
+    ("prior told as uniform:2mm", prior_told_narrow),
     ("one survey told twice, rounded to 0.1 mm", one_survey_twice),
 ]
 

@@ -34,7 +34,7 @@ def of_nets(sides):
         commands = [
             ("example", f"hypar:{side}x{side}", "-o", net),
             ("inspect", net),
-            ("form", net, "--law", "uniform:5mm", "-o", "site.csv"),
+            ("form", net, "--prior", "uniform:5mm", "-o", "site.csv"),
             ("survey", net, "site.csv", "--noise", "0.5mm", "-o", "survey.csv"),
             ("identify", net, "survey.csv", "-o", "result.json"),
             ("export", "result.json", "--to", "csv", "-o", "tables"),
@@ -48,7 +48,7 @@ def of_nets(sides):
 def of_samples(counts):
     """The commands that grow with samples, on the built-in net."""
     peak("example", "hilo-quarter", "-o", "net.json")
-    peak("form", "net.json", "--law", "uniform:5mm", "-o", "form.csv")
+    peak("form", "net.json", "--prior", "uniform:5mm", "-o", "form.csv")
     peak("survey", "net.json", "form.csv", "--noise", "0.5mm", "-o", "survey.csv")
     for count in counts:
         commands = [

@@ -87,25 +87,25 @@ struct SaddlePointProblem {
                 }
             }
         }
-        const int size = layout.unknown_count();
+        const int size = layout.parameter_count();
         Eigen::SparseMatrix<double> result(size, size);
         result.setFromTriplets(entries.begin(), entries.end());
         return result;
     }
 
     /// A vector numbered by the layout, as taut takes it.
-    [[nodiscard]] SaddlePointFactor::Vector by_parts(const Eigen::VectorXd& unknowns) const {
+    [[nodiscard]] SaddlePointFactor::Vector by_parts(const Eigen::VectorXd& uncertain) const {
         SaddlePointFactor::Vector vector{
             .places = Eigen::Matrix3Xd(3, local.free_count),
             .lengths = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(local.edges.size())),
             .multipliers = Eigen::Matrix3Xd(3, local.free_count)};
         for (int j = 0; j < local.free_count; ++j) {
-            vector.places.col(j) = unknowns.segment<3>(layout.place[j]);
-            vector.multipliers.col(j) = unknowns.segment<3>(layout.multiplier(j));
+            vector.places.col(j) = uncertain.segment<3>(layout.place[j]);
+            vector.multipliers.col(j) = uncertain.segment<3>(layout.multiplier(j));
         }
         for (int e = 0; e < vector.lengths.size(); ++e) {
             if (layout.has_length(e)) {
-                vector.lengths(e) = unknowns(layout.length[e]);
+                vector.lengths(e) = uncertain(layout.length[e]);
             }
         }
         return vector;
@@ -113,17 +113,17 @@ struct SaddlePointProblem {
 
     /// The way back.
     [[nodiscard]] Eigen::VectorXd together(const SaddlePointFactor::Vector& vector) const {
-        Eigen::VectorXd unknowns(lower.rows());
+        Eigen::VectorXd uncertain(lower.rows());
         for (int j = 0; j < local.free_count; ++j) {
-            unknowns.segment<3>(layout.place[j]) = vector.places.col(j);
-            unknowns.segment<3>(layout.multiplier(j)) = vector.multipliers.col(j);
+            uncertain.segment<3>(layout.place[j]) = vector.places.col(j);
+            uncertain.segment<3>(layout.multiplier(j)) = vector.multipliers.col(j);
         }
         for (int e = 0; e < vector.lengths.size(); ++e) {
             if (layout.has_length(e)) {
-                unknowns(layout.length[e]) = vector.lengths(e);
+                uncertain(layout.length[e]) = vector.lengths(e);
             }
         }
-        return unknowns;
+        return uncertain;
     }
 
     LocalNet local;

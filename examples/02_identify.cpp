@@ -12,10 +12,10 @@
 
 int main() {
     const taut::CableNet net = taut::hypar(8, 10);
-    const taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.003};  // m
+    const taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.003};  // m
 
     // Algorithm 2: random lengths, and the forms that follow from them.
-    const taut::Sampler sampler(net, law, 1);
+    const taut::Sampler sampler(net, prior, 1);
     taut::DataSet data = sampler.empty();
     sampler.extend(data, 401);
 
@@ -39,5 +39,5 @@ int main() {
               << "largest error of " << result.edges.size() << " lengths: " << 1e3 * worst
               << " mm, predicted form within " << 1e3 * result.residuals.maxCoeff()
               << " mm of the survey\n";
-    return worst < law.scale ? 0 : 1;
+    return worst < prior.scale ? 0 : 1;
 }

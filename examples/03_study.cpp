@@ -8,7 +8,7 @@
 
 int main() {
     const taut::StudySettings settings{
-        .samples = 300, .validation = 20, .law = {.scale = 0.003}, .seed = 7};
+        .samples = 300, .validation = 20, .prior = {.scale = 0.003}, .seed = 7};
     const taut::Study study = taut::run_study(taut::hypar(8, 10), settings);
 
     std::cout << "MSE " << study.as_in_paper().errors.mse << " m2, MRSE "

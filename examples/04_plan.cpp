@@ -13,15 +13,15 @@
 
 int main() {
     const taut::CableNet net = taut::hilo_quarter();
-    const taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};  // m
+    const taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.005};  // m
 
     // The net on site, which nobody knows, and a survey of it.
-    const taut::CableNet site = taut::built_net(net, law, 1);
+    const taut::CableNet site = taut::built_net(net, prior, 1);
     const taut::Survey survey = taut::match_to_nodes(
         net, taut::simulate_survey(net, taut::solve_equilibrium(site).form,
                                    {.noise_std = 0.5e-3, .dropped_part = 0.1}));
 
-    const taut::Identification found = taut::identify(net, survey, {.law = law, .draws = 100});
+    const taut::Identification found = taut::identify(net, survey, {.prior = prior, .draws = 100});
     if (found.trust.verdict() != taut::Trust::Verdict::passed) {
         std::cerr << found.trust.findings.front().reason << '\n';
         return 1;

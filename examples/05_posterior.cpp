@@ -12,11 +12,11 @@
 
 int main() {
     const taut::CableNet net = taut::hypar(6, 6);
-    const taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.003};  // m
+    const taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.003};  // m
 
     // A built net, and a survey of it that misses one target.
     const Eigen::VectorXd deviations =
-        taut::draw_length_deviations(law, 7, 0, net.interior_edge_count());
+        taut::draw_length_deviations(prior, 7, 0, net.interior_edge_count());
     const taut::Equilibrium built = taut::EquilibriumSolver(net).solve(
         taut::with_length_deviations(net, deviations), net.nodes());
     const int hidden = net.free_nodes()[14];
@@ -34,7 +34,7 @@ int main() {
 
     // Two edges at the hidden node: where one is longer, the other may be shorter.
     taut::IdentifyOptions options;
-    options.law = law;
+    options.prior = prior;
     options.draws = 200;
     for (const int edge : net.interior_edges()) {
         const taut::Edge& ends = net.edges()[edge];

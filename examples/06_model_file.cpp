@@ -13,8 +13,8 @@
 int main() {
     const std::filesystem::path file = "06_model_file.h5";
     const taut::CableNet net = taut::hypar(5, 5);
-    const taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.003};  // m
-    const taut::Sampler sampler(net, law, 1);
+    const taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.003};  // m
+    const taut::Sampler sampler(net, prior, 1);
     taut::DataSet data = sampler.empty();
     sampler.extend(data, 201);
     // A fingerprint tells the net: a model is refused for another.

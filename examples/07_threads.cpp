@@ -15,7 +15,7 @@
 
 int main() {
     const taut::CableNet net = taut::hilo_quarter();  // read by all threads
-    const taut::LengthLaw law{.kind = taut::LengthLaw::Kind::uniform, .scale = 0.005};  // m
+    const taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.005};  // m
     constexpr int nets_of_each = 20;
     std::array<double, 2> least{};
 
@@ -24,7 +24,7 @@ int main() {
         double least_tension = 1e9;
         for (int k = 0; k < nets_of_each; ++k) {
             const Eigen::VectorXd lengths = taut::with_length_deviations(
-                net, taut::draw_length_deviations(law, who, k, net.interior_edge_count()));
+                net, taut::draw_length_deviations(prior, who, k, net.interior_edge_count()));
             const taut::Equilibrium form = solver.solve(lengths, net.nodes());
             least_tension =
                 std::min(least_tension, taut::tensions(net, lengths, form.form).minCoeff());

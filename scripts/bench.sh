@@ -43,7 +43,7 @@ build/release/benchmarks/bench_low_rank --benchmark_out="$out/low_rank.json" \
 
 # One plan with SciPy, from the same identified net.
 build/taut example hilo-quarter -o "$out/net.json" > /dev/null
-build/taut form "$out/net.json" --law uniform:5mm --seed 1 -o "$out/site.csv" > /dev/null
+build/taut form "$out/net.json" --prior uniform:5mm --seed 1 -o "$out/site.csv" > /dev/null
 build/taut survey "$out/net.json" "$out/site.csv" --noise 0.5mm --drop 10% -o "$out/site_survey.csv" > /dev/null
 build/taut identify "$out/net.json" "$out/site_survey.csv" --draws 0 -o "$out/site.json" > /dev/null
 build/taut export "$out/site.json" --to net -o "$out/identified.json" > /dev/null
@@ -62,10 +62,10 @@ build/taut example hypar:300x300 -o "$out/hypar300.json" > /dev/null
     build/release/benchmarks/bench_statics --benchmark_filter=solve_hypar/300 > /dev/null
 
 # Reports: the built-in net's, and that of a large net. Chromium opens them.
-build/taut form "$out/hypar300.json" --law uniform:1mm -o "$out/built.csv" > /dev/null
+build/taut form "$out/hypar300.json" --prior uniform:1mm -o "$out/built.csv" > /dev/null
 build/taut survey "$out/hypar300.json" "$out/built.csv" -o "$out/survey.csv" > /dev/null
 /usr/bin/time -f '{"seconds": %e, "peak_kib": %M}' -o "$out/hypar300_identify_process.json" \
-    build/taut identify "$out/hypar300.json" "$out/survey.csv" --law uniform:1mm \
+    build/taut identify "$out/hypar300.json" "$out/survey.csv" --prior uniform:1mm \
     -o "$out/hypar300_result.json" > /dev/null
 build/taut report "$out/hypar300_result.json" -o "$out/hypar300.html" > /dev/null
 [[ -d viewer/node_modules/playwright-core ]] ||

@@ -33,7 +33,7 @@ taut_if_built() {
 build/taut reproduce -o "$folder"
 cd "$folder"
 taut example hilo-quarter -o net.json
-taut form net.json --law uniform:5mm --seed 3 -o built.csv
+taut form net.json --prior uniform:5mm --seed 3 -o built.csv
 taut survey net.json built.csv --noise 0.5mm --drop 10% -o survey.csv
 taut identify net.json survey.csv -o result.json
 made="$folder: the paper's experiment"

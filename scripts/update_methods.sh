@@ -31,7 +31,7 @@ sys.exit(f"docs/methods.md has {count} places") if count != 1 else print(page, e
 taut example hilo-quarter -o "$folder/net.json" > /dev/null
 fill uniform taut compare net.json -o uniform "$@"
 # The standard deviation of the uniform law of 5 mm.
-fill normal taut compare net.json -o normal --law normal:2.9mm --noise 0,0.1mm,0.5mm,2mm \
+fill normal taut compare net.json -o normal --prior normal:2.9mm --noise 0,0.1mm,0.5mm,2mm \
     --training 950 --hidden 0 "$@"
 fill model_errors taut compare net.json -o model_errors --noise 0.5mm --training 950 --hidden 0 \
     --unknown supports:1mm --unknown stiffness:3% --unknown loads:20N --unknown adjustable:0.5mm "$@"

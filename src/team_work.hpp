@@ -41,7 +41,7 @@ std::vector<Result> gathered(size_t count, std::vector<Result> mine) {
 
 /// The first process's value, on all: of what may differ between them, as times do.
 template <typename Value>
-Value told_by_first(Value value) {
+Value broadcast_from_first(Value value) {
     if (team().size() == 1) {
         return value;
     }

@@ -34,8 +34,8 @@ struct CompareOptions : CommonOptions {
     std::string noises = "0,0.1mm,0.2mm,0.5mm,1mm,2mm";
     std::string training = "100,200,500,950,2000";
     std::string hidden = "0,10%";
-    std::string law = "uniform:5mm";
-    std::vector<std::string> unknowns;
+    std::string prior = "uniform:5mm";
+    UncertainOptions uncertain;
     ComparisonSettings comparison;
 };
 
@@ -71,7 +71,7 @@ T parse_whole(std::string_view text, std::string_view unit) {
 
 void parse(CompareOptions& options) {
     ComparisonSettings& comparison = options.comparison;
-    comparison.law = parse_length_law(options.law);
+    comparison.prior = parse_length_prior(options.prior);
     comparison.noises =
         parse_list(options.noises, "--noise", "standard deviations as in 0,0.1mm,0.5mm",
                    [](const std::string& text) {
@@ -106,7 +106,7 @@ void run(const CompareOptions& given) {
     CompareOptions options = given;
     parse(options);
     const CableNet net = read_net(options.net).net;
-    options.comparison.unknowns = unknowns_of(net, options.unknowns, options.net);
+    options.comparison.uncertain = options.uncertain.given(net, options.net);
     const int most = std::ranges::max(options.comparison.training_samples);
     require_memory(training_memory(net, most), fmt::format("{} training samples", most));
     const std::filesystem::path directory(options.directory);
@@ -172,9 +172,9 @@ void add_compare(CLI::App& program) {
         .add_option("--surveys", options->comparison.surveys,
                     "Surveys of each kind, of samples that nothing was trained on")
         ->capture_default_str();
-    command.add_option("--law", options->law, "Law of the length deviations")
+    command.add_option("--prior", options->prior, "Prior of the length deviations")
         ->capture_default_str();
-    add_unknown_option(command, options->unknowns);
+    add_uncertain_option(command, options->uncertain);
     command
         .add_option("--epochs", options->comparison.epochs,
                     "Surveys of each net used at once, up to so many: as it stands, and with every "

@@ -98,8 +98,8 @@ std::string comparison_table(const Comparison& comparison) {
     std::string text = fmt::format(
         "{} surveys of each kind ({}, seed {}), {} of them with slack edges; {} samples drawn, {} "
         "not converged\n",
-        comparison.surveys, settings.law.to_string(), settings.seed, comparison.surveys_with_slack,
-        comparison.samples, comparison.not_converged);
+        comparison.surveys, settings.prior.to_string(), settings.seed,
+        comparison.surveys_with_slack, comparison.samples, comparison.not_converged);
     const int training = settings.common_training();
     const auto is_common = [training](const ComparisonRow& row) {
         return row.training_samples.value_or(training) == training;
@@ -133,7 +133,7 @@ std::string comparison_table(const Comparison& comparison) {
         text += fmt::format(
             "\nOn nets that differ in more than lengths, noise {:.4g} mm, {} training samples: "
             "{}\n{}",
-            1e3 * settings.common_noise(), training, to_string(settings.unknowns), head("these"));
+            1e3 * settings.common_noise(), training, to_string(settings.uncertain), head("these"));
         std::string_view last;
         for (const ComparisonRow& row : comparison.model_error_rows) {
             const std::string_view place = to_string(row.model_errors);

@@ -27,7 +27,7 @@ namespace {
 struct ControlCommand : CommonOptions {
     std::string net;
     std::string directory;
-    std::string law = "uniform:5mm";
+    std::string prior = "uniform:5mm";
     UncertainOptions uncertain;
     std::string noise = "0.5mm";
     std::string drop = "10%";
@@ -44,7 +44,7 @@ struct ControlCommand : CommonOptions {
 };
 
 ControlSettings settings_of(const CableNet& net, const ControlCommand& command) {
-    ControlSettings settings{.law = parse_length_law(command.law),
+    ControlSettings settings{.prior = parse_length_prior(command.prior),
                              .noise_std = parse_length(command.noise),
                              .hidden_part = parse_part(command.drop),
                              .actuator_std = parse_length(command.actuator),
@@ -55,10 +55,7 @@ ControlSettings settings_of(const CableNet& net, const ControlCommand& command) 
                              .rounds = command.rounds,
                              .trials = command.trials,
                              .seed = command.seed};
-    settings.uncertain = command.uncertain.given(net, command.net);
-    if (command.uncertain.assume_site()) {
-        settings.uncertain = with_site_assumptions(net, std::move(settings.uncertain));
-    }
+    settings.uncertain = command.uncertain.assumed(net, command.net);
     if (!command.tension.empty()) {
         const TensionRange range = parse_tension_range(command.tension);
         if (range.has_part()) {
@@ -111,8 +108,8 @@ void run(const ControlCommand& command) {
         say("{}", json);
         return;
     }
-    say("uncertain of the nets besides lengths ({}): {} (--uncertain)\n", settings.law.to_string(),
-        to_string(settings.uncertain));
+    say("uncertain of the nets besides lengths ({}): {} (--uncertain)\n",
+        settings.prior.to_string(), to_string(settings.uncertain));
     say("{:<16}{:>6}{:>18}{:>29}{:>20}{:>10}{:>10}{:>10}\n", "", "", "from target [mm]",
         "along its normal [mm]", "tension [kN]", "limits", "by at", "not");
     say("{:<16}{:>6}{:>10}{:>8}{:>12}{:>8}{:>9}{:>12}{:>8}{:>10}{:>10}{:>10}\n", "planned on",
@@ -137,9 +134,9 @@ void add_control(CLI::App& program) {
         "  taut control net.json -o control --tension 1.5kN..10kN --trials 20", *options);
     command.add_option("NET", options->net, "Net file")->required();
     command.add_option("-o,--output", options->directory, "Directory to write into")->required();
-    command.add_option("--law", options->law, "Law of the length deviations that are built")
+    command.add_option("--prior", options->prior, "Prior of the length deviations that are built")
         ->capture_default_str();
-    add_uncertain_option(command, options->uncertain);
+    add_uncertain_option(command, options->uncertain, assumes_site);
     command.add_option("--noise", options->noise, "Of a surveyed coordinate")
         ->capture_default_str();
     command.add_option("--drop", options->drop, "Part of the free nodes that a survey misses")

@@ -71,8 +71,8 @@ void add_force_options(CLI::App& command, ForceOptions& options) {
 Forces read_forces(const CableNet& net, const ForceOptions& options) {
     Forces forces;
     if (!options.forces.empty()) {
-        forces.readings = parse_force_readings(net, read_file(options.forces), options.forces,
-                                               format_of(options));
+        forces.readings = parse_force_measurements(net, read_file(options.forces), options.forces,
+                                                   format_of(options));
         if (const std::string warning = force_unit_warning(net, forces.readings, options.forces);
             !warning.empty()) {
             warn(options.forces, {warning});
@@ -119,59 +119,40 @@ Forces read_planned_forces(const CableNet& net, const ForceOptions& options) {
     return forces;
 }
 
-CLI::Option* add_unknown_option(CLI::App& command, std::vector<std::string>& unknowns) {
-    return command.add_option("--uncertain,--unknown", unknowns, uncertain_text)
+const char* const assumes_site =
+    ". Of those but loads so much is assumed where they are not given; none: all that is not given "
+    "is exact";
+
+CLI::Option* add_uncertain_option(CLI::App& command, UncertainOptions& options,
+                                  const std::string& note) {
+    return command.add_option("--uncertain", options.texts, uncertain_text + note)
         ->allow_extra_args(false);
 }
 
 bool UncertainOptions::assume_site() const {
-    return unknowns.empty() && std::ranges::find(uncertain, "none") == uncertain.end();
+    return std::ranges::find(texts, "none") == texts.end();
 }
 
-std::vector<Unknown> UncertainOptions::given(const CableNet& net,
-                                             const std::string& net_file) const {
-    if (!unknowns.empty() && !uncertain.empty()) {
-        throw std::invalid_argument(
-            "--uncertain and --unknown cannot stand together: --uncertain none takes all else as "
-            "exact, as --unknown does");
-    }
-    std::vector<std::string> texts = unknowns.empty() ? uncertain : unknowns;
-    std::erase(texts, "none");
-    return unknowns_of(net, texts, net_file);
-}
-
-void add_uncertain_option(CLI::App& command, UncertainOptions& options, CLI::Option* needed) {
-    CLI::Option* uncertain =
-        command
-            .add_option("--uncertain", options.uncertain,
-                        uncertain_text +
-                            ". Of those but loads so much is assumed where they are not given; "
-                            "none: all that is not given is exact")
-            ->allow_extra_args(false);
-    CLI::Option* unknown =
-        command
-            .add_option("--unknown", options.unknowns,
-                        "As --uncertain none and each of these (the option of versions before 0.3)")
-            ->allow_extra_args(false);
-    if (needed != nullptr) {
-        uncertain->needs(needed);
-        unknown->needs(needed);
-    }
-}
-
-std::vector<Unknown> unknowns_of(const CableNet& net, const std::vector<std::string>& texts,
-                                 const std::string& net_file) {
-    std::vector<Unknown> unknowns;
-    unknowns.reserve(texts.size());
+std::vector<UncertainParameter> UncertainOptions::given(const CableNet& net,
+                                                        const std::string& net_file) const {
+    std::vector<UncertainParameter> given;
     for (const std::string& text : texts) {
-        unknowns.push_back(parse_unknown(text));
+        if (text != "none") {
+            given.push_back(parse_uncertain_parameter(text));
+        }
     }
     try {
-        check_unknowns(net, unknowns);
+        check_uncertain_parameters(net, given);
     } catch (const std::invalid_argument& error) {
         throw InputError(net_file, "", error.what());
     }
-    return unknowns;
+    return given;
+}
+
+std::vector<UncertainParameter> UncertainOptions::assumed(const CableNet& net,
+                                                          const std::string& net_file) const {
+    std::vector<UncertainParameter> all = given(net, net_file);
+    return assume_site() ? with_site_assumptions(net, std::move(all)) : all;
 }
 
 }  // namespace taut::app

@@ -26,7 +26,7 @@ struct FormOptions : CommonOptions {
     std::string output;
     std::string solver = "newton";
     std::string cone_form = "quadratic";
-    std::string law;
+    std::string prior;
     std::uint64_t seed = 1;
     std::string lengths;
     std::string turned;
@@ -39,14 +39,14 @@ CableNet as_turned(const FormOptions& options, const CableNet& net) {
                : turned_net(net, parse_turned(net, read_file(options.turned), options.turned));
 }
 
-/// The net as designed, or as it might be built under the law.
+/// The net as designed, or as it might be built under the prior.
 CableNet net_of(const FormOptions& options, const CableNet& nominal) {
-    if (options.law.empty()) {
+    if (options.prior.empty()) {
         return nominal;
     }
-    const LengthLaw law = parse_length_law(options.law);
+    const LengthPrior prior = parse_length_prior(options.prior);
     try {
-        return built_net(nominal, law, options.seed);
+        return built_net(nominal, prior, options.seed);
     } catch (const std::invalid_argument& error) {
         throw InputError(options.net, "", error.what());
     }
@@ -192,8 +192,8 @@ void add_form(CLI::App& program) {
             "Of socp: quadratic (the energy as objective), paper (with v and its large cone)")
         ->check(CLI::IsMember({"quadratic", "paper"}))
         ->capture_default_str();
-    command.add_option("--law", options->law,
-                       "Draw the interior edges' lengths from this law first, as of a built net: "
+    command.add_option("--prior", options->prior,
+                       "Draw the interior edges' lengths from this prior first, as of a built net: "
                        "uniform:5mm, normal:2mm, bimodal:5mm");
     add_seed_option(command, options->seed);
     command.add_option("--lengths", options->lengths,

@@ -41,7 +41,7 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
     std::string method;  ///< empty: chosen by what is there
     std::string model;
-    std::string law;  ///< empty: the model's, or a broad prior
+    std::string prior;  ///< empty: the model's, or a broad prior
     bool prior_exact = false;
     std::string output;
     std::string covariance_of;
@@ -56,18 +56,18 @@ struct Options : CommonOptions, SurveyOptions, ForceOptions {
     }
 };
 
-/// The law that was asked for, by the rules of the sampler.
-std::optional<LengthLaw> law_of(const CableNet& net, const Options& options) {
-    if (options.law.empty()) {
+/// The prior that was asked for, by the rules of the sampler.
+std::optional<LengthPrior> prior_of(const CableNet& net, const Options& options) {
+    if (options.prior.empty()) {
         return std::nullopt;
     }
-    const LengthLaw law = parse_length_law(options.law);
+    const LengthPrior prior = parse_length_prior(options.prior);
     try {
-        check_law(net, law);
+        check_prior(net, prior);
     } catch (const std::invalid_argument& error) {
         throw InputError(options.net, "", error.what());
     }
-    return law;
+    return prior;
 }
 
 /// The edges of --covariance-of.
@@ -92,14 +92,14 @@ std::vector<int> covariance_edges(const CableNet& net, const Options& options) {
 }
 
 std::optional<LengthModel> model_of(const CableNet& net, const Options& options,
-                                    const std::optional<LengthLaw>& law) {
+                                    const std::optional<LengthPrior>& prior) {
     if (options.model.empty()) {
         return std::nullopt;
     }
     auto [model, of_net, has_digest] = read_model(options.model);
     note_digest(options.model, has_digest);
     try {
-        check_model(net, model, law);
+        check_model(net, model, prior);
     } catch (const std::invalid_argument& error) {
         throw InputError(options.model, "", error.what());
     }
@@ -122,7 +122,7 @@ void print_forces(const CableNet& net, const Identification& result) {
         say("forces: {} reading{}, {} left out\n", result.readings, result.readings == 1 ? "" : "s",
             result.reading_outliers.size());
     }
-    for (const ReadingOutlier& outlier : result.reading_outliers) {
+    for (const ForceOutlier& outlier : result.reading_outliers) {
         say("  {:<12} read as {:.4g} kN, where all else tells {:.4g} kN\n",
             net.edge_id(outlier.edge), 1e-3 * outlier.read, 1e-3 * outlier.expected);
     }
@@ -148,23 +148,23 @@ void print_forces(const CableNet& net, const Identification& result) {
 }
 
 /// A number of an unknown, in the unit that people use.
-std::string in_unit(Unknown::Kind kind, double value) {
+std::string in_unit(UncertainParameter::Kind kind, double value) {
     const auto told = [value](double scale, int digits) {
         const double unit = std::pow(10.0, digits);
         const double rounded = std::round(scale * value * unit) / unit + 0.0;  // no -0
         return fmt::format("{:+.{}f}", rounded, digits);
     };
     switch (kind) {
-        case Unknown::Kind::stiffness:
-        case Unknown::Kind::stiffness_each:
-        case Unknown::Kind::loads:
+        case UncertainParameter::Kind::stiffness:
+        case UncertainParameter::Kind::stiffness_each:
+        case UncertainParameter::Kind::loads:
             return told(100.0, 2) + " %";
-        case Unknown::Kind::temperature:
+        case UncertainParameter::Kind::temperature:
             return told(1.0, 1) + " K";
-        case Unknown::Kind::supports:
-        case Unknown::Kind::adjustable:
+        case UncertainParameter::Kind::supports:
+        case UncertainParameter::Kind::adjustable:
             return told(1e3, 2) + " mm";
-        case Unknown::Kind::loads_each:
+        case UncertainParameter::Kind::loads_each:
             return told(1.0, 2) + " N";
     }
     return {};
@@ -172,27 +172,27 @@ std::string in_unit(Unknown::Kind kind, double value) {
 
 /// Those common to many edges in full; of the others how many the survey shows, and the one that is
 /// farthest from the design, in standard deviations before the survey.
-void print_unknowns(const CableNet& net, const Identification& result) {
-    for (auto first = result.unknowns.begin(); first != result.unknowns.end();) {
-        const auto last = std::find_if(first, result.unknowns.end(), [&](const auto& other) {
-            return other.unknown != first->unknown;
+void print_uncertain(const CableNet& net, const Identification& result) {
+    for (auto first = result.uncertain.begin(); first != result.uncertain.end();) {
+        const auto last = std::find_if(first, result.uncertain.end(), [&](const auto& other) {
+            return other.parameter != first->parameter;
         });
-        const Unknown& unknown = first->unknown;
-        const auto text = [&](double value) { return in_unit(unknown.kind, value); };
+        const UncertainParameter& parameter = first->parameter;
+        const auto text = [&](double value) { return in_unit(parameter.kind, value); };
         const auto count = std::distance(first, last);
         if (count == 1 && first->edge < 0 && first->node < 0) {
-            say("{}: {} from the design, std {}{}\n", unknown.to_string(), text(first->mean),
+            say("{}: {} from the design, std {}{}\n", parameter.to_string(), text(first->mean),
                 text(first->std).substr(1),
                 first->is_observed() ? "" : ": nothing that was measured shows it");
         } else {
             const auto shown = std::count_if(
-                first, last, [](const UnknownEstimate& one) { return one.is_observed(); });
+                first, last, [](const ParameterEstimate& one) { return one.is_observed(); });
             const auto farthest = std::max_element(first, last, [](const auto& a, const auto& b) {
                 return std::abs(a.mean) < std::abs(b.mean);
             });
             say("{}: {} of {} better known than before; the farthest from the design is "
                 "{}{} by {}, std {}\n",
-                unknown.to_string(), shown, count,
+                parameter.to_string(), shown, count,
                 farthest->edge >= 0 ? net.edge_id(farthest->edge) : net.node_id(farthest->node),
                 farthest->axis >= 0 ? fmt::format(" ({})", "xyz"[farthest->axis]) : "",
                 text(farthest->mean), text(farthest->std).substr(1));
@@ -203,20 +203,20 @@ void print_unknowns(const CableNet& net, const Identification& result) {
 
 /// What the tensions rest on that nothing showed.
 std::string taken_as_given(const Identification& result) {
-    const auto is_unknown = [&](auto... kinds) {
-        return std::ranges::any_of(result.unknowns, [&](const UnknownEstimate& one) {
-            return ((one.unknown.kind == kinds) || ...);
+    const auto is_uncertain = [&](auto... kinds) {
+        return std::ranges::any_of(result.uncertain, [&](const ParameterEstimate& one) {
+            return ((one.parameter.kind == kinds) || ...);
         });
     };
-    using Kind = Unknown::Kind;
+    using Kind = UncertainParameter::Kind;
     std::vector<std::string_view> given;
-    if (!is_unknown(Kind::stiffness)) {
+    if (!is_uncertain(Kind::stiffness)) {
         given.emplace_back("stiffness");
     }
-    if (!is_unknown(Kind::loads, Kind::loads_each)) {
+    if (!is_uncertain(Kind::loads, Kind::loads_each)) {
         given.emplace_back("loads");
     }
-    if (!is_unknown(Kind::supports)) {
+    if (!is_uncertain(Kind::supports)) {
         given.emplace_back("supports");
     }
     return given.empty() ? "" : fmt::format("; {} taken as given", fmt::join(given, ", "));
@@ -356,8 +356,8 @@ std::string advice(const Trust::Finding& finding) {
         return finding.next;
     }
     const auto& [parameter, value] = *finding.remedy;
-    return fmt::format("{} (--{}{}{}).", finding.next.substr(0, finding.next.size() - 1),
-                       parameter == "prior" ? "law" : parameter, value.empty() ? "" : " ", value);
+    return fmt::format("{} (--{}{}{}).", finding.next.substr(0, finding.next.size() - 1), parameter,
+                       value.empty() ? "" : " ", value);
 }
 
 /// May I act on this?
@@ -445,7 +445,7 @@ void print(const Options& options, const CableNet& net, const Survey& survey,
     print_epochs(net, result);
     print_forces(net, result);
     print_common_deviation(result.prior.common);
-    print_unknowns(net, result);
+    print_uncertain(net, result);
     print_draws(result);
     say("\n");
     print_largest(net, result);
@@ -541,12 +541,12 @@ Identification identified_epochs(const CableNet& net, const std::vector<Epoch>& 
 
 void run(const Options& options) {
     const CableNet net = read_net(options.net).net;
-    const std::optional<LengthLaw> law = law_of(net, options);
+    const std::optional<LengthPrior> prior = prior_of(net, options);
     Survey survey = read_survey(net, options.survey, options.reading());
     tell_of_survey(options, survey, options.json);
-    const std::optional<LengthModel> model = model_of(net, options, law);
+    const std::optional<LengthModel> model = model_of(net, options, prior);
     const Forces forces = read_forces(net, options);
-    const std::vector<Unknown> unknowns = options.uncertain.given(net, options.net);
+    const std::vector<UncertainParameter> uncertain = options.uncertain.given(net, options.net);
     const std::int64_t draws = options.draws.value_or(default_draws(net));
     check_draws(net, draws);
     std::vector<Epoch> epochs = read_epochs(net, survey, options);
@@ -558,10 +558,10 @@ void run(const Options& options) {
     inputs.insert(inputs.end(), {options.net, options.survey, options.model, options.control,
                                  options.offsets, options.covariance_of});
     check_outputs({options.output, draws > 0 ? options.draws_file() : "", options.names}, inputs);
-    IdentifyOptions settings{.law = law,
+    IdentifyOptions settings{.prior = prior,
                              .prior_exact = options.prior_exact,
                              .forces = forces,
-                             .unknowns = unknowns,
+                             .uncertain = uncertain,
                              .assume_site = options.uncertain.assume_site(),
                              .model = model ? &*model : nullptr,
                              .draws = static_cast<int>(draws),
@@ -624,14 +624,14 @@ void add_identify(CLI::App& program) {
         ->check(CLI::IsMember({"gp", "balance", "map"}));
     command.add_option("--model", options->model,
                        "Model of taut train, for gp (default: trained now, on 1000 samples)");
-    command.add_option("--law", options->law,
+    command.add_option("--prior", options->prior,
                        "Prior of the length deviations (default: the model's, or a broad one "
                        "around uniform:5mm)");
     command.add_flag("--prior-exact", options->prior_exact,
                      "Scale and shape of that prior are exact. Else its scale is uncertain by a "
                      "factor of 1.5, and estimated with the lengths");
     add_force_options(command, *options);
-    add_uncertain_option(command, options->uncertain);
+    add_uncertain_option(command, options->uncertain, assumes_site);
     command.add_option("--draws", options->draws,
                        "Draws of lengths, forms and tensions from the posterior, for map; they "
                        "are kept beside the result (_draws.h5). 0: none, and what is slack is told "

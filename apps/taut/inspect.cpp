@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "net_summary.hpp"
-#include "prospect.hpp"
+#include "predicted_precision.hpp"
 #include "taut/files/file.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/identification/identifiability.hpp"
@@ -31,7 +31,7 @@ constexpr int sensitive_edges = 10;
 
 struct InspectOptions : CommonOptions, SurveyOptions, ForceOptions {
     std::string net;
-    std::string law = "uniform:5mm";
+    std::string prior = "uniform:5mm";
     UncertainOptions uncertain;
 };
 
@@ -237,37 +237,37 @@ void print(const CableNet& net, const Inspection& it) {
 
 void run(const InspectOptions& options) {
     const CableNet net = read_net(options.net).net;
-    const LengthLaw law = parse_length_law(options.law);
+    const LengthPrior prior = parse_length_prior(options.prior);
     if (!options.survey.empty()) {
         try {
-            check_law(net, law);
+            check_prior(net, prior);
         } catch (const std::invalid_argument& error) {
             throw InputError(options.net, "", error.what());
         }
     }
     const Inspection inspection = inspect(net);
     warn(options.net, inspection.warnings);
-    std::optional<Prospect> prospect;
+    std::optional<PredictedSurvey> precision;
     if (!options.survey.empty()) {
-        prospect = prospect_of(net, inspection.equilibrium, options, law,
-                               read_planned_forces(net, options), options.uncertain, options.net,
-                               options.json);
+        precision = precision_of(net, inspection.equilibrium, options, prior,
+                                 read_planned_forces(net, options), options.uncertain, options.net,
+                                 options.json);
     }
-    if (prospect && !options.names.empty()) {
+    if (precision && !options.names.empty()) {
         check_outputs({options.names}, {options.net, options.survey, options.control});
-        write_file(options.names, survey_names_csv(net, prospect->survey));
+        write_file(options.names, survey_names_csv(net, precision->survey));
     }
     if (options.json) {
         nlohmann::ordered_json document = to_json(net, inspection);
-        if (prospect) {
-            document["survey"] = to_json(net, *prospect, options.survey);
+        if (precision) {
+            document["survey"] = to_json(net, *precision, options.survey);
         }
         say("{}\n", to_text(document));
         return;
     }
     print(net, inspection);
-    if (prospect) {
-        say("\n{}", prospect_text(net, *prospect, options));
+    if (precision) {
+        say("\n{}", precision_text(net, *precision, options));
     }
 }
 
@@ -291,7 +291,7 @@ void add_inspect(CLI::App& program) {
     for (CLI::Option* option : add_survey_options(command, *options)) {
         option->needs(survey);
     }
-    command.add_option("--law", options->law, "Law of the length deviations")
+    command.add_option("--prior", options->prior, "Prior of the length deviations")
         ->capture_default_str()
         ->needs(survey);
     for (CLI::Option* option : add_reading_options(
@@ -299,7 +299,7 @@ void add_inspect(CLI::App& program) {
              "Edges with a load cell, one a line, or its readings: edge,tension[,std]")) {
         option->needs(survey);
     }
-    add_uncertain_option(command, options->uncertain, survey);
+    add_uncertain_option(command, options->uncertain, assumes_site)->needs(survey);
     set_action(command, options, run);
 }
 

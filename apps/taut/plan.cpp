@@ -241,10 +241,10 @@ void print_survey_first(const CableNet& net, const Plan& plan, double noise) {
         return;
     }
     say("survey first: of these {:.2f} mm, targets seen with {} would leave\n",
-        1e3 * plan.normal_unknown, format_length(noise));
+        1e3 * plan.normal_std, format_length(noise));
     for (const FurtherTarget& target : plan.further_targets) {
         say("  {:<12} {:.3f} mm, with those above\n", net.node_id(target.node),
-            1e3 * target.normal_unknown);
+            1e3 * target.normal_std);
     }
     say("  turning as planned takes {:.2f} mm off the normal RMS\n",
         1e3 * (plan.as_built.normal_rmse - plan.planned.normal_rmse));
@@ -354,13 +354,13 @@ void print(const PlanCommand& command, const PlanRecord& record) {
     say("{:<24}{:>9}{:>9}{:>15}{:>9}{:>9}\n", "[mm]", "mean", "max", "mean", "max", "RMS");
     print_deviation("as built", plan.as_built);
     print_deviation("planned", plan.planned);
-    print_deviation("no limits, no slack", plan.unavoidable);
+    print_deviation("no limits, no slack", plan.unconstrained);
     if (plan.draws > 0) {
         say("not known of the planned form along the normal: {:.2f} mm RMS\n",
-            1e3 * plan.normal_unknown);
+            1e3 * plan.normal_std);
     }
     if (!plan.strokes.empty() && plan.draws > 0 && !record.options->tolerance &&
-        plan.as_built.normal_rmse - plan.planned.normal_rmse < plan.normal_unknown) {
+        plan.as_built.normal_rmse - plan.planned.normal_rmse < plan.normal_std) {
         say("  turning gains less than that along the normal: --tolerance turns fewer edges, "
             "or none\n");
     }
@@ -522,7 +522,7 @@ void add_plan(CLI::App& program) {
         .add_option("--confidence", options->confidence,
                     "With which all limits are to hold over the draws of RESULT")
         ->capture_default_str();
-    command.add_option("--survey-first", options->survey_first,
+    command.add_option("--suggest-targets", options->survey_first,
                        "Tell which targets, seen with this noise, would tell most of the planned "
                        "form before anything is turned: 0.5mm");
     command
@@ -537,7 +537,7 @@ void add_plan(CLI::App& program) {
             "sense of rotation is told")
         ->check(CLI::IsMember({"right", "left"}));
     command
-        .add_option("--further", options->further,
+        .add_option("--suggest-adjustable", options->further,
                     "Tell so many further edges that would help most if they were made adjustable "
                     "or cut to another length")
         ->check(CLI::Range(1, 1000));

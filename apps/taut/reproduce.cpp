@@ -31,7 +31,7 @@ namespace {
 struct ReproduceOptions : CommonOptions {
     std::string directory;
     std::string net;
-    std::string law = "uniform:5mm";
+    std::string prior = "uniform:5mm";
     StudySettings study;
     bool keep = false;
 };
@@ -60,7 +60,7 @@ void check_directory(const ReproduceOptions& options) {
 
 void run(const ReproduceOptions& given) {
     ReproduceOptions options = given;
-    options.study.law = parse_length_law(options.law);
+    options.study.prior = parse_length_prior(options.prior);
     options.study.check();
     const NetFile file = net_of(options);
     require_memory(training_memory(file.net, options.study.samples),
@@ -111,7 +111,7 @@ void add_reproduce(CLI::App& program) {
         .add_option("--validation", options->study.validation,
                     "Samples kept from training, to validate on")
         ->capture_default_str();
-    command.add_option("--law", options->law, "Law of the length deviations")
+    command.add_option("--prior", options->prior, "Prior of the length deviations")
         ->capture_default_str();
     add_seed_option(command, options->study.seed);
     command.add_flag("--keep", options->keep, "Write the data set and the model too");

@@ -5,10 +5,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <new>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "run_record.hpp"
 #include "taut/files/file.hpp"
@@ -19,6 +23,36 @@
 
 namespace taut::app {
 namespace {
+
+/// Options of version 0.2 under their names of today: docs/compatibility.md.
+/// @returns the arguments, each renamed one after a warning
+std::vector<std::string> with_new_names(int argc, char** argv) {
+    struct Renamed {
+        std::string_view before, now;
+    };
+    constexpr std::array<Renamed, 4> renamed{{{"--law", "--prior"},
+                                              {"--unknown", "--uncertain"},
+                                              {"--further", "--suggest-adjustable"},
+                                              {"--survey-first", "--suggest-targets"}}};
+    std::vector<std::string> words;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        const std::string_view name = word.substr(0, word.find('='));
+        const auto* const found = std::ranges::find(renamed, name, &Renamed::before);
+        if (found == renamed.end()) {
+            words.emplace_back(word);
+            continue;
+        }
+        const bool was_all = found->before == "--unknown";  // all else was exact then
+        tell("warning", fmt::format("{} is now {}{}", found->before,
+                                    was_all ? "--uncertain none " : "", found->now));
+        if (was_all) {
+            words.emplace_back("--uncertain=none");
+        }
+        words.push_back(fmt::format("{}{}", found->now, word.substr(name.size())));
+    }
+    return words;
+}
 
 int run(const Program& program, int argc, char** argv) {
     CLI::App parser{
@@ -43,7 +77,9 @@ int run(const Program& program, int argc, char** argv) {
         }
     }
     try {
-        parser.parse(argc, argv);
+        std::vector<std::string> words = with_new_names(argc, argv);
+        std::ranges::reverse(words);  // as CLI11 takes them
+        parser.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) {  // --help, --version
             std::ostringstream text;

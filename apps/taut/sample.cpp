@@ -35,8 +35,8 @@ constexpr std::chrono::seconds longest_checkpoint_interval{30};
 struct SampleOptions : CommonOptions {
     std::string net;
     std::string output;
-    std::string law = "uniform:5mm";
-    std::vector<std::string> unknowns;
+    std::string prior = "uniform:5mm";
+    UncertainOptions uncertain;
     std::uint64_t seed = 1;
     int count = 0;
     bool resume = false;
@@ -64,9 +64,10 @@ std::optional<DataSet> earlier_samples(const SampleOptions& options, const DataS
         };
         require(data.net_fingerprint == wanted.net_fingerprint, "net", data.net_fingerprint,
                 wanted.net_fingerprint);
-        require(data.law == wanted.law, "law", data.law.to_string(), wanted.law.to_string());
-        require(data.unknowns == wanted.unknowns, "unknowns", to_string(data.unknowns),
-                to_string(wanted.unknowns));
+        require(data.prior == wanted.prior, "prior", data.prior.to_string(),
+                wanted.prior.to_string());
+        require(data.uncertain == wanted.uncertain, "uncertain", to_string(data.uncertain),
+                to_string(wanted.uncertain));
         require(data.seed == wanted.seed, "seed", std::to_string(data.seed),
                 std::to_string(wanted.seed));
         if (data.size() > options.count) {
@@ -122,16 +123,16 @@ void draw(const SampleOptions& options, const NetFile& net, const Sampler& sampl
 void tell_outcome(const SampleOptions& options, const CableNet& net, const DataSet& data,
                   int resumed_from, const std::vector<std::string>& warnings) {
     if (options.json) {
-        nlohmann::ordered_json unknowns = nlohmann::ordered_json::array();
-        for (const Unknown& unknown : data.unknowns) {
-            unknowns.push_back(unknown.to_string());
+        nlohmann::ordered_json uncertain = nlohmann::ordered_json::array();
+        for (const UncertainParameter& parameter : data.uncertain) {
+            uncertain.push_back(parameter.to_string());
         }
         const nlohmann::ordered_json document{{"format", "taut-sampling"},
                                               {"version", 1},
                                               {"net", counts_json(net)},
-                                              {"law", data.law.to_string()},
+                                              {"prior", data.prior.to_string()},
                                               {"seed", data.seed},
-                                              {"unknowns", unknowns},
+                                              {"uncertain", uncertain},
                                               {"samples", data.size()},
                                               {"resumed_from", resumed_from},
                                               {"with_slack", data.with_slack()},
@@ -142,9 +143,9 @@ void tell_outcome(const SampleOptions& options, const CableNet& net, const DataS
         return;
     }
     say("{}\n{} samples ({}, seed {}): {} with slack edges, {} not converged\n", counts_text(net),
-        data.size(), data.law.to_string(), data.seed, data.with_slack(), data.not_converged());
-    if (!data.unknowns.empty()) {
-        say("drawn besides the lengths: {}\n", to_string(data.unknowns));
+        data.size(), data.prior.to_string(), data.seed, data.with_slack(), data.not_converged());
+    if (!data.uncertain.empty()) {
+        say("drawn besides the lengths: {}\n", to_string(data.uncertain));
     }
     if (resumed_from > 0) {
         say("the first {} were there already\n", resumed_from);
@@ -154,8 +155,8 @@ void tell_outcome(const SampleOptions& options, const CableNet& net, const DataS
 
 void run(const SampleOptions& options) {
     const NetFile net = read_net(options.net);
-    const Sampler sampler(net.net, parse_length_law(options.law), options.seed,
-                          unknowns_of(net.net, options.unknowns, options.net));
+    const Sampler sampler(net.net, parse_length_prior(options.prior), options.seed,
+                          options.uncertain.given(net.net, options.net));
     DataSet data = sampler.empty();
     if (!team().is_first()) {
         draw(options, net, sampler, data);
@@ -203,11 +204,12 @@ void add_sample(CLI::App& program) {
         ->required()
         ->check(CLI::Range(1, 10'000'000));
     command
-        .add_option("--law", options->law,
-                    "Law of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (std), "
-                    "bimodal:5mm (around +-5 mm)")
+        .add_option(
+            "--prior", options->prior,
+            "Prior of the length deviations: uniform:5mm (within +-5 mm), normal:2mm (std), "
+            "bimodal:5mm (around +-5 mm)")
         ->capture_default_str();
-    add_unknown_option(command, options->unknowns);
+    add_uncertain_option(command, options->uncertain);
     add_seed_option(command, options->seed);
     add_output_option(command, options->output, "Data set to write (HDF5)");
     command.add_flag("--resume", options->resume, "Go on with an earlier data set");

@@ -143,7 +143,8 @@ void add_trials(CLI::App& program) {
     CLI::App& command = add_command(
         program, "trials",
         "Try on random surveys, whose truth is known, whether maximum a posteriori settles.\n"
-        "Each survey draws its law (uniform, 2 or 5 mm), its noise (0.05 to 2 mm), a tenth of the\n"
+        "Each survey draws its prior (uniform, 2 or 5 mm), its noise (0.05 to 2 mm), a tenth of "
+        "the\n"
         "nodes hidden or none, and 5 % of the targets off by 10 to 50 standard deviations or "
         "none.\n"
         "It follows from net, seed and its number: --first N --surveys 1 repeats survey N.",

@@ -86,7 +86,7 @@ def identified(folder, net, y, seen, noise):
         for node in seen:
             out.write(f"{node}," + ",".join(map(repr, map(float, y[node]))) + "\n")
     command = ["taut", "identify", folder / "net.json", folder / "survey.csv", "--noise", f"{1e3 * noise:g}mm"]
-    command += ["--law", f"uniform:{1e3 * BOUND:g}mm", "--frame", "net", "--uncertain", "none", "--draws", "0",
+    command += ["--prior", f"uniform:{1e3 * BOUND:g}mm", "--frame", "net", "--uncertain", "none", "--draws", "0",
                 "--quiet"]
     subprocess.run(list(map(str, [*command, "-o", folder / "result.json"])), check=True, capture_output=True)
     result = json.loads((folder / "result.json").read_text())
@@ -118,7 +118,7 @@ def try_survey(folder, net, noise, hidden, seed):
 def main():
     print("# How near `map` comes to the posterior mean\n")
     print("Written by `benchmarks/reference/posterior_mean.py`, which samples the posterior of the built-in net's lengths by")
-    print(f"Gibbs chains of its own ({CHAINS} chains of {SWEEPS} sweeps, {SURVEYS} surveys a row, law uniform:5mm). *above* is what the")
+    print(f"Gibbs chains of its own ({CHAINS} chains of {SWEEPS} sweeps, {SURVEYS} surveys a row, prior uniform:5mm). *above* is what the")
     print("mean square error of `map` must lie above that of the posterior mean by: the mean square of their difference over")
     print("the mean variance of the chains. *off* is their difference in standard deviations of the chains.\n")
     print("| noise [mm] | hidden | MSE of map [m2] | of the chains' mean [m2] | above [%] | off, RMS | off, largest | R-hat |")

@@ -22,18 +22,18 @@
 #include "calls.hpp"
 #include "dicts.hpp"
 #include "documents.hpp"
+#include "given.hpp"
 #include "identified.hpp"
 #include "states.hpp"
 #include "taut/adjustment/built_net.hpp"
 #include "taut/files/file.hpp"
 #include "taut/identification/epochs.hpp"
 #include "taut/identification/identify.hpp"
-#include "taut/identification/survey_prospect.hpp"
+#include "taut/identification/predicted_precision.hpp"
 #include "taut/net/units.hpp"
 #include "taut/results/draws_h5.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/statics/equilibrium.hpp"
-#include "told.hpp"
 #include "words.hpp"
 
 namespace taut::python {
@@ -94,7 +94,7 @@ nb::object remedy_in_python(const std::optional<Trust::Remedy>& remedy) {
     }
     nb::dict result;
     const bool is_estimate = remedy->value == "estimate";
-    result["parameter"] = is_estimate ? "estimate_noise" : argument_name(remedy->parameter);
+    result["parameter"] = is_estimate ? "estimate_noise" : remedy->parameter;
     result["value"] = nb::none();
     if (is_estimate) {
         result["value"] = true;
@@ -158,7 +158,7 @@ void bind_numbers(nb::class_<Identified>& result) {
                 }
                 return list;
             },
-            "'determined', 'weakly determined', 'not determined' or 'slack' (only a lower bound is "
+            "'determined', 'weakly_determined', 'not_determined' or 'slack' (only a lower bound is "
             "known) of each interior edge.")
         .def_prop_ro(
             "tension",
@@ -250,7 +250,8 @@ void bind_result(nb::module_& module) {
             "how", [](const Identified& self) { return in_python(self.found.how); },
             "What was done, in words.")
         .def_prop_ro(
-            "law", [](const Identified& self) { return self.found.law.to_string(); },
+            "length_prior",
+            [](const Identified& self) { return self.found.length_prior.to_string(); },
             "The most probable prior of the length deviations.")
         .def_prop_ro(
             "detectable", part_of_json("detectable"), nb::sig("def detectable(self) -> dict"),
@@ -263,12 +264,12 @@ void bind_result(nb::module_& module) {
         .def_prop_ro(
             "prior", part_of_json("prior"), nb::sig("def prior(self) -> dict"),
             "Prior of the length deviations after the survey: given, exact, std and std_std [m], "
-            "uniform_probability, nodes with law and weight; and what the deviations have in "
+            "uniform_probability, nodes with prior and weight; and what the deviations have in "
             "common: mean and mean_std [m], run_std and run_probability of the runs of cable, "
             "adjustable and adjustable_std of the adjustable edges [m].")
         .def_prop_ro(
-            "diagnostics", part_of_json("doubt"), nb::sig("def diagnostics(self) -> dict"),
-            "The numbers behind findings: noise, lengths, law, frame; lengths_beyond_law: edges of "
+            "diagnostics", part_of_json("diagnostics"), nb::sig("def diagnostics(self) -> dict"),
+            "The numbers behind findings: noise, lengths, prior, frame; length_outliers: edges of "
             "another length than the prior lets expect, with the other edge where a clamp slipped "
             "or two were swapped; boundary: adjustable edges and supports that are not as "
             "designed.")
@@ -357,19 +358,19 @@ std::vector<int> target_nodes(const CableNet& net, const ArrayLike& targets) {
     return nodes;
 }
 
-void bind_prospect(nb::module_& module) {
-    nb::class_<SurveyProspect> prospect(
-        module, "SurveyProspect",
+void bind_predicted_precision(nb::module_& module) {
+    nb::class_<PredictedPrecision> precision(
+        module, "PredictedPrecision",
         "What a survey can tell of lengths and tensions, before it is made.");
-    make_picklable(prospect);
-    prospect
-        .def_ro("prior_std", &SurveyProspect::prior_std,
+    make_picklable(precision);
+    precision
+        .def_ro("prior_std", &PredictedPrecision::prior_std,
                 "Of each length deviation, before the survey [m].")
         .def_prop_ro(
             "edge",
-            [](const SurveyProspect& self) {
+            [](const PredictedPrecision& self) {
                 std::vector<int> edges;
-                for (const EdgeProspect& edge : self.edges) {
+                for (const EdgePrecision& edge : self.edges) {
                     edges.push_back(edge.edge);
                 }
                 return array_of(std::move(edges));
@@ -377,7 +378,7 @@ void bind_prospect(nb::module_& module) {
             "Interior edges (m_I,), the order of std and edge_status.")
         .def_prop_ro(
             "std",
-            [](const SurveyProspect& self) {
+            [](const PredictedPrecision& self) {
                 Eigen::VectorXd values(std::ssize(self.edges));
                 for (Eigen::Index i = 0; i < values.size(); ++i) {
                     values(i) = self.edges[static_cast<size_t>(i)].std;
@@ -386,27 +387,28 @@ void bind_prospect(nb::module_& module) {
             },
             "Of each interior edge's length deviation, after the survey (m_I,) [m].")
         .def_prop_ro("edge_status",
-                     [](const SurveyProspect& self) {
+                     [](const PredictedPrecision& self) {
                          nb::list list;
-                         for (const EdgeProspect& edge : self.edges) {
+                         for (const EdgePrecision& edge : self.edges) {
                              list.append(to_string(edge.status));
                          }
                          return list;
                      })
-        .def_ro("mean_tension", &SurveyProspect::mean_tension, "Over all edges [N].")
-        .def_ro("mean_tension_std", &SurveyProspect::mean_tension_std, "After the survey [N].")
-        .def("to_dict", &dict_of_fields<SurveyProspect>, nb::sig("def to_dict(self) -> dict"),
+        .def_ro("mean_tension", &PredictedPrecision::mean_tension, "Over all edges [N].")
+        .def_ro("mean_tension_std", &PredictedPrecision::mean_tension_std, "After the survey [N].")
+        .def("to_dict", &dict_of_fields<PredictedPrecision>, nb::sig("def to_dict(self) -> dict"),
              "All of it, SI units.")
         .def(
             "to_dataframe",
-            [](nb::handle_t<SurveyProspect> self) {
-                return of_package("taut.tables", "prospect_frame")(self);
+            [](nb::handle_t<PredictedPrecision> self) {
+                return of_package("taut.tables", "precision_frame")(self);
             },
             nb::sig("def to_dataframe(self) -> object"),
             "The interior edges as a pandas.DataFrame, SI units.")
-        .def("__repr__", [](const SurveyProspect& self) {
+        .def("__repr__", [](const PredictedPrecision& self) {
             return fmt::format(
-                "SurveyProspect({} edges: {} determined, {} weakly determined, {} not determined, "
+                "PredictedPrecision({} edges: {} determined, {} weakly determined, {} not "
+                "determined, "
                 "{} slack; "
                 "RMS std {:.3g} mm, {:.3g} mm before)",
                 self.edges.size(), self.count(EdgeStatus::determined),
@@ -416,8 +418,7 @@ void bind_prospect(nb::module_& module) {
     module.def(
         "inspect",
         [](const CableNet& net, const std::optional<ArrayLike>& targets, double noise,
-           const std::string& law, const std::vector<std::string>& uncertain,
-           const std::optional<std::vector<std::string>>& unknowns) {
+           const std::string& prior, const std::vector<std::string>& uncertain) {
             const Equilibrium nominal = solve_equilibrium(net);
             if (!nominal.balanced()) {
                 throw std::runtime_error("the net as designed finds no equilibrium");
@@ -436,49 +437,46 @@ void bind_prospect(nb::module_& module) {
                 }
             }
             return without_lock([&] {
-                const std::vector<Unknown> given = uncertain_told(net, uncertain, unknowns);
-                return survey_prospect(net, nominal.form, survey, parse_length_law(law), {},
-                                       assumes_site(uncertain, unknowns) && noise > 0.0
-                                           ? with_site_assumptions(net, given)
-                                           : given);
+                const std::vector<UncertainParameter> given = uncertain_given(net, uncertain);
+                return predicted_precision(net, nominal.form, survey, parse_length_prior(prior), {},
+                                           assumes_site(uncertain) && noise > 0.0
+                                               ? with_site_assumptions(net, given)
+                                               : given);
             });
         },
         nb::arg("net"), nb::kw_only(), nb::arg("targets") = nb::none(), nb::arg("noise") = 0.5e-3,
-        nb::arg("law") = "uniform:5mm", nb::arg("uncertain") = std::vector<std::string>(),
-        nb::arg("unknowns") = nb::none(),
+        nb::arg("prior") = "uniform:5mm", nb::arg("uncertain") = std::vector<std::string>(),
         R"(What a survey can tell, before it is made.
 
 Args:
     targets: free nodes that are to be surveyed; all unless told.
     noise: standard deviation of each coordinate [m].
-    law: of the length deviations.
-    uncertain: as of identify().
-    unknowns: as of identify().)");
+    prior: of the length deviations.
+    uncertain: as of identify().)");
 }
 
 }  // namespace
 
 void bind_identification(nb::module_& module) {
     bind_result(module);
-    bind_prospect(module);
+    bind_predicted_precision(module);
     module.def(
         "identify",
         [](const CableNet& net, const Survey& survey, const std::optional<std::string>& method,
-           const std::optional<std::string>& law, const LengthModel* model,
+           const std::optional<std::string>& prior, const LengthModel* model,
            const Readings& readings, const std::optional<ArrayLike>& taut_edges,
            const std::optional<ArrayLike>& slack_edges, const std::vector<std::string>& uncertain,
-           const std::optional<std::vector<std::string>>& unknowns,
            const std::optional<std::int64_t>& draws, const std::optional<ArrayLike>& covariance_of,
            bool estimate_noise, bool prior_exact,
            const std::vector<std::pair<Survey, Readings>>& epochs, std::uint64_t seed,
            const nb::object& progress) {
             const std::int64_t count = draws.value_or(default_draws(net));
             check_draws(net, count);
-            IdentifyOptions options{.law = law_told(law),
+            IdentifyOptions options{.prior = prior_given(prior),
                                     .prior_exact = prior_exact,
                                     .forces = forces_told(net, readings, taut_edges, slack_edges),
-                                    .unknowns = uncertain_told(net, uncertain, unknowns),
-                                    .assume_site = assumes_site(uncertain, unknowns),
+                                    .uncertain = uncertain_given(net, uncertain),
+                                    .assume_site = assumes_site(uncertain),
                                     .model = model,
                                     .draws = static_cast<int>(count),
                                     .estimate_noise = estimate_noise,
@@ -492,10 +490,9 @@ void bind_identification(nb::module_& module) {
             return identified(net, survey, options, epochs, progress);
         },
         nb::arg("net"), nb::arg("survey"), nb::kw_only(), nb::arg("method") = nb::none(),
-        nb::arg("law") = nb::none(), nb::arg("model") = nb::none(),
-        nb::arg("readings") = Readings(), nb::arg("taut") = nb::none(),
-        nb::arg("slack") = nb::none(), nb::arg("uncertain") = std::vector<std::string>(),
-        nb::arg("unknowns") = nb::none(), nb::arg("draws") = nb::none(),
+        nb::arg("prior") = nb::none(), nb::arg("model") = nb::none(),
+        nb::arg("forces") = Readings(), nb::arg("taut") = nb::none(), nb::arg("slack") = nb::none(),
+        nb::arg("uncertain") = std::vector<std::string>(), nb::arg("draws") = nb::none(),
         nb::arg("covariance_of") = nb::none(), nb::arg("estimate_noise") = false,
         nb::arg("prior_exact") = false,
         nb::arg("epochs") = std::vector<std::pair<Survey, Readings>>(), nb::arg("seed") = 1,
@@ -504,19 +501,18 @@ void bind_identification(nb::module_& module) {
 
 Args:
     method: 'map', 'balance' or 'gp'; by what is there unless told.
-    law: prior of the length deviations, 'uniform:5mm'; a broad one unless given.
+    prior: prior of the length deviations, 'uniform:5mm'; a broad one unless given.
     model: of train(), for 'gp'.
-    readings: tensions read, (edge, tension [N], std [N]) each.
+    forces: measured tensions, (edge, tension [N], std [N]) each.
     taut: edges seen to carry tension.
     slack: edges seen to carry none.
     uncertain: what else is uncertain, as in 'stiffness:10%', 'loads:20N'; of those that are not
         given 'stiffness:5%', 'stiffness-each:2%', 'temperature:5K', 'adjustable:0.5mm' and
         'supports:1mm' are assumed. ['none']: all that is not given is exact.
-    unknowns: as ['none', *unknowns] for uncertain, the argument of versions before 0.3.
     draws: of the posterior, by which tensions get their intervals; 200 unless told.
     covariance_of: interior edges whose lengths' covariances are wanted.
     estimate_noise: the survey's noise is known but for a factor.
-    prior_exact: scale and shape of law are exact; else both are estimated with the lengths.
+    prior_exact: scale and shape of prior are exact; else both are estimated with the lengths.
     epochs: later surveys, each with what was turned before it: (survey, [(edge, stroke [m], std
         [m]), ...]).
     progress: called with stage, done, total.

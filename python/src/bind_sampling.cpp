@@ -15,6 +15,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "given.hpp"
 #include "states.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/io/data_set_h5.hpp"
@@ -22,7 +23,6 @@
 #include "taut/sampling/built_net.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/sampling/sampler.hpp"
-#include "told.hpp"
 
 namespace taut::python {
 namespace {
@@ -64,12 +64,12 @@ void check_made_for(const CableNet& net, const std::string& fingerprint) {
 void check_made_by(const Sampler& sampler, const DataSet& data) {
     const DataSet own = sampler.empty();
     const auto words_of = [](const DataSet& of) {
-        return fmt::format("the net {}, {}, seed {}{}", of.net_fingerprint, of.law.to_string(),
+        return fmt::format("the net {}, {}, seed {}{}", of.net_fingerprint, of.prior.to_string(),
                            of.seed,
-                           of.unknowns.empty() ? "" : ", unknowns " + to_string(of.unknowns));
+                           of.uncertain.empty() ? "" : ", uncertain " + to_string(of.uncertain));
     };
-    if (own.net_fingerprint != data.net_fingerprint || own.law != data.law ||
-        own.seed != data.seed || own.unknowns != data.unknowns) {
+    if (own.net_fingerprint != data.net_fingerprint || own.prior != data.prior ||
+        own.seed != data.seed || own.uncertain != data.uncertain) {
         throw nb::value_error(fmt::format("data: got one of {}, expected one of this sampler: {}",
                                           words_of(data), words_of(own))
                                   .c_str());
@@ -109,7 +109,7 @@ void bind_data_set(nb::module_& module) {
             "converged",
             [](const DataSet& self) { return array_of(self.converged_in(0, self.size())); },
             "Samples whose forces balance.")
-        .def_prop_ro("law", [](const DataSet& self) { return self.law.to_string(); })
+        .def_prop_ro("prior", [](const DataSet& self) { return self.prior.to_string(); })
         .def_ro("seed", &DataSet::seed)
         .def("__len__", &DataSet::size)
         .def(
@@ -128,7 +128,7 @@ void bind_data_set(nb::module_& module) {
             nb::arg("path"), "Reads data.h5: the data set and its net.")
         .def("__repr__", [](const DataSet& self) {
             return fmt::format("DataSet({} samples, {}, {} with slack edges)", self.size(),
-                               self.law.to_string(), self.with_slack());
+                               self.prior.to_string(), self.with_slack());
         });
 }
 
@@ -138,7 +138,7 @@ void bind_model(nb::module_& module) {
                                   "Gaussian process an interior edge.");
     make_picklable(model);
     model.def_prop_ro("training_count", &LengthModel::training_count)
-        .def_prop_ro("law", [](const LengthModel& self) { return self.law.to_string(); })
+        .def_prop_ro("prior", [](const LengthModel& self) { return self.prior.to_string(); })
         .def_prop_ro("mean", [](const LengthModel& self) { return to_string(self.mean); })
         .def_prop_ro("kernel", [](const LengthModel& self) { return to_string(self.metric); })
         .def_ro("as_in_paper", &LengthModel::as_in_paper)
@@ -191,7 +191,7 @@ void bind_model(nb::module_& module) {
         .def("__repr__", [](const LengthModel& self) {
             return fmt::format("LengthModel({} processes, {} training samples, {}{})",
                                self.processes.processes.size(), self.training_count(),
-                               self.law.to_string(), self.as_in_paper ? ", as in the paper" : "");
+                               self.prior.to_string(), self.as_in_paper ? ", as in the paper" : "");
         });
 }
 
@@ -214,15 +214,16 @@ void bind_sampling(nb::module_& module) {
                         "(Algorithm 2 of the paper).")
         .def(
             "__init__",
-            [](Sampler* self, const CableNet& net, const std::string& law, std::uint64_t seed,
-               const std::vector<std::string>& unknowns) {
-                new (self) Sampler(net, parse_length_law(law), seed, unknowns_told(net, unknowns));
+            [](Sampler* self, const CableNet& net, const std::string& prior, std::uint64_t seed,
+               const std::vector<std::string>& uncertain) {
+                new (self)
+                    Sampler(net, parse_length_prior(prior), seed, uncertain_given(net, uncertain));
             },
-            nb::arg("net"), nb::arg("law") = "uniform:5mm", nb::arg("seed") = 1,
-            nb::arg("unknowns") = std::vector<std::string>(),
+            nb::arg("net"), nb::arg("prior") = "uniform:5mm", nb::arg("seed") = 1,
+            nb::arg("uncertain") = std::vector<std::string>(),
             R"(Args:
-    law: of the length deviations: 'uniform:5mm', 'normal:2mm', 'bimodal:5mm'.
-    unknowns: what is drawn besides the lengths, as in 'stiffness:5%'.)")
+    prior: of the length deviations: 'uniform:5mm', 'normal:2mm', 'bimodal:5mm'.
+    uncertain: what is drawn besides the lengths, as in 'stiffness:5%'.)")
         .def(
             "draw",
             [](const Sampler& self, int count, const nb::object& progress) {
@@ -261,12 +262,12 @@ void bind_sampling(nb::module_& module) {
              "The data set of all parts, in whatever order: bit for bit that of `draw`.");
     module.def(
         "built_net",
-        [](const CableNet& net, const std::string& law, std::uint64_t seed) {
-            return built_net(net, parse_length_law(law), seed);
+        [](const CableNet& net, const std::string& prior, std::uint64_t seed) {
+            return built_net(net, parse_length_prior(prior), seed);
         },
-        nb::arg("net"), nb::arg("law") = "uniform:5mm", nb::arg("seed") = 1,
+        nb::arg("net"), nb::arg("prior") = "uniform:5mm", nb::arg("seed") = 1,
         "A net as it might be built, for trials: the lengths of its interior edges drawn from a "
-        "law.");
+        "prior.");
     module.def(
         "train",
         [](const CableNet& net, const DataSet& data, const std::optional<ArrayLike>& samples,

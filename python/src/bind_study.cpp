@@ -10,11 +10,11 @@
 #include "bindings.hpp"
 #include "calls.hpp"
 #include "documents.hpp"
+#include "given.hpp"
 #include "taut/results/comparison_files.hpp"
 #include "taut/results/results_json.hpp"
 #include "taut/study/comparison.hpp"
 #include "taut/study/study.hpp"
-#include "told.hpp"
 
 namespace taut::python {
 
@@ -23,15 +23,15 @@ void bind_study(nb::module_& module) {
         "compare",
         [](const CableNet& net, const std::vector<double>& noises,
            const std::vector<int>& training_samples, const std::vector<double>& hidden_parts,
-           int surveys, const std::string& law, const std::vector<std::string>& unknowns,
+           int surveys, const std::string& prior, const std::vector<std::string>& uncertain,
            std::uint64_t seed, const nb::object& progress) {
             const ComparisonSettings settings{.noises = noises,
                                               .training_samples = training_samples,
                                               .hidden_parts = hidden_parts,
                                               .surveys = surveys,
-                                              .law = parse_length_law(law),
+                                              .prior = parse_length_prior(prior),
                                               .seed = seed,
-                                              .unknowns = unknowns_told(net, unknowns)};
+                                              .uncertain = uncertain_given(net, uncertain)};
             return dict_of(comparison_to_json(interruptible(progress, [&](const Progress& told) {
                 return compare_methods(net, settings, told);
             })));
@@ -39,8 +39,8 @@ void bind_study(nb::module_& module) {
         nb::arg("net"), nb::kw_only(), nb::arg("noises") = ComparisonSettings().noises,
         nb::arg("training_samples") = ComparisonSettings().training_samples,
         nb::arg("hidden_parts") = ComparisonSettings().hidden_parts,
-        nb::arg("surveys") = ComparisonSettings().surveys, nb::arg("law") = "uniform:5mm",
-        nb::arg("unknowns") = std::vector<std::string>(), nb::arg("seed") = 1,
+        nb::arg("surveys") = ComparisonSettings().surveys, nb::arg("prior") = "uniform:5mm",
+        nb::arg("uncertain") = std::vector<std::string>(), nb::arg("seed") = 1,
         nb::arg("progress") = nb::none(),
         R"(All methods of identification on simulated surveys of a net: what comparison.json holds.
 
@@ -50,17 +50,17 @@ Args:
     surveys: of each kind.)");
     module.def(
         "reproduce",
-        [](const CableNet& net, int samples, int validation, const std::string& law,
+        [](const CableNet& net, int samples, int validation, const std::string& prior,
            std::uint64_t seed, const nb::object& progress) {
             const StudySettings settings{.samples = samples,
                                          .validation = validation,
-                                         .law = parse_length_law(law),
+                                         .prior = parse_length_prior(prior),
                                          .seed = seed};
             return dict_of(study_to_json(interruptible(
                 progress, [&](const Progress& told) { return run_study(net, settings, told); })));
         },
         nb::arg("net"), nb::kw_only(), nb::arg("samples") = StudySettings().samples,
-        nb::arg("validation") = StudySettings().validation, nb::arg("law") = "uniform:5mm",
+        nb::arg("validation") = StudySettings().validation, nb::arg("prior") = "uniform:5mm",
         nb::arg("seed") = 1, nb::arg("progress") = nb::none(),
         "The paper's numerical experiment on a net: what results.json holds.");
 }

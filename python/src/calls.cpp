@@ -13,7 +13,7 @@
 namespace taut::python {
 namespace {
 
-std::atomic<int> told_threads = 0;
+std::atomic<int> given_threads = 0;
 
 /// One process has one handler of a signal.
 std::atomic<bool> was_interrupted = false;
@@ -36,11 +36,11 @@ void set_threads(int threads) {
         throw nb::value_error(
             ("threads: got " + std::to_string(threads) + ", expected 0 (all) or more").c_str());
     }
-    told_threads = threads;
+    given_threads = threads;
 }
 
 int threads() {
-    return told_threads;
+    return given_threads;
 }
 
 InterruptScope::InterruptScope() {
@@ -98,9 +98,9 @@ void raise_pending_signals() {
     }
 }
 
-void with_told_threads(const std::function<void()>& work) {
-    if (told_threads > 0) {
-        with_threads(told_threads, work);
+void with_given_threads(const std::function<void()>& work) {
+    if (given_threads > 0) {
+        with_threads(given_threads, work);
     } else {
         work();
     }

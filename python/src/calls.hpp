@@ -46,14 +46,14 @@ private:
 /// @throws nb::python_error of KeyboardInterrupt where that was why the work was given up
 void raise_pending_signals();
 
-void with_told_threads(const std::function<void()>& work);
+void with_given_threads(const std::function<void()>& work);
 
 /// Does short work without the interpreter's lock, with the threads told.
 template <class Work>
 auto without_lock(Work&& work) {
     const nb::gil_scoped_release unlocked;
     std::optional<std::invoke_result_t<Work>> result;
-    with_told_threads([&] { result.emplace(work()); });
+    with_given_threads([&] { result.emplace(work()); });
     return *std::move(result);
 }
 
@@ -66,7 +66,7 @@ auto interruptible(const nb::object& tell, Work&& work) -> std::invoke_result_t<
     try {
         const InterruptScope interrupts;
         const nb::gil_scoped_release unlocked;
-        with_told_threads([&] { result.emplace(work(progress)); });
+        with_given_threads([&] { result.emplace(work(progress)); });
     } catch (const Interrupted&) {
         raise_pending_signals();
         throw;

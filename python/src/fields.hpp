@@ -14,7 +14,7 @@
 #include "planned.hpp"
 #include "taut/gp/fit.hpp"
 #include "taut/identification/model.hpp"
-#include "taut/identification/survey_prospect.hpp"
+#include "taut/identification/predicted_precision.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/sampling/sampler.hpp"
 
@@ -38,11 +38,11 @@ std::tuple<Fields&...> references_to(Fields&... fields) {
     }
 
 // sampling, statics
-TAUT_FIELDS(LengthLaw, kind, scale)
-TAUT_FIELDS(Unknown, kind, std, group)
+TAUT_FIELDS(LengthPrior, kind, scale)
+TAUT_FIELDS(UncertainParameter, kind, std, group)
 TAUT_FIELDS(Equilibrium, form, status, iterations, out_of_balance, mean_tension, slack_edges,
             energy_decreases)
-TAUT_FIELDS(DataSet, net_fingerprint, law, seed, unknowns, nominal_form, form_deviations,
+TAUT_FIELDS(DataSet, net_fingerprint, prior, seed, uncertain, nominal_form, form_deviations,
             length_deviations, statuses, slack_counts)
 TAUT_FIELDS(SamplePart, first, samples)
 TAUT_FIELDS(TensionLaw, name, strain, tension)
@@ -70,16 +70,16 @@ TAUT_FIELDS(gp::FittedProcesses, inputs, spectra, processes, weights)
 
 // estimation, identification
 TAUT_FIELDS(Outlier, node, distance, statistic, swapped_with)
-TAUT_FIELDS(ReadingOutlier, edge, read, expected, statistic)
+TAUT_FIELDS(ForceOutlier, edge, read, expected, statistic)
 TAUT_FIELDS(LengthOutlier, edge, deviation, std, statistic, other, node, is_beside_target,
             is_swapped)
 TAUT_FIELDS(BoundaryOutlier, kind, index, deviation, std, statistic, rival)
-TAUT_FIELDS(ReadingBias, part, std)
+TAUT_FIELDS(ForceBias, part, std)
 TAUT_FIELDS(FoundScale, ratio, std)
 TAUT_FIELDS(VarianceComponents, noise, lengths)
-TAUT_FIELDS(LawCheck, checked, lengths, likeliest, gain, mean, mean_std, beyond)
+TAUT_FIELDS(PriorCheck, checked, lengths, likeliest, gain, mean, mean_std, beyond)
 TAUT_FIELDS(DetectableErrors, target, length, adjustable, support, scale, temperature)
-TAUT_FIELDS(PriorNode, law, weight)
+TAUT_FIELDS(PriorNode, prior, weight)
 TAUT_FIELDS(CommonDeviation, mean, mean_std, runs, run_std, run_probability, adjustable,
             adjustable_std)
 TAUT_FIELDS(PriorEstimate, given, exact, std, std_std, uniform_probability, common, nodes)
@@ -94,31 +94,31 @@ TAUT_FIELDS(DrawnSummary, tensions, mean_tension, missing)
 TAUT_FIELDS(Trust::Remedy, parameter, value)
 TAUT_FIELDS(Trust::Finding, kind, severity, ids, value, std, confounded_with, remedy, reason, next)
 TAUT_FIELDS(Trust, findings)
-TAUT_FIELDS(UnknownEstimate, unknown, edge, node, axis, mean, std, prior_std)
+TAUT_FIELDS(ParameterEstimate, parameter, edge, node, axis, mean, std, prior_std)
 TAUT_FIELDS(IdentifiedEdge, edge, nominal, length_deviation, std, lower, upper, status)
 TAUT_FIELDS(Assumption, parameter, is_default, is_testable)
 TAUT_FIELDS(LengthCovariance, edges, covariance)
 TAUT_FIELDS(FrameOffset, about, translation, translation_std, rotation, rotation_std)
 TAUT_FIELDS(LengthChange, edge, change, std, statistic)
 TAUT_FIELDS(EpochResult, surveyed, turned, outliers, boundary_outliers, frame_offset, noise_ratio,
-            noise_scale, change_ratio, change_limit, changes, untold_play, stroke_factor,
+            noise_scale, change_ratio, change_limit, changes, excess_actuator_std, stroke_factor,
             stroke_factor_std, trust)
-TAUT_FIELDS(Identification, method, method_reason, how, law, prior, status, message, edges,
+TAUT_FIELDS(Identification, method, method_reason, how, length_prior, prior, status, message, edges,
             predicted, tensions, residuals, outliers, outlier_threshold, noise_ratio,
-            lengths_beyond_law, boundary_outliers, boundary_beyond, detectable, noise_scale,
-            frame_offset, scales, law_check, frame_check, contradicted_law, law_was_told, readings,
-            reading_outliers, reading_bias, contradicted_taut, contradicted_slack, assumptions,
-            unknowns, draws, epochs, turned, trust, length_covariance, drawn)
+            length_outliers, boundary_outliers, boundary_beyond, detectable, noise_scale,
+            frame_offset, scales, prior_check, frame_check, contradicted_prior, prior_was_told,
+            readings, reading_outliers, reading_bias, contradicted_taut, contradicted_slack,
+            assumptions, uncertain, draws, epochs, turned, trust, length_covariance, drawn)
 TAUT_FIELDS(Identified, net, survey, found)
 TAUT_FIELDS(FormPrior, mean, variances, directions, inputs)
-TAUT_FIELDS(LengthModel, net_fingerprint, law, seed, unknowns, mean, metric, as_in_paper,
+TAUT_FIELDS(LengthModel, net_fingerprint, prior, seed, uncertain, mean, metric, as_in_paper,
             nominal_form, input_scales, length_deviations, processes, form_prior)
-TAUT_FIELDS(EdgeProspect, edge, std, status)
-TAUT_FIELDS(TensionProspect, edge, tension, std, mean_std_with_reading)
-TAUT_FIELDS(SurveyProspect, prior_std, edges, mean_tension, mean_tension_std, readings)
+TAUT_FIELDS(EdgePrecision, edge, std, status)
+TAUT_FIELDS(TensionPrecision, edge, tension, std, mean_std_with_reading)
+TAUT_FIELDS(PredictedPrecision, prior_std, edges, mean_tension, mean_tension_std, readings)
 
 // adjustment
-TAUT_FIELDS(Circumstances, stiffness, thermal, supports, adjustable, loads, own_loads)
+TAUT_FIELDS(ModelPerturbation, stiffness, thermal, supports, adjustable, loads, own_loads)
 TAUT_FIELDS(BuiltNet, net, length_draws, perturbations, no_draws_since, failed_since)
 TAUT_FIELDS(TensionLimits, lower, upper)
 TAUT_FIELDS(ReactionLimit, name, supports, upper)
@@ -130,9 +130,9 @@ TAUT_FIELDS(PlanOptions, edges, confidence, actuator_std, turn, tolerance, surve
             accept_failed)
 TAUT_FIELDS(PlannedStroke, edge, stroke)
 TAUT_FIELDS(LimitBreach, kind, index, load_case, value, limit, probability)
-TAUT_FIELDS(FurtherTarget, node, normal_unknown)
+TAUT_FIELDS(FurtherTarget, node, normal_std)
 TAUT_FIELDS(FormDeviation, mean, max, rmse, normal_mean, normal_max, normal_rmse)
-TAUT_FIELDS(Plan, strokes, as_built, planned, unavoidable, normal_unknown, further_targets, form,
+TAUT_FIELDS(Plan, strokes, as_built, planned, unconstrained, normal_std, further_targets, form,
             form_std, tensions, tension_lower, tension_upper, held, draws, no_draws_since,
             limit_probability, is_feasible, has_converged, breaches, normal_rmse_of_free_strokes,
             is_within_tolerance, fewest_bound, iterations)

@@ -25,9 +25,6 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
     {"--force-unit N", "force_unit=1"},
     {"--noise estimate", "estimate_noise=True"},
     {"--epoch", "epochs"},
-    {"--unknown", "unknowns"},
-    {"--uncertain", "uncertain"},
-    {"--forces", "readings"},
     {"--names", "Survey.to_dataframe()"},
     {"taut import ", ""},
     {"taut sample ", ""},
@@ -90,7 +87,7 @@ std::string in_metres(std::string_view length) {
     }
 }
 
-/// "noise=0.0005", "law='uniform:5mm'", "unknowns=['supports:3mm']".
+/// "noise=0.0005", "prior='uniform:5mm'", "uncertain=['supports:3mm']".
 std::string argument(const std::string& name, std::string_view value) {
     if (value.empty()) {
         return name;
@@ -101,7 +98,7 @@ std::string argument(const std::string& name, std::string_view value) {
     if (name == "noise") {
         return fmt::format("{}={}", name, in_metres(value));
     }
-    if (name == "unknowns" || name == "uncertain") {
+    if (name == "uncertain") {
         std::string list;
         for (const char c : value) {
             list += c == ' ' ? std::string("', '") : std::string(1, c);
@@ -130,9 +127,7 @@ std::string in_python(std::string_view message) {
                          [message](const auto& pair) { return message.starts_with(pair.first); });
         if (begins_word && other != std::end(other_words)) {
             message.remove_prefix(other->first.size());
-            const bool is_whole = !other->second.starts_with("unknowns");
-            result += is_whole ? std::string(other->second)
-                               : argument(std::string(other->second), take_value(message));
+            result += other->second;
         } else if (begins_word && is_option(message)) {
             message.remove_prefix(2);
             const std::string name = take_name(message);
@@ -145,17 +140,13 @@ std::string in_python(std::string_view message) {
     return result;
 }
 
-std::string argument_name(const std::string& parameter) {
-    return parameter == "prior" ? "law" : parameter;
-}
-
 std::string advice_in_python(const Trust::Finding& finding) {
     if (!finding.remedy) {
         return in_python(finding.next);
     }
     const auto& [parameter, value] = *finding.remedy;
     return fmt::format("{} ({}).", finding.next.substr(0, finding.next.size() - 1),
-                       argument(argument_name(parameter), value));
+                       argument(parameter, value));
 }
 
 std::vector<std::string> in_python(const std::vector<std::string>& messages) {

@@ -11,7 +11,7 @@
 namespace taut::python {
 
 /// A message of the library as it is said in Python: where it names an option of the program, the
-/// argument of that name, "--law uniform:5mm" as "law='uniform:5mm'", "--noise 0.5mm" as
+/// argument of that name, "--law uniform:5mm" as "prior='uniform:5mm'", "--noise 0.5mm" as
 /// "noise=0.0005".
 [[nodiscard]] std::string in_python(std::string_view message);
 
@@ -19,9 +19,6 @@ namespace taut::python {
 [[nodiscard]] std::string of_file_in_python(std::string_view message);
 
 [[nodiscard]] std::vector<std::string> in_python(const std::vector<std::string>& messages);
-
-/// The argument that sets a parameter of Trust::Remedy.
-[[nodiscard]] std::string argument_name(const std::string& parameter);
 
 /// What to do about a finding, with the argument that is its remedy.
 [[nodiscard]] std::string advice_in_python(const Trust::Finding& finding);

@@ -156,7 +156,7 @@ def _identification(result):
     def column(name, of=edges):
         return np.array([np.nan if edge[name] is None else edge[name] for edge in of], dtype=float)
 
-    doubted = {one["edge"] for one in (result.get("doubt") or {}).get("lengths_beyond_law", [])}
+    doubted = {one["edge"] for one in (result.get("diagnostics") or {}).get("length_outliers", [])}
     wrong = np.array([edge["edge"] in doubted for edge in edges])
     figure, axes = _new()
     _intervals(

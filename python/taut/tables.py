@@ -87,9 +87,9 @@ def plan_frame(plan):
     )
 
 
-def prospect_frame(prospect):
-    """SurveyProspect.to_dataframe()."""
-    columns = {"edge": prospect.edge, "std": prospect.std, "status": prospect.edge_status}
+def precision_frame(precision):
+    """PredictedPrecision.to_dataframe()."""
+    columns = {"edge": precision.edge, "std": precision.std, "status": precision.edge_status}
     return _frame(columns, "edge")
 
 

@@ -9,27 +9,27 @@
 #include <stdexcept>
 #include <vector>
 
-#include "taut/sampling/circumstances.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut {
 
 CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
-                           std::span<const UnknownEstimate> unknowns,
+                           std::span<const ParameterEstimate> uncertain,
                            std::span<const BoundaryOutlier> boundary_outliers) {
     Eigen::VectorXd lengths = net.unstressed_lengths();
     for (const IdentifiedEdge& edge : edges) {
         lengths(edge.edge) += edge.length_deviation;
     }
-    Circumstances circumstances = circumstances_of(net, {unknowns.begin(), unknowns.end()});
+    ModelPerturbation perturbation = perturbation_of(net, {uncertain.begin(), uncertain.end()});
     for (const BoundaryOutlier& outlier : boundary_outliers) {
         if (outlier.kind == BoundaryOutlier::Kind::support) {
-            circumstances.supports.col(outlier.index) += outlier.deviation;
+            perturbation.supports.col(outlier.index) += outlier.deviation;
         } else {
             lengths(outlier.index) += outlier.deviation.x();
         }
     }
-    const CableNet identified = net_under(net, circumstances, lengths);
+    const CableNet identified = net_under(net, perturbation, lengths);
     const Equilibrium equilibrium = solve_equilibrium(identified);
     if (!equilibrium.balanced()) {
         throw std::invalid_argument("the identified lengths find no equilibrium");
@@ -42,9 +42,9 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
 namespace {
 
 /// Whether the draws hold all that was uncertain: those of older versions hold lengths alone.
-bool holds_all(const PosteriorDraws& draws, std::span<const UnknownEstimate> unknowns) {
-    return std::ranges::all_of(unknowns, [&](const UnknownEstimate& one) {
-        return one.unknown.kind == Unknown::Kind::adjustable
+bool holds_all(const PosteriorDraws& draws, std::span<const ParameterEstimate> uncertain) {
+    return std::ranges::all_of(uncertain, [&](const ParameterEstimate& one) {
+        return one.parameter.kind == UncertainParameter::Kind::adjustable
                    ? draws.adjustable_deviations.size() > 0
                    : !draws.perturbations.empty();
     });
@@ -52,9 +52,9 @@ bool holds_all(const PosteriorDraws& draws, std::span<const UnknownEstimate> unk
 
 /// What differs from the net as identified in a draw, whose perturbations are from the net as it
 /// was turned.
-Circumstances perturbation_of(const CableNet& identified, const CableNet& turned,
-                              const ModelPerturbations& draws, Eigen::Index d) {
-    Circumstances result = as_told(identified);
+ModelPerturbation perturbation_of(const CableNet& identified, const CableNet& turned,
+                                  const ModelPerturbations& draws, Eigen::Index d) {
+    ModelPerturbation result = as_told(identified);
     const auto& nodes = turned.supports();
     result.stiffness =
         (turned.data().axial_stiffness.array() / identified.data().axial_stiffness.array())
@@ -78,12 +78,12 @@ Circumstances perturbation_of(const CableNet& identified, const CableNet& turned
 }  // namespace
 
 void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
-               std::span<const UnknownEstimate> unknowns) {
+               std::span<const ParameterEstimate> uncertain) {
     if (!draws.doubt.empty()) {
         built.no_draws_since = fmt::format("the draws are in doubt: {}", draws.doubt);
         return;
     }
-    if (!holds_all(draws, unknowns)) {
+    if (!holds_all(draws, uncertain)) {
         built.no_draws_since =
             "the draws, of an older version, hold lengths alone, and more was uncertain: identify "
             "again";
@@ -124,7 +124,7 @@ std::string failure_of(const Trust& trust) {
 
 BuiltNet built_net_of(const CableNet& net, const Identification& identification) {
     const CableNet turned = turned_net(net, identification.turned);
-    BuiltNet built{.net = net_as_identified(turned, identification.edges, identification.unknowns,
+    BuiltNet built{.net = net_as_identified(turned, identification.edges, identification.uncertain,
                                             identification.boundary_outliers),
                    .length_draws = {},
                    .perturbations = {},
@@ -132,7 +132,7 @@ BuiltNet built_net_of(const CableNet& net, const Identification& identification)
                    .failed_since = failure_of(identification.trust)};
     if (identification.draws) {
         built.no_draws_since.clear();
-        add_draws(built, turned, *identification.draws, identification.unknowns);
+        add_draws(built, turned, *identification.draws, identification.uncertain);
     }
     return built;
 }

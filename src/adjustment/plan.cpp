@@ -294,7 +294,7 @@ private:
         return draw_strokes(*m_built, m_responses, state, m_options->actuator_std, m_options->seed);
     }
 
-    FormDeviation unavoidable(const StrokedState& state) {
+    FormDeviation unconstrained(const StrokedState& state) {
         for (LimitedResponse& limited : m_responses) {
             // No slack, and no more.
             limited.range.lower = limited.range.lower.cwiseMin(least_taut(limited.response.net()));
@@ -340,7 +340,7 @@ private:
             plan.is_feasible = !is_violated(told);
             tell_breaches(plan, state, nullptr);
         }
-        plan.unavoidable = unavoidable(state);
+        plan.unconstrained = unconstrained(state);
     }
 
     void describe_draws(Plan& plan, const StrokedState& state) {
@@ -377,7 +377,7 @@ private:
                 ++with_normal;
             }
         }
-        plan.normal_unknown = with_normal > 0 ? std::sqrt(unknown / with_normal) : 0.0;
+        plan.normal_std = with_normal > 0 ? std::sqrt(unknown / with_normal) : 0.0;
         if (m_options->survey_noise) {
             tell_further_targets(plan, drawn_strokes);
         }
@@ -406,7 +406,7 @@ private:
         for (const SurveyGain& gain :
              gains_of_targets(as_built.forms, numbers, *m_options->survey_noise, most)) {
             plan.further_targets.push_back(
-                {.node = net.free_nodes()[gain.place], .normal_unknown = gain.left_over});
+                {.node = net.free_nodes()[gain.place], .normal_std = gain.left_over});
         }
     }
 

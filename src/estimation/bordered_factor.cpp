@@ -61,7 +61,7 @@ BorderedFactor::Vector BorderedFactor::solve(const Vector& right_side) const {
     return result;
 }
 
-/// Of a number that is linear in all unknowns, with rates a in K's and c in the border's: the
+/// Of a number that is linear in all uncertain, with rates a in K's and c in the border's: the
 /// variance is a' Z a + (a' Y - c') C^-1 (Y' a - c).
 void BorderedFactor::add_border(Covariance& covariance) const {
     const auto count = static_cast<Eigen::Index>(border.size());

@@ -29,7 +29,8 @@ constexpr double weakest_shown = 1.0;
 
 }  // namespace
 
-BoundarySnooping::BoundarySnooping(const CableNet& net, const std::vector<Unknown>& unknowns,
+BoundarySnooping::BoundarySnooping(const CableNet& net,
+                                   const std::vector<UncertainParameter>& uncertain,
                                    double false_alarm_rate)
     : m_net(net) {
     std::vector<std::vector<int>> edges_at(net.node_count());
@@ -41,7 +42,7 @@ BoundarySnooping::BoundarySnooping(const CableNet& net, const std::vector<Unknow
     for (const int edge : net.adjustable_edges()) {
         m_hypotheses.push_back({.kind = BoundaryOutlier::Kind::adjustable_edge, .index = edge});
     }
-    m_are_supports_uncertain = std_of(unknowns, Unknown::Kind::supports) > 0.0;
+    m_are_supports_uncertain = std_of(uncertain, UncertainParameter::Kind::supports) > 0.0;
     for (const int node : net.supports()) {
         m_hypotheses.push_back({.kind = BoundaryOutlier::Kind::support,
                                 .index = node,
@@ -134,7 +135,7 @@ void BoundarySnooping::take_score(Hypothesis& hypothesis, const LinearisedStatic
 /// Of what is in the border already.
 void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
                                      const Iterate& fitted, double scale) const {
-    const CommonUnknowns& common = statics.common();
+    const CommonParameters& common = statics.common();
     const std::vector<int>& members =
         hypothesis.is_support() ? m_released.moved : m_released.turned;
     const auto place =
@@ -145,7 +146,7 @@ void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedSta
     const Eigen::VectorXd values = fitted.common.segment(first, count);
     const Eigen::MatrixXd covariance =
         statics.common_covariance().block(first, first, count, count);
-    const double unit = CommonUnknowns::released_unit();
+    const double unit = CommonParameters::released_unit();
     hypothesis.found = {.kind = hypothesis.kind, .index = hypothesis.index};
     hypothesis.found.deviation.head(count) = unit * values;
     hypothesis.found.std.head(count) = unit * covariance.diagonal().cwiseMax(0.0).cwiseSqrt();

@@ -19,9 +19,9 @@ namespace taut {
 class BoundarySnooping {
 public:
     /// Keeps a reference to the net.
-    /// @param unknowns where supports are among these, they are tested against that width
+    /// @param uncertain where supports are among these, they are tested against that width
     /// @param false_alarm_rate of targets; 0: no test
-    BoundarySnooping(const CableNet& net, const std::vector<Unknown>& unknowns,
+    BoundarySnooping(const CableNet& net, const std::vector<UncertainParameter>& uncertain,
                      double false_alarm_rate);
 
     [[nodiscard]] bool is_active() const { return m_is_active; }
@@ -33,7 +33,7 @@ public:
 
     /// Whether the boundary may explain what is wrong: it has scores above 1, or what was blamed is
     /// near.
-    /// @param blamed above 0 at nodes (n) of targets left out and edges beyond their law
+    /// @param blamed above 0 at nodes (n) of targets left out and edges beyond their prior
     [[nodiscard]] bool is_suspicious(const Eigen::VectorXd& blamed) const;
     /// As of LengthSnooping.
     [[nodiscard]] Eigen::VectorXd scores() const;

@@ -18,7 +18,8 @@ namespace {
 /// A direction in which the fit follows a target to this part of its variance cannot be tested.
 constexpr double smallest_redundancy = 1e-3;
 
-/// More targets with gross errors than this part: not they are wrong, but net, frame, law or noise.
+/// More targets with gross errors than this part: not they are wrong, but net, frame, prior or
+/// noise.
 constexpr double most_outliers = 0.25;
 
 /// Of three degrees of freedom.
@@ -56,7 +57,7 @@ double snooping_threshold(double false_alarm_rate, size_t targets, int degrees_o
 }
 
 DataSnooping::DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
-                           const std::vector<ForceReading>& readings, double false_alarm_rate)
+                           const std::vector<ForceMeasurement>& readings, double false_alarm_rate)
     : m_survey(survey),
       m_noise(noise),
       m_readings(readings),
@@ -153,7 +154,7 @@ void DataSnooping::evaluate_readings(const Eigen::VectorXd& tensions,
     double told = 0.0;   // c' W c
     int in_use = 0;
     for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
-        const ForceReading& reading = m_readings[k];
+        const ForceMeasurement& reading = m_readings[k];
         const double noise = std::pow(inflation * reading.std, 2);
         const double sign = m_rejected_readings[k] ? 1.0 : -1.0;
         const double variance = noise + sign * variances(reading.edge);
@@ -370,8 +371,8 @@ std::vector<Outlier> DataSnooping::outliers() const {
     return result;
 }
 
-std::vector<ReadingOutlier> DataSnooping::reading_outliers() const {
-    std::vector<ReadingOutlier> result;
+std::vector<ForceOutlier> DataSnooping::reading_outliers() const {
+    std::vector<ForceOutlier> result;
     for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
         if (m_rejected_readings[k]) {
             result.push_back({.edge = m_readings[k].edge,
@@ -380,7 +381,7 @@ std::vector<ReadingOutlier> DataSnooping::reading_outliers() const {
                               .statistic = m_reading_statistics(k)});
         }
     }
-    std::ranges::sort(result, std::greater{}, &ReadingOutlier::statistic);
+    std::ranges::sort(result, std::greater{}, &ForceOutlier::statistic);
     return result;
 }
 

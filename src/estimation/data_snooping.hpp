@@ -37,7 +37,7 @@ public:
     /// Keeps references to survey, noise (3 x n, positive where surveyed [m]) and readings.
     /// @param false_alarm_rate 0: no test
     DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
-                 const std::vector<ForceReading>& readings, double false_alarm_rate);
+                 const std::vector<ForceMeasurement>& readings, double false_alarm_rate);
 
     [[nodiscard]] double threshold() const { return m_threshold; }
     /// Whether there is a test at all: an exact survey has no noise to measure residuals by.
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] const std::vector<bool>& rejected_readings() const { return m_rejected_readings; }
 
     /// Whether more targets are rejected than can have gross errors: not they are wrong then, but
-    /// net, frame, law or noise.
+    /// net, frame, prior or noise.
     [[nodiscard]] bool rejects_too_many() const { return is_too_many(rejected_count()); }
     /// The same, with the targets counted that are above the threshold and still in use.
     [[nodiscard]] bool contradicts_too_many() const {
@@ -76,7 +76,7 @@ public:
 
     /// Part by which all readings are too high, and its standard deviation, where they were
     /// rejected together for that.
-    [[nodiscard]] const std::optional<ReadingBias>& reading_bias() const { return m_reading_bias; }
+    [[nodiscard]] const std::optional<ForceBias>& reading_bias() const { return m_reading_bias; }
 
     /// Rejects the targets above the threshold, of those two edges or less apart only the largest,
     /// since a gross error shows in the residuals around it, too. Where there are none, readmits
@@ -109,7 +109,7 @@ public:
         /// are not readmitted; else 0 (n).
         Eigen::VectorXd for_good;
         std::vector<bool> readings;
-        std::optional<ReadingBias> bias;
+        std::optional<ForceBias> bias;
     };
     [[nodiscard]] Rejected all_rejected() const {
         return {m_rejected, m_rejected_for_good, m_rejected_readings, m_reading_bias};
@@ -132,7 +132,7 @@ public:
     [[nodiscard]] double detectable() const;
 
     [[nodiscard]] std::vector<Outlier> outliers() const;  ///< the largest statistic first
-    [[nodiscard]] std::vector<ReadingOutlier> reading_outliers() const;  ///< likewise
+    [[nodiscard]] std::vector<ForceOutlier> reading_outliers() const;  ///< likewise
     /// Root mean square of the standardised residuals in use, over their expectation.
     /// docs/theory.md, (redundancy).
     [[nodiscard]] double noise_ratio() const;
@@ -154,7 +154,7 @@ private:
 
     const Survey& m_survey;
     const Points& m_noise;
-    const std::vector<ForceReading>& m_readings;
+    const std::vector<ForceMeasurement>& m_readings;
     double m_threshold;
     double m_reading_threshold;
     std::vector<std::vector<int>> m_neighbours;  ///< nodes next to each node
@@ -173,9 +173,9 @@ private:
     std::vector<bool> m_readmitted_readings;  ///< for good
     Eigen::VectorXd m_reading_statistics;
     Eigen::VectorXd m_expected;     ///< tensions of the edges that were read, by the fit [N]
-    ReadingBias m_found_bias;       ///< of the readings in use
+    ForceBias m_found_bias;         ///< of the readings in use
     double m_bias_statistic = 0.0;  ///< its square in its variances
-    std::optional<ReadingBias> m_reading_bias;
+    std::optional<ForceBias> m_reading_bias;
     std::vector<TestedItem> m_in_use;
     double m_residual_scale = 1.0;  ///< squared, of a fit as if the noise were larger
     double m_squares = 0.0;

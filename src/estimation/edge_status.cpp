@@ -9,9 +9,9 @@ std::string_view to_string(EdgeStatus status) {
         case EdgeStatus::determined:
             return "determined";
         case EdgeStatus::weakly_determined:
-            return "weakly determined";
+            return "weakly_determined";
         case EdgeStatus::not_determined:
-            return "not determined";
+            return "not_determined";
         case EdgeStatus::slack:
             return "slack";
     }

@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// How x, lengths and common unknowns, of one epoch follow from those of another, each by itself:
+/// How x, lengths and common uncertain, of one epoch follow from those of another, each by itself:
 ///
 ///   x_to = factor x_from + e,   e of variance `added`
 ///
@@ -30,7 +30,7 @@ struct EpochStep {
 /// What one survey tells of x by itself, at the fit of it: the information that the prior and other
 /// surveys do not hold already. docs/theory.md, (own-evidence).
 /// @param statics linearised and inverted at the fit
-/// @param common_count so many of the first common unknowns are in x
+/// @param common_count so many of the first common uncertain are in x
 [[nodiscard]] LengthEvidence own_evidence(const LinearisedStatics& statics,
                                           const Observations& observations, const Iterate& fitted,
                                           int common_count);

@@ -24,16 +24,16 @@ constexpr double settled_part = 0.02;
 /// between each other.
 constexpr double site_damping = 0.8;
 
-/// Least precision of a site in that of the law. Where the law does not show, its site would be
-/// infinitely wide; and a law with two modes can widen a length, which no normal prior does.
+/// Least precision of a site in that of the prior. Where the prior does not show, its site would be
+/// infinitely wide; and a prior with two modes can widen a length, which no normal prior does.
 constexpr double least_precision = 1e-4;
 
-/// Under the law: then its likelihood is no normal one.
-bool may_be_slack(const LengthLaw& law, const LengthLikelihood& likelihood) {
+/// Under the prior: then its likelihood is no normal one.
+bool may_be_slack(const LengthPrior& prior, const LengthLikelihood& likelihood) {
     constexpr double surely_taut = 4.0;  // standard deviations
     constexpr double small_probability = 0.01;
     return likelihood.extension < surely_taut &&
-           posterior_of(law, likelihood).slack_probability > small_probability;
+           posterior_of(prior, likelihood).slack_probability > small_probability;
 }
 
 /// Of the distance of tilted means from the fit's, in tilted standard deviations.
@@ -56,15 +56,15 @@ void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
         length_likelihoods(net, knowledge, statics, observations, fitted);
     const Eigen::VectorXd unknown = statics.blur().length_variances(net.interior_edge_count());
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const LengthLaw& law = knowledge.laws[i];
+        const LengthPrior& prior = knowledge.priors[i];
         LengthLikelihood cavity = likelihoods[i];
-        if (may_be_slack(law, cavity)) {
+        if (may_be_slack(prior, cavity)) {
             continue;
         }
         cavity.extension = std::numeric_limits<double>::infinity();
-        const auto [mean, variance] = moments_of(law, cavity);  // (tilted)
+        const auto [mean, variance] = moments_of(prior, cavity);  // (tilted)
         const double of_cavity = 1.0 / (cavity.std * cavity.std);
-        const double precision = std::max(least_precision / (law.std() * law.std()),
+        const double precision = std::max(least_precision / (prior.std() * prior.std()),
                                           1.0 / variance - of_cavity);  // (site)
         const double pull = (precision + of_cavity) * mean - of_cavity * cavity.mean;
         // Of the fitted deviation a part is the edge's own.
@@ -143,12 +143,13 @@ bool follow_sites(LinearisedStatics& statics, Propagated& state) {
 
 }  // namespace
 
-Propagated propagate_law(const CableNet& net, const PriorKnowledge& knowledge,
-                         LinearisedStatics& statics, const Observations& observations,
-                         const Iterate& fitted, double tolerance) {
+Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
+                           LinearisedStatics& statics, const Observations& observations,
+                           const Iterate& fitted, double tolerance) {
     Propagated result{.observations = observations, .iterate = fitted};
-    const bool is_normal = std::ranges::all_of(
-        knowledge.laws, [](const LengthLaw& law) { return law.kind == LengthLaw::Kind::normal; });
+    const bool is_normal = std::ranges::all_of(knowledge.priors, [](const LengthPrior& prior) {
+        return prior.kind == LengthPrior::Kind::normal;
+    });
     if (is_normal && knowledge.forces.taut.empty()) {
         return result;
     }

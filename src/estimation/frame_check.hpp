@@ -4,7 +4,7 @@
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
-#include "taut/estimation/doubt.hpp"
+#include "taut/estimation/diagnostics.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {

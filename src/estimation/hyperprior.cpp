@@ -93,15 +93,15 @@ Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, const CableNet& 
     return evidence;
 }
 
-LengthLaw of_std(LengthLaw::Kind kind, double std) {
-    return {kind, std / LengthLaw{kind, 1.0}.std()};
+LengthPrior of_std(LengthPrior::Kind kind, double std) {
+    return {kind, std / LengthPrior{kind, 1.0}.std()};
 }
 
-struct Moments {
+struct Steps {
     double mean = 0.0;
     double std = 0.0;
 };
-Moments moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+Steps moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
     const double mean = weights.dot(values) / weights.sum();
     const double variance = weights.dot((values.array() - mean).square().matrix()) / weights.sum();
     return {.mean = mean, .std = std::sqrt(variance)};
@@ -109,21 +109,21 @@ Moments moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights
 
 }  // namespace
 
-Hyperprior hyperprior_around(const LengthLaw& given) {
-    const bool is_uniform = given.kind == LengthLaw::Kind::uniform;
-    const bool is_bimodal = given.kind == LengthLaw::Kind::bimodal;
+Hyperprior hyperprior_around(const LengthPrior& given) {
+    const bool is_uniform = given.kind == LengthPrior::Kind::uniform;
+    const bool is_bimodal = given.kind == LengthPrior::Kind::bimodal;
     return {.centre = given,
             .log_std = log_std_given,
             .uniform_probability = is_uniform ? own_shape : (is_bimodal ? 0.0 : 1.0 - own_shape)};
 }
 
 Hyperprior broad_hyperprior() {
-    return {.centre = LengthLaw(), .log_std = log_std_broad, .uniform_probability = 0.5};
+    return {.centre = LengthPrior(), .log_std = log_std_broad, .uniform_probability = 0.5};
 }
 
-LengthLaw central_prior(const PriorEstimate& estimate) {
+LengthPrior central_prior(const PriorEstimate& estimate) {
     return estimate.exact ? estimate.given
-                          : rounded(of_std(estimate.nodes.front().law.kind, estimate.std));
+                          : rounded(of_std(estimate.nodes.front().prior.kind, estimate.std));
 }
 
 std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places,
@@ -169,13 +169,13 @@ std::vector<std::pair<double, double>> gauss_nodes(const Eigen::VectorXd& places
 PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
                              LinearisedStatics& statics, const Observations& observations,
                              const Iterate& fitted, const std::vector<bool>& left_out,
-                             const LengthLaw& fit_law, const FoundScale& scale,
-                             const LawLikelihood& shapes) {
+                             const LengthPrior& fit_prior, const FoundScale& scale,
+                             const PriorLikelihood& shapes) {
     const double centre = std::log(hyperprior.centre.std());
     double middle = centre;
     double half_width = grid_reach * hyperprior.log_std;
     const bool is_found = scale.ratio > 0.0 && scale.std > 0.0;
-    const double found = is_found ? std::log(scale.ratio * fit_law.std()) : centre;
+    const double found = is_found ? std::log(scale.ratio * fit_prior.std()) : centre;
     if (is_found && scale.std < 1.0 / reach_found) {
         // Where both together are, as normal distributions.
         const double of_prior = 1.0 / (hyperprior.log_std * hyperprior.log_std);
@@ -200,14 +200,14 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
     // redundancy, by trial.
     const double redundancy = scale.std > 0.0 ? 0.5 / (scale.std * scale.std) : 0.0;
     const double power = std::pow(std::min(1.0, redundancy / std::max(1, shapes.count())), 2);
-    const LengthLaw::Kind other = hyperprior.centre.kind == LengthLaw::Kind::bimodal
-                                      ? LengthLaw::Kind::bimodal
-                                      : LengthLaw::Kind::normal;
-    const std::array<LengthLaw::Kind, 2> kinds{LengthLaw::Kind::uniform, other};
+    const LengthPrior::Kind other = hyperprior.centre.kind == LengthPrior::Kind::bimodal
+                                        ? LengthPrior::Kind::bimodal
+                                        : LengthPrior::Kind::normal;
+    const std::array<LengthPrior::Kind, 2> kinds{LengthPrior::Kind::uniform, other};
     Eigen::MatrixXd log_posterior(places, 2);
     for (Eigen::Index k = 0; k < places; ++k) {
         const double std = std::exp(grid(k));
-        const double of_normal = shapes(of_std(LengthLaw::Kind::normal, std));
+        const double of_normal = shapes(of_std(LengthPrior::Kind::normal, std));
         for (Eigen::Index j = 0; j < 2; ++j) {
             const double probability =
                 j == 0 ? hyperprior.uniform_probability : 1.0 - hyperprior.uniform_probability;
@@ -236,7 +236,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
         const int count = spread < one_node_does ? 1 : (spread < two_nodes_do ? 2 : 3);
         for (const auto& [place, weight] : gauss_nodes(grid, posterior.col(j), count)) {
             result.nodes.push_back(
-                {.law = rounded(of_std(kinds[static_cast<size_t>(j)], std::exp(place))),
+                {.prior = rounded(of_std(kinds[static_cast<size_t>(j)], std::exp(place))),
                  .weight = weight * probability});
         }
     }

@@ -6,20 +6,20 @@
 #include <utility>
 #include <vector>
 
-#include "estimation/law_likelihood.hpp"
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
-#include "taut/estimation/doubt.hpp"
+#include "estimation/prior_likelihood.hpp"
+#include "taut/estimation/diagnostics.hpp"
 #include "taut/estimation/prior_estimate.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
 /// A distribution over priors: log-normal in the standard deviation of the length deviations, and a
 /// probability for each shape. docs/theory.md, (hyperprior)
 struct Hyperprior {
-    LengthLaw centre;                  ///< given, or assumed where none was
+    LengthPrior centre;                ///< given, or assumed where none was
     double log_std = 0.0;              ///< standard deviation of the logarithm of the scale
     double uniform_probability = 0.0;  ///< of the uniform shape; the rest is the centre's other
                                        ///< shape, normal or bimodal
@@ -27,7 +27,7 @@ struct Hyperprior {
 
 /// Around a prior that was given: a factor of 1.5; its own shape with probability 3/4, but a
 /// bimodal one keeps its shape.
-[[nodiscard]] Hyperprior hyperprior_around(const LengthLaw& given);
+[[nodiscard]] Hyperprior hyperprior_around(const LengthPrior& given);
 /// Where none was given: a factor of 2.5 around uniform:5mm, either shape alike.
 [[nodiscard]] Hyperprior broad_hyperprior();
 
@@ -38,18 +38,18 @@ struct Hyperprior {
 /// @param observations that the fit was made with, a normal distribution for each length
 /// @param fitted with these
 /// @param left_out interior edges (m_I) of another prior
-/// @param fit_law that it was made with
+/// @param fit_prior that it was made with
 /// @param scale by estimate_components(), of that
 /// @param shapes of the same fit
 [[nodiscard]] PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
                                            LinearisedStatics& statics,
                                            const Observations& observations, const Iterate& fitted,
                                            const std::vector<bool>& left_out,
-                                           const LengthLaw& fit_law, const FoundScale& scale,
-                                           const LawLikelihood& shapes);
+                                           const LengthPrior& fit_prior, const FoundScale& scale,
+                                           const PriorLikelihood& shapes);
 
 /// One prior for all of an estimate: its most probable shape, its mean standard deviation.
-[[nodiscard]] LengthLaw central_prior(const PriorEstimate& estimate);
+[[nodiscard]] LengthPrior central_prior(const PriorEstimate& estimate);
 
 /// Gauss quadrature of a discrete distribution: integrates polynomials up to degree 2 count - 1 as
 /// it does (G. H. Golub & J. H. Welsch, Math. Comp. 23 (1969) 221-230).

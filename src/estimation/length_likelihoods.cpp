@@ -16,8 +16,8 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
                                                  const Iterate& fitted) {
     const Eigen::VectorXd variances = statics.length_variances();
     const Eigen::VectorXd extension_variances = statics.extension_variances();
-    const Eigen::VectorXd law_variances = statics.blur().length_variances(
-        net.interior_edge_count());  // (blurred-law), (own-stiffness)
+    const Eigen::VectorXd prior_variances = statics.blur().length_variances(
+        net.interior_edge_count());  // (blurred-prior), (own-stiffness)
     const Eigen::VectorXd lengths =
         statics.common().cold(edge_lengths(net, fitted.form), fitted.common);
     const std::vector<bool> can_be_slack =
@@ -29,10 +29,10 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
         const bool is_told = variances(i) > 0.0;
         LengthLikelihood likelihood =
             is_told ? without_prior(observations.mean(i),
-                                    std::sqrt(observations.variance(i) + law_variances(i)),
+                                    std::sqrt(observations.variance(i) + prior_variances(i)),
                                     fitted.deviations(i), std::sqrt(variances(i)))  // (likelihood)
                     : LengthLikelihood();
-        likelihood.std = std::sqrt(likelihood.std * likelihood.std + law_variances(i));
+        likelihood.std = std::sqrt(likelihood.std * likelihood.std + prior_variances(i));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         if (!can_be_slack[edge]) {
             likelihood.extension = std::numeric_limits<double>::infinity();

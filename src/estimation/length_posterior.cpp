@@ -26,20 +26,20 @@ double log_normal_density(double x, double mean, double std) {
 /// overflow.
 constexpr double surely_slack = -1e6;
 
-/// Adds law part times likelihood: N(centre, spread^2) (uniform where the spread is infinite) on
+/// Adds prior part times likelihood: N(centre, spread^2) (uniform where the spread is infinite) on
 /// [lower, upper].
 void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likelihood,
-              double centre, double spread, double law_lower, double law_upper) {
-    const double lower = std::max(law_lower, likelihood.least);
-    const double upper = std::min(law_upper, likelihood.most);
+              double centre, double spread, double prior_lower, double prior_upper) {
+    const double lower = std::max(prior_lower, likelihood.least);
+    const double upper = std::min(prior_upper, likelihood.most);
     const double z = likelihood.extension < surely_slack ? -infinity : likelihood.extension;
     if (z > -infinity) {
         // A product of normal densities is one again.
-        const double law_precision = 1.0 / (spread * spread);
-        const double precision = law_precision + 1.0 / (likelihood.std * likelihood.std);
+        const double prior_precision = 1.0 / (spread * spread);
+        const double precision = prior_precision + 1.0 / (likelihood.std * likelihood.std);
         double mean = centre;
         if (likelihood.std < infinity) {
-            mean = likelihood.mean + law_precision / precision * (centre - likelihood.mean);
+            mean = likelihood.mean + prior_precision / precision * (centre - likelihood.mean);
         }
         // log Phi(z), by its tail where that underflows.
         constexpr double far = -30.0;
@@ -67,37 +67,38 @@ void add_part(std::vector<TruncatedNormal>& parts, const LengthLikelihood& likel
     }
 }
 
-double bound_of(const LengthLaw& law) {
-    return law.kind == LengthLaw::Kind::uniform ? law.scale : infinity;
+double bound_of(const LengthPrior& prior) {
+    return prior.kind == LengthPrior::Kind::uniform ? prior.scale : infinity;
 }
 
 /// (posterior)
-TruncatedMixture mixture_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
-    law.check();
+TruncatedMixture mixture_of(const LengthPrior& prior, const LengthLikelihood& likelihood) {
+    prior.check();
     if (!std::isfinite(likelihood.mean) || !(likelihood.std > 0.0)) {
         throw std::invalid_argument(
             fmt::format("the likelihood has mean {} and std {}, expected a finite and a positive "
                         "number",
                         likelihood.mean, likelihood.std));
     }
-    const double bound = bound_of(law);
+    const double bound = bound_of(prior);
     if (likelihood.extension < surely_slack && !(likelihood.slack_from < bound)) {
-        // Slack, though the law has no such length: the law alone.
+        // Slack, though the prior has no such length: the prior alone.
         LengthLikelihood none;
         none.extension = infinity;
-        return mixture_of(law, none);
+        return mixture_of(prior, none);
     }
     std::vector<TruncatedNormal> parts;
-    switch (law.kind) {
-        case LengthLaw::Kind::uniform:
+    switch (prior.kind) {
+        case LengthPrior::Kind::uniform:
             add_part(parts, likelihood, 0.0, infinity, -bound, bound);
             break;
-        case LengthLaw::Kind::normal:
-            add_part(parts, likelihood, 0.0, law.scale, -infinity, infinity);
+        case LengthPrior::Kind::normal:
+            add_part(parts, likelihood, 0.0, prior.scale, -infinity, infinity);
             break;
-        case LengthLaw::Kind::bimodal:
-            for (const double mode : {-law.scale, law.scale}) {
-                const double spread = std::sqrt(law.std() * law.std() - law.scale * law.scale);
+        case LengthPrior::Kind::bimodal:
+            for (const double mode : {-prior.scale, prior.scale}) {
+                const double spread =
+                    std::sqrt(prior.std() * prior.std() - prior.scale * prior.scale);
                 add_part(parts, likelihood, mode, spread, -infinity, infinity);
             }
             break;
@@ -120,9 +121,9 @@ LengthLikelihood without_prior(double prior_mean, double prior_std, double poste
             .std = prior_std / std::sqrt(part)};
 }
 
-LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
-    const TruncatedMixture mixture = mixture_of(law, likelihood);
-    const double bound = bound_of(law);
+LengthPosterior posterior_of(const LengthPrior& prior, const LengthLikelihood& likelihood) {
+    const TruncatedMixture mixture = mixture_of(prior, likelihood);
+    const double bound = bound_of(prior);
     const auto [mean, variance] = mixture.moments();
     LengthPosterior posterior{.mean = mean,
                               .std = std::sqrt(variance),
@@ -139,8 +140,8 @@ LengthPosterior posterior_of(const LengthLaw& law, const LengthLikelihood& likel
     return posterior;
 }
 
-std::pair<double, double> moments_of(const LengthLaw& law, const LengthLikelihood& likelihood) {
-    return mixture_of(law, likelihood).moments();
+std::pair<double, double> moments_of(const LengthPrior& prior, const LengthLikelihood& likelihood) {
+    return mixture_of(prior, likelihood).moments();
 }
 
 EdgeStatus status_of(double prior_std, const LengthPosterior& posterior) {

@@ -56,15 +56,15 @@ struct Core {
     double fall = 0.0;
 };
 
-Core core_of(const LengthLaw& law) {
-    switch (law.kind) {
-        case LengthLaw::Kind::uniform:
-            return {.end = law.scale, .fall = 0.0};
-        case LengthLaw::Kind::normal:
-            return {.end = 0.0, .fall = law.scale};
-        case LengthLaw::Kind::bimodal:
-            return {.end = law.scale,
-                    .fall = std::sqrt(law.std() * law.std() - law.scale * law.scale)};
+Core core_of(const LengthPrior& prior) {
+    switch (prior.kind) {
+        case LengthPrior::Kind::uniform:
+            return {.end = prior.scale, .fall = 0.0};
+        case LengthPrior::Kind::normal:
+            return {.end = 0.0, .fall = prior.scale};
+        case LengthPrior::Kind::bimodal:
+            return {.end = prior.scale,
+                    .fall = std::sqrt(prior.std() * prior.std() - prior.scale * prior.scale)};
     }
     return {};
 }
@@ -76,7 +76,7 @@ double core_statistic(double deviation, const Core& core, double variance) {
 }
 
 /// Of both deviations' difference.
-Core core_of_difference(const LengthLaw& one, const LengthLaw& other) {
+Core core_of_difference(const LengthPrior& one, const LengthPrior& other) {
     const auto [end, fall] = core_of(one);
     const auto [other_end, other_fall] = core_of(other);
     return {.end = end + other_end, .fall = std::hypot(fall, other_fall)};
@@ -84,20 +84,20 @@ Core core_of_difference(const LengthLaw& one, const LengthLaw& other) {
 
 }  // namespace
 
-LengthSnooping::LengthSnooping(const CableNet& net, std::vector<LengthLaw> laws,
+LengthSnooping::LengthSnooping(const CableNet& net, std::vector<LengthPrior> priors,
                                double false_alarm_rate)
     : m_net(net),
-      m_laws(std::move(laws)),
-      m_threshold(snooping_threshold(false_alarm_rate, m_laws.size(), 1)),
-      m_released_std(released_width * std::ranges::max(m_laws, {}, &LengthLaw::std).std()) {
-    for (Eigen::Index i = 0; i < std::ssize(m_laws); ++i) {
+      m_priors(std::move(priors)),
+      m_threshold(snooping_threshold(false_alarm_rate, m_priors.size(), 1)),
+      m_released_std(released_width * std::ranges::max(m_priors, {}, &LengthPrior::std).std()) {
+    for (Eigen::Index i = 0; i < std::ssize(m_priors); ++i) {
         m_suspects.push_back({.edge = i});
     }
     if (std::isfinite(m_threshold)) {
         add_pairs();
     }
     m_pair_threshold = snooping_threshold(
-        false_alarm_rate, std::max<size_t>(1, m_suspects.size() - m_laws.size()), 1);
+        false_alarm_rate, std::max<size_t>(1, m_suspects.size() - m_priors.size()), 1);
 }
 
 /// Pairs of edges at each free node whose priors are much alike: of one run, or of any two that may
@@ -112,7 +112,7 @@ void LengthSnooping::add_pairs() {
         }
     }
     std::vector<std::vector<Eigen::Index>> at(m_net.node_count());
-    for (Eigen::Index i = 0; i < std::ssize(m_laws); ++i) {
+    for (Eigen::Index i = 0; i < std::ssize(m_priors); ++i) {
         for (const int node : m_net.edges()[m_net.interior_edges()[i]]) {
             at[node].push_back(i);
         }
@@ -122,7 +122,7 @@ void LengthSnooping::add_pairs() {
             for (size_t b = a + 1; b < at[node].size(); ++b) {
                 const Eigen::Index i = at[node][a];
                 const Eigen::Index j = at[node][b];
-                const double ratio = m_laws[i].std() / m_laws[j].std();
+                const double ratio = m_priors[i].std() / m_priors[j].std();
                 if (ratio < alike && alike * ratio > 1.0) {
                     const int run = run_of[m_net.interior_edges()[i]];
                     const bool is_of_one_run = run >= 0 && run == run_of[m_net.interior_edges()[j]];
@@ -138,7 +138,7 @@ void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told,
                               const LinearisedStatics& statics, const Observations& observations,
                               const Iterate& fitted) {
     m_told = told;
-    for (size_t i = 0; i < m_laws.size(); ++i) {
+    for (size_t i = 0; i < m_priors.size(); ++i) {
         evaluate_one(m_suspects[i]);
     }
     evaluate_pairs(statics, observations, fitted);
@@ -150,9 +150,9 @@ void LengthSnooping::evaluate_one(LengthSuspect& suspect) const {
     const Estimate found = tested_deviation(m_told[suspect.edge]);
     const double variance = found.std * found.std;
     if (std::isfinite(variance)) {
-        const LengthLaw& law = m_laws[suspect.edge];
-        suspect.statistic = found.mean * found.mean / (law.std() * law.std() + variance);
-        suspect.core_statistic = core_statistic(found.mean, core_of(law), variance);
+        const LengthPrior& prior = m_priors[suspect.edge];
+        suspect.statistic = found.mean * found.mean / (prior.std() * prior.std() + variance);
+        suspect.core_statistic = core_statistic(found.mean, core_of(prior), variance);
     }
 }
 
@@ -172,7 +172,7 @@ void LengthSnooping::evaluate_pairs(const LinearisedStatics& statics,
                                     const Observations& observations, const Iterate& fitted) {
     const std::vector<bool> released = this->released();
     std::vector<std::pair<double, LengthSuspect*>> looked_at;
-    for (size_t k = m_laws.size(); k < m_suspects.size(); ++k) {
+    for (size_t k = m_priors.size(); k < m_suspects.size(); ++k) {
         LengthSuspect& pair = m_suspects[k];
         if (pair.is_beside_target) {
             continue;  // as it was when the target was left out
@@ -188,13 +188,14 @@ void LengthSnooping::evaluate_pairs(const LinearisedStatics& statics,
         }
         const Estimate one = tested_deviation(m_told[pair.edge]);
         const Estimate other = tested_deviation(m_told[pair.other]);
-        const double one_scatter = std::pow(m_laws[pair.edge].std(), 2) + one.std * one.std;
-        const double other_scatter = std::pow(m_laws[pair.other].std(), 2) + other.std * other.std;
+        const double one_scatter = std::pow(m_priors[pair.edge].std(), 2) + one.std * one.std;
+        const double other_scatter =
+            std::pow(m_priors[pair.other].std(), 2) + other.std * other.std;
         const double gradient = one.mean / one_scatter - other.mean / other_scatter;
         const double about =
             std::max(gradient * gradient / (1.0 / one_scatter + 1.0 / other_scatter),
                      core_statistic(one.mean - other.mean,
-                                    core_of_difference(m_laws[pair.edge], m_laws[pair.other]),
+                                    core_of_difference(m_priors[pair.edge], m_priors[pair.other]),
                                     one.std * one.std + other.std * other.std));
         if (pair.is_released || about > worth_a_look * m_pair_threshold) {
             looked_at.emplace_back(
@@ -259,17 +260,18 @@ void LengthSnooping::take_pair(LengthSuspect& pair, const Eigen::Matrix2d& covar
     }
     pair.std = survey_covariance.diagonal().cwiseSqrt();
     Eigen::Matrix2d scatter = survey_covariance;
-    scatter.diagonal() += Eigen::Vector2d(std::pow(m_laws[pair.edge].std(), 2),
-                                          std::pow(m_laws[pair.other].std(), 2));
+    scatter.diagonal() += Eigen::Vector2d(std::pow(m_priors[pair.edge].std(), 2),
+                                          std::pow(m_priors[pair.other].std(), 2));
     if (pair.is_of_one_run ? !is_slip(pair) : !is_swap(pair, scatter)) {
         return;
     }
     const Eigen::Vector2d against(1.0, -1.0);
     const Eigen::Vector2d weights = scatter.inverse() * against;
     pair.statistic = std::pow(weights.dot(pair.deviation), 2) / weights.dot(against);
-    pair.core_statistic = core_statistic(pair.deviation(0) - pair.deviation(1),
-                                         core_of_difference(m_laws[pair.edge], m_laws[pair.other]),
-                                         against.dot(survey_covariance * against));
+    pair.core_statistic =
+        core_statistic(pair.deviation(0) - pair.deviation(1),
+                       core_of_difference(m_priors[pair.edge], m_priors[pair.other]),
+                       against.dot(survey_covariance * against));
 }
 
 /// How much longer the first of a pair is if each has the other's length [m].
@@ -367,7 +369,7 @@ bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
 }
 
 std::vector<size_t> LengthSnooping::pairs_at(int node) const {
-    std::vector<bool> in_pairs(m_laws.size(), false);
+    std::vector<bool> in_pairs(m_priors.size(), false);
     for (const LengthSuspect& suspect : m_suspects) {
         if (suspect.is_pair() && suspect.is_released) {
             in_pairs[suspect.edge] = true;
@@ -375,7 +377,7 @@ std::vector<size_t> LengthSnooping::pairs_at(int node) const {
         }
     }
     std::vector<size_t> result;
-    for (size_t k = m_laws.size(); k < m_suspects.size(); ++k) {
+    for (size_t k = m_priors.size(); k < m_suspects.size(); ++k) {
         const LengthSuspect& pair = m_suspects[k];
         const bool is_free = pair.is_released || (!in_pairs[pair.edge] && !in_pairs[pair.other]);
         if (pair.node == node && pair.is_of_one_run && is_free) {
@@ -394,8 +396,9 @@ void LengthSnooping::set_pair(size_t place, bool is_released) {
 
 bool LengthSnooping::is_slip(const LengthSuspect& pair) const {
     constexpr double nearly = 3.0;  // standard deviations of both, and of their priors
-    const double scatter = std::sqrt(pair.std.squaredNorm() + std::pow(m_laws[pair.edge].std(), 2) +
-                                     std::pow(m_laws[pair.other].std(), 2));
+    const double scatter =
+        std::sqrt(pair.std.squaredNorm() + std::pow(m_priors[pair.edge].std(), 2) +
+                  std::pow(m_priors[pair.other].std(), 2));
     return pair.deviation(0) * pair.deviation(1) < 0.0 &&
            std::abs(pair.deviation.sum()) < nearly * scatter;
 }
@@ -426,7 +429,7 @@ void LengthSnooping::reopen() {
 }
 
 std::vector<bool> LengthSnooping::released() const {
-    std::vector<bool> result(m_laws.size(), false);
+    std::vector<bool> result(m_priors.size(), false);
     for (const LengthSuspect& suspect : m_suspects) {
         if (suspect.is_released) {
             result[suspect.edge] = true;
@@ -444,14 +447,14 @@ int LengthSnooping::released_count() const {
 
 bool LengthSnooping::releases_too_many() const {
     return released_count() >
-           std::max<double>(a_few, most_released * static_cast<double>(m_laws.size()));
+           std::max<double>(a_few, most_released * static_cast<double>(m_priors.size()));
 }
 
-std::vector<LengthLaw> LengthSnooping::laws() const {
-    std::vector<LengthLaw> result = m_laws;
+std::vector<LengthPrior> LengthSnooping::priors() const {
+    std::vector<LengthPrior> result = m_priors;
     const auto widen = [&](Eigen::Index i, double std) {
         const double length = m_net.unstressed_lengths()(m_net.interior_edges()[i]);
-        result[i] = {LengthLaw::Kind::normal, std::min(std, widest_part_of_length * length)};
+        result[i] = {LengthPrior::Kind::normal, std::min(std, widest_part_of_length * length)};
     };
     for (const LengthSuspect& suspect : m_suspects) {
         if (!suspect.is_released) {
@@ -460,7 +463,7 @@ std::vector<LengthLaw> LengthSnooping::laws() const {
         // Beside a target that is left out, nothing but its prior and what was found with the
         // target tells of an edge.
         const auto width = [&](Eigen::Index i, int k) {
-            return suspect.is_beside_target ? std::hypot(m_laws[i].std(), suspect.deviation(k))
+            return suspect.is_beside_target ? std::hypot(m_priors[i].std(), suspect.deviation(k))
                                             : m_released_std;
         };
         widen(suspect.edge, width(suspect.edge, 0));
@@ -497,8 +500,8 @@ double LengthSnooping::detectable(const std::vector<int>& edges) const {
         const bool is_tested = m_told[i].extension >= surely_taut;
         const double variance =
             is_tested ? m_told[i].std * m_told[i].std : std::numeric_limits<double>::infinity();
-        const double std = m_laws[i].std();
-        const auto [end, fall] = core_of(m_laws[i]);
+        const double std = m_priors[i].std();
+        const auto [end, fall] = core_of(m_priors[i]);
         const double scatter = std::sqrt(std * std + variance);
         estimates.push_back(
             {.bound = std::min(std::sqrt(m_threshold) * scatter,
@@ -548,7 +551,7 @@ std::vector<LengthOutlier> LengthSnooping::outliers() const {
 void LengthSnooping::tell_swapped(std::vector<LengthOutlier>& outliers) const {
     constexpr double apart = 5.0;   // standard deviations that the lengths differ by, at least
     constexpr double nearly = 3.0;  // standard deviations of both, and of their prior
-    const double prior = std::ranges::max(m_laws, {}, &LengthLaw::std).std();
+    const double prior = std::ranges::max(m_priors, {}, &LengthPrior::std).std();
     const auto fits = [&](const LengthOutlier& outlier, double difference) {
         const double scatter = std::hypot(outlier.std, prior);
         const double misfit = outlier.deviation - difference;

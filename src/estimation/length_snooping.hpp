@@ -12,7 +12,7 @@
 #include "taut/estimation/length_posterior.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
@@ -43,9 +43,9 @@ struct LengthSuspect {
 class LengthSnooping {
 public:
     /// Keeps a reference to the net.
-    /// @param laws of the interior edges (m_I)
+    /// @param priors of the interior edges (m_I)
     /// @param false_alarm_rate of all tests of one edge together, and of all of two; 0: no test
-    LengthSnooping(const CableNet& net, std::vector<LengthLaw> laws, double false_alarm_rate);
+    LengthSnooping(const CableNet& net, std::vector<LengthPrior> priors, double false_alarm_rate);
 
     /// The statistics at a fit.
     /// @param told of each interior edge without its prior (m_I)
@@ -92,7 +92,7 @@ public:
     /// Whether more are beyond their prior than can be mis-cut: the prior is wrong then.
     [[nodiscard]] bool releases_too_many() const;
     /// The priors to fit with: those of released edges are normal and wide (m_I).
-    [[nodiscard]] std::vector<LengthLaw> laws() const;
+    [[nodiscard]] std::vector<LengthPrior> priors() const;
     /// Sum of the thresholds of all that is released.
     [[nodiscard]] double released_cost() const;
     /// DetectableErrors::length, of the edges in use at the fit.
@@ -125,7 +125,7 @@ private:
     void tell_swapped(std::vector<LengthOutlier>& outliers) const;
 
     const CableNet& m_net;
-    std::vector<LengthLaw> m_laws;
+    std::vector<LengthPrior> m_priors;
     double m_threshold;
     double m_pair_threshold;
     double m_released_std;  ///< of the prior of a released edge [m]

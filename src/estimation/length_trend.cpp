@@ -11,15 +11,15 @@
 namespace taut {
 namespace {
 
-/// The prior of the mean, in standard deviations of the law.
+/// The prior of the mean, in standard deviations of the prior.
 constexpr double mean_width = 0.5;
 /// Whether lengths of a run have a scale in common at all; and how much of it, in standard
-/// deviations of the law at an edge of mean length.
+/// deviations of the prior at an edge of mean length.
 constexpr double probability_of_runs = 0.9;
 constexpr std::array run_widths{0.25, 0.5, 1.0, 2.0};
 
-/// By which the linearised means may be off, in standard deviations of the law: of all lengths, and
-/// of the adjustable edges.
+/// By which the linearised means may be off, in standard deviations of the prior: of all lengths,
+/// and of the adjustable edges.
 constexpr double nonlinearity = 0.1;
 constexpr double nonlinearity_of_adjustable = 0.2;
 
@@ -83,13 +83,13 @@ Posterior posterior_of_trend(const Eigen::VectorXd& score, const Eigen::MatrixXd
 LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
                      const Observations& observations, const Iterate& fitted,
                      const std::vector<bool>& left_out, const Eigen::VectorXd& adjustable_stds,
-                     const LengthLaw& law) {
+                     const LengthPrior& prior) {
     LengthTrend trend;
     if (net.interior_edge_count() > most_edges) {
         return trend;
     }
     // Of no use where a survey tells it no better than it was known.
-    const double adjustable_bias = nonlinearity_of_adjustable * law.std();
+    const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
     double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
     if (adjustable_std < adjustable_bias) {
         adjustable_std = 0.0;
@@ -114,7 +114,7 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
         score -= part * score(k) * of_mean;
         information -= part * of_mean * of_mean.transpose();
     };
-    blur(0, nonlinearity * law.std());
+    blur(0, nonlinearity * prior.std());
     if (adjustable_std > 0.0) {
         blur(count - 1, adjustable_bias);
     }
@@ -125,10 +125,10 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     Eigen::VectorXd log_weights(runs > 0 ? 1 + std::ssize(run_widths) : 1);
     const double mean_length = net.unstressed_lengths()(net.interior_edges()).mean();
     for (Eigen::Index k = 0; k < log_weights.size(); ++k) {
-        widths.push_back(k == 0 ? 0.0
-                                : run_widths[static_cast<size_t>(k - 1)] * law.std() / mean_length);
+        widths.push_back(
+            k == 0 ? 0.0 : run_widths[static_cast<size_t>(k - 1)] * prior.std() / mean_length);
         Eigen::VectorXd stds = Eigen::VectorXd::Constant(count, widths.back());
-        stds(0) = mean_width * law.std();
+        stds(0) = mean_width * prior.std();
         if (adjustable_std > 0.0) {
             stds(count - 1) = adjustable_std;
         }

@@ -9,7 +9,7 @@
 #include "estimation/observations.hpp"
 #include "taut/estimation/prior_estimate.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
@@ -23,7 +23,7 @@ struct LengthTrend {
     Eigen::MatrixXd root;          ///< R, r x r: R R' is the covariance of b
     Eigen::MatrixXd length_gains;  ///< d of the estimated lengths by b, m_I x r [m]
     Eigen::MatrixXd
-        common_gains;             ///< the same of the common unknowns, in their standard deviations
+        common_gains;  ///< the same of the common uncertain, in their standard deviations
     double adjustable_std = 0.0;  ///< of the prior of what adjustable edges have in common [m]
     CommonDeviation found;
 
@@ -33,12 +33,13 @@ struct LengthTrend {
 /// The trend that a fit without one shows: empty where the net has too many edges, of which the
 /// mean is known better than a linearisation is right.
 /// @param statics linearised and inverted at the fit
-/// @param left_out interior edges (m_I) of another prior than the law
+/// @param left_out interior edges (m_I) of another prior than the prior
 /// @param adjustable_stds of adjustable edges of uncertain length the prior standard deviation,
 ///   else 0 (m_I) [m]
 [[nodiscard]] LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
                                    const Observations& observations, const Iterate& fitted,
                                    const std::vector<bool>& left_out,
-                                   const Eigen::VectorXd& adjustable_stds, const LengthLaw& law);
+                                   const Eigen::VectorXd& adjustable_stds,
+                                   const LengthPrior& prior);
 
 }  // namespace taut

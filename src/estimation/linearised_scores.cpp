@@ -144,7 +144,7 @@ LinearisedStatics::Score LinearisedStatics::score_of_survey(
         column.pulls = observations.weighted(rate);
         column.misfit = column.pulls.cwiseProduct(misfit).sum();
         column.entries.inner.places = m_length_unit * column.pulls(Eigen::all, m_nodes);
-        for (int k = 0; !are_supports_unknown() && k < m_common.count(); ++k) {
+        for (int k = 0; !are_supports_uncertain() && k < m_common.count(); ++k) {
             for (const int node : m_net.supports()) {
                 column.entries.border(k) +=
                     m_common.support_rate(k, node).dot(column.pulls.col(node));

@@ -26,8 +26,9 @@ std::vector<bool> interior_flags(const CableNet& net) {
     return flags;
 }
 
-Supports supports_of(const std::vector<Unknown>& unknowns) {
-    return std_of(unknowns, Unknown::Kind::supports) > 0.0 ? Supports::unknown : Supports::fixed;
+Supports supports_of(const std::vector<UncertainParameter>& uncertain) {
+    return std_of(uncertain, UncertainParameter::Kind::supports) > 0.0 ? Supports::unknown
+                                                                       : Supports::fixed;
 }
 
 /// The stretch that an edge's tension stands for, and its derivative by the extension.
@@ -73,48 +74,50 @@ Eigen::VectorXd LawBlur::length_variances(Eigen::Index count) const {
     return result;
 }
 
-LawBlur blur_by(const CableNet& net, double extension_std, const std::vector<Unknown>& unknowns) {
+LawBlur blur_by(const CableNet& net, double extension_std,
+                const std::vector<UncertainParameter>& uncertain) {
     LawBlur result;
     if (!net.is_linear()) {
         result.strain_stds = extension_std * net.unstressed_lengths().cwiseInverse();
         result.missed = Eigen::VectorXd::Zero(net.interior_edge_count());
     }
-    if (std_of(unknowns, Unknown::Kind::stiffness_each) > 0.0) {
+    if (std_of(uncertain, UncertainParameter::Kind::stiffness_each) > 0.0) {
         const Eigen::VectorXd stretch =
             (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0);
-        result.stiffness = stretch.cwiseProduct(own_stiffness_stds(net, unknowns))
+        result.stiffness = stretch.cwiseProduct(own_stiffness_stds(net, uncertain))
                                .cwiseAbs2()(net.interior_edges());
     }
     return result;
 }
 
-LinearisedStatics::LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns,
+LinearisedStatics::LinearisedStatics(const CableNet& net,
+                                     const std::vector<UncertainParameter>& uncertain,
                                      bool frame_is_unknown, const BoundaryReleases& released,
                                      Lengths lengths)
     : m_net(net),
-      m_unknowns(unknowns),
-      m_common(net, unknowns, frame_is_unknown, released),
-      m_own_stiffness_stds(own_stiffness_stds(net, unknowns)),
+      m_uncertain(uncertain),
+      m_common(net, uncertain, frame_is_unknown, released),
+      m_own_stiffness_stds(own_stiffness_stds(net, uncertain)),
       m_local(number_for_elimination(net, Ordering::thorough)),
       m_local_of(net.node_count()),
       m_interior_of(net.edge_count(), -1),
       m_free_nodes(m_local.node_of.begin(), m_local.node_of.begin() + m_local.free_count),
       m_nodes(m_free_nodes),
       m_slack(net.edge_count(), false),
-      m_matrix(m_local, interior_flags(net), supports_of(unknowns), lengths, m_common.count()) {
+      m_matrix(m_local, interior_flags(net), supports_of(uncertain), lengths, m_common.count()) {
     for (size_t i = 0; i < m_local.node_of.size(); ++i) {
         m_local_of[m_local.node_of[i]] = static_cast<int>(i);
     }
     for (size_t i = 0; i < net.interior_edges().size(); ++i) {
         m_interior_of[net.interior_edges()[i]] = static_cast<int>(i);
     }
-    if (supports_of(unknowns) == Supports::unknown) {
+    if (supports_of(uncertain) == Supports::unknown) {
         m_nodes = m_local.node_of;
     }
 }
 
 void LinearisedStatics::set_released(const BoundaryReleases& released) {
-    m_common = CommonUnknowns(m_net, m_unknowns, m_common.has_frame(), released);
+    m_common = CommonParameters(m_net, m_uncertain, m_common.has_frame(), released);
     m_matrix.set_border_count(m_common.count());
 }
 
@@ -294,7 +297,7 @@ LinearisedStatics::EdgeVariation LinearisedStatics::common_variation(int edge, i
     EdgeVariation result{.stiffness = m_common.stiffness_rate(k, edge),
                          .length = unstressed_length(edge, iterate) *
                                    m_common.thermal_rate(k, edge) / (heated * heated)};
-    if (!are_supports_unknown()) {
+    if (!are_supports_uncertain()) {
         // (frame): of known supports; unknown ones carry the motion in their own places.
         result.motion = m_common.support_rate(k, first) - m_common.support_rate(k, second);
     }
@@ -340,7 +343,7 @@ double LinearisedStatics::add_to_column(int edge, const EdgeRates& e,
     return rate;
 }
 
-/// The entries of the common unknowns that stand at no edge.
+/// The entries of the common uncertain that stand at no edge.
 void LinearisedStatics::set_border(const Observations& observations) {
     for (int k = 0; k < m_common.count(); ++k) {
         m_matrix.border[k].multipliers -=
@@ -383,7 +386,7 @@ void LinearisedStatics::add_evidence(const Iterate& iterate, const Observations&
 /// what is known of them beforehand.
 void LinearisedStatics::add_motions_to_border(const Observations& observations) {
     const auto weighted = [&](int node, const Eigen::Vector3d& rate) -> Eigen::Vector3d {
-        if (are_supports_unknown()) {
+        if (are_supports_uncertain()) {
             return observations.support_weights.col(node).cwiseProduct(rate);
         }
         return observations.weight(node) * rate;
@@ -394,7 +397,7 @@ void LinearisedStatics::add_motions_to_border(const Observations& observations) 
             for (int i = 0; i < m_common.count(); ++i) {
                 m_matrix.corner(i, k) += m_common.support_rate(i, node).dot(pull);
             }
-            if (are_supports_unknown()) {
+            if (are_supports_uncertain()) {
                 m_matrix.border[k].places.col(m_local_of[node]) -= m_length_unit * pull;
             }
         }
@@ -507,8 +510,8 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
         for (int k = 0; k < m_common.count(); ++k) {
             for (const int node : m_net.supports()) {
                 result.border(k) += m_common.support_rate(k, node).dot(
-                    are_supports_unknown() ? Eigen::Vector3d(-of_supports.col(node))
-                                           : Eigen::Vector3d(measured.col(node)));
+                    are_supports_uncertain() ? Eigen::Vector3d(-of_supports.col(node))
+                                             : Eigen::Vector3d(measured.col(node)));
             }
         }
     }

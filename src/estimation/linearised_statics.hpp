@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "estimation/bordered_factor.hpp"
-#include "estimation/common_unknowns.hpp"
+#include "estimation/common_parameters.hpp"
 #include "estimation/observations.hpp"
 #include "statics/local_net.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 
 namespace taut {
 
@@ -33,9 +33,9 @@ struct LawBlur {
 
 /// At first, before anything is found: by a standard deviation of all extensions [m], and by the
 /// nominal stretch.
-/// @param unknowns of the net
+/// @param uncertain of the net
 [[nodiscard]] LawBlur blur_by(const CableNet& net, double extension_std,
-                              const std::vector<Unknown>& unknowns = {});
+                              const std::vector<UncertainParameter>& uncertain = {});
 
 /// The normal equations of observations under linearised statics, docs/theory.md (statics) and
 /// (normal): with h the out-of-balance forces at an iterate, H = dh/dr, B = dh/dl_0, S and P the
@@ -55,11 +55,12 @@ struct LawBlur {
 /// set carry neither. What a shown pressure means is settled afterwards, for each edge by itself.
 class LinearisedStatics {
 public:
-    /// @param unknowns of the net, checked; observations are to have places and loads as they say
+    /// @param uncertain of the net, checked; observations are to have places and loads as they say
     /// @param frame_is_unknown of the survey: places are then told in its frame, in which the
     ///   supports move together
     /// @param lengths coupled where observations have evidence
-    explicit LinearisedStatics(const CableNet& net, const std::vector<Unknown>& unknowns = {},
+    explicit LinearisedStatics(const CableNet& net,
+                               const std::vector<UncertainParameter>& uncertain = {},
                                bool frame_is_unknown = false, const BoundaryReleases& released = {},
                                Lengths lengths = Lengths::independent);
     LinearisedStatics(const LinearisedStatics&) = delete;  // the factor refers to the local net
@@ -70,7 +71,7 @@ public:
     [[nodiscard]] const std::vector<bool>& slack() const { return m_slack; }
 
     /// Releases these adjustable edges and supports, and no others; iterates are of as many common
-    /// unknowns from then on.
+    /// uncertain from then on.
     void set_released(const BoundaryReleases& released);
 
     /// How tension laws are seen; sharp at first.
@@ -131,7 +132,7 @@ public:
     /// Of all edges at an iterate, as the linearisation sees them: pressure is negative (m) [N].
     [[nodiscard]] Eigen::VectorXd tensions(const Iterate& iterate) const;
 
-    [[nodiscard]] const CommonUnknowns& common() const { return m_common; }
+    [[nodiscard]] const CommonParameters& common() const { return m_common; }
 
     /// How far supports are from where the net has them in the frame of the survey, 0 at free nodes
     /// (3 x n) [m].
@@ -146,12 +147,12 @@ public:
     [[nodiscard]] Eigen::VectorXd tension_variances() const;  ///< m [N2]
     /// Of the deviation of a free node's load [N2].
     [[nodiscard]] Eigen::Matrix3d load_covariance(int node) const;
-    /// Of the common unknowns, in their standard deviations.
+    /// Of the common uncertain, in their standard deviations.
     [[nodiscard]] const Eigen::MatrixXd& common_covariance() const { return m_covariance.border; }
     /// Of all edges' tensions with a sum of them with weights (m) (m) [N2 of the weights].
     [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& weights) const;
-    /// Of all length deviations and, behind them, so many of the first common unknowns, as evidence
-    /// tells of them; takes a solution for each.
+    /// Of all length deviations and, behind them, so many of the first common uncertain, as
+    /// evidence tells of them; takes a solution for each.
     [[nodiscard]] Eigen::MatrixXd evidence_covariance(int common_count) const;
     /// Of the lengths of these edges, known ones 0; takes a solution for each (k x k) [m2].
     [[nodiscard]] Eigen::MatrixXd length_covariance(const std::vector<int>& edges) const;
@@ -159,7 +160,7 @@ public:
     /// unknown; takes a solution for each.
     struct LengthResponse {
         Eigen::MatrixXd lengths;  ///< with all length deviations (m_I x k) [m2 of the weights]
-        Eigen::MatrixXd common;   ///< with the common unknowns, in their standard deviations
+        Eigen::MatrixXd common;   ///< with the common uncertain, in their standard deviations
     };
     [[nodiscard]] LengthResponse response_to_lengths(const Eigen::MatrixXd& weights) const;
     /// Of all edges' tensions with the mean of them (m) [N2].
@@ -225,7 +226,7 @@ private:
     void add_motions_to_border(const Observations& observations);
     [[nodiscard]] Points support_misfit(const Iterate& iterate,
                                         const Observations& observations) const;
-    [[nodiscard]] bool are_supports_unknown() const {
+    [[nodiscard]] bool are_supports_uncertain() const {
         return std::ssize(m_nodes) > m_local.free_count;
     }
     [[nodiscard]] BorderedFactor::Vector right_side(const Iterate& iterate,
@@ -235,8 +236,8 @@ private:
     void set_reactions(const Eigen::Matrix3Xd& multipliers);
 
     const CableNet& m_net;
-    std::vector<Unknown> m_unknowns;
-    CommonUnknowns m_common;
+    std::vector<UncertainParameter> m_uncertain;
+    CommonParameters m_common;
     Eigen::VectorXd m_own_stiffness_stds;  ///< m, relative
     LocalNet m_local;
     std::vector<int> m_local_of;     ///< node of the net -> local index
@@ -258,7 +259,7 @@ private:
     Eigen::Matrix3Xd m_place_reactions;  ///< H lambda, 3 x nodes
     Eigen::VectorXd m_length_reactions;  ///< B' lambda, one an edge
     Eigen::VectorXd m_common_reactions;  ///< G' lambda, one a common unknown
-    Eigen::MatrixXd m_tension_rates;     ///< m x common unknowns: dT by each [N]
+    Eigen::MatrixXd m_tension_rates;     ///< m x common uncertain: dT by each [N]
 
     // Units that make all blocks of order 1: of places and lengths, and of multipliers.
     double m_length_unit = 1.0;

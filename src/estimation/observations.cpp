@@ -65,11 +65,11 @@ Iterate Iterate::moved(const Iterate& step, double part) const {
             .common = common + part * step.common};
 }
 
-Iterate nominal_iterate(const CableNet& net, int common_unknowns) {
+Iterate nominal_iterate(const CableNet& net, int common_parameters) {
     return {.form = net.nodes(),
             .deviations = Eigen::VectorXd::Zero(net.interior_edge_count()),
             .loads = Points::Zero(3, net.node_count()),
-            .common = Eigen::VectorXd::Zero(common_unknowns)};
+            .common = Eigen::VectorXd::Zero(common_parameters)};
 }
 
 Points with_noise_floor(const CableNet& net, const Survey& survey) {
@@ -82,7 +82,7 @@ Points with_noise_floor(const CableNet& net, const Survey& survey) {
     return noise;
 }
 
-Observations nothing_observed(const CableNet& net, double length_std, int common_unknowns) {
+Observations nothing_observed(const CableNet& net, double length_std, int common_parameters) {
     const Points none = Points::Zero(3, net.node_count());
     return {
         .form = net.nodes(),
@@ -93,7 +93,7 @@ Observations nothing_observed(const CableNet& net, double length_std, int common
         .variance = Eigen::VectorXd::Constant(net.interior_edge_count(), length_std * length_std),
         .load_mean = none,
         .load_variance = none,
-        .common_mean = Eigen::VectorXd::Zero(common_unknowns),
+        .common_mean = Eigen::VectorXd::Zero(common_parameters),
         .tension = Eigen::VectorXd::Zero(net.edge_count()),
         .tension_weights = Eigen::VectorXd::Zero(net.edge_count()),
         .evidence = nullptr,
@@ -101,8 +101,8 @@ Observations nothing_observed(const CableNet& net, double length_std, int common
 }
 
 Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
-                     const std::vector<bool>& rejected, double length_std, int common_unknowns) {
-    Observations observations = nothing_observed(net, length_std, common_unknowns);
+                     const std::vector<bool>& rejected, double length_std, int common_parameters) {
+    Observations observations = nothing_observed(net, length_std, common_parameters);
     observations.form = survey.form;
     if (survey.noise_correlations.cols() > 0) {
         observations.cross_weights = Points::Zero(3, net.node_count());

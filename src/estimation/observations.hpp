@@ -12,7 +12,7 @@
 namespace taut {
 
 /// What other surveys of the same net tell of x: its length deviations (m_I) and, behind them, the
-/// common unknowns that are told, in their standard deviations. Their log-likelihood is
+/// common uncertain that are told, in their standard deviations. Their log-likelihood is
 /// -1/2 x' J x + p' x; J is positive semidefinite. docs/theory.md, (epoch-evidence).
 struct LengthEvidence {
     Eigen::MatrixXd information;  ///< J
@@ -63,9 +63,9 @@ struct Iterate {
     Points form;                 ///< 3 x n, supports included [m]
     Eigen::VectorXd deviations;  ///< m_I [m]
     Points loads;                ///< 3 x n, deviations of the nodes' loads [N]
-    Eigen::VectorXd common;      ///< the common unknowns, each divided by its standard deviation
+    Eigen::VectorXd common;      ///< the common uncertain, each divided by its standard deviation
 
-    /// What evidence tells of: the deviations, and as many common unknowns as that leaves.
+    /// What evidence tells of: the deviations, and as many common uncertain as that leaves.
     [[nodiscard]] Eigen::VectorXd lengths_and_common(Eigen::Index size) const;
 
     /// Itself and a part of a step.
@@ -73,7 +73,7 @@ struct Iterate {
 };
 
 /// The nominal form, and no deviation of anything.
-[[nodiscard]] Iterate nominal_iterate(const CableNet& net, int common_unknowns = 0);
+[[nodiscard]] Iterate nominal_iterate(const CableNet& net, int common_parameters = 0);
 
 /// Standard deviation of each coordinate (3 x n), no smaller than a ten millionth of the net's mean
 /// edge length, which stands for that of an exact one: far above rounding errors, far below any
@@ -83,12 +83,12 @@ struct Iterate {
 /// No target and no reading, length deviations of mean zero and one standard deviation, and all
 /// else known.
 [[nodiscard]] Observations nothing_observed(const CableNet& net, double length_std,
-                                            int common_unknowns = 0);
+                                            int common_parameters = 0);
 
 /// A survey without the targets that are rejected (one flag a node), and length deviations of mean
 /// zero and one standard deviation. All else is known, and no force is read.
 [[nodiscard]] Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
                                    const std::vector<bool>& rejected, double length_std,
-                                   int common_unknowns = 0);
+                                   int common_parameters = 0);
 
 }  // namespace taut

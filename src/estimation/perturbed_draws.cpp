@@ -30,7 +30,7 @@ constexpr double largest_departure = 0.3;
 constexpr double most_left_out = 0.02;
 
 /// Fits take some ten factorisations a draw: up to so many interior edges that is a matter of
-/// seconds. Where laws have corners they see these rounded, as the fit does, and help no more.
+/// seconds. Where priors have corners they see these rounded, as the fit does, and help no more.
 constexpr int most_edges_of_fits = 2000;
 bool can_be_fitted(const CableNet& net) {
     return net.is_linear() && net.interior_edge_count() <= most_edges_of_fits;
@@ -48,7 +48,7 @@ double smallest_noise(const CableNet& net, const Observations& observations) {
 }
 
 /// (perturbed): as if surveyed, read and known beforehand once more.
-/// @param unknown variances of lengths that nobody knows, (blurred-law), (own-stiffness)
+/// @param unknown variances of lengths that nobody knows, (blurred-prior), (own-stiffness)
 Observations perturbed(const CableNet& net, const Observations& observations,
                        const Eigen::VectorXd& unknown, RandomNumbers& random) {
     Observations result = observations;
@@ -112,11 +112,11 @@ Observations with_drawn_mean(const Observations& observations, RandomNumbers& ra
     return result;
 }
 
-/// A length of the law beyond that of the form, if the law has any.
-double slack_deviation(const LengthLaw& law, double slack_from, RandomNumbers& random) {
+/// A length of the prior beyond that of the form, if the prior has any.
+double slack_deviation(const LengthPrior& prior, double slack_from, RandomNumbers& random) {
     constexpr int most_trials = 1000;
     for (int trial = 0; trial < most_trials; ++trial) {
-        if (const double deviation = law.draw(random.uniform()); deviation > slack_from) {
+        if (const double deviation = prior.draw(random.uniform()); deviation > slack_from) {
             return deviation;
         }
     }
@@ -143,7 +143,7 @@ public:
           m_sites(sites),
           m_knowledge(knowledge),
           m_unknown_lengths(statics.blur().length_variances(net.interior_edge_count())),
-          m_own_stiffness_stds(own_stiffness_stds(net, knowledge.unknowns)),
+          m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
           m_fitted(fitted),
           m_all_taut(all_taut(net, fitted)),
           m_seed(seed) {}
@@ -156,7 +156,7 @@ private:
         Eigen::VectorXd deviations;
         Points form;
         Eigen::VectorXd tensions;
-        std::optional<Circumstances> perturbation;
+        std::optional<ModelPerturbation> perturbation;
         double squared_departure = 0.0;
     };
     void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
@@ -179,8 +179,8 @@ private:
     [[nodiscard]] double length_of_tension(int edge, double length, double tension,
                                            double own_stiffness,
                                            const Eigen::VectorXd& common) const;
-    [[nodiscard]] Circumstances drawn_circumstances(const Iterate& drawn,
-                                                    const Eigen::VectorXd& own_stiffness) const;
+    [[nodiscard]] ModelPerturbation drawn_perturbation(const Iterate& drawn,
+                                                       const Eigen::VectorXd& own_stiffness) const;
     [[nodiscard]] double squared_departure(const Iterate& drawn, const Points& form,
                                            const Eigen::VectorXd& tensions_in_balance) const;
 
@@ -228,7 +228,7 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
                                               Workspace& workspace) const {
     if (!workspace.statics) {
         workspace.statics = std::make_unique<LinearisedStatics>(
-            m_net, m_knowledge.unknowns, m_knowledge.frame_is_unknown, m_knowledge.released,
+            m_net, m_knowledge.uncertain, m_knowledge.frame_is_unknown, m_knowledge.released,
             m_knowledge.coupling());
         workspace.statics->set_blur(m_statics.blur());
         workspace.statics->set_slack(
@@ -243,9 +243,9 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
     return std::move(fit.iterate);
 }
 
-/// From what the draw gave, (own-stiffness) and (blurred-law) included, to the edges' own lengths:
-/// of an edge with a tension law the one with which it carries what it does in the draw; of a slack
-/// edge what the law of lengths tells beyond the form.
+/// From what the draw gave, (own-stiffness) and (blurred-prior) included, to the edges' own
+/// lengths: of an edge with a tension law the one with which it carries what it does in the draw;
+/// of a slack edge what the prior of lengths tells beyond the form.
 /// @param prior_mean of the length deviations (m_I) [m]
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
 Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
@@ -259,7 +259,7 @@ Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd
     Eigen::VectorXd own_stiffness = Eigen::VectorXd::Zero(m_net.edge_count());
     for (int i = 0; i < drawn.deviations.size(); ++i) {
         const int edge = m_net.interior_edges()[i];
-        const LengthLaw& law = m_knowledge.laws[i];
+        const LengthPrior& prior = m_knowledge.priors[i];
         double& deviation = drawn.deviations(i);
         if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
             const double part = of_stiffness(i) / (m_sites.variance(i) + m_unknown_lengths(i));
@@ -275,11 +275,11 @@ Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd
                                           drawn.common) -
                         nominal;
         }
-        const double bound = law.kind == LengthLaw::Kind::uniform
-                                 ? law.scale
+        const double bound = prior.kind == LengthPrior::Kind::uniform
+                                 ? prior.scale
                                  : std::numeric_limits<double>::infinity();
         if (slack[edge] && spans(edge) < bound) {
-            deviation = slack_deviation(law, spans(edge), random);
+            deviation = slack_deviation(prior, spans(edge), random);
         }
     }
     return own_stiffness;
@@ -303,17 +303,17 @@ std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
 /// The unstressed length with which an edge of a tension law carries a tension at its length.
 double Perturbation::length_of_tension(int edge, double length, double tension,
                                        double own_stiffness, const Eigen::VectorXd& common) const {
-    const CommonUnknowns& unknowns = m_statics.common();
-    const double stiffness = unknowns.stiffness_factor(edge, common) * std::exp(own_stiffness);
+    const CommonParameters& uncertain = m_statics.common();
+    const double stiffness = uncertain.stiffness_factor(edge, common) * std::exp(own_stiffness);
     const double strain = m_net.tension_law(edge)->strain_at(tension / stiffness);
-    return length / (1.0 + strain) / (1.0 + unknowns.thermal_strain(edge, common));
+    return length / (1.0 + strain) / (1.0 + uncertain.thermal_strain(edge, common));
 }
 
 /// What the draw tells besides the lengths.
-Circumstances Perturbation::drawn_circumstances(const Iterate& drawn,
-                                                const Eigen::VectorXd& own_stiffness) const {
-    Circumstances result = as_told(m_net);
-    const CommonUnknowns& common = m_statics.common();
+ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
+                                                   const Eigen::VectorXd& own_stiffness) const {
+    ModelPerturbation result = as_told(m_net);
+    const CommonParameters& common = m_statics.common();
     for (int e = 0; e < m_net.edge_count(); ++e) {
         result.stiffness(e) = std::log(common.stiffness_factor(e, drawn.common)) + own_stiffness(e);
         result.thermal(e) = common.thermal_strain(e, drawn.common);
@@ -332,7 +332,7 @@ double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
     double sum = m_sites.squared_norm(form - drawn.form);
     if (!m_knowledge.forces.readings.empty()) {
         const Eigen::VectorXd by_draw = m_statics.tensions(drawn);
-        for (const ForceReading& reading : m_knowledge.forces.readings) {
+        for (const ForceMeasurement& reading : m_knowledge.forces.readings) {
             const int e = reading.edge;
             sum += m_sites.tension_weights(e) * std::pow(tensions_in_balance(e) - by_draw(e), 2);
         }
@@ -368,13 +368,13 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
         result.tensions = tensions(net, l_0, found.form);
         return found.balanced();
     };
-    if (m_knowledge.unknowns.empty() && m_statics.common().count() == 0) {
+    if (m_knowledge.uncertain.empty() && m_statics.common().count() == 0) {
         if (!balance(workspace.solver, m_net, lengths)) {
             return std::nullopt;
         }
     } else {
         try {
-            result.perturbation = drawn_circumstances(drawn, own_stiffness);
+            result.perturbation = drawn_perturbation(drawn, own_stiffness);
             const CableNet net = net_under(m_net, *result.perturbation, lengths);
             EquilibriumSolver solver(net);
             if (!balance(solver, net, net.unstressed_lengths())) {
@@ -433,7 +433,7 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
     const auto places = (m_sites.weights(Eigen::all, m_net.free_nodes()).array() > 0.0).count();
     const auto readings = std::ranges::count_if(
         m_knowledge.forces.readings,
-        [this](const ForceReading& one) { return m_sites.tension_weights(one.edge) > 0.0; });
+        [this](const ForceMeasurement& one) { return m_sites.tension_weights(one.edge) > 0.0; });
     const auto observed = static_cast<double>(places + readings);
     result.departure = std::sqrt(squares / std::max(1.0, observed * static_cast<double>(count)));
     return result;

@@ -11,7 +11,7 @@
 #include "estimation/prior_knowledge.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/sampling/circumstances.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 
 namespace taut {
 
@@ -21,7 +21,7 @@ struct PerturbedDraws {
     Eigen::MatrixXd forms;       ///< 3 n_I x draws [m]
     Eigen::MatrixXd tensions;    ///< m x draws, of all edges [N]
     /// What differs from the net besides lengths, one a draw; none where nothing can.
-    std::vector<Circumstances> perturbations;
+    std::vector<ModelPerturbation> perturbations;
     bool is_refitted = false;  ///< each by a fit of its own, not by the linearisation at the fit
     /// Root mean square distance, over surveyed coordinates and draws, of the forms in equilibrium
     /// from those that the draw gave, in standard deviations of the survey; readings of forces
@@ -42,7 +42,7 @@ struct PerturbedDraws {
 /// not contract, and all where they are in doubt, are fitted by themselves, on nets that are not
 /// too large (randomise-then-optimise, J. M. Bardsley, A. Solonen, H. Haario & M. Laine, SIAM J.
 /// Sci. Comput. 36 (2014) A1895-A1910, with all draws of one weight), with edges that carry no
-/// pressure. Where a few are in doubt there are no more. Lengths of slack edges follow the law
+/// pressure. Where a few are in doubt there are no more. Lengths of slack edges follow the prior
 /// beyond what the form shows of them; those of taut ones may lie a little beyond its bounds, as
 /// the normal distributions do that have its mean and variance: cut there, tensions would be too
 /// sure. The same for any number of threads.

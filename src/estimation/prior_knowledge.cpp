@@ -9,17 +9,17 @@ namespace taut {
 
 double PriorKnowledge::length_std() const {
     double sum = 0.0;
-    for (const LengthLaw& law : laws) {
-        sum += law.std() * law.std();
+    for (const LengthPrior& prior : priors) {
+        sum += prior.std() * prior.std();
     }
-    return std::sqrt(sum / static_cast<double>(laws.size()));
+    return std::sqrt(sum / static_cast<double>(priors.size()));
 }
 
 std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
                                           const std::vector<bool>& rejected_readings) const {
     constexpr double surely_taut = 4.0;  // standard deviations
     for (size_t k = 0; k < forces.readings.size(); ++k) {
-        const ForceReading& reading = forces.readings[k];
+        const ForceMeasurement& reading = forces.readings[k];
         const bool is_rejected = !rejected_readings.empty() && rejected_readings[k];
         if (!is_rejected && reading.tension > surely_taut * reading.std) {
             slack[reading.edge] = false;
@@ -34,16 +34,16 @@ std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
     return slack;
 }
 
-std::vector<LengthLaw> interior_laws(const CableNet& net, const PriorKnowledge& knowledge) {
-    if (knowledge.laws.size() == net.interior_edges().size()) {
-        return knowledge.laws;
+std::vector<LengthPrior> interior_priors(const CableNet& net, const PriorKnowledge& knowledge) {
+    if (knowledge.priors.size() == net.interior_edges().size()) {
+        return knowledge.priors;
     }
-    std::vector<LengthLaw> laws;
-    laws.reserve(net.interior_edges().size());
+    std::vector<LengthPrior> priors;
+    priors.reserve(net.interior_edges().size());
     for (const int edge : net.interior_edges()) {
-        laws.push_back(knowledge.laws[edge]);
+        priors.push_back(knowledge.priors[edge]);
     }
-    return laws;
+    return priors;
 }
 
 Survey with_supports(const CableNet& net, const Survey& survey) {
@@ -66,24 +66,26 @@ Survey with_supports(const CableNet& net, const Survey& survey) {
 
 Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
                      const std::vector<bool>& rejected, const PriorKnowledge& knowledge,
-                     int common_unknowns) {
-    Observations result = observe(net, survey, noise, rejected, 1.0, common_unknowns);
+                     int common_parameters) {
+    Observations result = observe(net, survey, noise, rejected, 1.0, common_parameters);
     for (Eigen::Index i = 0; i < result.variance.size(); ++i) {
-        const double std = knowledge.laws[i].std();
+        const double std = knowledge.priors[i].std();
         result.variance(i) = std * std;
     }
-    if (const double std = std_of(knowledge.unknowns, Unknown::Kind::supports); std > 0.0) {
+    if (const double std = std_of(knowledge.uncertain, UncertainParameter::Kind::supports);
+        std > 0.0) {
         for (const int node : net.supports()) {
             result.support_weights.col(node).setConstant(1.0 / (std * std));
         }
     }
-    if (const double std = std_of(knowledge.unknowns, Unknown::Kind::loads_each); std > 0.0) {
+    if (const double std = std_of(knowledge.uncertain, UncertainParameter::Kind::loads_each);
+        std > 0.0) {
         for (const int node : net.free_nodes()) {
             result.load_variance.col(node).setConstant(std * std);
         }
     }
     result.set_evidence(knowledge.evidence);
-    for (const ForceReading& reading : knowledge.forces.readings) {
+    for (const ForceMeasurement& reading : knowledge.forces.readings) {
         result.tension(reading.edge) = reading.tension;
         result.tension_weights(reading.edge) = 1.0 / (reading.std * reading.std);
     }

@@ -5,33 +5,33 @@
 #include <memory>
 #include <vector>
 
-#include "estimation/common_unknowns.hpp"
+#include "estimation/common_parameters.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/saddle_point_layout.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/length_law.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/forces.hpp"
 
 namespace taut {
 
 /// What is told besides net and survey.
 struct PriorKnowledge {
-    std::vector<LengthLaw> laws;  ///< of each interior edge's length deviation (m_I)
-    std::vector<Unknown> unknowns;
+    std::vector<LengthPrior> priors;  ///< of each interior edge's length deviation (m_I)
+    std::vector<UncertainParameter> uncertain;
     Forces forces;
     bool frame_is_unknown = false;                   ///< of the survey
     BoundaryReleases released;                       ///< what was found not to be as told
     std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: there is none
 
-    /// One law for all, and nothing else.
-    PriorKnowledge(const CableNet& net, const LengthLaw& law)
-        : laws(net.interior_edge_count(), law) {}
+    /// One prior for all, and nothing else.
+    PriorKnowledge(const CableNet& net, const LengthPrior& prior)
+        : priors(net.interior_edge_count(), prior) {}
 
     [[nodiscard]] Lengths coupling() const {
         return evidence ? Lengths::coupled : Lengths::independent;
     }
-    /// Root mean square standard deviation of the laws [m].
+    /// Root mean square standard deviation of the priors [m].
     [[nodiscard]] double length_std() const;
     /// Corrects which edges (m) are taken to be slack by what was seen; and by what was read, where
     /// that is more than four standard deviations above nothing.
@@ -41,17 +41,17 @@ struct PriorKnowledge {
 };
 
 /// Of the net's own interior edges (m_I), where those of the fit may be more.
-[[nodiscard]] std::vector<LengthLaw> interior_laws(const CableNet& net,
-                                                   const PriorKnowledge& knowledge);
+[[nodiscard]] std::vector<LengthPrior> interior_priors(const CableNet& net,
+                                                       const PriorKnowledge& knowledge);
 
 /// A survey with its supports as targets like others.
 [[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey);
 
 /// A survey without the targets that are rejected (one flag a node), and all that is known besides,
 /// docs/theory.md (prior), (unknown), (reading).
-/// @param common_unknowns how many there are
+/// @param common_parameters how many there are
 [[nodiscard]] Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
                                    const std::vector<bool>& rejected,
-                                   const PriorKnowledge& knowledge, int common_unknowns);
+                                   const PriorKnowledge& knowledge, int common_parameters);
 
 }  // namespace taut

@@ -196,46 +196,46 @@ bool SaddlePointFactor::factorize() {
 
 /// Lengths that go first leave -g' b / p of their right-hand side b.
 Eigen::VectorXd SaddlePointFactor::gather(const Vector& vector) const {
-    Eigen::VectorXd unknowns(m_factor->unknown_count());
+    Eigen::VectorXd uncertain(m_factor->parameter_count());
     for (int j = 0; j < layout().node_count(); ++j) {
-        unknowns.segment<3>(layout().place[j]) = vector.places.col(j);
+        uncertain.segment<3>(layout().place[j]) = vector.places.col(j);
     }
     for (int j = 0; j < layout().free_count; ++j) {
-        unknowns.segment<3>(layout().multiplier(j)) = vector.multipliers.col(j);
+        uncertain.segment<3>(layout().multiplier(j)) = vector.multipliers.col(j);
     }
     for (int e = 0; e < vector.lengths.size(); ++e) {
         if (layout().has_length(e)) {
-            unknowns(layout().length[e]) = vector.lengths(e);
+            uncertain(layout().length[e]) = vector.lengths(e);
         } else if (layout().goes_first(e) && vector.lengths(e) != 0.0) {
             const EdgeFunction row = length_row(e);
             for (const int node : layout().edges[e]) {
                 const double b = sign_at(layout(), e, node) * vector.lengths(e) / row.length;
                 if (layout().has_block(node)) {
-                    unknowns.segment<3>(layout().place[node]) -= b * row.place;
+                    uncertain.segment<3>(layout().place[node]) -= b * row.place;
                 }
                 if (layout().is_free(node)) {
-                    unknowns.segment<3>(layout().multiplier(node)) -= b * row.multiplier;
+                    uncertain.segment<3>(layout().multiplier(node)) -= b * row.multiplier;
                 }
             }
         }
     }
-    return unknowns;
+    return uncertain;
 }
 
-SaddlePointFactor::Vector SaddlePointFactor::scatter(const Eigen::VectorXd& unknowns,
+SaddlePointFactor::Vector SaddlePointFactor::scatter(const Eigen::VectorXd& uncertain,
                                                      const Vector& right_side) const {
     Vector vector{.places = Eigen::Matrix3Xd(3, layout().node_count()),
                   .lengths = Eigen::VectorXd::Zero(length_weights.size()),
                   .multipliers = Eigen::Matrix3Xd(3, layout().free_count)};
     for (int j = 0; j < layout().node_count(); ++j) {
-        vector.places.col(j) = unknowns.segment<3>(layout().place[j]);
+        vector.places.col(j) = uncertain.segment<3>(layout().place[j]);
     }
     for (int j = 0; j < layout().free_count; ++j) {
-        vector.multipliers.col(j) = unknowns.segment<3>(layout().multiplier(j));
+        vector.multipliers.col(j) = uncertain.segment<3>(layout().multiplier(j));
     }
     for (int e = 0; e < vector.lengths.size(); ++e) {
         if (layout().has_length(e)) {
-            vector.lengths(e) = unknowns(layout().length[e]);
+            vector.lengths(e) = uncertain(layout().length[e]);
         } else if (layout().goes_first(e)) {
             const EdgeFunction row = length_row(e);
             double left = right_side.lengths(e);
@@ -259,7 +259,7 @@ SaddlePointFactor::Vector SaddlePointFactor::solve(const Vector& right_side) con
     return scatter(m_factor->solve(gather(right_side)), right_side);
 }
 
-/// Of a function f of the unknowns at an edge, in the front of its earlier end: f Z f'. Where the
+/// Of a function f of the uncertain at an edge, in the front of its earlier end: f Z f'. Where the
 /// length went first it is (f_x - f_d g / p) Z (f_x - f_d g / p)' + f_d^2 / p, (condensed).
 double SaddlePointFactor::variance(int edge, const EdgeFunction& function, const Places& places,
                                    const FrontMatrix& inverse) const {

@@ -31,7 +31,7 @@ namespace taut {
 ///
 /// Where the survey is not so precise, the lengths are eliminated before all else, edge by edge: an
 /// edge with p = P + w a_d^2 and its row g at the places and multipliers of its ends leaves
-/// -g' g / p there, and the matrix has 6 unknowns a node instead of some 8, docs/theory.md
+/// -g' g / p there, and the matrix has 6 uncertain a node instead of some 8, docs/theory.md
 /// (condensed).
 ///
 /// Why it has a factor of taut's (numerics/supernodal_factor.hpp): for the entries of the inverse,
@@ -102,7 +102,7 @@ public:
     };
     /// Entries of the inverse, after factorize(), docs/theory.md (covariance): S and P being
     /// inverse covariances, the covariances under H r + B d = c. With Z the inverse over the
-    /// unknowns of an edge (s, t) and u the direction of its block of B, the variance of its
+    /// uncertain of an edge (s, t) and u the direction of its block of B, the variance of its
     /// extension is
     ///
     ///   w' Z w,   w = (-u at place s, u at place t, -1 at the length)
@@ -115,7 +115,7 @@ public:
 
 private:
     using Places = SupernodalFactor::Places;
-    /// A linear function of the unknowns at an edge: at its first node, with the opposite sign at
+    /// A linear function of the uncertain at an edge: at its first node, with the opposite sign at
     /// its second, and at its length.
     struct EdgeFunction {
         Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -138,7 +138,7 @@ private:
     [[nodiscard]] double variance(int edge, const EdgeFunction& function, const Places& places,
                                   const FrontMatrix& inverse) const;
     [[nodiscard]] Eigen::VectorXd gather(const Vector& vector) const;
-    [[nodiscard]] Vector scatter(const Eigen::VectorXd& unknowns, const Vector& right_side) const;
+    [[nodiscard]] Vector scatter(const Eigen::VectorXd& uncertain, const Vector& right_side) const;
 
     SaddlePointLayout m_lengths_last;
     SaddlePointLayout m_lengths_first;

@@ -49,7 +49,7 @@ void SaddlePointLayout::add_block(int size, int node, int edge) {
     edge_of_block.push_back(edge);
 }
 
-int SaddlePointLayout::unknown_count() const {
+int SaddlePointLayout::parameter_count() const {
     return std::accumulate(sizes.begin(), sizes.end(), 0);
 }
 

@@ -18,7 +18,7 @@ enum class Lengths { independent, coupled };
 /// part in the matrix, to which its edge adds what eliminating it leaves.
 enum class LengthsGo { last, first };
 
-/// How the unknowns of the saddle-point matrix of a net are numbered: first a block a support, of
+/// How the uncertain of the saddle-point matrix of a net are numbered: first a block a support, of
 /// its place, where these are unknown; then a block a free node, in the order of the local net, of
 /// its place and its multipliers; and behind it, where lengths go last, a block a length of its
 /// edges to earlier nodes and to supports.
@@ -38,7 +38,7 @@ struct SaddlePointLayout {
     std::vector<int> sizes;                       ///< of the blocks
     std::vector<int> node_of_block;               ///< -1 where it is a length
     std::vector<int> edge_of_block;               ///< -1 where it is a node
-    std::vector<int> place;   ///< of each node with a block: the first of three unknowns
+    std::vector<int> place;   ///< of each node with a block: the first of three uncertain
     std::vector<int> length;  ///< of each edge; -1 where it is no unknown of the matrix
 
     /// Free nodes, and supports where these are unknown: those that have a block.
@@ -59,7 +59,7 @@ struct SaddlePointLayout {
     [[nodiscard]] bool is_before(int node, int other) const {
         return has_block(other) && rank(node) < rank(other);
     }
-    [[nodiscard]] int unknown_count() const;
+    [[nodiscard]] int parameter_count() const;
     /// Of each block, the later blocks that it has entries with.
     [[nodiscard]] std::vector<std::vector<int>> couplings() const;
 

@@ -16,10 +16,10 @@ namespace {
 constexpr double reach = 3.0;
 
 /// The length [m] that each edge has at least while it is taut (m).
-Eigen::VectorXd shortest_taut(const CableNet& net, const std::vector<LengthLaw>& laws) {
+Eigen::VectorXd shortest_taut(const CableNet& net, const std::vector<LengthPrior>& priors) {
     Eigen::VectorXd result = net.unstressed_lengths();
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        result(net.interior_edges()[i]) -= reach * laws[i].std();
+        result(net.interior_edges()[i]) -= reach * priors[i].std();
     }
     return result;
 }
@@ -47,8 +47,8 @@ double measured_std(const CableNet& net, const Observations& observations, int e
 }  // namespace
 
 std::vector<bool> slack_by_lengths(const CableNet& net, const Eigen::VectorXd& lengths,
-                                   const std::vector<LengthLaw>& laws) {
-    const Eigen::VectorXd shortest = shortest_taut(net, laws);
+                                   const std::vector<LengthPrior>& priors) {
+    const Eigen::VectorXd shortest = shortest_taut(net, priors);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
         slack[e] = lengths(e) < shortest(e);  // (slack-form)
@@ -57,10 +57,10 @@ std::vector<bool> slack_by_lengths(const CableNet& net, const Eigen::VectorXd& l
 }
 
 std::vector<bool> slack_by_survey(const CableNet& net, const Observations& observations,
-                                  const std::vector<LengthLaw>& laws,
+                                  const std::vector<LengthPrior>& priors,
                                   const Eigen::VectorXd& thermal_stds) {
     const Eigen::VectorXd measured = edge_lengths(net, observations.form);
-    const Eigen::VectorXd shortest = shortest_taut(net, laws);
+    const Eigen::VectorXd shortest = shortest_taut(net, priors);
     std::vector<bool> slack(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e) {
         const double thermal = thermal_stds.size() > 0 ? thermal_stds(e) * measured(e) : 0.0;

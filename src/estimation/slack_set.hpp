@@ -5,26 +5,26 @@
 #include <vector>
 
 #include "estimation/observations.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
 /// Edges (m) that their lengths show to be slack, whatever the survey tells of their unstressed
 /// ones: adjustable ones, of known length, that are shorter than it; and interior ones that would
-/// be taut only at a deviation beyond three standard deviations of its law (beyond the bound of a
+/// be taut only at a deviation beyond three standard deviations of its prior (beyond the bound of a
 /// uniform one). docs/theory.md, (slack-form)
 /// @param lengths of all edges, at the reference temperature (m) [m]
-/// @param laws one an interior edge (m_I)
+/// @param priors one an interior edge (m_I)
 [[nodiscard]] std::vector<bool> slack_by_lengths(const CableNet& net,
                                                  const Eigen::VectorXd& lengths,
-                                                 const std::vector<LengthLaw>& laws);
+                                                 const std::vector<LengthPrior>& priors);
 
 /// Edges (m) that were measured shorter than they can be while taut (see above), by more than three
 /// standard deviations of that measurement. docs/theory.md, (slack-survey)
 /// @param thermal_stds standard deviation of each edge's thermal strain (m); empty: known
 [[nodiscard]] std::vector<bool> slack_by_survey(const CableNet& net,
                                                 const Observations& observations,
-                                                const std::vector<LengthLaw>& laws,
+                                                const std::vector<LengthPrior>& priors,
                                                 const Eigen::VectorXd& thermal_stds = {});
 
 /// Of edges named slack (m), those of which both ends were measured.

@@ -33,7 +33,7 @@ constexpr int most_blurs = 8;
 constexpr double largest_misfit_at_first = 0.3;
 constexpr double continuation_factor = 0.3;
 
-/// (rounded-law): widths of the corner, in the smallest standard deviation of the survey at last,
+/// (rounded-prior): widths of the corner, in the smallest standard deviation of the survey at last,
 /// and from one to the next; (decrement) at last and on the way there.
 constexpr double corner_in_noise = 0.3;
 constexpr double corner_factor = 0.3;
@@ -46,8 +46,8 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey,
                           const PriorKnowledge& knowledge, const SurveyFitSettings& settings) {
     check_survey(net, survey);
     check_forces(net, knowledge.forces);
-    for (const LengthLaw& law : knowledge.laws) {
-        law.check();
+    for (const LengthPrior& prior : knowledge.priors) {
+        prior.check();
     }
     if (settings.max_iterations < 1) {
         throw std::invalid_argument(
@@ -60,7 +60,7 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey,
     return settings;
 }
 
-/// A wide prior is no law, and lets lengths explain everything.
+/// A wide prior is no prior, and lets lengths explain everything.
 bool tests_what_was_told(const Survey& survey, const SurveyFitSettings& settings) {
     return survey.is_noisy() && settings.prior_width == 1.0;
 }
@@ -81,11 +81,11 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_settings(checked(net, survey, knowledge, settings)),
       m_noise(with_noise_floor(net, m_survey)),
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
-      m_statics(net, knowledge.unknowns, knowledge.frame_is_unknown, {}, knowledge.coupling()),
+      m_statics(net, knowledge.uncertain, knowledge.frame_is_unknown, {}, knowledge.coupling()),
       m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
-      m_length_snooping(net, knowledge.laws, alarm_rate_of_what_was_told(survey, settings)),
-      m_boundary_snooping(net, knowledge.unknowns, alarm_rate_of_what_was_told(survey, settings)) {
-    m_statics.set_blur(blur_by(net, m_length_std, knowledge.unknowns));
+      m_length_snooping(net, knowledge.priors, alarm_rate_of_what_was_told(survey, settings)),
+      m_boundary_snooping(net, knowledge.uncertain, alarm_rate_of_what_was_told(survey, settings)) {
+    m_statics.set_blur(blur_by(net, m_length_std, knowledge.uncertain));
 }
 
 Iterate SurveyFit::nominal() const {
@@ -100,12 +100,12 @@ std::vector<bool> SurveyFit::as_seen(std::vector<bool> slack) const {
 std::vector<bool> SurveyFit::shown_slack(const Iterate& iterate) const {
     const Eigen::VectorXd lengths =
         m_statics.common().cold(edge_lengths(m_net, iterate.form), iterate.common);
-    return as_seen(slack_by_lengths(m_net, lengths, m_knowledge.laws));
+    return as_seen(slack_by_lengths(m_net, lengths, m_knowledge.priors));
 }
 
 /// Edges (m) that were measured so.
 std::vector<bool> SurveyFit::measured_slack(double inflation) const {
-    return as_seen(slack_by_survey(m_net, observations(inflation), m_knowledge.laws,
+    return as_seen(slack_by_survey(m_net, observations(inflation), m_knowledge.priors,
                                    m_statics.common().thermal_stds()));
 }
 
@@ -125,7 +125,8 @@ GaussNewtonResult SurveyFit::run() {
         m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
         if (!m_statics.linearise(fitted.iterate, observations())) {
             throw NumericalError(
-                "the statics of the net are singular at the surveyed form: are net and law right?");
+                "the statics of the net are singular at the surveyed form: are net and prior "
+                "right?");
         }
         m_statics.invert();
     }
@@ -381,7 +382,7 @@ void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& obser
     }
 }
 
-/// (rounded-law): from the widest corner to one that is lost in the noise. Later fits begin where
+/// (rounded-prior): from the widest corner to one that is lost in the noise. Later fits begin where
 /// the corner is already.
 GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation) {
     const Observations observed = observations(inflation);
@@ -410,7 +411,7 @@ GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation)
 }
 
 /// The corner that makes a net of mean stretch s as tense as it is only by lengths of one standard
-/// deviation of the law more: s = w^2 / std.
+/// deviation of the prior more: s = w^2 / std.
 double SurveyFit::widest_corner() const {
     const double stretch =
         (edge_lengths(m_net, m_net.nodes()) - m_net.unstressed_lengths()).cwiseMax(0.0).mean();
@@ -553,20 +554,21 @@ void SurveyFit::readmit_all() {
 
 /// What was found not to be as told is unknown from now on.
 void SurveyFit::take_over_releases() {
-    m_knowledge.laws = m_length_snooping.laws();
+    m_knowledge.priors = m_length_snooping.priors();
     if (m_knowledge.released != m_boundary_snooping.released()) {
         m_knowledge.released = m_boundary_snooping.released();
         m_statics.set_released(m_knowledge.released);
     }
 }
 
-/// An iterate with the unknowns that are released now, and supports where these have them.
+/// An iterate with the uncertain that are released now, and supports where these have them.
 Iterate SurveyFit::with_released(Iterate iterate) const {
-    const CommonUnknowns& common = m_statics.common();
+    const CommonParameters& common = m_statics.common();
     Eigen::VectorXd values = Eigen::VectorXd::Zero(common.count());
     values.head(common.kept_count()) = iterate.common.head(common.kept_count());
     iterate.common = std::move(values);
-    if (common.moves_supports() && std_of(m_knowledge.unknowns, Unknown::Kind::supports) <= 0.0) {
+    if (common.moves_supports() &&
+        std_of(m_knowledge.uncertain, UncertainParameter::Kind::supports) <= 0.0) {
         const Points motion = common.support_motion(iterate.common);
         for (const int node : m_net.supports()) {
             iterate.form.col(node) = m_net.nodes().col(node) + motion.col(node);
@@ -583,7 +585,7 @@ double SurveyFit::first_inflation() const {
 Observations SurveyFit::observations(double inflation) const {
     Observations result = observe(m_net, m_survey, m_noise, m_snooping.rejected(), m_knowledge,
                                   m_statics.common().count());
-    const std::vector<ForceReading>& readings = m_knowledge.forces.readings;
+    const std::vector<ForceMeasurement>& readings = m_knowledge.forces.readings;
     for (size_t k = 0; k < readings.size(); ++k) {
         if (m_snooping.rejected_readings()[k]) {
             result.tension_weights(readings[k].edge) = 0.0;

@@ -17,7 +17,7 @@ namespace taut {
 struct SurveyFitSettings {
     int max_iterations = 50;                             ///< Gauss-Newton steps of each fit
     double false_alarm_rate = default_false_alarm_rate;  ///< of data snooping; 0: none
-    /// Standard deviation of the normal prior of the lengths, in those of the law. 1: maximum a
+    /// Standard deviation of the normal prior of the lengths, in those of the prior. 1: maximum a
     /// posteriori; much more: all but the maximum of the likelihood.
     double prior_width = 1.0;
     Progress progress = {};  ///< asked before each step whether to go on; nothing is told
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] const DataSnooping& snooping() const { return m_snooping; }
     [[nodiscard]] const LengthSnooping& length_snooping() const { return m_length_snooping; }
     [[nodiscard]] const BoundarySnooping& boundary_snooping() const { return m_boundary_snooping; }
-    /// What was told, with the laws that the fit was made with: those of edges beyond theirs are
+    /// What was told, with the priors that the fit was made with: those of edges beyond theirs are
     /// wide; and what was released of the boundary.
     [[nodiscard]] const PriorKnowledge& knowledge() const { return m_knowledge; }
     /// Linearised and inverted at the result.
@@ -119,7 +119,7 @@ private:
     const CableNet& m_net;
     Survey m_survey;  ///< with its supports, where they tell something
     PriorKnowledge m_knowledge;
-    double m_length_std;  ///< of the laws, together [m]
+    double m_length_std;  ///< of the priors, together [m]
     SurveyFitSettings m_settings;
     Points m_noise;
     double m_tolerance;
@@ -131,7 +131,7 @@ private:
     bool m_contradicts_too_many = false;
     enum class BoundaryTest { none, at_once, one_by_one };
     BoundaryTest m_boundary_test = BoundaryTest::none;
-    bool m_is_rounded = false;    ///< (rounded-law) takes the place of the slack set
+    bool m_is_rounded = false;    ///< (rounded-prior) takes the place of the slack set
     double m_corner_width = 0.0;  ///< where the rounded fits have got to [m]
 };
 

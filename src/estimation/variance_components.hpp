@@ -4,7 +4,7 @@
 
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
-#include "taut/estimation/doubt.hpp"
+#include "taut/estimation/diagnostics.hpp"
 #include "taut/net/cable_net.hpp"
 
 namespace taut {
@@ -16,7 +16,7 @@ namespace taut {
 /// @param statics linearised and inverted at the fit; on return at what was found
 /// @param observations of the fit; on return with the scales that were found
 /// @param fitted on return the fit to these
-/// @param left_out interior edges (m_I) of another law
+/// @param left_out interior edges (m_I) of another prior
 [[nodiscard]] VarianceComponents estimate_components(const CableNet& net,
                                                      LinearisedStatics& statics,
                                                      Observations& observations, Iterate& fitted,

@@ -12,8 +12,8 @@ namespace taut {
 Eigen::VectorXd best_possible_variances(const CableNet& net,
                                         const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                                         const Eigen::Ref<const Points>& form, const Survey& survey,
-                                        const LengthLaw& law) {
-    law.check();
+                                        const LengthPrior& prior) {
+    prior.check();
     check_survey(net, survey);
     std::vector<bool> slack(net.edge_count(), false);
     for (const int edge : slack_edges(net, unstressed_lengths, form)) {
@@ -25,15 +25,15 @@ Eigen::VectorXd best_possible_variances(const CableNet& net,
     Iterate truth = nominal_iterate(net);
     truth.form = form;
     truth.deviations = (unstressed_lengths - net.unstressed_lengths())(net.interior_edges());
-    if (!statics.linearise(
-            truth, observe(net, survey, with_noise_floor(net, survey), none_rejected, law.std()))) {
+    if (!statics.linearise(truth, observe(net, survey, with_noise_floor(net, survey), none_rejected,
+                                          prior.std()))) {
         throw NumericalError("the statics of the net are singular at this form");
     }
     statics.invert();
-    // At loose nodes they can be lost in rounding errors: then the law is all that is known.
-    const double of_law = law.std() * law.std();
+    // At loose nodes they can be lost in rounding errors: then the prior is all that is known.
+    const double of_prior = prior.std() * prior.std();
     return statics.length_variances().unaryExpr(
-        [of_law](double variance) { return variance > 0.0 ? variance : of_law; });
+        [of_prior](double variance) { return variance > 0.0 ? variance : of_prior; });
 }
 
 }  // namespace taut

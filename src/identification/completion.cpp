@@ -19,7 +19,7 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
         const bool is_by_digits =
             survey.rounding_std > 0.0 && survey.largest_noise_std() < 1.01 * survey.rounding_std;
         result.message = fmt::format(
-            "{} of {} targets contradict the others: are net, frame, law and noise ({:.3g} mm{}) "
+            "{} of {} targets contradict the others: are net, frame, prior and noise ({:.3g} mm{}) "
             "right?",
             result.outliers.size(), survey.surveyed.size() + survey.supports.size(),
             1e3 * survey.largest_noise_std(),
@@ -29,18 +29,18 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
     }
 }
 
-void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthLaw>& laws,
+void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
                 const std::vector<LengthLikelihood>& likelihoods) {
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
-        const LengthPosterior posterior = posterior_of(laws[i], likelihoods[i]);
+        const LengthPosterior posterior = posterior_of(priors[i], likelihoods[i]);
         result.edges.push_back({.edge = edge,
                                 .nominal = net.unstressed_lengths()(edge),
                                 .length_deviation = posterior.mean,
                                 .std = posterior.std,
                                 .lower = posterior.lower,
                                 .upper = posterior.upper,
-                                .status = status_of(laws[i].std(), posterior)});
+                                .status = status_of(priors[i].std(), posterior)});
     }
 }
 
@@ -70,23 +70,22 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         }
         result.tensions = tensions(identified, l_0, result.predicted.form);
     };
-    if (result.unknowns.empty() && !result.frame_offset && result.boundary_outliers.empty()) {
+    if (result.uncertain.empty() && !result.frame_offset && result.boundary_outliers.empty()) {
         balance(net, lengths);
     } else {
-        Circumstances circumstances = circumstances_of(net, result.unknowns);
+        ModelPerturbation perturbation = perturbation_of(net, result.uncertain);
         for (const BoundaryOutlier& outlier : result.boundary_outliers) {
             if (outlier.kind == BoundaryOutlier::Kind::support) {
-                circumstances.supports.col(outlier.index) += outlier.deviation;
+                perturbation.supports.col(outlier.index) += outlier.deviation;
             } else {
                 lengths(outlier.index) += outlier.deviation.x();
             }
         }
         if (result.frame_offset) {
             const Points motion = result.frame_offset->motion_of(net.nodes());
-            circumstances.supports(Eigen::all, net.supports()) +=
-                motion(Eigen::all, net.supports());
+            perturbation.supports(Eigen::all, net.supports()) += motion(Eigen::all, net.supports());
         }
-        const CableNet identified = net_under(net, circumstances, lengths);
+        const CableNet identified = net_under(net, perturbation, lengths);
         balance(identified, identified.unstressed_lengths());
     }
     const Eigen::MatrixXd differences =

@@ -16,11 +16,11 @@ namespace taut {
 void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
                    bool contradicts_too_many);
 
-/// Fills the edges of a result from their likelihoods and laws (m_I), docs/theory.md (posterior).
-void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthLaw>& laws,
+/// Fills the edges of a result from their likelihoods and priors (m_I), docs/theory.md (posterior).
+void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
                 const std::vector<LengthLikelihood>& likelihoods);
 
-/// Predicts the form of a result's edges and unknowns, from a start, and compares it with the
+/// Predicts the form of a result's edges and uncertain, from a start, and compares it with the
 /// survey. Where their lengths find no equilibrium, status and message say so.
 void predict_form(Identification& result, const CableNet& net, const Survey& survey,
                   const Points& start);

@@ -87,7 +87,8 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
         reasons);
 }
 
-ModelPerturbations perturbations_of(const CableNet& net, const std::vector<Circumstances>& draws) {
+ModelPerturbations perturbations_of(const CableNet& net,
+                                    const std::vector<ModelPerturbation>& draws) {
     const auto gathered = [&](Eigen::Index rows, const auto& of_draw) {
         Eigen::MatrixXd result(rows, std::ssize(draws));
         for (Eigen::Index k = 0; k < result.cols(); ++k) {
@@ -97,30 +98,31 @@ ModelPerturbations perturbations_of(const CableNet& net, const std::vector<Circu
     };
     const Eigen::Index edges = net.edge_count();
     return {
-        .stiffness = gathered(edges, [](const Circumstances& one) { return one.stiffness; }),
-        .thermal = gathered(edges, [](const Circumstances& one) { return one.thermal; }),
+        .stiffness = gathered(edges, [](const ModelPerturbation& one) { return one.stiffness; }),
+        .thermal = gathered(edges, [](const ModelPerturbation& one) { return one.thermal; }),
         .supports = gathered(std::ssize(net.supports()) * 3,
-                             [&](const Circumstances& one) {
+                             [&](const ModelPerturbation& one) {
                                  return Eigen::VectorXd(
                                      one.supports(Eigen::all, net.supports()).reshaped());
                              }),
-        .loads = gathered(Eigen::Index{3} * net.free_node_count(), [&](const Circumstances& one) {
-            return free_coordinates(net, one.loads * net.loads() + one.own_loads);
-        })};
+        .loads =
+            gathered(Eigen::Index{3} * net.free_node_count(), [&](const ModelPerturbation& one) {
+                return free_coordinates(net, one.loads * net.loads() + one.own_loads);
+            })};
 }
 
-/// What may be slack as well as taut, as far as anyone can tell, is known by its law alone. Edges
-/// of the slack set are slack: no length of the law makes them taut.
-void tell_open_edges(Identification& result, const std::vector<LengthLaw>& laws,
+/// What may be slack as well as taut, as far as anyone can tell, is known by its prior alone. Edges
+/// of the slack set are slack: no length of the prior makes them taut.
+void tell_open_edges(Identification& result, const std::vector<LengthPrior>& priors,
                      const std::vector<bool>& slack_set) {
     for (size_t i = 0; i < result.edges.size(); ++i) {
         IdentifiedEdge& edge = result.edges[i];
         if (edge.status == EdgeStatus::slack && !slack_set[edge.edge]) {
-            const LengthPosterior by_law = posterior_of(laws[i], {});
-            edge.length_deviation = by_law.mean;
-            edge.std = by_law.std;
-            edge.lower = by_law.lower;
-            edge.upper = by_law.upper;
+            const LengthPosterior by_prior = posterior_of(priors[i], {});
+            edge.length_deviation = by_prior.mean;
+            edge.std = by_prior.std;
+            edge.lower = by_prior.lower;
+            edge.upper = by_prior.upper;
             edge.status = EdgeStatus::not_determined;
         }
     }
@@ -191,15 +193,15 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     draws.doubt = doubt_of(drawn, draws.length_deviations, result, net);
     draws.forms = std::move(drawn.forms);
     draws.tensions = std::move(drawn.tensions);
-    const std::vector<LengthLaw> laws = interior_laws(net, knowledge);
+    const std::vector<LengthPrior> priors = interior_priors(net, knowledge);
     const bool is_told = draws.doubt.empty() && draws.count() > 0;
     result.draws = std::move(draws);
     if (!is_told) {
-        tell_open_edges(result, laws, statics.slack());
+        tell_open_edges(result, priors, statics.slack());
         return;  // no interval rather than a wrong one
     }
-    Eigen::VectorXd prior_stds(std::ssize(laws));
-    std::ranges::transform(laws, prior_stds.begin(), &LengthLaw::std);
+    Eigen::VectorXd prior_stds(std::ssize(priors));
+    std::ranges::transform(priors, prior_stds.begin(), &LengthPrior::std);
     summarise(result, net, survey, prior_stds);
 }
 

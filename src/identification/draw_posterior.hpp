@@ -11,7 +11,7 @@
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
@@ -28,7 +28,7 @@ struct PosteriorSettings {
 /// @param result of the fit
 /// @param fit_net of the fit, net_to_fit()
 /// @param statics linearised at the fit
-/// @param sites what the fit was made with, the law as normal distributions
+/// @param sites what the fit was made with, the prior as normal distributions
 /// @throws Interrupted
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
                     const Survey& survey, const PriorKnowledge& knowledge,

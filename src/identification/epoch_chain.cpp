@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "estimation/data_snooping.hpp"
-#include "identification/unknown_estimates.hpp"
+#include "identification/parameter_estimates.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/equilibrium.hpp"
 
@@ -25,9 +25,10 @@ double width_of(const LengthChange& change) {
     return wide * std::max(std::abs(change.change), change.std);
 }
 
-bool is_common_number(const Unknown& unknown) {
-    return unknown.kind == Unknown::Kind::stiffness || unknown.kind == Unknown::Kind::temperature ||
-           unknown.kind == Unknown::Kind::loads;
+bool is_common_number(const UncertainParameter& parameter) {
+    return parameter.kind == UncertainParameter::Kind::stiffness ||
+           parameter.kind == UncertainParameter::Kind::temperature ||
+           parameter.kind == UncertainParameter::Kind::loads;
 }
 
 double largest_play(std::span<const Epoch> epochs) {
@@ -76,16 +77,16 @@ CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
 }
 
 EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
-                       const IdentifyOptions& options, const LengthLaw& law, double least_play,
+                       const IdentifyOptions& options, const LengthPrior& prior, double least_play,
                        const std::vector<Changes>& changes)
     : m_net(net),
       m_options(options),
-      m_law(law),
+      m_prior(prior),
       m_widest_turn(widest_turn(net)),
-      m_unknowns(options.unknowns),
-      m_common(static_cast<int>(std::ranges::count_if(options.unknowns, is_common_number))),
+      m_uncertain(options.uncertain),
+      m_common(static_cast<int>(std::ranges::count_if(options.uncertain, is_common_number))),
       m_changes(epochs.size()) {
-    const bool is_told = std_of(m_unknowns, Unknown::Kind::adjustable) > 0.0;
+    const bool is_told = std_of(m_uncertain, UncertainParameter::Kind::adjustable) > 0.0;
     double play = std::max(least_play, largest_play(epochs));
     for (const Changes& of_survey : changes) {
         play = std::max(play, of_survey.play);
@@ -95,11 +96,12 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
     }
     play = std::min(play, m_widest_turn);
     if (play > 0.0 && !is_told) {
-        m_unknowns.push_back({.kind = Unknown::Kind::adjustable, .std = play, .group = {}});
+        m_uncertain.push_back(
+            {.kind = UncertainParameter::Kind::adjustable, .std = play, .group = {}});
     }
     m_has_play = is_told || play > 0.0;
-    m_edges = net_to_fit(net, m_unknowns).interior_edges();
-    Eigen::VectorXd stds = adjustable_stds(net, options.unknowns);
+    m_edges = net_to_fit(net, m_uncertain).interior_edges();
+    Eigen::VectorXd stds = adjustable_stds(net, options.uncertain);
     std::vector<std::vector<EdgeTurned>> steps;
     for (const Epoch& epoch : epochs) {
         steps.push_back(epoch.turned);
@@ -135,7 +137,7 @@ Eigen::Index EpochChain::place_of(int edge) const {
 Eigen::VectorXd EpochChain::first_prior(const Eigen::VectorXd& stds) const {
     Eigen::VectorXd variances = Eigen::VectorXd::Ones(size());
     for (size_t i = 0; i < m_edges.size(); ++i) {
-        const double std = is_adjustable(m_edges[i]) ? stds(m_edges[i]) : m_law.std();
+        const double std = is_adjustable(m_edges[i]) ? stds(m_edges[i]) : m_prior.std();
         variances(static_cast<Eigen::Index>(i)) = std * std;
     }
     return variances;
@@ -156,12 +158,12 @@ EpochStep EpochChain::step_from(size_t k) const {
                    .prior_from = m_states[k].prior,
                    .prior_to = m_states[k + 1].prior};
     auto place = static_cast<Eigen::Index>(m_edges.size());
-    for (const Unknown& unknown : m_unknowns) {
-        if (unknown.kind == Unknown::Kind::temperature) {  // another day
+    for (const UncertainParameter& parameter : m_uncertain) {
+        if (parameter.kind == UncertainParameter::Kind::temperature) {  // another day
             step.factor(place) = 0.0;
             step.added(place) = 1.0;
         }
-        place += is_common_number(unknown) ? 1 : 0;
+        place += is_common_number(parameter) ? 1 : 0;
     }
     return step;
 }
@@ -179,8 +181,8 @@ void EpochChain::let_go(const std::vector<Changes>& changes) {
 
 Told EpochChain::told(int k) const {
     const State& state = m_states[k];
-    Told result(m_law);
-    result.unknowns = m_unknowns;
+    Told result(m_prior);
+    result.uncertain = m_uncertain;
     if (k + 1 == count()) {
         result.forces = m_options.forces;
     }
@@ -188,7 +190,7 @@ Told EpochChain::told(int k) const {
     result.own_stds = Eigen::VectorXd::Zero(m_net.edge_count());
     for (size_t i = 0; i < m_edges.size(); ++i) {
         const double std = std::sqrt(state.prior(static_cast<Eigen::Index>(i)));
-        if (is_adjustable(m_edges[i]) || std > a_little_more * m_law.std()) {
+        if (is_adjustable(m_edges[i]) || std > a_little_more * m_prior.std()) {
             result.own_stds(m_edges[i]) = std;
         }
     }

@@ -33,18 +33,19 @@ public:
         /// first.
         std::vector<LengthChange> lengths;
         Agreement agreement;  ///< of all others
-        double play = 0.0;    ///< EpochResult::untold_play
+        double play = 0.0;    ///< EpochResult::excess_actuator_std
         /// EpochResult::stroke_factor
         double stroke_factor = 1.0;
         double stroke_factor_std = 0.0;
     };
 
-    /// @param law of the interior edges' length deviations
+    /// @param prior of the interior edges' length deviations
     /// @param least_play of all adjustable edges at each survey; 0: those not turned are known [m]
     /// @param changes that are known: lengths change from there on, and turns have as much more
     /// play
     EpochChain(const CableNet& net, std::span<const Epoch> epochs, const IdentifyOptions& options,
-               const LengthLaw& law, double least_play, const std::vector<Changes>& changes = {});
+               const LengthPrior& prior, double least_play,
+               const std::vector<Changes>& changes = {});
 
     /// Each survey by itself, without what is told of adjustable edges, held against those before
     /// and what is told. Lengths that changed are let go one after the other, until none is left.
@@ -109,11 +110,11 @@ private:
 
     const CableNet& m_net;
     const IdentifyOptions& m_options;
-    LengthLaw m_law;
+    LengthPrior m_prior;
     double m_widest_turn;  ///< widest_turn()
     bool m_has_play;       ///< whether lengths of adjustable edges are unknown
-    std::vector<Unknown> m_unknowns;
-    int m_common;              ///< unknowns common to many edges
+    std::vector<UncertainParameter> m_uncertain;
+    int m_common;              ///< uncertain common to many edges
     std::vector<int> m_edges;  ///< of unknown length
     std::vector<State> m_states;
     std::vector<Changes> m_changes;

@@ -29,10 +29,10 @@ using FindingKind = Trust::Finding::Kind;
 /// A survey that moves lengths by so much more than all let expect contradicts the others.
 constexpr double far_too_much = 1.5;
 
-bool goes_with_epochs(const Unknown& unknown) {
-    using Kind = Unknown::Kind;
-    return unknown.kind == Kind::stiffness || unknown.kind == Kind::temperature ||
-           unknown.kind == Kind::loads || unknown.kind == Kind::adjustable;
+bool goes_with_epochs(const UncertainParameter& parameter) {
+    using Kind = UncertainParameter::Kind;
+    return parameter.kind == Kind::stiffness || parameter.kind == Kind::temperature ||
+           parameter.kind == Kind::loads || parameter.kind == Kind::adjustable;
 }
 
 /// Two surveys of which most targets agree to the last digit are one, counted twice.
@@ -71,12 +71,12 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
             fmt::format("the net has {} interior edges, and --epoch is for at most {}",
                         net.interior_edge_count(), most_edges_of_epochs));
     }
-    for (const Unknown& unknown : options.unknowns) {
-        if (!goes_with_epochs(unknown)) {
+    for (const UncertainParameter& parameter : options.uncertain) {
+        if (!goes_with_epochs(parameter)) {
             throw std::invalid_argument(fmt::format(
                 "--uncertain {} does not go with --epoch: all surveys would share them, "
                 "each by itself",
-                unknown.to_string()));
+                parameter.to_string()));
         }
     }
     if (!epochs.front().turned.empty()) {
@@ -186,15 +186,15 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
              .next = "If it was turned, add it to the turns. Else check whether it slipped, was "
                      "slack at one survey, or a support at it moved."});
     }
-    if (epoch.untold_play > 0.0) {
+    if (epoch.excess_actuator_std > 0.0) {
         trust.findings.push_back(
             {.kind = FindingKind::actuator_std,
              .severity = Verdict::doubtful,
-             .value = epoch.untold_play,
+             .value = epoch.excess_actuator_std,
              .reason = fmt::format("{} turns differ from those given by {:.2f} mm (root mean "
                                    "square), more than the standard deviation given. taut took it "
                                    "into account.",
-                                   between, 1e3 * epoch.untold_play),
+                                   between, 1e3 * epoch.excess_actuator_std),
              .next = "Give it as the standard deviation of what was turned."});
     } else if (is_beyond_chance) {
         trust.findings.push_back(contradiction);
@@ -249,10 +249,10 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
                                     const IdentifyOptions& alone, std::vector<double>& scales,
                                     const Progress& progress) {
     IdentifyOptions of_form = alone;
-    if (std_of(alone.unknowns, Unknown::Kind::adjustable) == 0.0 &&
+    if (std_of(alone.uncertain, UncertainParameter::Kind::adjustable) == 0.0 &&
         !net.adjustable_edges().empty()) {
-        of_form.unknowns.push_back(
-            {.kind = Unknown::Kind::adjustable, .std = widest_turn(net), .group = {}});
+        of_form.uncertain.push_back(
+            {.kind = UncertainParameter::Kind::adjustable, .std = widest_turn(net), .group = {}});
     }
     std::vector<Epoch> result(epochs.begin(), epochs.end());
     std::vector<std::vector<EdgeTurned>> steps;
@@ -271,7 +271,7 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
 }
 
 /// One a survey, of what was found and compared.
-/// @param first the first survey by itself, which tells of the law
+/// @param first the first survey by itself, which tells of the prior
 std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identification& first,
                                        const std::vector<EpochChain::Changes>& changes,
                                        const std::vector<Epoch>& epochs,
@@ -280,8 +280,8 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
     for (int k = 0; k < chain.count(); ++k) {
         Identification found = chain.found(k);
         if (k == 0) {
-            found.contradicted_law = first.contradicted_law;
-            found.law_was_told = first.law_was_told;
+            found.contradicted_prior = first.contradicted_prior;
+            found.prior_was_told = first.prior_was_told;
         }
         const Survey& survey = epochs[static_cast<size_t>(k)].survey;
         const EpochChain::Changes& changed = changes[static_cast<size_t>(k)];
@@ -295,7 +295,7 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
                            .change_ratio = changed.agreement.ratio(),
                            .change_limit = changed.agreement.limit(),
                            .changes = changed.lengths,
-                           .untold_play = changed.play,
+                           .excess_actuator_std = changed.play,
                            .stroke_factor = changed.stroke_factor,
                            .stroke_factor_std = changed.stroke_factor_std,
                            .trust = trust_of(chain.net_at(k), survey, found)});
@@ -310,14 +310,14 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     if (options.assume_site) {
         IdentifyOptions on_site = options;
         on_site.assume_site = false;
-        on_site.unknowns = with_site_assumptions(net, options.unknowns);
+        on_site.uncertain = with_site_assumptions(net, options.uncertain);
         // How far turns differ from those given the surveys show: the chain estimates it.
-        std::erase_if(on_site.unknowns, [&](const Unknown& one) {
-            return (!goes_with_epochs(one) || one.kind == Unknown::Kind::adjustable) &&
-                   std::ranges::find(options.unknowns, one) == options.unknowns.end();
+        std::erase_if(on_site.uncertain, [&](const UncertainParameter& one) {
+            return (!goes_with_epochs(one) || one.kind == UncertainParameter::Kind::adjustable) &&
+                   std::ranges::find(options.uncertain, one) == options.uncertain.end();
         });
         Identification result = identify_epochs(net, epochs, on_site, progress);
-        result.assumptions = assumptions_of(on_site.unknowns, options.unknowns, result);
+        result.assumptions = assumptions_of(on_site.uncertain, options.uncertain, result);
         return result;
     }
     check_epochs(net, epochs, options);
@@ -325,11 +325,11 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     alone.method = IdentificationMethod::map;
     alone.draws = 0;
     alone.forces = {};
-    // The law, where none is told, and the noise, where it is not known.
+    // The prior, where none is told, and the noise, where it is not known.
     const Identification first =
         with_epoch(0, [&] { return identify(net, epochs.front().survey, alone, progress); });
     // All surveys share it, taken as exact.
-    const LengthLaw prior = central_prior(first.prior);
+    const LengthPrior prior = central_prior(first.prior);
     std::vector<double> noise_scales(epochs.size(), first.noise_scale);
     const std::vector<Epoch> scaled =
         options.estimate_noise ? with_noise_found(net, epochs, alone, noise_scales, progress)
@@ -401,20 +401,20 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         steps.push_back(epoch.turned);
     }
     result.prior = first.prior;
-    result.prior.nodes = {{.law = prior}};
-    result.contradicted_law = first.contradicted_law;
-    result.law_was_told = options.law.has_value();
+    result.prior.nodes = {{.prior = prior}};
+    result.contradicted_prior = first.contradicted_prior;
+    result.prior_was_told = options.prior.has_value();
     result.turned = all_turned(steps);
     result.noise_scale = noise_scales.back();
     result.method = to_string(IdentificationMethod::map);
     result.method_reason = fmt::format("{} surveys are told", epochs.size());
-    result.how = fmt::format("maximum a posteriori under the statics, by {} surveys, lengths {}{}",
-                             epochs.size(), prior.to_string(),
-                             first.contradicted_law ? ", a law that the first survey shows" : "");
-    if (!options.unknowns.empty()) {
-        result.how += ", unknown besides: " + to_string(options.unknowns);
+    result.how = fmt::format(
+        "maximum a posteriori under the statics, by {} surveys, lengths {}{}", epochs.size(),
+        prior.to_string(), first.contradicted_prior ? ", a prior that the first survey shows" : "");
+    if (!options.uncertain.empty()) {
+        result.how += ", unknown besides: " + to_string(options.uncertain);
     }
-    result.assumptions = assumptions_of(options.unknowns, options.unknowns, result);
+    result.assumptions = assumptions_of(options.uncertain, options.uncertain, result);
     result.trust = trust_of_epochs(net, result.epochs);
     std::ranges::move(together.findings, std::back_inserter(result.trust.findings));
     std::ranges::stable_sort(result.trust.findings, std::greater{}, &Trust::Finding::severity);

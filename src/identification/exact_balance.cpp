@@ -61,17 +61,17 @@ BalancedDeviations balanced_deviations(const CableNet& net, const Points& form,
 /// What an exact form tells of each length, on top of its balance.
 class ExactForm {
 public:
-    ExactForm(const CableNet& net, const Survey& survey, const LengthLaw& law)
+    ExactForm(const CableNet& net, const Survey& survey, const LengthPrior& prior)
         : m_net(net),
           m_survey(survey),
           m_noise(with_noise_floor(net, survey)),
           m_none_rejected(net.node_count(), false),
           m_balanced(nominal_iterate(net)),
-          m_knowledge(net, law),
+          m_knowledge(net, prior),
           m_statics(net) {
         m_balanced.form = survey.form;
         m_statics.set_slack(
-            slack_by_lengths(net, edge_lengths(net, m_balanced.form), m_knowledge.laws));
+            slack_by_lengths(net, edge_lengths(net, m_balanced.form), m_knowledge.priors));
         const BalanceEquations balance(net, m_balanced.form, m_statics.slack());
         const BalancedDeviations balanced = balanced_deviations(net, m_balanced.form, balance);
         m_balanced.deviations = balanced.deviations;
@@ -87,7 +87,7 @@ public:
     [[nodiscard]] int impossible_edge() const { return m_impossible_edge; }
     [[nodiscard]] const Points& form() const { return m_balanced.form; }
 
-    [[nodiscard]] std::vector<LengthLikelihood> likelihoods(const LengthLaw& law) {
+    [[nodiscard]] std::vector<LengthLikelihood> likelihoods(const LengthPrior& prior) {
         const double unit = m_noise.maxCoeff();
         auto result = likelihoods_within(narrow_bound * unit);
         const auto replace = [&](double bound, const auto& applies) {
@@ -108,19 +108,20 @@ public:
         replace(wide_bound * unit, [&](size_t i) {
             return !m_undetermined[i] && result[i].std > widest_part_of_bound * narrow_bound * unit;
         });
-        replace(law.std(), [&](size_t i) { return m_undetermined[i]; });
-        bound_where_flat(result, law);
+        replace(prior.std(), [&](size_t i) { return m_undetermined[i]; });
+        bound_where_flat(result, prior);
         return result;
     }
 
 private:
     /// Of an edge whose law is flat at its tension all lengths of that part are as likely. Where
-    /// the law of lengths allows none of them it is wrong, and shows so in the predicted form.
-    void bound_where_flat(std::vector<LengthLikelihood>& likelihoods, const LengthLaw& law) const {
+    /// the prior of lengths allows none of them it is wrong, and shows so in the predicted form.
+    void bound_where_flat(std::vector<LengthLikelihood>& likelihoods,
+                          const LengthPrior& prior) const {
         for (size_t i = 0; i < likelihoods.size(); ++i) {
             const auto k = static_cast<Eigen::Index>(i);
             const double middle = m_balanced.deviations(k);
-            if (m_spread(k) > 0.0 && std::abs(middle) - m_spread(k) < law.reach()) {
+            if (m_spread(k) > 0.0 && std::abs(middle) - m_spread(k) < prior.reach()) {
                 likelihoods[i].least = middle - m_spread(k);
                 likelihoods[i].most = middle + m_spread(k);
             }
@@ -133,7 +134,8 @@ private:
         observations.mean = m_balanced.deviations;
         if (!m_statics.linearise(m_balanced, observations)) {
             throw NumericalError(
-                "the statics of the net are singular at the surveyed form: are net and law right?");
+                "the statics of the net are singular at the surveyed form: are net and prior "
+                "right?");
         }
         m_statics.invert();
         return length_likelihoods(m_net, m_knowledge, m_statics, observations, m_balanced);
@@ -166,7 +168,7 @@ bool tell_impossible_edge(Identification& result, const CableNet& net, int edge)
 }
 
 /// Whether the predicted form is the surveyed one.
-void tell_exactness(Identification& result, const CableNet& net, const LengthLaw& law) {
+void tell_exactness(Identification& result, const CableNet& net, const LengthPrior& prior) {
     if (result.status != IdentificationStatus::converged) {
         return;
     }
@@ -174,46 +176,48 @@ void tell_exactness(Identification& result, const CableNet& net, const LengthLaw
     if (miss > rounding_of_form * edge_lengths(net, net.nodes()).mean()) {
         result.status = IdentificationStatus::survey_not_exact;
         result.message = fmt::format(
-            "is taken for exact, but no lengths of the law {} give its form: those found miss it "
-            "by {:.3g} mm RMS. Tell its noise, or another law",
-            law.to_string(), 1e3 * miss);
+            "is taken for exact, but no lengths of the prior {} give its form: those found miss it "
+            "by {:.3g} mm RMS. Tell its noise, or another prior",
+            prior.to_string(), 1e3 * miss);
     }
 }
 
 }  // namespace
 
 Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
-                                         const LengthLaw& law) {
-    ExactForm exact(net, survey, law);
-    Identification result{.method = "balance", .law = law};
+                                         const LengthPrior& prior) {
+    ExactForm exact(net, survey, prior);
+    Identification result{.method = "balance", .prior = prior};
     if (tell_impossible_edge(result, net, exact.impossible_edge())) {
         return result;
     }
-    result.law = law;
-    tell_edges(result, net, std::vector(net.interior_edge_count(), law), exact.likelihoods(law));
+    result.length_prior = prior;
+    tell_edges(result, net, std::vector(net.interior_edge_count(), prior),
+               exact.likelihoods(prior));
     predict_form(result, net, survey, exact.form());
-    tell_exactness(result, net, law);
+    tell_exactness(result, net, prior);
     return result;
 }
 
-Identification check_exactness(const CableNet& net, const Survey& survey, const LengthLaw& law) {
-    const std::vector<LengthLaw> laws(net.interior_edge_count(), law);
-    const std::vector<bool> slack = slack_by_lengths(net, edge_lengths(net, survey.form), laws);
+Identification check_exactness(const CableNet& net, const Survey& survey,
+                               const LengthPrior& prior) {
+    const std::vector<LengthPrior> priors(net.interior_edge_count(), prior);
+    const std::vector<bool> slack = slack_by_lengths(net, edge_lengths(net, survey.form), priors);
     const BalancedDeviations balanced =
         balanced_deviations(net, survey.form, BalanceEquations(net, survey.form, slack));
-    Identification result{.law = law};
+    Identification result{.prior = prior};
     if (tell_impossible_edge(result, net, balanced.impossible_edge)) {
         return result;
     }
     for (int i = 0; i < net.interior_edge_count(); ++i) {
-        const double deviation = std::clamp(balanced.deviations(i), -law.reach(), law.reach());
+        const double deviation = std::clamp(balanced.deviations(i), -prior.reach(), prior.reach());
         const int edge = net.interior_edges()[i];
         result.edges.push_back({.edge = edge,
                                 .nominal = net.unstressed_lengths()(edge),
                                 .length_deviation = deviation});
     }
     predict_form(result, net, survey, survey.form);
-    tell_exactness(result, net, law);
+    tell_exactness(result, net, prior);
     return result;
 }
 

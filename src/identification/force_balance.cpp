@@ -22,20 +22,20 @@ constexpr int max_iterations = 15;
 }  // namespace
 
 Identification identify_by_force_balance(const CableNet& net, const Survey& survey,
-                                         const LengthLaw& law) {
+                                         const LengthPrior& prior) {
     check_survey(net, survey);
     require_whole(net, survey, "all for the force balance");
     Identification result;
     if (survey.is_exact()) {
-        result = identify_by_exact_balance(net, survey, law);
+        result = identify_by_exact_balance(net, survey, prior);
     } else {
-        const PriorKnowledge knowledge(net, law);
+        const PriorKnowledge knowledge(net, prior);
         for (const double width : prior_widths) {
             SurveyFit fit(net, survey, knowledge,
                           {.max_iterations = max_iterations, .prior_width = width});
             const GaussNewtonResult fitted = fit.run();
             if (fitted.converged || width == prior_widths.back()) {
-                result = identification_of(net, net, survey, law, fit.knowledge(), fit, fitted,
+                result = identification_of(net, net, survey, prior, fit.knowledge(), fit, fitted,
                                            fit.observations());
                 predict_form(result, net, survey, fitted.iterate.form);
                 break;

@@ -5,7 +5,7 @@
 #include "taut/export/core.hpp"
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
@@ -14,13 +14,13 @@ namespace taut {
 /// Without noise it is solved as it is. With noise the balance is off by H dr, H = dh/dr: weighted
 /// with the inverse of H Sigma H', at the form that the weighted solution tells itself, this is the
 /// maximum of the likelihood over lengths and form, and the limit of (map) for a wide prior: it is
-/// found so, gross errors rejected by the same data snooping. The law enters the posterior of each
-/// edge alone (posterior_of()), not the estimate of the others: where noise hides much, this
+/// found so, gross errors rejected by the same data snooping. The prior enters the posterior of
+/// each edge alone (posterior_of()), not the estimate of the others: where noise hides much, this
 /// amplifies it, as maximum a posteriori does not, and the standard deviations say so.
 /// @throws SurveyError where a free node was not surveyed; else as
 ///   identify_by_maximum_a_posteriori()
 [[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_force_balance(const CableNet& net,
                                                                         const Survey& survey,
-                                                                        const LengthLaw& law);
+                                                                        const LengthPrior& prior);
 
 }  // namespace taut

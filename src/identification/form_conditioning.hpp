@@ -58,7 +58,7 @@ private:
     Eigen::VectorXd m_mean;          ///< 3 n_I [m]
     Eigen::VectorXd m_diagonal;      ///< s (3 n_I) [m2]
     Eigen::MatrixXd m_root;          ///< T (any x 3 n_I) [m]
-    std::vector<ForceReading> m_no_readings;
+    std::vector<ForceMeasurement> m_no_readings;
     DataSnooping m_snooping;
 };
 

@@ -9,13 +9,13 @@
 namespace taut {
 
 /// What is known of the form before any survey, docs/theory.md (form-prior): the length deviations'
-/// law, taken as normal, through the linearised statics J, and the remainder e = x - J d of the
+/// prior, taken as normal, through the linearised statics J, and the remainder e = x - J d of the
 /// training samples,
 ///
-///   mean(e),   law.std()^2 J J' + cov(e),
+///   mean(e),   prior.std()^2 J J' + cov(e),
 ///
 /// with cov(e) shrunk towards its diagonal.
-/// @param model of which nominal form, law and length deviations are used
+/// @param model of which nominal form, prior and length deviations are used
 /// @param form_deviations that belong to these (3 n_I x n) [m]
 /// @return without its inputs
 [[nodiscard]] TAUT_CORE_EXPORT FormPrior

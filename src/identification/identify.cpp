@@ -54,7 +54,7 @@ Choice choose_method(const Survey& survey, const IdentifyOptions& options) {
     if (!options.forces.empty()) {
         return {.method = IdentificationMethod::map, .reason = "forces are told"};
     }
-    if (!options.unknowns.empty()) {
+    if (!options.uncertain.empty()) {
         return {.method = IdentificationMethod::map, .reason = "more than lengths is unknown"};
     }
     return {.method = IdentificationMethod::balance,
@@ -88,18 +88,19 @@ void check_for_method(const IdentifyOptions& options, IdentificationMethod metho
         throw std::invalid_argument(fmt::format(
             "--forces, --taut and --slack are for --method map, not for {}", to_string(method)));
     }
-    if (options.unknowns.empty()) {
+    if (options.uncertain.empty()) {
         return;
     }
     if (method != IdentificationMethod::gp) {
         throw std::invalid_argument(
             fmt::format("--uncertain is for --method map and gp, not for {}", to_string(method)));
     }
-    if (options.model != nullptr && options.model->unknowns != options.unknowns) {
-        throw std::invalid_argument(fmt::format(
-            "the model was trained with the unknowns {}, expected {}: taut sample --unknown draws "
-            "them",
-            to_string(options.model->unknowns), to_string(options.unknowns)));
+    if (options.model != nullptr && options.model->uncertain != options.uncertain) {
+        throw std::invalid_argument(
+            fmt::format("the model was trained with the uncertain parameters {}, expected {}: taut "
+                        "sample --uncertain draws "
+                        "them",
+                        to_string(options.model->uncertain), to_string(options.uncertain)));
     }
 }
 
@@ -117,11 +118,11 @@ void check_covariance_of(const CableNet& net, const std::vector<int>& edges) {
     }
 }
 
-/// A model for the net and the law, on samples drawn now.
-LengthModel trained_model(const CableNet& net, const LengthLaw& law,
-                          const std::vector<Unknown>& unknowns, int samples,
+/// A model for the net and the prior, on samples drawn now.
+LengthModel trained_model(const CableNet& net, const LengthPrior& prior,
+                          const std::vector<UncertainParameter>& uncertain, int samples,
                           const Progress& progress) {
-    const Sampler sampler(net, law, /*seed=*/1, unknowns);
+    const Sampler sampler(net, prior, /*seed=*/1, uncertain);
     const DataSet data = draw_samples(sampler, samples, progress);
     return train(net, data, data.converged_in(0, data.size()), {}, progress);
 }
@@ -129,9 +130,9 @@ LengthModel trained_model(const CableNet& net, const LengthLaw& law,
 std::string how_text(const LengthModel& model, bool is_given, const Survey& survey) {
     std::string text = fmt::format(
         "Gaussian processes trained on {} samples of {}{}", model.training_count(),
-        model.law.to_string(), is_given ? "" : " (no --model was given, so they were drawn now)");
-    if (!model.unknowns.empty()) {
-        text += ", drawn with " + to_string(model.unknowns);
+        model.prior.to_string(), is_given ? "" : " (no --model was given, so they were drawn now)");
+    if (!model.uncertain.empty()) {
+        text += ", drawn with " + to_string(model.uncertain);
     }
     if (model.as_in_paper && survey.is_noisy()) {
         text +=
@@ -143,9 +144,9 @@ std::string how_text(const LengthModel& model, bool is_given, const Survey& surv
 
 Identification identify_by_model(const CableNet& net, const Survey& survey,
                                  const LengthModel& model) {
-    if (survey.is_exact() && model.unknowns.empty()) {
+    if (survey.is_exact() && model.uncertain.empty()) {
         // No process tells whether a form is that of any lengths: the balance does.
-        Identification balance = check_exactness(net, survey, model.law);
+        Identification balance = check_exactness(net, survey, model.prior);
         if (balance.status != IdentificationStatus::converged) {
             return balance;
         }
@@ -156,23 +157,24 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
 
 /// A prior to fit by, and those around it that are as possible.
 struct AssumedPrior {
-    LengthLaw law;
+    LengthPrior prior;
     std::optional<Hyperprior> around;  ///< empty: it is exact
     bool has_trend = false;            ///< whether lengths may have something in common
 };
 
-/// What the statics show of noise, law, lengths and frame, whatever the method is: a fit of its
+/// What the statics show of noise, prior, lengths and frame, whatever the method is: a fit of its
 /// own.
 /// @return empty where the survey is exact, or the fit does not settle
 std::optional<Identification> audit(const CableNet& net, const Survey& survey,
-                                    const AssumedPrior& prior, const std::vector<Unknown>& unknowns,
+                                    const AssumedPrior& prior,
+                                    const std::vector<UncertainParameter>& uncertain,
                                     const Progress& progress) {
     if (!survey.is_noisy()) {
         return std::nullopt;
     }
-    Told told(prior.law);
+    Told told(prior.prior);
     told.hyperprior = prior.around;
-    told.unknowns = unknowns;
+    told.uncertain = uncertain;
     Identification fit = identify_by_maximum_a_posteriori(net, survey, told, {}, {}, progress);
     if (fit.status != IdentificationStatus::converged) {
         return std::nullopt;
@@ -192,12 +194,12 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     result.prior = fit.prior;
     result.detectable = fit.detectable;
     result.scales = fit.scales;
-    result.law_check = fit.law_check;
+    result.prior_check = fit.prior_check;
     result.frame_check = fit.frame_check;
-    result.lengths_beyond_law = fit.lengths_beyond_law;
+    result.length_outliers = fit.length_outliers;
     result.boundary_outliers = fit.boundary_outliers;
     result.boundary_beyond = fit.boundary_beyond;
-    for (const LengthOutlier& outlier : fit.lengths_beyond_law) {
+    for (const LengthOutlier& outlier : fit.length_outliers) {
         const auto is_same = [&](const IdentifiedEdge& edge) { return edge.edge == outlier.edge; };
         const auto edge = std::ranges::find_if(result.edges, is_same);
         if (edge != result.edges.end()) {
@@ -206,14 +208,14 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     }
     result.frame_offset = fit.frame_offset;
     const bool is_changed =
-        !fit.lengths_beyond_law.empty() || fit.frame_offset || !fit.boundary_outliers.empty();
+        !fit.length_outliers.empty() || fit.frame_offset || !fit.boundary_outliers.empty();
     if (is_changed && result.status == IdentificationStatus::converged) {
         predict_form(result, net, survey, fit.predicted.form);
     }
 }
 
 /// By which the noise of a survey fits what it shows, gross errors left out, (components).
-double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw& law,
+double noise_scale_of(const CableNet& net, const Survey& survey, const LengthPrior& prior,
                       const IdentifyOptions& options, const Progress& progress) {
     if (!survey.is_noisy()) {
         throw std::invalid_argument("--noise estimate is for a survey that is not exact");
@@ -221,8 +223,8 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthLaw
     constexpr int most_rounds = 8;
     constexpr double settled = 0.01;
     constexpr double least_known = 0.25;  // the std of a noise that one may still act on, relative
-    Told told(law);
-    told.unknowns = options.unknowns;
+    Told told(prior);
+    told.uncertain = options.uncertain;
     told.forces = options.forces;
     Survey scaled = survey;
     double scale = 1.0;
@@ -253,15 +255,15 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
     Identification result;
     switch (method) {
         case IdentificationMethod::balance:
-            result = identify_by_force_balance(net, survey, prior.law);
+            result = identify_by_force_balance(net, survey, prior.prior);
             result.how = fmt::format("force balance at the surveyed form, lengths {}",
-                                     prior.law.to_string());
+                                     prior.prior.to_string());
             break;
         case IdentificationMethod::map: {
-            Told told(prior.law);
+            Told told(prior.prior);
             told.hyperprior = prior.around;
             told.has_trend = prior.has_trend;
-            told.unknowns = options.unknowns;
+            told.uncertain = options.uncertain;
             told.forces = options.forces;
             result = identify_by_maximum_a_posteriori(net, survey, told, {},
                                                       {.count = options.draws,
@@ -269,7 +271,7 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
                                                        .covariance_of = options.covariance_of},
                                                       progress);
             result.how = fmt::format("maximum a posteriori under the statics, lengths {}",
-                                     prior.law.to_string());
+                                     prior.prior.to_string());
             break;
         }
         case IdentificationMethod::gp:
@@ -286,7 +288,8 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
                                   const IdentifyOptions& options, const Progress& progress) {
     std::optional<LengthModel> own;
     if (method == IdentificationMethod::gp && options.model == nullptr) {
-        own = trained_model(net, prior.law, options.unknowns, options.training_samples, progress);
+        own =
+            trained_model(net, prior.prior, options.uncertain, options.training_samples, progress);
     }
     const auto by_method = [&](const Survey& in_frame) {
         return identify_by(method, net, in_frame, prior, own ? &*own : options.model, options,
@@ -298,9 +301,9 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
     // Side by side, since few surveys turn out to be off their frame.
     std::optional<Identification> fit;
     Identification result;
-    tbb::parallel_invoke([&] { fit = audit(net, survey, prior, options.unknowns, progress); },
+    tbb::parallel_invoke([&] { fit = audit(net, survey, prior, options.uncertain, progress); },
                          [&] { result = by_method(survey); });
-    result.prior = exact_prior(prior.law);
+    result.prior = exact_prior(prior.prior);
     if (fit) {
         if (fit->frame_offset) {
             result = by_method(brought_into_frame(survey, *fit->frame_offset));
@@ -311,8 +314,8 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
 }
 
 /// How far two standard deviations are apart, as a logarithm.
-double distance(double std, const LengthLaw& law) {
-    return std::abs(std::log(std / law.std()));
+double distance(double std, const LengthPrior& prior) {
+    return std::abs(std::log(std / prior.std()));
 }
 
 /// A fit by a prior far from what it shows accuses sound targets and lengths: again by what it
@@ -324,15 +327,15 @@ Identification identify_at_centre(IdentificationMethod method, const CableNet& n
     constexpr int most_centres = 3;
     AssumedPrior prior = first;
     Identification result = identify_and_audit(method, net, survey, prior, options, progress);
-    const LawCheck by_given = result.law_check;
+    const PriorCheck by_given = result.prior_check;
     for (int k = 0; k < most_centres && result.status == IdentificationStatus::converged &&
-                    !result.prior.exact && distance(result.prior.std, prior.law) > far;
+                    !result.prior.exact && distance(result.prior.std, prior.prior) > far;
          ++k) {
-        prior.law = central_prior(result.prior);
+        prior.prior = central_prior(result.prior);
         result = identify_and_audit(method, net, survey, prior, options, progress);
     }
-    if (options.law && by_given.is_untenable() && !by_given.is_too_wide()) {
-        result.contradicted_law = by_given;
+    if (options.prior && by_given.is_untenable() && !by_given.is_too_wide()) {
+        result.contradicted_prior = by_given;
     }
     return result;
 }
@@ -342,8 +345,9 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
                                     const Survey& survey, const IdentifyOptions& options,
                                     const Progress& progress) {
     constexpr double as_good_as = 0.05;
-    const Hyperprior around = options.law ? hyperprior_around(*options.law) : broad_hyperprior();
-    const AssumedPrior first{.law = around.centre, .around = around, .has_trend = true};
+    const Hyperprior around =
+        options.prior ? hyperprior_around(*options.prior) : broad_hyperprior();
+    const AssumedPrior first{.prior = around.centre, .around = around, .has_trend = true};
     Identification centre = identify_at_centre(method, net, survey, first, options, progress);
     PriorEstimate& prior = centre.prior;
     if (centre.status != IdentificationStatus::converged || prior.exact) {
@@ -351,11 +355,11 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     }
     if (method == IdentificationMethod::gp && prior.nodes.size() > 1) {
         // A model takes long to train: one, for all.
-        prior.nodes = {{.law = central_prior(prior)}};
+        prior.nodes = {{.prior = central_prior(prior)}};
     }
-    if (prior.nodes.size() == 1 && prior.nodes.front().law.kind == centre.law.kind &&
-        distance(prior.nodes.front().law.std(), centre.law) < as_good_as) {
-        prior.nodes.front().law = centre.law;
+    if (prior.nodes.size() == 1 && prior.nodes.front().prior.kind == centre.length_prior.kind &&
+        distance(prior.nodes.front().prior.std(), centre.length_prior) < as_good_as) {
+        prior.nodes.front().prior = centre.length_prior;
         return centre;
     }
     std::vector<double> weights(prior.nodes.size());
@@ -369,7 +373,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         by_node.draws = options.draws > 0 ? std::max(fewest_draws, shares[k]) : 0;
         by_node.seed = options.seed + k;
         Identification part = identify_and_audit(
-            method, net, survey, {.law = prior.nodes[k].law, .around = {}, .has_trend = true},
+            method, net, survey, {.prior = prior.nodes[k].prior, .around = {}, .has_trend = true},
             by_node, progress);
         if (part.status == IdentificationStatus::converged) {
             parts.push_back({.weight = prior.nodes[k].weight, .result = std::move(part)});
@@ -389,7 +393,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     Identification result = mixture_of(net, survey, std::move(parts), options.draws);
     prior.common = result.prior.common;
     result.prior = std::move(prior);
-    result.contradicted_law = centre.contradicted_law;
+    result.contradicted_prior = centre.contradicted_prior;
     result.how +=
         fmt::format("\n  over {} priors: standard deviation of a length {:.2f} +- {:.2f} mm",
                     result.prior.nodes.size(), 1e3 * result.prior.std, 1e3 * result.prior.std_std);
@@ -441,7 +445,7 @@ void check_draws(const CableNet& net, std::int64_t draws) {
 }
 
 void check_model(const CableNet& net, const LengthModel& model,
-                 const std::optional<LengthLaw>& law) {
+                 const std::optional<LengthPrior>& prior) {
     if (model.net_fingerprint != net.fingerprint()) {
         throw std::invalid_argument(
             fmt::format("the model was trained for the net {}, expected {} ('{}')",
@@ -464,30 +468,31 @@ void check_model(const CableNet& net, const LengthModel& model,
                         learnt.inputs.rows(), learnt.processes.size(), learnt.inputs.cols(),
                         coordinates, net.interior_edge_count()));
     }
-    if (law && model.law != *law) {
-        throw std::invalid_argument(fmt::format("the model was trained for the law {}, expected {}",
-                                                model.law.to_string(), law->to_string()));
+    if (prior && model.prior != *prior) {
+        throw std::invalid_argument(
+            fmt::format("the model was trained for the prior {}, expected {}",
+                        model.prior.to_string(), prior->to_string()));
     }
 }
 
 Identification identify(const CableNet& net, const Survey& survey, const IdentifyOptions& options,
                         const Progress& progress) {
-    const LengthLaw law =
-        options.law.value_or(options.model != nullptr ? options.model->law : LengthLaw());
-    check_law(net, law);
+    const LengthPrior prior =
+        options.prior.value_or(options.model != nullptr ? options.model->prior : LengthPrior());
+    check_prior(net, prior);
     check_draws(net, options.draws);
     check_survey(net, survey);
     const auto [method, reason] = choose_method(survey, options);
     check_survey_for(net, survey, method);
     check_forces(net, options.forces);
-    check_unknowns(net, options.unknowns);
+    check_uncertain_parameters(net, options.uncertain);
     check_covariance_of(net, options.covariance_of);
     check_for_method(options, method);
     if (options.model != nullptr) {
-        check_model(net, *options.model, options.law);
+        check_model(net, *options.model, options.prior);
     }
     if (options.estimate_noise) {
-        const double noise_scale = noise_scale_of(net, survey, law, options, progress);
+        const double noise_scale = noise_scale_of(net, survey, prior, options, progress);
         const Survey scaled = with_noise_times(survey, noise_scale);
         IdentifyOptions with_noise = options;
         with_noise.estimate_noise = false;
@@ -498,33 +503,33 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (options.assume_site) {
         IdentifyOptions on_site = options;
         on_site.assume_site = false;
-        std::vector<Unknown> uncertain = options.unknowns;
+        std::vector<UncertainParameter> uncertain = options.uncertain;
         if (method == IdentificationMethod::map && survey.is_noisy()) {
-            uncertain = with_site_assumptions(net, options.unknowns);
-            on_site.unknowns = with_uncertain_widths(uncertain, options.unknowns);
+            uncertain = with_site_assumptions(net, options.uncertain);
+            on_site.uncertain = with_uncertain_widths(uncertain, options.uncertain);
         }
         Identification result = identify(net, survey, on_site, progress);
         result.method_reason = reason;
-        name_assumed_widths(result, options.unknowns);
-        result.assumptions = assumptions_of(uncertain, options.unknowns, result);
+        name_assumed_widths(result, options.uncertain);
+        result.assumptions = assumptions_of(uncertain, options.uncertain, result);
         result.trust = trust_of(net, survey, result);
         return result;
     }
     const bool is_exact = options.prior_exact || options.model != nullptr || !survey.is_noisy();
     Identification result =
-        is_exact
-            ? identify_and_audit(method, net, survey, {.law = law, .around = {}}, options, progress)
-            : identify_over_priors(method, net, survey, options, progress);
+        is_exact ? identify_and_audit(method, net, survey, {.prior = prior, .around = {}}, options,
+                                      progress)
+                 : identify_over_priors(method, net, survey, options, progress);
     if (is_exact) {
-        result.prior = exact_prior(law);
+        result.prior = exact_prior(prior);
     }
     if (survey.is_noisy()) {
-        take_out_mean_bias(result, net, survey, options.unknowns, progress);
+        take_out_mean_bias(result, net, survey, options.uncertain, progress);
     }
-    result.law_was_told = options.law.has_value();
+    result.prior_was_told = options.prior.has_value();
     result.method = to_string(method);
     result.method_reason = reason;
-    result.assumptions = assumptions_of(options.unknowns, options.unknowns, result);
+    result.assumptions = assumptions_of(options.uncertain, options.uncertain, result);
     result.trust = trust_of(net, survey, result);
     return result;
 }

@@ -22,7 +22,7 @@ LengthEstimates estimate_lengths(const CableNet& net, const LengthModel& model,
     for (Eigen::Index i = 0; i < prediction.std.rows(); ++i) {
         const gp::Process& process = model.processes.processes[i];
         if (process.status != gp::FitStatus::fitted) {
-            prediction.std.row(i).setConstant(model.law.std());
+            prediction.std.row(i).setConstant(model.prior.std());
             continue;
         }
         const double noise = process.hyperparameters.noise_std;

@@ -16,13 +16,13 @@
 #include "estimation/detectable_error.hpp"
 #include "estimation/expectation_propagation.hpp"
 #include "estimation/frame_check.hpp"
-#include "estimation/law_check.hpp"
 #include "estimation/length_likelihoods.hpp"
 #include "estimation/length_trend.hpp"
+#include "estimation/prior_check.hpp"
 #include "estimation/variance_components.hpp"
 #include "identification/completion.hpp"
 #include "identification/exact_balance.hpp"
-#include "identification/unknown_estimates.hpp"
+#include "identification/parameter_estimates.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/statics/tensions.hpp"
 
@@ -30,16 +30,16 @@ namespace taut {
 namespace {
 
 /// The likely reason, and what would help.
-std::string why_unsettled(const CableNet& net, const Survey& survey, const LengthLaw& law) {
+std::string why_unsettled(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
     const double stretch =
         (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
     std::string text = "found no lengths that settle: iteration limit; ";
-    if (stretch < law.std()) {
+    if (stretch < prior.std()) {
         text += fmt::format(
             "the cables stretch by {:.2g} mm in the mean and their lengths deviate by {:.2g} mm, "
             "so "
             "that any of them may be slack: a narrower --law would help, if it is true",
-            1e3 * stretch, 1e3 * law.std());
+            1e3 * stretch, 1e3 * prior.std());
     } else {
         text += "are net, loads, frame and noise right";
     }
@@ -66,7 +66,7 @@ SurveySearch search_fit(const CableNet& net, const Survey& survey, const PriorKn
 /// to it costs no more, beyond chance, than the one that knows nothing of it.
 bool is_believable(const SurveySearch& with, const SurveySearch& without, const Forces& seen) {
     constexpr double beyond_chance = 20.0;  // a normal error of 4.5 standard deviations
-    constexpr double a_slack_edge = 9.0;    // may be as far from the mean of its law
+    constexpr double a_slack_edge = 9.0;    // may be as far from the mean of its prior
     // Kept to as taut it may carry pressure in the fit, which costs nothing.
     constexpr double surely = 4.0;  // standard deviations
     const LinearisedStatics& statics = with.fit->statics();
@@ -100,7 +100,7 @@ void tell_contradicted(Identification& result, const SurveySearch& without, cons
 
 /// (frame)
 FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fitted) {
-    const CommonUnknowns& common = statics.common();
+    const CommonParameters& common = statics.common();
     const int first = common.first_of_frame();
     const Eigen::Matrix<double, 6, 1> values = fitted.common.segment<6>(first);
     const Eigen::Matrix<double, 6, 1> stds =
@@ -112,19 +112,20 @@ FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fit
             .rotation_std = common.rotation_unit() * stds.tail<3>()};
 }
 
-/// What a fit shows of noise and law, whether they were told right or not.
-struct Doubt {
+/// What a fit shows of noise and prior, whether they were told right or not.
+struct Diagnostics {
     VarianceComponents scales;
-    LawCheck law;
+    PriorCheck prior;
     FrameCheck frame;
-    std::optional<PriorEstimate> prior;
-    std::vector<bool> left_out;       ///< interior edges (m_I) that do not show the law
+    std::optional<PriorEstimate> estimate;
+    std::vector<bool> left_out;       ///< interior edges (m_I) that do not show the prior
     Eigen::VectorXd adjustable_stds;  ///< of what is uncertain of adjustable ones, else 0 (m_I)
 };
 
-/// (common-mean): score and information of a shift of the law.
-void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observations& observations,
-               const Iterate& fitted, const std::vector<bool>& left_out) {
+/// (common-mean): score and information of a shift of the prior.
+void tell_mean(PriorCheck& check, const LinearisedStatics& statics,
+               const Observations& observations, const Iterate& fitted,
+               const std::vector<bool>& left_out) {
     Eigen::VectorXd weights = observations.variance.cwiseInverse();
     for (size_t i = 0; i < left_out.size(); ++i) {
         if (left_out[i]) {
@@ -140,11 +141,11 @@ void tell_mean(LawCheck& check, const LinearisedStatics& statics, const Observat
     }
 }
 
-/// (components), (law-check). The fit stands as it was afterwards.
-Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const Told& given, SurveyFit& fit,
-               Iterate fitted) {
-    const LengthLaw& law = given.law;
-    Doubt doubt;
+/// (components), (prior-check). The fit stands as it was afterwards.
+Diagnostics doubt_of(const CableNet& net, const CableNet& fit_net, const Told& given,
+                     SurveyFit& fit, Iterate fitted) {
+    const LengthPrior& prior = given.prior;
+    Diagnostics doubt;
     const Iterate at = fitted;
     const Observations told = fit.observations();
     Observations scaled = told;
@@ -155,19 +156,21 @@ Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const Told& given, 
         const int edge = fit_net.interior_edges()[i];
         const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
         if (is_adjustable && !left_out[i] && !fit.statics().slack()[edge]) {
-            doubt.adjustable_stds(i) = fit.knowledge().laws[i].std();
+            doubt.adjustable_stds(i) = fit.knowledge().priors[i].std();
         }
-        left_out[i] = left_out[i] || fit.statics().slack()[edge] || fit.knowledge().laws[i] != law;
+        left_out[i] =
+            left_out[i] || fit.statics().slack()[edge] || fit.knowledge().priors[i] != prior;
     }
     doubt.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
-    const LawLikelihood likelihood(
-        law, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted), left_out);
-    doubt.law = check_law_by_lengths(law, likelihood);
-    doubt.law.beyond = fit.length_snooping().given_up();
-    tell_mean(doubt.law, fit.statics(), scaled, fitted, left_out);
+    const PriorLikelihood likelihood(
+        prior, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted),
+        left_out);
+    doubt.prior = check_prior_by_lengths(prior, likelihood);
+    doubt.prior.beyond = fit.length_snooping().given_up();
+    tell_mean(doubt.prior, fit.statics(), scaled, fitted, left_out);
     if (given.hyperprior) {
-        doubt.prior = estimate_prior(*given.hyperprior, fit_net, fit.statics(), told, at, left_out,
-                                     law, doubt.scales.lengths, likelihood);
+        doubt.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), told, at,
+                                        left_out, prior, doubt.scales.lengths, likelihood);
     }
     if (fit.statics().linearise(at, told)) {
         fit.statics().invert();
@@ -178,7 +181,7 @@ Doubt doubt_of(const CableNet& net, const CableNet& fit_net, const Told& given, 
 
 /// (detectable)
 DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const SurveyFit& fit,
-                               const Doubt& doubt) {
+                               const Diagnostics& doubt) {
     DetectableErrors result{
         .target = fit.snooping().detectable(),
         .length = fit.length_snooping().detectable(net.interior_edges()),
@@ -194,10 +197,10 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
         {.bound = std::max(beyond_chance_std * scale_std,
                            negligible_scale * survey.rms_noise_std() / reach),
          .std = scale_std}});
-    const double mean = detectable_error(
-        std::vector<BoundedEstimate>{{.bound = std::max(beyond_chance_std * doubt.law.mean_std,
-                                                        negligible_mean * doubt.law.checked.std()),
-                                      .std = doubt.law.mean_std}});
+    const double mean = detectable_error(std::vector<BoundedEstimate>{
+        {.bound = std::max(beyond_chance_std * doubt.prior.mean_std,
+                           negligible_mean * doubt.prior.checked.std()),
+         .std = doubt.prior.mean_std}});
     constexpr double of_steel = 12e-6;  // [1/K]
     double expansion = 0.0;             // mean, by 1 K [m]
     const Eigen::VectorXd& told = net.data().expansion;
@@ -262,14 +265,14 @@ void take_up_trend(Identification& result, const LengthTrend& trend, const Cable
         edge.lower = edge.length_deviation - wider * (before - edge.lower);
         edge.upper = edge.length_deviation + wider * (edge.upper - before);
         edge.std = std;
-        edge.status = status_of(result.law.std(), {.std = std, .slack_probability = 0.0});
+        edge.status = status_of(result.length_prior.std(), {.std = std, .slack_probability = 0.0});
     }
     Eigen::Index common = 0;
-    for (UnknownEstimate& one : result.unknowns) {
+    for (ParameterEstimate& one : result.uncertain) {
         Eigen::RowVectorXd gain = Eigen::RowVectorXd::Zero(trend.mean.size());
         if (one.edge < 0 && one.node < 0) {
-            gain = one.unknown.std * trend.common_gains.row(common++);
-        } else if (one.unknown.kind == Unknown::Kind::adjustable) {
+            gain = one.parameter.std * trend.common_gains.row(common++);
+        } else if (one.parameter.kind == UncertainParameter::Kind::adjustable) {
             gain = gains_of({one.edge}, fit_net, trend);
             one.prior_std = std::hypot(one.prior_std, trend.adjustable_std);
         }
@@ -301,7 +304,7 @@ void tell_outliers(Identification& result, const CableNet& net, const SurveyFit&
     result.boundary_outliers = fit.boundary_snooping().outliers();
     for (const LengthOutlier& outlier : fit.length_snooping().outliers()) {
         if (std::ranges::binary_search(net.interior_edges(), outlier.edge)) {
-            result.lengths_beyond_law.push_back(outlier);
+            result.length_outliers.push_back(outlier);
             continue;
         }
         BoundaryOutlier turned{.kind = BoundaryOutlier::Kind::adjustable_edge,
@@ -316,8 +319,8 @@ void tell_outliers(Identification& result, const CableNet& net, const SurveyFit&
 
 /// Of a released adjustable edge the deviation is reported, which the estimate would count twice.
 void leave_out_released(Identification& result) {
-    std::erase_if(result.unknowns, [&](const UnknownEstimate& one) {
-        return one.unknown.kind == Unknown::Kind::adjustable &&
+    std::erase_if(result.uncertain, [&](const ParameterEstimate& one) {
+        return one.parameter.kind == UncertainParameter::Kind::adjustable &&
                std::ranges::any_of(result.boundary_outliers, [&](const BoundaryOutlier& outlier) {
                    return outlier.kind == BoundaryOutlier::Kind::adjustable_edge &&
                           outlier.index == one.edge;
@@ -325,23 +328,24 @@ void leave_out_released(Identification& result) {
     });
 }
 
-/// @param own what the survey tells by itself, with its number of common unknowns; null: not wanted
+/// @param own what the survey tells by itself, with its number of common uncertain; null: not
+/// wanted
 Identification identify_by_map(const CableNet& net, const Survey& survey, const Told& told,
                                const SurveyFitSettings& settings, const PosteriorSettings& wanted,
                                LengthEvidence* own, int common_count, const Progress& progress) {
     check_survey(net, survey);
-    check_unknowns(net, told.unknowns);
+    check_uncertain_parameters(net, told.uncertain);
     Identification result;
-    const bool only_lengths = told.unknowns.empty() && told.forces.empty() && !told.evidence;
+    const bool only_lengths = told.uncertain.empty() && told.forces.empty() && !told.evidence;
     if (survey.is_exact() && survey.is_whole() && only_lengths) {
-        result = identify_by_exact_balance(net, survey, told.law);
+        result = identify_by_exact_balance(net, survey, told.prior);
         result.method = "map";
         return result;
     }
-    const CableNet fit_net = net_to_fit(net, told.unknowns);
+    const CableNet fit_net = net_to_fit(net, told.uncertain);
     PriorKnowledge all = knowledge_of(
-        fit_net, told.law, told.unknowns, told.forces,
-        told.own_stds.size() > 0 ? told.own_stds : adjustable_stds(net, told.unknowns));
+        fit_net, told.prior, told.uncertain, told.forces,
+        told.own_stds.size() > 0 ? told.own_stds : adjustable_stds(net, told.uncertain));
     all.evidence = told.evidence;
     all.frame_is_unknown = survey.frame_is_unknown;
     PriorKnowledge unseen = all;
@@ -362,8 +366,8 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     const PriorKnowledge& knowledge = fit.knowledge();
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
-    const Doubt doubt =
-        fitted.converged ? doubt_of(net, fit_net, told, fit, fitted.iterate) : Doubt();
+    const Diagnostics doubt =
+        fitted.converged ? doubt_of(net, fit_net, told, fit, fitted.iterate) : Diagnostics();
     if (own != nullptr) {
         const Eigen::Index size = fit_net.interior_edge_count() + common_count;
         *own =
@@ -373,27 +377,27 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
                 : no_evidence(size);
     }
     if (fitted.converged) {
-        Propagated settled = propagate_law(fit_net, knowledge, fit.statics(), observations,
-                                           fitted.iterate, fit.tolerance());
+        Propagated settled = propagate_prior(fit_net, knowledge, fit.statics(), observations,
+                                             fitted.iterate, fit.tolerance());
         fitted.iterate = std::move(settled.iterate);
         observations = std::move(settled.observations);
     }
     result =
-        identification_of(net, fit_net, survey, told.law, knowledge, fit, fitted, observations);
+        identification_of(net, fit_net, survey, told.prior, knowledge, fit, fitted, observations);
     result.readings = static_cast<int>(told.forces.readings.size());
     result.reading_outliers = fit.snooping().reading_outliers();
     result.reading_bias = fit.snooping().reading_bias();
-    result.prior = doubt.prior.value_or(exact_prior(told.law));
+    result.prior = doubt.estimate.value_or(exact_prior(told.prior));
     const LengthTrend trend = told.has_trend && fitted.converged
                                   ? trend_of(fit_net, fit.statics(), observations, fitted.iterate,
-                                             doubt.left_out, doubt.adjustable_stds, told.law)
+                                             doubt.left_out, doubt.adjustable_stds, told.prior)
                                   : LengthTrend();
     result.prior.common = trend.found;
     if (fitted.converged) {
         result.detectable = detectable_of(net, survey, fit, doubt);
     }
     result.scales = doubt.scales;
-    result.law_check = doubt.law;
+    result.prior_check = doubt.prior;
     result.frame_check = doubt.frame;
     result.frame_check.scale_std = std::hypot(doubt.frame.scale_std, survey.scale_std);
     tell_outliers(result, net, fit);
@@ -403,8 +407,8 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     if (fit.statics().common().has_frame()) {
         result.frame_offset = frame_offset_of(fit.statics(), fitted.iterate);
     }
-    result.unknowns =
-        unknown_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
+    result.uncertain =
+        parameter_estimates(net, knowledge, fit.statics(), observations, fitted.iterate);
     leave_out_released(result);
     if (!trend.empty()) {
         take_up_trend(result, trend, fit_net);
@@ -412,7 +416,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
         observations.mean_root = trend.columns * trend.root;
     }
     if (!fit_net.is_linear()) {
-        fit.statics().hold_laws(fitted.iterate);  // (drawn-law)
+        fit.statics().hold_laws(fitted.iterate);  // (drawn-prior)
     }
     draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
                    fitted.iterate, wanted, progress);
@@ -444,13 +448,13 @@ IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, co
 }
 
 Identification identification_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
-                                 const LengthLaw& law, const PriorKnowledge& knowledge,
+                                 const LengthPrior& prior, const PriorKnowledge& knowledge,
                                  const SurveyFit& fit, const GaussNewtonResult& fitted,
                                  const Observations& observations) {
     Identification result;
     if (!fitted.converged) {
         result.status = IdentificationStatus::iteration_limit;
-        result.message = why_unsettled(net, survey, law);
+        result.message = why_unsettled(net, survey, prior);
     }
     tell_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
     std::vector<LengthLikelihood> likelihoods =
@@ -463,10 +467,10 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
         }
         likelihoods = std::move(interior);
     }
-    result.law = law;
-    tell_edges(result, net, interior_laws(net, knowledge), likelihoods);
+    result.length_prior = prior;
+    tell_edges(result, net, interior_priors(net, knowledge), likelihoods);
     for (IdentifiedEdge& edge : result.edges) {
-        // Seen, where the form leaves next to no length of the law for it.
+        // Seen, where the form leaves next to no length of the prior for it.
         if (std::ranges::find(knowledge.forces.slack, edge.edge) != knowledge.forces.slack.end()) {
             edge.status = EdgeStatus::slack;
         }

@@ -7,8 +7,8 @@
 
 #include "identification/maximum_a_posteriori.hpp"
 #include "numerics/random_numbers.hpp"
-#include "taut/sampling/circumstances.hpp"
 #include "taut/sampling/data_set.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut {
@@ -17,14 +17,14 @@ namespace {
 constexpr std::uint64_t seed = 20;
 
 /// Empty where the drawn net finds no equilibrium.
-std::optional<Survey> simulated(const CableNet& net, const Survey& survey, const LengthLaw& law,
-                                const std::vector<Unknown>& uncertain) {
+std::optional<Survey> simulated(const CableNet& net, const Survey& survey, const LengthPrior& prior,
+                                const std::vector<UncertainParameter>& uncertain) {
     const Eigen::VectorXd deviations =
-        draw_length_deviations(law, seed, 0, net.interior_edge_count());
+        draw_length_deviations(prior, seed, 0, net.interior_edge_count());
     RandomNumbers random(seed, 0);
     Survey result = survey;
     try {
-        const CableNet drawn = net_under(net, draw_circumstances(net, uncertain, seed, 0),
+        const CableNet drawn = net_under(net, draw_perturbation(net, uncertain, seed, 0),
                                          with_length_deviations(net, deviations));
         const Equilibrium form = solve_equilibrium(drawn);
         if (!form.balanced()) {
@@ -52,24 +52,25 @@ std::optional<Survey> simulated(const CableNet& net, const Survey& survey, const
 }  // namespace
 
 void take_out_mean_bias(Identification& result, const CableNet& net, const Survey& survey,
-                        const std::vector<Unknown>& uncertain, const Progress& progress) {
+                        const std::vector<UncertainParameter>& uncertain,
+                        const Progress& progress) {
     constexpr double largest_bias = 0.6;  // standard deviations of the prior
-    LawCheck& check = result.law_check;
+    PriorCheck& check = result.prior_check;
     if (result.status != IdentificationStatus::converged || !check.has_mean() ||
-        std::abs(check.mean) > largest_bias * result.law.std()) {
+        std::abs(check.mean) > largest_bias * result.length_prior.std()) {
         return;
     }
-    const std::optional<Survey> again = simulated(net, survey, result.law, uncertain);
+    const std::optional<Survey> again = simulated(net, survey, result.length_prior, uncertain);
     if (!again) {
         return;
     }
-    Told told(result.law);
-    told.unknowns = uncertain;
+    Told told(result.length_prior);
+    told.uncertain = uncertain;
     const Identification fit =
         identify_by_maximum_a_posteriori(net, *again, told, {}, {}, progress);
-    if (fit.status == IdentificationStatus::converged && fit.law_check.mean_std > 0.0) {
-        check.mean -= fit.law_check.mean;
-        check.mean_std = std::hypot(check.mean_std, fit.law_check.mean_std);
+    if (fit.status == IdentificationStatus::converged && fit.prior_check.mean_std > 0.0) {
+        check.mean -= fit.prior_check.mean;
+        check.mean_std = std::hypot(check.mean_std, fit.prior_check.mean_std);
     }
 }
 

@@ -7,17 +7,17 @@
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
 
-/// Takes out of the common mean of the length deviations (LawCheck::mean) what a fit to first order
-/// shows of lengths that have none: what it shows of one simulated survey of the same net, with
-/// lengths and uncertain parameters drawn from their priors and the same targets and noise.
+/// Takes out of the common mean of the length deviations (PriorCheck::mean) what a fit to first
+/// order shows of lengths that have none: what it shows of one simulated survey of the same net,
+/// with lengths and uncertain parameters drawn from their priors and the same targets and noise.
 /// docs/theory.md, (mean-bias). Only of a mean that chance does not give and that may be such a
 /// bias; it takes the time of another fit.
 void take_out_mean_bias(Identification& result, const CableNet& net, const Survey& survey,
-                        const std::vector<Unknown>& uncertain, const Progress& progress);
+                        const std::vector<UncertainParameter>& uncertain, const Progress& progress);
 
 }  // namespace taut

@@ -68,9 +68,9 @@ LengthModel untrained(const DataSet& data, const std::vector<int>& samples,
                         to_string(settings.mean), to_string(settings.metric)));
     }
     return {.net_fingerprint = data.net_fingerprint,
-            .law = data.law,
+            .prior = data.prior,
             .seed = data.seed,
-            .unknowns = data.unknowns,
+            .uncertain = data.uncertain,
             .mean = settings.mean,
             .metric = settings.metric,
             .as_in_paper = settings.as_in_paper,

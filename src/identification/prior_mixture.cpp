@@ -21,7 +21,7 @@ namespace {
 constexpr double negligible = 0.1;
 
 /// Mean and standard deviation of a mixture.
-class Moments {
+class Steps {
 public:
     void add(double weight, double mean, double std) {
         m_mean += weight * mean;
@@ -42,7 +42,7 @@ private:
 
 template <class Get>
 std::pair<double, double> mixed(const std::vector<WeightedIdentification>& parts, const Get& get) {
-    Moments moments;
+    Steps moments;
     for (const WeightedIdentification& part : parts) {
         const auto [mean, std] = get(part.result);
         moments.add(part.weight, mean, std);
@@ -241,22 +241,22 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     if (parts.size() == 1) {
         return result;
     }
-    Moments prior;
+    Steps prior;
     for (const auto& [weight, part] : parts) {
-        prior.add(weight, 0.0, part.law.std());
+        prior.add(weight, 0.0, part.length_prior.std());
     }
     for (size_t i = 0; i < result.edges.size(); ++i) {
         result.edges[i] = mixed_edge(parts, i, prior.std());
     }
     const auto is_other = [&](const WeightedIdentification& part) {
-        return part.result.unknowns.size() != result.unknowns.size();
+        return part.result.uncertain.size() != result.uncertain.size();
     };
     // One that released another adjustable edge than the first has other numbers.
-    const bool has_same_unknowns = std::ranges::none_of(parts, is_other);
-    for (size_t k = 0; has_same_unknowns && k < result.unknowns.size(); ++k) {
-        std::tie(result.unknowns[k].mean, result.unknowns[k].std) =
+    const bool has_same_uncertain = std::ranges::none_of(parts, is_other);
+    for (size_t k = 0; has_same_uncertain && k < result.uncertain.size(); ++k) {
+        std::tie(result.uncertain[k].mean, result.uncertain[k].std) =
             mixed(parts, [k](const Identification& part) {
-                return std::pair(part.unknowns[k].mean, part.unknowns[k].std);
+                return std::pair(part.uncertain[k].mean, part.uncertain[k].std);
             });
     }
     if (result.frame_offset) {

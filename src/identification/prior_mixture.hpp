@@ -17,7 +17,7 @@ struct WeightedIdentification {
 };
 
 /// The mixture of results under several priors, docs/theory.md (prior-mixture): means, standard
-/// deviations and intervals of lengths, unknowns and frame, the draws of all, and the form that
+/// deviations and intervals of lengths, uncertain and frame, the draws of all, and the form that
 /// follows. All else is of the first.
 /// @param parts at least one, the most probable first, weights that sum to 1; each with as many
 ///   draws as shared_out() tells, or more

@@ -72,7 +72,7 @@ std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const Len
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
         const double variance = estimates.std(i, 0) * estimates.std(i, 0);
-        LengthLikelihood likelihood = without_prior(0.0, model.law.std(), estimates.mean(i, 0),
+        LengthLikelihood likelihood = without_prior(0.0, model.prior.std(), estimates.mean(i, 0),
                                                     std::sqrt(variance + uncertainty.of_length(i)));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         likelihood.extension = (likelihood.slack_from - estimates.mean(i, 0)) /
@@ -104,9 +104,9 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
     const LengthEstimates estimates = at_survey != nullptr && !after
                                           ? *at_survey
                                           : estimate_lengths(net, model, deviation);  // eq. ident
-    result.law = model.law;
+    result.length_prior = model.prior;
     tell_edges(
-        result, net, std::vector(net.interior_edge_count(), model.law),
+        result, net, std::vector(net.interior_edge_count(), model.prior),
         process_likelihoods(net, model, prior, estimates, deviation, after ? &*after : nullptr));
     predict_form(result, net, survey, with_free_coordinates(net, model.nominal_form + deviation));
     return result;
@@ -119,7 +119,7 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
         at_survey != nullptr
             ? *at_survey
             : estimate_lengths(net, model, free_coordinates(net, survey.form) - model.nominal_form);
-    Identification result{.method = "gp", .law = model.law};
+    Identification result{.method = "gp", .prior = model.prior};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
         const double mean = estimates.mean(i, 0);
@@ -130,15 +130,15 @@ Identification identify_as_in_paper(const CableNet& net, const LengthModel& mode
                                 .std = std,
                                 .lower = mean - half_interval_95 * std,
                                 .upper = mean + half_interval_95 * std,
-                                .status = status_of(model.law.std(), std)});
+                                .status = status_of(model.prior.std(), std)});
     }
     predict_form(result, net, survey, survey.form);
     const Eigen::VectorXd measured = edge_lengths(net, survey.form);
     for (IdentifiedEdge& e : result.edges) {
         if (std::ranges::binary_search(result.predicted.slack_edges, e.edge)) {  // (slack-bound)
             e.lower = std::min(e.length_deviation, measured(e.edge) - e.nominal);
-            e.upper = std::max(e.length_deviation, model.law.reach());
-            e.std = model.law.std();
+            e.upper = std::max(e.length_deviation, model.prior.reach());
+            e.std = model.prior.std();
             e.status = EdgeStatus::slack;
         }
     }

@@ -13,7 +13,7 @@ namespace taut {
 
 /// Identifies by trained processes (eq. ident). Where the survey has noise, or misses nodes, the
 /// processes are asked at the conditional mean of the form, docs/theory.md (conditioning), and the
-/// uncertainty that is left goes through them to first order (propagation). Law and slack edges
+/// uncertainty that is left goes through them to first order (propagation). Prior and slack edges
 /// then enter as in (posterior). Gross errors are rejected by data snooping.
 /// @param at_survey estimate_lengths() at the surveyed form, where that was asked of many forms at
 ///   once; used where the survey is exact and whole
@@ -22,8 +22,9 @@ identify_by_processes(const CableNet& net, const LengthModel& model, const Surve
                       const LengthEstimates* at_survey = nullptr);
 
 /// Eq. ident as it stands, on the surveyed form as it is: the processes' means, their standard
-/// deviations and the intervals of a normal law, docs/theory.md (as-in-paper). Only edges that are
-/// slack in the predicted form are told as what they are: their interval is that of (slack-bound).
+/// deviations and the intervals of a normal prior, docs/theory.md (as-in-paper). Only edges that
+/// are slack in the predicted form are told as what they are: their interval is that of
+/// (slack-bound).
 /// @param model trained as in the paper
 /// @param at_survey as above
 /// @throws SurveyError where a free node was not surveyed

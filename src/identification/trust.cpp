@@ -41,9 +41,9 @@ std::string and_more(std::vector<std::string> names) {
 }
 
 /// A prior as one would write it, without the rounding errors of its last digit.
-std::string law_text(const LengthLaw& law) {
-    const std::string exact = law.to_string();
-    return exact.substr(0, exact.find(':') + 1) + format_length(law.scale);
+std::string prior_text(const LengthPrior& prior) {
+    const std::string exact = prior.to_string();
+    return exact.substr(0, exact.find(':') + 1) + format_length(prior.scale);
 }
 
 /// The targets left out that stand next to each other, where they are most.
@@ -115,9 +115,9 @@ OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Ident
     if (frame.is_moved()) {
         take(0.5 * frame.motion_statistic, "the frame of the survey");
     }
-    for (const UnknownSpread& spread : spreads_of(result.unknowns)) {
+    for (const ParameterSpread& spread : spreads_of(result.uncertain)) {
         if (spread.is_contradicted()) {
-            take(gain_of_scale(spread.ratio, spread.count), spread.unknown.to_string());
+            take(gain_of_scale(spread.ratio, spread.count), spread.parameter.to_string());
         }
     }
     return cause;
@@ -246,13 +246,13 @@ private:
         }
         const double at_edge =
             common.run_std * m_net.unstressed_lengths()(m_net.interior_edges()).mean();
-        if (at_edge > widest * m_result.law.std()) {
+        if (at_edge > widest * m_result.length_prior.std()) {
             add({.kind = FindingKind::run_scales,
                  .severity = Verdict::doubtful,
                  .value = common.run_std,
                  .reason = fmt::format("Runs of cable differ in scale by {:.2g} %, more than the "
                                        "prior {} allows.",
-                                       100.0 * common.run_std, law_text(m_result.law)),
+                                       100.0 * common.run_std, prior_text(m_result.length_prior)),
                  .next = "The prior may be too narrow, or cables were measured by different "
                          "tapes."});
         }
@@ -262,7 +262,7 @@ private:
     void test_scale_of_prior() {
         constexpr double two_standard_deviations = 1.5 * 1.5;
         const PriorEstimate& prior = m_result.prior;
-        if (m_result.law_was_told && !prior.exact &&
+        if (m_result.prior_was_told && !prior.exact &&
             prior.std > two_standard_deviations * prior.given.std()) {
             add({.kind = FindingKind::prior,
                  .severity = Verdict::doubtful,
@@ -270,15 +270,16 @@ private:
                  .reason =
                      fmt::format("The lengths scatter by +-{:.2f} mm or more. The prior "
                                  "given, {}, allows +-{:.2f} mm.",
-                                 1e3 * prior.std, law_text(prior.given), 1e3 * prior.given.std()),
+                                 1e3 * prior.std, prior_text(prior.given), 1e3 * prior.given.std()),
                  .next = "Give a wider prior, or none."});
         }
     }
 
     void test_prior() {
-        const LawCheck& check = m_result.law_check;
-        const std::string used = law_text(m_result.law);
-        if (check.has_mean() && std::abs(check.mean) > negligible_mean * m_result.law.std()) {
+        const PriorCheck& check = m_result.prior_check;
+        const std::string used = prior_text(m_result.length_prior);
+        if (check.has_mean() &&
+            std::abs(check.mean) > negligible_mean * m_result.length_prior.std()) {
             add({.kind = FindingKind::common_deviation,
                  .severity = Verdict::failed,
                  .value = check.mean,
@@ -291,25 +292,25 @@ private:
                          "of cutting can cause this. State what of it is uncertain."});
         }
         test_runs();
-        if (m_result.contradicted_law && m_result.law_was_told) {
+        if (m_result.contradicted_prior && m_result.prior_was_told) {
             add({.kind = FindingKind::prior,
                  .severity = Verdict::doubtful,
-                 .value = m_result.law.std(),
+                 .value = m_result.length_prior.std(),
                  .reason = fmt::format("The lengths do not scatter as the prior given, {}, but "
                                        "as {} (log likelihood {:.0f} higher). taut used {}.",
-                                       law_text(m_result.contradicted_law->checked), used,
-                                       m_result.contradicted_law->gain, used),
+                                       prior_text(m_result.contradicted_prior->checked), used,
+                                       m_result.contradicted_prior->gain, used),
                  .next = "Check how the cables were cut."});
         } else {
             test_scale_of_prior();
         }
-        if (check.gain > 0.0 && LawCheck{.gain = check.gain}.is_contradicted()) {
-            const std::string likeliest = law_text(check.likeliest);
+        if (check.gain > 0.0 && PriorCheck{.gain = check.gain}.is_contradicted()) {
+            const std::string likeliest = prior_text(check.likeliest);
             const bool is_likeliest = check.gain > m_other_cause.gain;
             // Of a few dozen lengths it is the likeliest by chance, and too sure where it is not
             // true.
-            const bool is_by_chance = check.likeliest.kind == LengthLaw::Kind::bimodal &&
-                                      m_result.law.kind != LengthLaw::Kind::bimodal;
+            const bool is_by_chance = check.likeliest.kind == LengthPrior::Kind::bimodal &&
+                                      m_result.length_prior.kind != LengthPrior::Kind::bimodal;
             Finding finding{
                 .kind = FindingKind::prior,
                 .severity = check.is_untenable() && !check.is_too_wide() ? Verdict::failed
@@ -337,7 +338,7 @@ private:
     }
 
     void test_lengths() {
-        for (const LengthOutlier& edge : m_result.lengths_beyond_law) {
+        for (const LengthOutlier& edge : m_result.length_outliers) {
             if (edge.other < 0) {
                 add({.kind = FindingKind::length,
                      .severity = Verdict::doubtful,
@@ -356,8 +357,8 @@ private:
 
     [[nodiscard]] const LengthOutlier* other_of(const LengthOutlier& edge) const {
         const auto found =
-            std::ranges::find(m_result.lengths_beyond_law, edge.other, &LengthOutlier::edge);
-        return found == m_result.lengths_beyond_law.end() ? nullptr : &*found;
+            std::ranges::find(m_result.length_outliers, edge.other, &LengthOutlier::edge);
+        return found == m_result.length_outliers.end() ? nullptr : &*found;
     }
 
     /// "12 is 5.1 +- 0.4 mm longer"
@@ -465,7 +466,7 @@ private:
     void test_targets() {
         // Those beside a clamp are named with it.
         const auto is_beside_clamp = [this](const Outlier& outlier) {
-            return std::ranges::any_of(m_result.lengths_beyond_law, [&](const LengthOutlier& edge) {
+            return std::ranges::any_of(m_result.length_outliers, [&](const LengthOutlier& edge) {
                 return edge.is_beside_target && edge.node == outlier.node;
             });
         };
@@ -515,7 +516,7 @@ private:
             return;
         }
         int worst = -1;
-        double largest = beyond_prior * m_result.law.std();
+        double largest = beyond_prior * m_result.length_prior.std();
         for (size_t i = 0; i < m_survey.surveyed.size(); ++i) {
             const int node = m_survey.surveyed[i];
             const double residual = m_result.residuals(static_cast<Eigen::Index>(i));
@@ -623,7 +624,7 @@ private:
                  .next = "Check their unit and calibration."});
             return;
         }
-        for (const ReadingOutlier& outlier : m_result.reading_outliers) {
+        for (const ForceOutlier& outlier : m_result.reading_outliers) {
             add({.kind = FindingKind::force_measurement,
                  .ids = {m_net.edge_id(outlier.edge)},
                  .value = outlier.read - outlier.expected,
@@ -635,17 +636,17 @@ private:
     }
 
     void test_uncertain() {
-        for (const UnknownSpread& spread : spreads_of(m_result.unknowns)) {
+        for (const ParameterSpread& spread : spreads_of(m_result.uncertain)) {
             if (spread.is_contradicted()) {
                 const double ratio = spread.ratio * spread.widening;
-                constexpr double widest_part = 0.3;  // parse_unknown() takes no more
-                Unknown wider = spread.unknown;
+                constexpr double widest_part = 0.3;  // parse_uncertain_parameter() takes no more
+                UncertainParameter wider = spread.parameter;
                 wider.std = to_digits(ratio * wider.std, 2);
                 const std::string group = wider.group.empty() ? std::string() : "@" + wider.group;
-                const bool is_metric = wider.kind == Unknown::Kind::adjustable ||
-                                       wider.kind == Unknown::Kind::supports ||
-                                       wider.kind == Unknown::Kind::temperature ||
-                                       wider.kind == Unknown::Kind::loads_each;
+                const bool is_metric = wider.kind == UncertainParameter::Kind::adjustable ||
+                                       wider.kind == UncertainParameter::Kind::supports ||
+                                       wider.kind == UncertainParameter::Kind::temperature ||
+                                       wider.kind == UncertainParameter::Kind::loads_each;
                 add({.kind = FindingKind::uncertain_parameter,
                      .severity = Verdict::failed,
                      .ids = {std::string(wider.name()) + group},
@@ -655,7 +656,7 @@ private:
                                                               : ""},
                      .reason = fmt::format("The survey shows {:.1f} times the standard deviation "
                                            "assumed of {}.",
-                                           ratio, spread.unknown.to_string()),
+                                           ratio, spread.parameter.to_string()),
                      .next = "Check it on site, or assume a larger one."});
             }
         }

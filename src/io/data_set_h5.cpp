@@ -14,7 +14,7 @@ namespace taut {
 namespace {
 
 const std::string data_set_format = "taut-data-set";
-constexpr std::uint64_t data_set_version = 1;
+constexpr std::uint64_t data_set_version = 2;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
 constexpr std::array equilibrium_statuses{EquilibriumStatus::converged,
@@ -40,9 +40,9 @@ hdf5::Image data_set_image(const DataSet& data, const NetFile& net) {
                {.format = data_set_format,
                 .version = data_set_version,
                 .net_fingerprint = data.net_fingerprint,
-                .law = data.law,
+                .prior = data.prior,
                 .seed = data.seed,
-                .unknowns = data.unknowns,
+                .uncertain = data.uncertain,
                 .nominal_form = data.nominal_form},
                net);
     writer.matrix("form_deviation", data.form_deviations, "m");
@@ -69,15 +69,15 @@ void write_data_set(const std::filesystem::path& path, const DataSet& data, cons
 
 StoredDataSet read_data_set(const std::filesystem::path& path) {
     const hdf5::Reader reader(path, data_set_format);
-    auto [head, file] = read_head(reader, data_set_format, {data_set_version, data_set_version});
+    auto [head, file] = read_head(reader, data_set_format, {1, data_set_version, 2});
     const CableNet& net = file.net;
     const Eigen::Index coordinates = 3 * net.free_node_count();
     const Eigen::Index n = reader.row_count("form_deviation", coordinates);
     DataSet data{
         .net_fingerprint = head.net_fingerprint,
-        .law = head.law,
+        .prior = head.prior,
         .seed = head.seed,
-        .unknowns = std::move(head.unknowns),
+        .uncertain = std::move(head.uncertain),
         .nominal_form = std::move(head.nominal_form),
         .form_deviations = reader.matrix("form_deviation", coordinates, n),
         .length_deviations = reader.matrix("length_deviation", net.interior_edge_count(), n),

@@ -31,12 +31,12 @@ double force_in(const EdgeColumn& edges, const CsvRecord& record, size_t column,
 
 }  // namespace
 
-std::vector<ForceReading> parse_force_readings(const CableNet& net, std::string_view text,
-                                               const std::string& file_name,
-                                               const ForceFormat& format) {
+std::vector<ForceMeasurement> parse_force_measurements(const CableNet& net, std::string_view text,
+                                                       const std::string& file_name,
+                                                       const ForceFormat& format) {
     CsvReader reader(table_text(text, file_name), file_name);
     EdgeColumn edges(net, file_name);
-    std::vector<ForceReading> readings;
+    std::vector<ForceMeasurement> readings;
     size_t columns = 0;
     while (const auto record = reader.next()) {
         const bool is_first = columns == 0;
@@ -54,8 +54,8 @@ std::vector<ForceReading> parse_force_readings(const CableNet& net, std::string_
             (columns == 2 || record->fields[2] == "std")) {
             continue;
         }
-        ForceReading reading{.edge = edges.edge(*record),
-                             .tension = format.unit * force_in(edges, *record, 1, "tension")};
+        ForceMeasurement reading{.edge = edges.edge(*record),
+                                 .tension = format.unit * force_in(edges, *record, 1, "tension")};
         reading.std = columns == 3       ? format.unit * force_in(edges, *record, 2, "std")
                       : format.std > 0.0 ? format.std
                                          : format.relative_std * reading.tension;
@@ -114,11 +114,11 @@ bool is_edge_list(std::string_view text, const std::string& file_name) {
     return first && first->fields.size() == 1;
 }
 
-std::string force_unit_warning(const CableNet& net, const std::vector<ForceReading>& readings,
+std::string force_unit_warning(const CableNet& net, const std::vector<ForceMeasurement>& readings,
                                const std::string& file_name) {
     const Eigen::VectorXd designed = tensions(net, net.unstressed_lengths(), net.nodes());
     std::vector<double> ratios;
-    for (const ForceReading& reading : readings) {
+    for (const ForceMeasurement& reading : readings) {
         check_index("edge", reading.edge, net.edge_count());
         if (designed(reading.edge) > 0.0 && reading.tension > 0.0) {
             ratios.push_back(reading.tension / designed(reading.edge));

@@ -32,41 +32,42 @@ std::uint64_t check_format(const hdf5::Reader& reader, const std::string& format
     return version;
 }
 
-LengthLaw read_law(const hdf5::Reader& reader) {
+LengthPrior read_prior(const hdf5::Reader& reader, const std::string& name) {
     try {
-        return parse_length_law(reader.text_attribute("law"));
+        return parse_length_prior(reader.text_attribute(name));
     } catch (const std::invalid_argument& error) {
-        reader.fail("law", error.what());
+        reader.fail(name, error.what());
     }
 }
 
-std::string unknowns_text(const std::vector<Unknown>& unknowns) {
+std::string uncertain_text(const std::vector<UncertainParameter>& uncertain) {
     nlohmann::json list = nlohmann::json::array();
-    for (const Unknown& unknown : unknowns) {
-        list.push_back(unknown.to_string());
+    for (const UncertainParameter& parameter : uncertain) {
+        list.push_back(parameter.to_string());
     }
     return list.dump();
 }
 
-std::vector<Unknown> read_unknowns(const hdf5::Reader& reader, const CableNet& net) {
-    std::vector<Unknown> unknowns;
-    if (!reader.has_attribute("unknowns")) {
-        return unknowns;
+std::vector<UncertainParameter> read_uncertain(const hdf5::Reader& reader, const CableNet& net,
+                                               const std::string& name) {
+    std::vector<UncertainParameter> uncertain;
+    if (!reader.has_attribute(name)) {
+        return uncertain;
     }
-    const auto list = nlohmann::json::parse(reader.text_attribute("unknowns"), nullptr, false);
+    const auto list = nlohmann::json::parse(reader.text_attribute(name), nullptr, false);
     const auto is_text = [](const nlohmann::json& entry) { return entry.is_string(); };
     if (!list.is_array() || !std::ranges::all_of(list, is_text)) {
-        reader.fail("unknowns", R"(is no list of texts, as in ["stiffness:5%"])");
+        reader.fail(name, R"(is no list of texts, as in ["stiffness:5%"])");
     }
     try {
         for (const auto& entry : list) {
-            unknowns.push_back(parse_unknown(entry.get_ref<const std::string&>()));
+            uncertain.push_back(parse_uncertain_parameter(entry.get_ref<const std::string&>()));
         }
-        check_unknowns(net, unknowns);
+        check_uncertain_parameters(net, uncertain);
     } catch (const std::invalid_argument& error) {
-        reader.fail("unknowns", error.what());
+        reader.fail(name, error.what());
     }
-    return unknowns;
+    return uncertain;
 }
 
 void require_list(const hdf5::Reader& reader, const std::string& name,
@@ -100,10 +101,10 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file) {
     require_matrix("nominal_form", head.nominal_form, 3 * net.free_node_count(), 1);
     writer.attribute("format", head.format);
     writer.attribute("version", head.version);
-    writer.attribute("law", head.law.to_string());
+    writer.attribute("prior", head.prior.to_string());
     writer.attribute("seed", head.seed);
-    if (!head.unknowns.empty()) {
-        writer.attribute("unknowns", unknowns_text(head.unknowns));
+    if (!head.uncertain.empty()) {
+        writer.attribute("uncertain", uncertain_text(head.uncertain));
     }
     writer.attribute("net_fingerprint", head.net_fingerprint);
     writer.text("net", net_to_json(net, file.unknown_keys));
@@ -125,12 +126,13 @@ std::pair<H5Head, NetFile> read_head(const hdf5::Reader& reader, const std::stri
     }
     require_list(reader, "free_nodes", net.free_nodes(), net.node_count());
     require_list(reader, "interior_edges", net.interior_edges(), net.edge_count());
+    const bool is_older = version < known.renamed;
     H5Head head{.format = format,
                 .version = version,
                 .net_fingerprint = fingerprint,
-                .law = read_law(reader),
+                .prior = read_prior(reader, is_older ? "law" : "prior"),
                 .seed = reader.number_attribute("seed"),
-                .unknowns = read_unknowns(reader, net),
+                .uncertain = read_uncertain(reader, net, is_older ? "unknowns" : "uncertain"),
                 .nominal_form = reader.vector("nominal_form", 3 * net.free_node_count())};
     return {std::move(head), std::move(file)};
 }

@@ -10,10 +10,10 @@
 #include "files/hdf5_reader.hpp"
 #include "files/hdf5_writer.hpp"
 #include "taut/io/net_json.hpp"
-#include "taut/sampling/length_law.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 
-/// What data sets and models have in common: both belong to one net, one law and one seed.
+/// What data sets and models have in common: both belong to one net, one prior and one seed.
 namespace taut {
 
 /// The head of a data set or model.
@@ -21,10 +21,10 @@ struct H5Head {
     std::string format;  ///< "taut-model"
     std::uint64_t version = 1;
     std::string net_fingerprint;
-    LengthLaw law;
+    LengthPrior prior;
     std::uint64_t seed = 1;
-    std::vector<Unknown> unknowns;  ///< an attribute, JSON text, where there are any
-    Eigen::VectorXd nominal_form;   ///< 3 n_I [m]
+    std::vector<UncertainParameter> uncertain;  ///< an attribute, JSON text, where there are any
+    Eigen::VectorXd nominal_form;               ///< 3 n_I [m]
 };
 
 /// @throws std::invalid_argument where the head does not fit the net
@@ -34,6 +34,7 @@ void write_head(hdf5::Writer& writer, const H5Head& head, const NetFile& file);
 struct VersionRange {
     std::uint64_t oldest;
     std::uint64_t newest;
+    std::uint64_t renamed;  ///< the first with the attributes "prior" and "uncertain"
 };
 
 /// The net inside, checked against the fingerprint and the lists of nodes and edges beside it.

@@ -23,9 +23,10 @@ using gp::KernelSpectrum;
 using gp::Process;
 
 const std::string model_format = "taut-model";
-constexpr std::uint64_t model_version = 3;
+constexpr std::uint64_t model_version = 4;
 /// Its spectra are whole, its approximation errors 0.
 constexpr std::uint64_t version_without_form_prior = 2;
+constexpr std::uint64_t version_with_approximation_error = 3;
 
 /// The code of each in a file is its place in the enumeration, which is therefore fixed.
 constexpr std::array mean_functions{MeanFunction::zero, MeanFunction::geometry};
@@ -50,7 +51,7 @@ constexpr std::array process_columns{
            [](Process& p) -> double& { return p.negative_log_likelihood; }},
     Column{"leave_one_out_rmse", "m", [](Process& p) -> double& { return p.leave_one_out_rmse; }},
     Column{"approximation_error", "m", [](Process& p) -> double& { return p.approximation_error; },
-           model_version}};
+           version_with_approximation_error}};
 
 /// The one of all settings whose name an attribute holds.
 template <typename Setting, size_t N>
@@ -232,9 +233,9 @@ hdf5::Image model_image(const LengthModel& model, const NetFile& net) {
                {.format = model_format,
                 .version = model_version,
                 .net_fingerprint = model.net_fingerprint,
-                .law = model.law,
+                .prior = model.prior,
                 .seed = model.seed,
-                .unknowns = model.unknowns,
+                .uncertain = model.uncertain,
                 .nominal_form = model.nominal_form},
                net);
     writer.attribute("mean_function", std::string(to_string(model.mean)));
@@ -268,7 +269,7 @@ void write_model(const std::filesystem::path& path, const LengthModel& model, co
 StoredModel read_model(const std::filesystem::path& path) {
     const hdf5::Reader reader(path, model_format);
     auto [head, file] =
-        read_head(reader, model_format, {version_without_form_prior, model_version});
+        read_head(reader, model_format, {version_without_form_prior, model_version, model_version});
     const Eigen::Index m = file.net.interior_edge_count();
     const Eigen::Index coordinates = 3 * file.net.free_node_count();
     const Eigen::Index n = reader.row_count("training_inputs", coordinates);
@@ -287,9 +288,9 @@ StoredModel read_model(const std::filesystem::path& path) {
     const MeanFunction mean = read_name(reader, "mean_function", mean_functions);
     const KernelMetric metric = read_name(reader, "kernel_metric", kernel_metrics);
     LengthModel model{.net_fingerprint = head.net_fingerprint,
-                      .law = head.law,
+                      .prior = head.prior,
                       .seed = head.seed,
-                      .unknowns = std::move(head.unknowns),
+                      .uncertain = std::move(head.uncertain),
                       .mean = mean,
                       .metric = metric,
                       .as_in_paper = read_as_in_paper(reader, mean, metric),

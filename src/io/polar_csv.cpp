@@ -162,12 +162,12 @@ public:
         return text;
     }
 
-    [[nodiscard]] PolarReading reading() const {
-        PolarReading result{.target = name(PolarColumn::target),
-                            .direction = angle(PolarColumn::hz, -1.0),
-                            .zenith = angle(PolarColumn::v, 0.0),
-                            .distance = positive(PolarColumn::distance),
-                            .line = m_record.line};
+    [[nodiscard]] PolarObservation reading() const {
+        PolarObservation result{.target = name(PolarColumn::target),
+                                .direction = angle(PolarColumn::hz, -1.0),
+                                .zenith = angle(PolarColumn::v, 0.0),
+                                .distance = positive(PolarColumn::distance),
+                                .line = m_record.line};
         if (m_header.field(PolarColumn::target_height) >= 0) {
             result.target_height =
                 number(PolarColumn::target_height) * m_header.unit(PolarColumn::target_height);
@@ -317,7 +317,7 @@ PolarSurvey parse_polar_csv(std::string_view text, const std::string& file_name,
     std::map<std::string, int> number_of;
     while (const auto record = reader.next()) {
         const PolarLine line(*record, header, file_name);
-        PolarReading reading = line.reading();
+        PolarObservation reading = line.reading();
         const std::string name = line.name(PolarColumn::station);
         const auto [found, is_new] =
             number_of.emplace(name, static_cast<int>(survey.stations.size()));
@@ -335,14 +335,14 @@ PolarSurvey parse_polar_csv(std::string_view text, const std::string& file_name,
 
 std::string polar_to_csv(const PolarSurvey& survey) {
     const bool has_height = std::ranges::any_of(
-        survey.readings, [](const PolarReading& one) { return one.target_height != 0.0; });
-    const bool has_std = std::ranges::all_of(survey.readings, [](const PolarReading& one) {
+        survey.readings, [](const PolarObservation& one) { return one.target_height != 0.0; });
+    const bool has_std = std::ranges::all_of(survey.readings, [](const PolarObservation& one) {
         return one.angle_std > 0.0 && one.distance_std > 0.0;
     });
     std::string result = "station,target,hz [gon],v [gon],distance [m]";
     result += has_height ? ",target_height [m]" : "";
     result += has_std ? ",angle_std [mgon],distance_std [mm]\n" : "\n";
-    for (const PolarReading& one : survey.readings) {
+    for (const PolarObservation& one : survey.readings) {
         result += fmt::format("{},{},{:.12g},{:.12g},{:.12g}",
                               csv_field(survey.stations[one.station].name), csv_field(one.target),
                               one.direction / gon, one.zenith / gon, one.distance);

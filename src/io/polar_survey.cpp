@@ -30,7 +30,7 @@ PrecisionText tell_precision(PolarSurvey& survey, const ReadSurveyOptions& optio
     const DistancePrecision distance = options.distance.value_or(DistancePrecision{});
     bool is_angle_told = true;
     bool is_distance_told = true;
-    for (PolarReading& reading : survey.readings) {
+    for (PolarObservation& reading : survey.readings) {
         if (!(reading.angle_std > 0.0)) {
             reading.angle_std = angle_std;
             is_angle_told = false;
@@ -85,7 +85,7 @@ std::optional<double> misfit_of_shape(const CableNet& net, const std::vector<Sur
 
 /// As if the angles, all of the first face, had been read in another unit.
 PolarSurvey with_angles_times(PolarSurvey survey, double factor) {
-    for (PolarReading& reading : survey.readings) {
+    for (PolarObservation& reading : survey.readings) {
         reading.direction *= factor;
         reading.zenith *= factor;
     }
@@ -124,7 +124,7 @@ std::optional<std::string> angle_unit_hint(const CableNet& net, const PolarSurve
 }
 
 std::string name_of_reading(const PolarSurvey& survey, int index) {
-    const PolarReading& reading = survey.readings[index];
+    const PolarObservation& reading = survey.readings[index];
     return fmt::format("target '{}' from station '{}', line {}", reading.target,
                        survey.stations[reading.station].name, reading.line);
 }

@@ -25,7 +25,7 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
     try {
         const CableNet turned = turned_net(net, result->turned);
         IdentifiedNet identified{
-            .built = {.net = net_as_identified(turned, result->edges, result->unknowns,
+            .built = {.net = net_as_identified(turned, result->edges, result->uncertain,
                                                result->boundary_outliers),
                       .length_draws = {},
                       .perturbations = {},
@@ -45,7 +45,7 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
                     fmt::format("holds draws of another result than {}: identify again",
                                 quote(result_path.string())));
             }
-            add_draws(identified.built, turned, drawn, result->unknowns);
+            add_draws(identified.built, turned, drawn, result->uncertain);
         } else {
             identified.built.no_draws_since =
                 fmt::format("there is no file {} beside the result", draws.string());

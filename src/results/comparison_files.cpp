@@ -62,10 +62,10 @@ ResultJson rows_json(const std::vector<ComparisonRow>& all) {
 std::string comparison_to_json(const Comparison& comparison, const RunRecord& run) {
     const ComparisonSettings& settings = comparison.settings;
     ResultJson document{{"format", "taut-comparison"},
-                        {"version", 1},
+                        {"version", 2},
                         {"program", "taut " + std::string(version())},
                         {"net", counts_json(comparison.net)},
-                        {"law", settings.law.to_string()},
+                        {"prior", settings.prior.to_string()},
                         {"seed", settings.seed},
                         {"common_noise", settings.common_noise()},
                         {"common_training_samples", settings.common_training()},
@@ -80,9 +80,9 @@ std::string comparison_to_json(const Comparison& comparison, const RunRecord& ru
                           {"identification", comparison.seconds.identification},
                           {"total", comparison.seconds.total}}}};
     add_run(document, run);
-    document["unknowns"] = ResultJson::array();
-    for (const Unknown& unknown : settings.unknowns) {
-        document["unknowns"].push_back(unknown.to_string());
+    document["uncertain"] = ResultJson::array();
+    for (const UncertainParameter& parameter : settings.uncertain) {
+        document["uncertain"].push_back(parameter.to_string());
     }
     document["rows"] = rows_json(comparison.rows);
     document["model_error_rows"] = rows_json(comparison.model_error_rows);

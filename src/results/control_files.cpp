@@ -61,17 +61,17 @@ std::string control_to_json(const std::vector<ControlRecord>& records, const Cab
             {{"strategy", to_string(record.strategy)}, {"rounds", rounds}, {"states", states}});
     }
     ResultJson uncertain = ResultJson::array();
-    for (const Unknown& one : settings.uncertain) {
+    for (const UncertainParameter& one : settings.uncertain) {
         uncertain.push_back(one.to_string());
     }
     ResultJson document{
         {"format", "taut-control"},
-        {"version", 1},
+        {"version", 2},
         {"program", "taut " + std::string(version())},
         {"net_fingerprint", net.fingerprint()},
         {"net", counts_json(net)},
         {"settings",
-         {{"law", settings.law.to_string()},
+         {{"prior", settings.prior.to_string()},
           {"uncertain", std::move(uncertain)},
           {"noise", settings.noise_std},
           {"hidden", settings.hidden_part},

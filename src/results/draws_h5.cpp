@@ -47,12 +47,12 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     const PosteriorDraws& draws = *identification.draws;
     hdf5::Writer writer;
     writer.attribute("format", "taut-draws");
-    writer.attribute("version", 1);
+    writer.attribute("version", 2);
     writer.attribute("net_fingerprint", net.fingerprint());
-    writer.attribute("law", identification.law.to_string());
+    writer.attribute("prior", identification.length_prior.to_string());
     writer.attribute("seed", draws.seed);
     writer.attribute("how", draws.how);
-    writer.attribute("doubt", draws.doubt);
+    writer.attribute("reason", draws.doubt);
     writer.integers("edge", net.interior_edges());
     writer.integers("node", net.free_nodes());
     writer.matrix("length_deviation", draws.length_deviations, "m");
@@ -96,8 +96,10 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
     if (reader.text_attribute("format") != "taut-draws") {
         reader.fail("format", "is not taut-draws");
     }
-    if (reader.number_attribute("version") != 1) {
-        reader.fail("version", "is another than 1, the only one that this taut knows");
+    const std::uint64_t version = reader.number_attribute("version");
+    if (version != 1 && version != 2) {
+        reader.fail("version",
+                    fmt::format("is {}, expected 1 or 2, which this taut knows", version));
     }
     if (const std::string found = reader.text_attribute("net_fingerprint");
         found != net.fingerprint()) {
@@ -132,7 +134,7 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
     draws.tensions = reader.matrix("tension", net.edge_count(), count);
     draws.seed = reader.number_attribute("seed");
     draws.how = reader.text_attribute("how");
-    draws.doubt = reader.text_attribute("doubt");
+    draws.doubt = reader.text_attribute(version == 1 ? "doubt" : "reason");
     return draws;
 }
 

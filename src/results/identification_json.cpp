@@ -121,7 +121,8 @@ Json boundary_json(const CableNet& net, const std::vector<BoundaryOutlier>& outl
         entry["deviation"] = is_support ? to_json(outlier.deviation) : Json(outlier.deviation.x());
         entry["std"] = is_support ? to_json(outlier.std) : Json(outlier.std.x());
         entry["statistic"] = outlier.statistic;
-        entry["rival"] = outlier.rival < 0 ? Json() : Json(id_of(!is_support, outlier.rival));
+        entry["confounded_with"] =
+            outlier.rival < 0 ? Json() : Json(id_of(!is_support, outlier.rival));
         list.push_back(std::move(entry));
     }
     return list;
@@ -151,10 +152,10 @@ Json frame_check_json(const FrameCheck& check) {
 }
 
 /// What the trust rests on, in numbers.
-Json doubt_json(const CableNet& net, const Identification& identification) {
-    const LawCheck& law = identification.law_check;
+Json diagnostics_json(const CableNet& net, const Identification& identification) {
+    const PriorCheck& prior = identification.prior_check;
     Json beyond = Json::array();
-    for (const LengthOutlier& outlier : identification.lengths_beyond_law) {
+    for (const LengthOutlier& outlier : identification.length_outliers) {
         beyond.push_back({{"edge", outlier.edge},
                           {"id", net.edge_id(outlier.edge)},
                           {"deviation", outlier.deviation},
@@ -171,21 +172,21 @@ Json doubt_json(const CableNet& net, const Identification& identification) {
     }
     return {{"noise", scale_json(identification.scales.noise)},
             {"lengths", scale_json(identification.scales.lengths)},
-            {"law",
-             {{"likeliest", law.lengths > 0 ? law.likeliest.to_string() : ""},
-              {"gain", law.gain},
-              {"lengths", law.lengths},
-              {"mean", law.mean},
-              {"mean_std", law.mean_std},
-              {"beyond", law.beyond},
-              {"found", identification.contradicted_law.has_value()},
-              {"contradicted", identification.contradicted_law
-                                   ? Json(identification.contradicted_law->checked.to_string())
+            {"prior",
+             {{"likeliest", prior.lengths > 0 ? prior.likeliest.to_string() : ""},
+              {"gain", prior.gain},
+              {"lengths", prior.lengths},
+              {"mean", prior.mean},
+              {"mean_std", prior.mean_std},
+              {"outliers", prior.beyond},
+              {"found", identification.contradicted_prior.has_value()},
+              {"contradicted", identification.contradicted_prior
+                                   ? Json(identification.contradicted_prior->checked.to_string())
                                    : Json()}}},
             {"frame", frame_check_json(identification.frame_check)},
-            {"lengths_beyond_law", beyond},
+            {"length_outliers", beyond},
             {"boundary", boundary_json(net, identification.boundary_outliers)},
-            {"boundary_beyond", identification.boundary_beyond}};
+            {"boundary_not_released", identification.boundary_beyond}};
 }
 
 /// Of each kind of error the smallest that would have been found; null: none.
@@ -202,9 +203,9 @@ Json prior_json(const Identification& identification) {
     const PriorEstimate& prior = identification.prior;
     Json nodes = Json::array();
     for (const PriorNode& node : prior.nodes) {
-        nodes.push_back({{"law", node.law.to_string()}, {"weight", node.weight}});
+        nodes.push_back({{"prior", node.prior.to_string()}, {"weight", node.weight}});
     }
-    return {{"given", identification.law_was_told ? Json(prior.given.to_string()) : Json()},
+    return {{"given", identification.prior_was_told ? Json(prior.given.to_string()) : Json()},
             {"exact", prior.exact},
             {"std", prior.std},
             {"std_std", prior.std_std},
@@ -249,7 +250,7 @@ void add_drawn(Json& document, const CableNet& net, const Identification& identi
                              {"fingerprint", fingerprint_of(draws)},
                              {"seed", draws.seed},
                              {"how", draws.how},
-                             {"doubt", draws.doubt.empty() ? Json() : Json(draws.doubt)}};
+                             {"reason", draws.doubt.empty() ? Json() : Json(draws.doubt)}};
     }
     if (!drawn.tensions.empty()) {
         const DrawnEstimate& mean = drawn.mean_tension;
@@ -273,35 +274,35 @@ void add_drawn(Json& document, const CableNet& net, const Identification& identi
 }
 
 /// The unit of an unknown's numbers.
-std::string_view unit_of(Unknown::Kind kind) {
+std::string_view unit_of(UncertainParameter::Kind kind) {
     switch (kind) {
-        case Unknown::Kind::temperature:
+        case UncertainParameter::Kind::temperature:
             return "K";
-        case Unknown::Kind::supports:
-        case Unknown::Kind::adjustable:
+        case UncertainParameter::Kind::supports:
+        case UncertainParameter::Kind::adjustable:
             return "m";
-        case Unknown::Kind::loads_each:
+        case UncertainParameter::Kind::loads_each:
             return "N";
-        case Unknown::Kind::stiffness:
-        case Unknown::Kind::stiffness_each:
-        case Unknown::Kind::loads:
+        case UncertainParameter::Kind::stiffness:
+        case UncertainParameter::Kind::stiffness_each:
+        case UncertainParameter::Kind::loads:
             break;
     }
     return "1";
 }
 
-Json unknowns_json(const CableNet& net, const Identification& identification) {
+Json uncertain_json(const CableNet& net, const Identification& identification) {
     constexpr std::array axes{"x", "y", "z"};
     Json result = Json::array();
-    for (const UnknownEstimate& estimate : identification.unknowns) {
-        const Unknown& unknown = estimate.unknown;
-        Json one{{"name", unknown.name()},
-                 {"group", unknown.group.empty() ? Json() : Json(unknown.group)},
-                 {"told", unknown.to_string()},
+    for (const ParameterEstimate& estimate : identification.uncertain) {
+        const UncertainParameter& parameter = estimate.parameter;
+        Json one{{"name", parameter.name()},
+                 {"group", parameter.group.empty() ? Json() : Json(parameter.group)},
+                 {"given", parameter.to_string()},
                  {"mean", estimate.mean},
                  {"std", estimate.std},
                  {"prior_std", estimate.prior_std},
-                 {"unit", unit_of(unknown.kind)},
+                 {"unit", unit_of(parameter.kind)},
                  {"observed", estimate.is_observed()}};
         if (estimate.edge >= 0) {
             one["edge"] = estimate.edge;
@@ -336,14 +337,14 @@ Json assumptions_json(const Identification& identification) {
 /// What was told of forces, and what contradicts all else.
 Json forces_json(const CableNet& net, const Identification& identification) {
     Json outliers = Json::array();
-    for (const ReadingOutlier& outlier : identification.reading_outliers) {
+    for (const ForceOutlier& outlier : identification.reading_outliers) {
         outliers.push_back({{"edge", outlier.edge},
                             {"id", net.edge_id(outlier.edge)},
-                            {"read", outlier.read},
+                            {"measured", outlier.read},
                             {"expected", outlier.expected},
                             {"statistic", outlier.statistic}});
     }
-    return {{"readings", identification.readings},
+    return {{"measurements", identification.readings},
             {"outliers", outliers},
             {"bias", identification.reading_bias ? Json{{"part", identification.reading_bias->part},
                                                         {"std", identification.reading_bias->std}}
@@ -400,7 +401,7 @@ Json epochs_json(const CableNet& net, const std::vector<EpochResult>& epochs) {
                         {"noise_scale", epoch.noise_scale},
                         {"change_ratio", epoch.change_ratio},
                         {"change_limit", epoch.change_limit},
-                        {"untold_play", epoch.untold_play},
+                        {"excess_actuator_std", epoch.excess_actuator_std},
                         {"changes", changes},
                         {"stroke_factor", epoch.stroke_factor},
                         {"stroke_factor_std", epoch.stroke_factor_std},
@@ -440,14 +441,14 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     const Eigen::VectorXd residuals = residuals_in_use(identification, survey);
     const double in_use = std::max(1.0, static_cast<double>(residuals.size()));
     Json document{{"format", "taut-identification"},
-                  {"version", 1},
+                  {"version", 2},
                   {"program", "taut " + std::string(version())},
                   {"method", identification.method},
                   {"method_reason", identification.method_reason},
                   {"status", to_string(identification.status)},
                   {"trust", trust_json(identification.trust)},
                   {"findings", findings_json(identification.trust)},
-                  {"law", identification.law.to_string()},
+                  {"length_prior", identification.length_prior.to_string()},
                   {"prior", prior_json(identification)},
                   {"assumptions", assumptions_json(identification)},
                   {"detectable", detectable_json(identification.detectable)},
@@ -470,7 +471,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     document["frame_offset"] = offset_json(identification.frame_offset);
     document["turned"] = turned_json(net, identification.turned);
     document["epochs"] = epochs_json(net, identification.epochs);
-    document["doubt"] = doubt_json(net, identification);
+    document["diagnostics"] = diagnostics_json(net, identification);
     document["survey"]["residuals"] = residuals_json(survey, identification.predicted.form);
     document["survey"]["missing_nodes"] = survey.missing;
     document["survey"]["unmatched"] = unmatched_json(net, survey);
@@ -480,7 +481,7 @@ std::string identification_to_json(const CableNet& net, const Survey& survey,
     if (identification.tensions.size() > 0) {
         document["tension"] = numbers_json(identification.tensions, 6);
     }
-    document["unknowns"] = unknowns_json(net, identification);
+    document["uncertain"] = uncertain_json(net, identification);
     document["forces"] = forces_json(net, identification);
     document["length_covariance"] = length_covariance_json(net, identification.length_covariance);
     add_drawn(document, net, identification);

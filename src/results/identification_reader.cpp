@@ -59,26 +59,26 @@ IdentifiedEdge read_edge(const JsonValue& value, const CableNet& net) {
     return edge;
 }
 
-double reach_of(const JsonValue& law) {
+double reach_of(const JsonValue& prior) {
     try {
-        return parse_length_law(law.text()).reach();
+        return parse_length_prior(prior.text()).reach();
     } catch (const std::invalid_argument& error) {
-        law.fail(error.what());
+        prior.fail(error.what());
     }
 }
 
 /// How far two lengths can be apart by the priors of a result; infinite where it tells none.
 double farthest_of(const JsonValue& root) {
-    const auto law = root.find("law");
-    if (!law) {
+    const auto prior = root.find("length_prior");
+    if (!prior) {
         return std::numeric_limits<double>::infinity();
     }
-    double reach = reach_of(*law);
+    double reach = reach_of(*prior);
     if (const auto prior = root.find("prior")) {
         constexpr double rounding = 1e-6;
         double sum = 0.0;
         for (const JsonValue& node : entries(*prior, "nodes")) {
-            reach = std::max(reach, reach_of(member(node, "law")));
+            reach = std::max(reach, reach_of(member(node, "prior")));
             sum += member(node, "weight").number();
         }
         if (!entries(*prior, "nodes").empty() && std::abs(sum - 1.0) > rounding) {
@@ -98,8 +98,8 @@ std::set<int> length_outliers(const JsonValue& root) {
             }
         }
     }
-    if (const auto doubt = root.find("doubt")) {
-        for (const JsonValue& outlier : entries(*doubt, "lengths_beyond_law")) {
+    if (const auto doubt = root.find("diagnostics")) {
+        for (const JsonValue& outlier : entries(*doubt, "length_outliers")) {
             edges.insert(member(outlier, "edge").integer());
         }
     }
@@ -157,23 +157,25 @@ std::vector<IdentificationResult::Residual> read_residuals(const JsonValue& surv
     return residuals;
 }
 
-UnknownEstimate read_unknown(const JsonValue& value, const CableNet& net) {
-    UnknownEstimate estimate{.mean = member(value, "mean").number(),
-                             .std = member(value, "std").number()};
-    const JsonValue told = member(value, "told");
+ParameterEstimate read_uncertain_parameter(const JsonValue& value, const CableNet& net) {
+    ParameterEstimate estimate{.mean = member(value, "mean").number(),
+                               .std = member(value, "std").number()};
+    const JsonValue given = member(value, "given");
     try {
-        estimate.unknown = parse_unknown(told.text());
-        check_unknowns(net, {estimate.unknown});
+        estimate.parameter = parse_uncertain_parameter(given.text());
+        check_uncertain_parameters(net, {estimate.parameter});
     } catch (const std::invalid_argument& error) {
-        told.fail(error.what());
+        given.fail(error.what());
     }
     const auto prior_std = value.find("prior_std");
-    estimate.prior_std = prior_std ? prior_std->number() : estimate.unknown.std;
-    const Unknown::Kind kind = estimate.unknown.kind;
-    if (kind == Unknown::Kind::stiffness_each || kind == Unknown::Kind::adjustable) {
+    estimate.prior_std = prior_std ? prior_std->number() : estimate.parameter.std;
+    const UncertainParameter::Kind kind = estimate.parameter.kind;
+    if (kind == UncertainParameter::Kind::stiffness_each ||
+        kind == UncertainParameter::Kind::adjustable) {
         estimate.edge = read_edge_index(value.require("edge", "the edge whose it is"), net);
     }
-    if (kind == Unknown::Kind::supports || kind == Unknown::Kind::loads_each) {
+    if (kind == UncertainParameter::Kind::supports ||
+        kind == UncertainParameter::Kind::loads_each) {
         estimate.node = read_node(value.require("node", "the node whose it is"), net);
         const std::string axis = value.require("axis", R"("x", "y" or "z")").text();
         estimate.axis = static_cast<int>(std::string_view("xyz").find(axis));
@@ -292,7 +294,7 @@ Trust read_trust(const JsonValue& root) {
 /// Where the supports stand by all that a result says of them.
 Points support_places(const JsonValue& root, const IdentificationResult& result) {
     const CableNet& net = result.net;
-    Points places = net.nodes() + circumstances_of(net, result.unknowns).supports;
+    Points places = net.nodes() + perturbation_of(net, result.uncertain).supports;
     for (const BoundaryOutlier& outlier : result.boundary_outliers) {
         if (outlier.kind == BoundaryOutlier::Kind::support) {
             places.col(outlier.index) += outlier.deviation;
@@ -351,10 +353,10 @@ IdentificationResult read_identification(const JsonValue& root) {
         }
         require_at_most(drawn, "tension_lower", "tension_upper");
     }
-    for (const JsonValue& unknown : entries(root, "unknowns")) {
-        result.unknowns.push_back(read_unknown(unknown, result.net));
+    for (const JsonValue& parameter : entries(root, "uncertain")) {
+        result.uncertain.push_back(read_uncertain_parameter(parameter, result.net));
     }
-    if (const auto doubt = root.find("doubt")) {
+    if (const auto doubt = root.find("diagnostics")) {
         result.boundary_outliers = read_boundary(*doubt, result.net);
     }
     for (const JsonValue& epoch : entries(root, "epochs")) {

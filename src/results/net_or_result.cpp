@@ -39,8 +39,8 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
     try {
         CableNetData data = designed.net.data();
         data.unstressed_lengths = lengths;
-        if (!result.unknowns.empty()) {
-            data = net_under(designed.net, circumstances_of(designed.net, result.unknowns), lengths)
+        if (!result.uncertain.empty()) {
+            data = net_under(designed.net, perturbation_of(designed.net, result.uncertain), lengths)
                        .data();
         }
         data.nodes = result.form;

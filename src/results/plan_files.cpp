@@ -113,7 +113,7 @@ Json turn_order_json(const PlanRecord& record) {
             {"safe_probability", order.safe_probability},
             {"worst", order.worst.moment < 0
                           ? Json()
-                          : Json{{"moment", order.worst.moment},
+                          : Json{{"step", order.worst.moment},
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
@@ -126,7 +126,7 @@ Json survey_first_json(const PlanRecord& record) {
     for (const FurtherTarget& target : record.plan->further_targets) {
         targets.push_back({{"node", target.node},
                            {"id", record.net->node_id(target.node)},
-                           {"normal_unknown", target.normal_unknown}});
+                           {"normal_std", target.normal_std}});
     }
     return {{"noise", *record.options->survey_noise}, {"targets", targets}};
 }
@@ -204,12 +204,12 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
                          {"edge_id", net.edge_id(turning.edge)},
                          {"stroke", turning.stroke},
                          {"turns", value_or_null(count_of_turns(record, turning.stroke))},
-                         {"sense", sense_of(turning.stroke)},
+                         {"action", sense_of(turning.stroke)},
                          {"rotation", value_or_null(rotation_of(turning.stroke,
                                                                 thread_of(record, turning.edge)))},
                          {"pass", turning.pass},
                          {"crew", turning.crew},
-                         {"moment", turning.moment},
+                         {"step", turning.moment},
                          {"reading_after", listed.reading_after},
                          {"tension_after", listed.tension_after}});
     }
@@ -219,7 +219,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
     }
     Json document{
         {"format", "taut-plan"},
-        {"version", 1},
+        {"version", 2},
         {"program", "taut " + std::string(version())},
         {"net_fingerprint", net.fingerprint()},
         {"net", counts_json(net)},
@@ -235,11 +235,11 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"form",
          {{"as_built", deviation_json(plan.as_built)},
           {"planned", deviation_json(plan.planned)},
-          {"unavoidable", deviation_json(plan.unavoidable)},
-          {"normal_unknown", plan.normal_unknown}}},
+          {"unconstrained", deviation_json(plan.unconstrained)},
+          {"normal_std", plan.normal_std}}},
         {"tension", planned_tension_json(record)},
         {"order", turn_order_json(record)},
-        {"further", further_json(record)},
+        {"suggested_adjustable", further_json(record)},
         {"options",
          {{"target", record.target->surface() != nullptr ? "surface" : "form"},
           {"node_weights", node_weights_json(record)},
@@ -254,9 +254,9 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"tolerance",
          {{"reached", value_or_null(plan.is_within_tolerance)},
           {"fewest_bound", value_or_null(plan.fewest_bound)}}},
-        {"survey_first", survey_first_json(record)},
+        {"suggested_targets", survey_first_json(record)},
         {"draws", plan.draws},
-        {"no_draws_since", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
+        {"no_draws_because", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
         {"built_form", points_json(record.built->net.nodes())},
         {"planned_form", points_json(plan.form)},
         {"planned_form_std", points_json(plan.form_std)},

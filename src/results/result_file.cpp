@@ -10,6 +10,7 @@
 #include "files/message.hpp"
 #include "results/control_reader.hpp"
 #include "results/identification_reader.hpp"
+#include "results/older_results.hpp"
 #include "results/plan_reader.hpp"
 #include "results/result_checks.hpp"
 #include "results/result_values.hpp"
@@ -19,7 +20,7 @@
 namespace taut {
 namespace {
 
-constexpr int known_version = 1;
+constexpr int known_version = 2;
 
 Eigen::MatrixXd read_errors(const JsonValue& errors, Eigen::Index edges, int samples) {
     const auto all = errors.find("all");
@@ -114,9 +115,13 @@ ResultFile read_root(const JsonValue& root) {
         format.fail(fmt::format("is {}, expected {}", quote(name), formats));
     }
     const JsonValue version = root.require("version", std::to_string(known_version));
-    if (const int found = version.integer(); found != known_version) {
-        version.fail(fmt::format("is {}, expected {}, the only one that this taut knows", found,
-                                 known_version));
+    if (version.integer() == 1) {
+        const nlohmann::json newer = with_new_keys(root.json());
+        return read_root(JsonValue(newer, root.file_name()));
+    }
+    if (version.integer() != known_version) {
+        version.fail(fmt::format("is {}, expected 1 to {}, which this taut knows",
+                                 version.integer(), known_version));
     }
     const auto content = [&]() -> decltype(ResultFile::content) {
         if (name == "taut-study") {

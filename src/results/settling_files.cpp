@@ -14,7 +14,7 @@ namespace {
 ResultJson outcome_json(const SettlingOutcome& outcome, const SettlingSettings& settings) {
     return {{"seed", settings.seed},
             {"survey", outcome.number},
-            {"law", outcome.law.to_string()},
+            {"prior", outcome.prior.to_string()},
             {"noise", outcome.noise_std},
             {"hidden_nodes", outcome.hidden_nodes},
             {"gross_errors", outcome.gross_errors},
@@ -64,7 +64,7 @@ ResultJson record_json(const SettlingRecord& record, const SettlingSettings& set
 std::string settling_to_json(const std::vector<SettlingRecord>& records,
                              const SettlingSettings& settings, const RunRecord& run) {
     ResultJson document{{"format", "taut-trials"},
-                        {"version", 1},
+                        {"version", 2},
                         {"program", "taut " + std::string(version())},
                         {"seed", settings.seed},
                         {"first", settings.first},

@@ -99,10 +99,10 @@ std::string study_to_json(const Study& study, const RunRecord& run) {
     const PaperFigures paper;
     Json document{
         {"format", "taut-study"},
-        {"version", 1},
+        {"version", 2},
         {"program", "taut " + std::string(version())},
         {"net", counts_json(net)},
-        {"law", study.settings.law.to_string()},
+        {"prior", study.settings.prior.to_string()},
         {"seed", study.settings.seed},
         {"samples",
          {{"total", study.data.size()},

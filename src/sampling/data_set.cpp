@@ -33,36 +33,37 @@ std::vector<int> DataSet::converged_in(int first, int last) const {
     return result;
 }
 
-void check_law(const CableNet& net, const LengthLaw& law) {
+void check_prior(const CableNet& net, const LengthPrior& prior) {
     if (net.interior_edge_count() == 0) {
         throw std::invalid_argument(
             "the net has no interior edge: every unstressed length is known and set");
     }
-    law.check();
+    prior.check();
     const double shortest = net.unstressed_lengths()(net.interior_edges()).minCoeff();
-    if (law.reach() >= shortest) {
-        throw std::invalid_argument(fmt::format(
-            "the law {} reaches deviations of {:.4g} mm, expected less than the shortest interior "
-            "unstressed length, {:.4g} mm",
-            law.to_string(), 1e3 * law.reach(), 1e3 * shortest));
+    if (prior.reach() >= shortest) {
+        throw std::invalid_argument(
+            fmt::format("the prior {} reaches deviations of {:.4g} mm, expected less than the "
+                        "shortest interior "
+                        "unstressed length, {:.4g} mm",
+                        prior.to_string(), 1e3 * prior.reach(), 1e3 * shortest));
     }
     constexpr double rounding_error = 1e-9;
-    if (law.std() < rounding_error * shortest) {
+    if (prior.std() < rounding_error * shortest) {
         throw std::invalid_argument(fmt::format(
-            "the law {} is lost in rounding errors, expected deviations of at least {:.1g} mm",
-            law.to_string(), 1e3 * rounding_error * shortest));
+            "the prior {} is lost in rounding errors, expected deviations of at least {:.1g} mm",
+            prior.to_string(), 1e3 * rounding_error * shortest));
     }
 }
 
-Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
+Eigen::VectorXd draw_length_deviations(const LengthPrior& prior, std::uint64_t seed,
                                        std::uint64_t sample, Eigen::Index count) {
-    law.check();
+    prior.check();
     if (count < 0) {
         throw std::invalid_argument(fmt::format("{} deviations, expected 0 at least", count));
     }
     // The standard fixes what the engine and the seed sequence give, to the bit, but not what its
-    // distributions do: so the law draws from 52 random bits, at the middle of their cell. With 53
-    // the middle would be rounded, of the last cell to 1.
+    // distributions do: so the prior draws from 52 random bits, at the middle of their cell. With
+    // 53 the middle would be rounded, of the last cell to 1.
     const auto half = [](std::uint64_t word, int shift) {
         return static_cast<std::uint32_t>(word >> shift);
     };
@@ -70,7 +71,7 @@ Eigen::VectorXd draw_length_deviations(const LengthLaw& law, std::uint64_t seed,
     std::mt19937_64 engine(sequence);
     Eigen::VectorXd deviations(count);
     for (double& deviation : deviations) {
-        deviation = law.draw((static_cast<double>(engine() >> 12U) + 0.5) * 0x1p-52);
+        deviation = prior.draw((static_cast<double>(engine() >> 12U) + 0.5) * 0x1p-52);
     }
     return deviations;
 }

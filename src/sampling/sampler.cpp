@@ -15,7 +15,7 @@
 #include <string>
 
 #include "taut/numerical_error.hpp"
-#include "taut/sampling/circumstances.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/form_sensitivity.hpp"
 #include "team_work.hpp"
 
@@ -71,19 +71,19 @@ void unpack_samples(const std::string& bytes, DataSet& data) {
 
 struct Sampler::State {
     CableNet net;
-    LengthLaw law;
+    LengthPrior prior;
     std::uint64_t seed;
-    std::vector<Unknown> unknowns;
+    std::vector<UncertainParameter> uncertain;
     Equilibrium nominal;
     FormSensitivity sensitivity;
     mutable tbb::enumerable_thread_specific<EquilibriumSolver> solvers;
 
-    State(const CableNet& cable_net, const LengthLaw& with_law, std::uint64_t with_seed,
-          const std::vector<Unknown>& with_unknowns)
+    State(const CableNet& cable_net, const LengthPrior& with_prior, std::uint64_t with_seed,
+          const std::vector<UncertainParameter>& with_uncertain)
         : net(cable_net),
-          law(with_law),
+          prior(with_prior),
           seed(with_seed),
-          unknowns(with_unknowns),
+          uncertain(with_uncertain),
           nominal(nominal_equilibrium(net)),
           sensitivity(net, net.unstressed_lengths(), nominal.form),
           solvers([this] { return EquilibriumSolver(net); }) {}
@@ -96,9 +96,9 @@ struct Sampler::State {
 
     /// Of all that a sample follows from, but its index.
     [[nodiscard]] std::string fingerprint() const {
-        std::string text = fmt::format("{} {} {}", net.fingerprint(), law.to_string(), seed);
-        for (const Unknown& unknown : unknowns) {
-            text += ' ' + unknown.to_string();
+        std::string text = fmt::format("{} {} {}", net.fingerprint(), prior.to_string(), seed);
+        for (const UncertainParameter& parameter : uncertain) {
+            text += ' ' + parameter.to_string();
         }
         return text;
     }
@@ -106,8 +106,8 @@ struct Sampler::State {
     /// With what else is unknown drawn, too. A sample that leaves no net is none that converged.
     [[nodiscard]] Equilibrium solve_drawn(int k, const Eigen::VectorXd& lengths,
                                           const Points& start) const {
-        const Circumstances drawn =
-            draw_circumstances(net, unknowns, seed, static_cast<std::uint64_t>(k));
+        const ModelPerturbation drawn =
+            draw_perturbation(net, uncertain, seed, static_cast<std::uint64_t>(k));
         try {
             const CableNet drawn_net = net_under(net, drawn, lengths);
             return EquilibriumSolver(drawn_net).solve(drawn_net.unstressed_lengths(), start);
@@ -119,25 +119,26 @@ struct Sampler::State {
     /// One pass of the loop of Algorithm 2: sample k, into a column.
     void draw(DataSet& data, Eigen::Index column, int k) const {
         data.length_deviations.col(column) = draw_length_deviations(
-            law, seed, static_cast<std::uint64_t>(k), net.interior_edge_count());
+            prior, seed, static_cast<std::uint64_t>(k), net.interior_edge_count());
         const Eigen::VectorXd lengths =
             with_length_deviations(net, data.length_deviations.col(column));
         const Eigen::VectorXd predicted =
             data.nominal_form + sensitivity.apply(lengths - net.unstressed_lengths());
         const Equilibrium found =
-            unknowns.empty() ? solvers.local().solve(lengths, with_free_coordinates(net, predicted))
-                             : solve_drawn(k, lengths, with_free_coordinates(net, predicted));
+            uncertain.empty()
+                ? solvers.local().solve(lengths, with_free_coordinates(net, predicted))
+                : solve_drawn(k, lengths, with_free_coordinates(net, predicted));
         data.form_deviations.col(column) = free_coordinates(net, found.form) - data.nominal_form;
         data.statuses[column] = found.status;
         data.slack_counts[column] = static_cast<int>(found.slack_edges.size());
     }
 };
 
-Sampler::Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed,
-                 const std::vector<Unknown>& unknowns) {
-    check_law(net, law);
-    check_unknowns(net, unknowns);
-    m_state = std::make_unique<State>(net, law, seed, unknowns);
+Sampler::Sampler(const CableNet& net, const LengthPrior& prior, std::uint64_t seed,
+                 const std::vector<UncertainParameter>& uncertain) {
+    check_prior(net, prior);
+    check_uncertain_parameters(net, uncertain);
+    m_state = std::make_unique<State>(net, prior, seed, uncertain);
 }
 Sampler::~Sampler() = default;
 
@@ -148,9 +149,9 @@ const Equilibrium& Sampler::nominal() const {
 DataSet Sampler::empty() const {
     const State& s = *m_state;
     return {.net_fingerprint = s.net.fingerprint(),
-            .law = s.law,
+            .prior = s.prior,
             .seed = s.seed,
-            .unknowns = s.unknowns,
+            .uncertain = s.uncertain,
             .nominal_form = free_coordinates(s.net, s.nominal.form),
             .form_deviations = Eigen::MatrixXd(3 * s.net.free_node_count(), 0),
             .length_deviations = Eigen::MatrixXd(s.net.interior_edge_count(), 0),
@@ -193,8 +194,8 @@ void Sampler::draw_block_together(DataSet& data, int first, int count,
 void Sampler::extend(DataSet& data, int count, const Progress& progress,
                      const std::function<void()>& after_block) const {
     using Clock = std::chrono::steady_clock;
-    require_same("net, law, seed or unknowns", m_state->fingerprint());
-    int done = told_by_first(data.size());
+    require_same("net, prior, seed or uncertain", m_state->fingerprint());
+    int done = broadcast_from_first(data.size());
     int block = 16 * team().size();
     while (done < count) {
         progress("sampling", done, count);
@@ -210,7 +211,7 @@ void Sampler::extend(DataSet& data, int count, const Progress& progress,
             after_block();
         }
         // About a second each: long enough to copy little, short enough to tell and keep often.
-        if (told_by_first(Clock::now() - start < std::chrono::milliseconds(500))) {
+        if (broadcast_from_first(Clock::now() - start < std::chrono::milliseconds(500))) {
             block *= 2;
         }
     }
@@ -235,15 +236,15 @@ DataSet Sampler::joined(std::vector<SamplePart> parts) const {
     std::ranges::stable_sort(parts, {}, &SamplePart::first);
     DataSet data = empty();
     for (const auto& [first, samples] : parts) {
-        if (samples.net_fingerprint != data.net_fingerprint || samples.law != data.law ||
-            samples.seed != data.seed || samples.unknowns != data.unknowns ||
+        if (samples.net_fingerprint != data.net_fingerprint || samples.prior != data.prior ||
+            samples.seed != data.seed || samples.uncertain != data.uncertain ||
             samples.form_deviations.rows() != data.form_deviations.rows() ||
             samples.length_deviations.rows() != data.length_deviations.rows() ||
             samples.length_deviations.cols() != samples.size() ||
             std::ssize(samples.statuses) != samples.size() ||
             std::ssize(samples.slack_counts) != samples.size()) {
             throw std::invalid_argument(fmt::format(
-                "the part from sample {} on is of another net, law, seed or unknowns", first));
+                "the part from sample {} on is of another net, prior, seed or uncertain", first));
         }
         if (samples.size() > 0 && first != data.size()) {
             throw std::invalid_argument(fmt::format(

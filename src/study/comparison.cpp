@@ -112,10 +112,10 @@ private:
         m_comparison.seconds.training += paper_seconds + best_seconds;
 
         const CableNet& net = m_comparison.net;
-        const LengthLaw& law = m_comparison.settings.law;
+        const LengthPrior& prior = m_comparison.settings.prior;
         std::vector methods{method_as_in_paper(net, paper), method_by_processes(net, best),
-                            method_by_force_balance(net, law),
-                            method_by_maximum_a_posteriori(net, law)};
+                            method_by_force_balance(net, prior),
+                            method_by_maximum_a_posteriori(net, prior)};
         methods[0].training_seconds = paper_seconds;
         methods[1].training_seconds = best_seconds;
         const Stopwatch identification;
@@ -126,7 +126,7 @@ private:
         }
         m_comparison.seconds.identification += identification.seconds();
         if (count == m_comparison.settings.common_training() &&
-            !m_comparison.settings.unknowns.empty()) {
+            !m_comparison.settings.uncertain.empty()) {
             run_with_model_errors(count, methods);
         }
     }
@@ -137,7 +137,7 @@ private:
         const CableNet& net = m_comparison.net;
         const ComparisonSettings& settings = m_comparison.settings;
         const Stopwatch sampling;
-        const Sampler sampler(net, settings.law, settings.seed, settings.unknowns);
+        const Sampler sampler(net, settings.prior, settings.seed, settings.uncertain);
         const DataSet data = draw_samples(sampler, count + settings.surveys, m_progress);
         m_comparison.seconds.sampling += sampling.seconds();
         const Stopwatch training;
@@ -146,7 +146,7 @@ private:
         const double training_seconds = training.seconds();
         m_comparison.seconds.training += training_seconds;
         std::vector told{method_by_processes(net, model),
-                         method_by_maximum_a_posteriori(net, settings.law, settings.unknowns)};
+                         method_by_maximum_a_posteriori(net, settings.prior, settings.uncertain)};
         told[0].training_seconds = training_seconds;
         const SurveyKind kind{.noise_std = settings.common_noise()};
         const std::vector<Trial> trials =
@@ -182,7 +182,7 @@ private:
         const std::optional<BestPossible> best =
             cell.kind == SurveyKind{}
                 ? std::nullopt
-                : best_possible(m_comparison.net, m_comparison.settings.law, trials);
+                : best_possible(m_comparison.net, m_comparison.settings.prior, trials);
         std::vector<ComparisonRow> rows;
         for (const Method& method : methods) {
             if (cell.only_trained && !method.training_samples) {
@@ -242,10 +242,10 @@ void compare_epochs(Comparison& comparison, const DataSet& data, const std::vect
                                          .best_possible = {}});
     };
     const std::vector<Trial> first = simulate_trials(net, data, surveyed, kind, settings.seed);
-    add(method_by_maximum_a_posteriori(net, settings.law), first, 1, false);
+    add(method_by_maximum_a_posteriori(net, settings.prior), first, 1, false);
     std::vector<Trial> as_it_stands = first;
     std::vector<Trial> turned = first;
-    const Method method = method_by_epochs(net, settings.law);
+    const Method method = method_by_epochs(net, settings.prior);
     for (int epochs = 2; epochs <= settings.epochs; ++epochs) {
         as_it_stands = surveyed_again(net, std::move(as_it_stands), kind, false, settings.seed);
         add(method, as_it_stands, epochs, false);
@@ -299,7 +299,7 @@ double ComparisonSettings::common_noise() const {
 }
 
 void ComparisonSettings::check() const {
-    law.check();
+    prior.check();
     refuse_empty(*this);
     for (const double noise : noises) {
         if (!(noise >= 0.0) || !std::isfinite(noise)) {
@@ -338,7 +338,7 @@ void ComparisonSettings::check() const {
 Comparison compare_methods(const CableNet& net, const ComparisonSettings& settings,
                            const Progress& progress) {
     settings.check();
-    check_unknowns(net, settings.unknowns);
+    check_uncertain_parameters(net, settings.uncertain);
     const Stopwatch total;
     Comparison comparison{.net = net, .settings = settings};
     sort_once(comparison.settings.noises);
@@ -346,7 +346,7 @@ Comparison compare_methods(const CableNet& net, const ComparisonSettings& settin
     sort_once(comparison.settings.hidden_parts);
 
     const Stopwatch sampling;
-    const Sampler sampler(net, settings.law, settings.seed);
+    const Sampler sampler(net, settings.prior, settings.seed);
     const int training = comparison.settings.training_samples.back();
     const DataSet data = draw_samples(sampler, training + settings.surveys, progress);
     comparison.seconds.sampling = sampling.seconds();

@@ -15,8 +15,8 @@
 #include "numerics/random_numbers.hpp"
 #include "taut/identification/identify.hpp"
 #include "taut/numerical_error.hpp"
-#include "taut/sampling/circumstances.hpp"
 #include "taut/sampling/data_set.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
 #include "taut/survey/simulation.hpp"
@@ -29,8 +29,8 @@ constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identif
                                 ControlStrategy::nominal, ControlStrategy::once};
 
 void check_control(const CableNet& net, const ControlSettings& settings) {
-    check_law(net, settings.law);
-    check_unknowns(net, settings.uncertain);
+    check_prior(net, settings.prior);
+    check_uncertain_parameters(net, settings.uncertain);
     const auto require = [](bool is_sound, const char* what, double value) {
         if (!is_sound) {
             throw std::invalid_argument(fmt::format("{} is {:g}", what, value));
@@ -81,12 +81,12 @@ public:
     Job(const CableNet& net, const ControlSettings& settings, const FormTarget& target, int trial)
         : m_net(net), m_settings(settings), m_target(target), m_trial(trial) {
         const Eigen::VectorXd deviations =
-            draw_length_deviations(settings.law, settings.seed, static_cast<std::uint64_t>(trial),
+            draw_length_deviations(settings.prior, settings.seed, static_cast<std::uint64_t>(trial),
                                    net.interior_edge_count());
         m_true_lengths = with_length_deviations(net, deviations);
         if (!settings.uncertain.empty()) {
-            m_circumstances = draw_circumstances(net, settings.uncertain, settings.seed,
-                                                 static_cast<std::uint64_t>(trial));
+            m_perturbation = draw_perturbation(net, settings.uncertain, settings.seed,
+                                               static_cast<std::uint64_t>(trial));
         }
         m_told_strokes =
             Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
@@ -147,10 +147,10 @@ private:
 
     /// The net as it was built and turned, in equilibrium.
     [[nodiscard]] CableNet true_net(const Points& start) const {
-        if (!m_circumstances) {
+        if (!m_perturbation) {
             return with_lengths(m_net, m_true_lengths, start);
         }
-        const CableNet built = net_under(m_net, *m_circumstances, m_true_lengths);
+        const CableNet built = net_under(m_net, *m_perturbation, m_true_lengths);
         return with_lengths(built, built.unstressed_lengths(), start);
     }
 
@@ -200,9 +200,9 @@ private:
         if (strategy == ControlStrategy::identified) {
             const Identification found = identify(told, seen,
                                                   {.method = IdentificationMethod::map,
-                                                   .law = m_settings.law,
+                                                   .prior = m_settings.prior,
                                                    .prior_exact = true,
-                                                   .unknowns = m_settings.uncertain,
+                                                   .uncertain = m_settings.uncertain,
                                                    .draws = m_settings.draws,
                                                    .seed = seed_of(round)});
             if (found.status != IdentificationStatus::converged) {
@@ -250,7 +250,7 @@ private:
     const FormTarget& m_target;
     int m_trial;
     /// What is not as the net says besides lengths; empty: nothing.
-    std::optional<Circumstances> m_circumstances;
+    std::optional<ModelPerturbation> m_perturbation;
     Eigen::VectorXd m_true_lengths;  ///< as they would be in a net that is else as given [m]
     Eigen::VectorXd m_told_strokes;  ///< of the adjustable edges, in all [m]
     Points m_form;                   ///< the true one

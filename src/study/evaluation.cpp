@@ -220,15 +220,16 @@ MethodResult evaluate_together(const CableNet& net, const Method& method,
                      gathered(trials.size(), judge_all(net, trials, mine, outcomes)));
 }
 
-std::optional<BestPossible> best_possible(const CableNet& net, const LengthLaw& law,
+std::optional<BestPossible> best_possible(const CableNet& net, const LengthPrior& prior,
                                           const std::vector<Trial>& trials) {
     const std::vector<size_t> mine = share_of(trials.size());
     std::vector<Eigen::VectorXd> of_trials(mine.size());
     try {
         tbb::parallel_for(size_t{0}, mine.size(), [&](size_t i) {
             const Trial& trial = trials[mine[i]];
-            of_trials[i] = best_possible_variances(
-                net, with_length_deviations(net, trial.deviations), trial.form, trial.survey, law);
+            of_trials[i] =
+                best_possible_variances(net, with_length_deviations(net, trial.deviations),
+                                        trial.form, trial.survey, prior);
         });
     } catch (const NumericalError&) {
         of_trials.assign(mine.size(), Eigen::VectorXd());

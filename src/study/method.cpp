@@ -71,25 +71,25 @@ Method method_by_processes(const CableNet& net, const LengthModel& model) {
     return method_by_model("gp", false, net, model, identify_by_processes);
 }
 
-Method method_by_force_balance(const CableNet& net, const LengthLaw& law) {
+Method method_by_force_balance(const CableNet& net, const LengthPrior& prior) {
     return {
-        .name = "balance", .needs_all_nodes = true, .identify = [&net, law](const Trial& trial) {
-            return identify_by_force_balance(net, trial.survey, law);
+        .name = "balance", .needs_all_nodes = true, .identify = [&net, prior](const Trial& trial) {
+            return identify_by_force_balance(net, trial.survey, prior);
         }};
 }
 
-Method method_by_maximum_a_posteriori(const CableNet& net, const LengthLaw& law,
-                                      const std::vector<Unknown>& unknowns) {
-    Told told(law);
-    told.unknowns = unknowns;
+Method method_by_maximum_a_posteriori(const CableNet& net, const LengthPrior& prior,
+                                      const std::vector<UncertainParameter>& uncertain) {
+    Told told(prior);
+    told.uncertain = uncertain;
     return {.name = "map", .identify = [&net, told](const Trial& trial) {
                 return identify_by_maximum_a_posteriori(net, trial.survey, told);
             }};
 }
 
-Method method_by_epochs(const CableNet& net, const LengthLaw& law) {
+Method method_by_epochs(const CableNet& net, const LengthPrior& prior) {
     IdentifyOptions options;
-    options.law = law;
+    options.prior = prior;
     options.draws = 0;
     return {.name = "map", .identify = [&net, options](const Trial& trial) {
                 return identify_epochs(net, trial.epochs, options);

@@ -26,8 +26,8 @@
 namespace taut {
 namespace {
 
-constexpr double small_law = 0.002;
-constexpr double large_law = 0.005;
+constexpr double small_prior = 0.002;
+constexpr double large_prior = 0.005;
 constexpr double least_noise = 0.00005;
 constexpr double most_noise = 0.002;
 constexpr double hidden_part = 0.1;
@@ -71,7 +71,7 @@ private:
 Equilibrium draw_form(const CableNet& net, Dice& dice, SettlingSurvey& survey) {
     EquilibriumSolver solver(net);
     for (int draw = 0; draw < most_draws; ++draw) {
-        survey.deviations = draw_length_deviations(survey.law, dice.number(),
+        survey.deviations = draw_length_deviations(survey.prior, dice.number(),
                                                    static_cast<std::uint64_t>(survey.number),
                                                    net.interior_edge_count());
         Equilibrium found =
@@ -81,7 +81,7 @@ Equilibrium draw_form(const CableNet& net, Dice& dice, SettlingSurvey& survey) {
         }
     }
     throw NumericalError(fmt::format("{} draws of lengths {} found no equilibrium", most_draws,
-                                     survey.law.to_string()));
+                                     survey.prior.to_string()));
 }
 
 std::vector<bool> interior_flags(const CableNet& net, const std::vector<int>& edges) {
@@ -148,7 +148,7 @@ void hold_against_truth(SettlingOutcome& outcome, const Identification& result,
 
 SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
     SettlingOutcome outcome{.number = s.number,
-                            .law = s.law,
+                            .prior = s.prior,
                             .noise_std = s.noise_std,
                             .hidden_nodes = static_cast<int>(s.survey.missing.size()),
                             .gross_errors = s.gross_errors,
@@ -157,7 +157,7 @@ SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
     try {
         const Identification result = identify(net, s.survey,
                                                {.method = IdentificationMethod::map,
-                                                .law = s.law,
+                                                .prior = s.prior,
                                                 .prior_exact = true,
                                                 .draws = default_draws(net)});
         outcome.settled = result.status == IdentificationStatus::converged;
@@ -174,10 +174,10 @@ SettlingOutcome try_survey(const CableNet& net, const SettlingSurvey& s) {
 
 template <typename Packing>
 static void pack(Packing& packing, SettlingOutcome& outcome) {
-    auto& [number, law, noise_std, hidden_nodes, gross_errors, slack_edges, settled, message,
+    auto& [number, prior, noise_std, hidden_nodes, gross_errors, slack_edges, settled, message,
            seconds, inside, tensions_told, tensions_inside, slack_called, taut_as_slack,
            slack_as_taut, slack_reliability] = outcome;
-    packing(number, law, noise_std, hidden_nodes, gross_errors, slack_edges, settled, message,
+    packing(number, prior, noise_std, hidden_nodes, gross_errors, slack_edges, settled, message,
             seconds, inside, tensions_told, tensions_inside, slack_called, taut_as_slack,
             slack_as_taut, slack_reliability);
 }
@@ -196,8 +196,9 @@ SettlingSurvey settling_survey(const CableNet& net, std::uint64_t seed, int numb
     Dice dice(seed, number);
     SettlingSurvey result;
     result.number = number;
-    result.law = {.kind = LengthLaw::Kind::uniform, .scale = dice.toss() ? small_law : large_law};
-    check_law(net, result.law);
+    result.prior = {.kind = LengthPrior::Kind::uniform,
+                    .scale = dice.toss() ? small_prior : large_prior};
+    check_prior(net, result.prior);
     result.noise_std = std::exp(dice.uniform(std::log(least_noise), std::log(most_noise)));
     const bool with_hidden = dice.toss();
     const bool with_gross = dice.toss();

@@ -68,8 +68,8 @@ void try_methods(Study& study, const LengthModel& best, const Points& nominal_fo
     const std::vector<Trial> trials =
         simulate_trials(net, study.data, study.validation, {}, study.settings.seed);
     std::vector methods{method_as_in_paper(net, study.model), method_by_processes(net, best),
-                        method_by_force_balance(net, study.settings.law),
-                        method_by_maximum_a_posteriori(net, study.settings.law)};
+                        method_by_force_balance(net, study.settings.prior),
+                        method_by_maximum_a_posteriori(net, study.settings.prior)};
     for (Method* const trained : {&methods[0], &methods[1]}) {
         trained->training_seconds = 0.5 * study.seconds.training;
     }
@@ -86,7 +86,7 @@ void try_methods(Study& study, const LengthModel& best, const Points& nominal_fo
 }  // namespace
 
 void StudySettings::check() const {
-    law.check();
+    prior.check();
     if (samples < 3) {
         throw std::invalid_argument(fmt::format("{} samples, expected at least 3", samples));
     }
@@ -104,7 +104,7 @@ Study run_study(const CableNet& net, const StudySettings& settings, const Progre
     Study study{.net = net, .settings = settings};
 
     const Stopwatch sampling;
-    const Sampler sampler(net, settings.law, settings.seed);
+    const Sampler sampler(net, settings.prior, settings.seed);
     study.data = draw_samples(sampler, settings.samples, progress);
     study.seconds.sampling = sampling.seconds();
 

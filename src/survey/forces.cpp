@@ -39,7 +39,7 @@ void check_forces(const CableNet& net, const Forces& forces) {
                 fmt::format("edge '{}' is seen both taut and slack", net.edge_id(edge)));
         }
     }
-    for (const ForceReading& reading : forces.readings) {
+    for (const ForceMeasurement& reading : forces.readings) {
         mark(net, read, reading.edge, "the tension is read of");
         if (!(reading.tension >= 0.0) || !std::isfinite(reading.tension)) {
             throw std::invalid_argument(

@@ -18,8 +18,8 @@ constexpr double least_departure = 1e-4;
 }  // namespace
 
 bool MeasuredScale::is_significant() const {
-    const boost::math::students_t law(redundancy);
-    const double limit = boost::math::quantile(boost::math::complement(law, 0.5 * false_alarm));
+    const boost::math::students_t prior(redundancy);
+    const double limit = boost::math::quantile(boost::math::complement(prior, 0.5 * false_alarm));
     return std::abs(scale - 1.0) > limit * std;
 }
 

@@ -13,14 +13,14 @@ namespace {
 /// degrees, since pointing and levelling are no better.
 constexpr double least_sine = 0.1;
 
-Eigen::Vector3d line_of_sight(const PolarReading& reading) {
+Eigen::Vector3d line_of_sight(const PolarObservation& reading) {
     const double across = std::sin(reading.zenith);
     return {across * std::sin(reading.direction), across * std::cos(reading.direction),
             std::cos(reading.zenith)};
 }
 
 /// Across, up and along the line of sight, each over its standard deviation [1/m].
-Eigen::Matrix3d weighting(const PolarReading& reading) {
+Eigen::Matrix3d weighting(const PolarObservation& reading) {
     const double sin_a = std::sin(reading.direction);
     const double cos_a = std::cos(reading.direction);
     const double sin_z = std::sin(reading.zenith);
@@ -37,7 +37,7 @@ Eigen::Matrix3d weighting(const PolarReading& reading) {
 
 }  // namespace
 
-Eigen::Vector3d sighted(const PolarReading& reading) {
+Eigen::Vector3d sighted(const PolarObservation& reading) {
     return reading.distance * line_of_sight(reading);
 }
 
@@ -51,7 +51,7 @@ Eigen::Matrix3d rotation_of(const StationPose& pose) {
     return R;
 }
 
-PolarResidual polar_residual(const PolarReading& reading, const StationPose& pose,
+PolarResidual polar_residual(const PolarObservation& reading, const StationPose& pose,
                              const Eigen::Vector3d& target) {
     const Eigen::Vector3d prism = target + reading.target_height * Eigen::Vector3d::UnitZ();
     const Eigen::Matrix3d W = weighting(reading);

@@ -16,11 +16,11 @@ struct PolarResidual {
     Eigen::Matrix<double, 3, 4> by_pose;  ///< by place [1/m] and orientation [1/rad]
 };
 
-[[nodiscard]] PolarResidual polar_residual(const PolarReading& reading, const StationPose& pose,
+[[nodiscard]] PolarResidual polar_residual(const PolarObservation& reading, const StationPose& pose,
                                            const Eigen::Vector3d& target);
 
 /// The prism in the frame of its station, as read [m].
-[[nodiscard]] Eigen::Vector3d sighted(const PolarReading& reading);
+[[nodiscard]] Eigen::Vector3d sighted(const PolarObservation& reading);
 
 /// From the frame of a station to that of all.
 [[nodiscard]] Eigen::Matrix3d rotation_of(const StationPose& pose);

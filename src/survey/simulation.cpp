@@ -92,8 +92,8 @@ void check_stations(const PolarSimulation& simulation) {
 }
 
 /// Of a place in the net's frame by an instrument whose circle is turned by `orientation`.
-PolarReading reading_of(const Eigen::Vector3d& place, const Eigen::Vector3d& station,
-                        double orientation) {
+PolarObservation reading_of(const Eigen::Vector3d& place, const Eigen::Vector3d& station,
+                            double orientation) {
     const Eigen::Vector3d away = place - station;
     return {.direction = std::atan2(away.x(), away.y()) + orientation,
             .zenith = std::acos(std::clamp(away.z() / away.norm(), -1.0, 1.0)),
@@ -185,7 +185,7 @@ PolarSurvey simulate_polar_survey(const CableNet& net, const Points& form,
                     fmt::format("station {} stands at node '{}', expected it away from all targets",
                                 number + 1, net.node_id(node)));
             }
-            PolarReading reading = reading_of(form.col(node), station, orientation);
+            PolarObservation reading = reading_of(form.col(node), station, orientation);
             reading.station = number;
             reading.target = name;
             reading.angle_std = simulation.angle_std;

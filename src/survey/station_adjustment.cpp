@@ -26,7 +26,7 @@ constexpr double small_step_of_poses = 1e-9;  ///< [m], [rad]
 /// Two targets less far apart than this, seen from above, give no orientation [m].
 constexpr double least_spread = 0.01;
 
-void check_polar_reading(const PolarReading& reading, size_t stations) {
+void check_polar_observation(const PolarObservation& reading, size_t stations) {
     const auto is_positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (reading.station < 0 || reading.station >= static_cast<int>(stations)) {
         throw SurveyError(reading.line, fmt::format("is of station {}, expected 0 to {}",
@@ -57,8 +57,8 @@ public:
           m_poses(survey.stations.size()),
           m_seen_from(survey.stations.size()) {
         std::map<std::string, int> number_of;
-        for (const PolarReading& reading : m_readings) {
-            check_polar_reading(reading, m_stations.size());
+        for (const PolarObservation& reading : m_readings) {
+            check_polar_observation(reading, m_stations.size());
             const auto [found, is_new] =
                 number_of.emplace(reading.target, static_cast<int>(m_first.size()));
             if (is_new) {
@@ -122,7 +122,7 @@ private:
     };
 
     [[nodiscard]] int target_count() const { return static_cast<int>(m_first.size()); }
-    /// Where the unknowns of a station stand, or -1 of the datum.
+    /// Where the uncertain of a station stand, or -1 of the datum.
     [[nodiscard]] Eigen::Index at(int station) const {
         return station == m_datum ? -1 : 4 * (station - (station > m_datum ? 1 : 0));
     }
@@ -138,12 +138,12 @@ private:
     [[nodiscard]] std::pair<Eigen::MatrixXd, Eigen::RowVectorXd> common_modes_by_poses() const;
 
     const std::vector<PolarStation>& m_stations;
-    const std::vector<PolarReading>& m_readings;
+    const std::vector<PolarObservation>& m_readings;
     std::vector<StationPose> m_poses;
-    std::vector<const PolarReading*> m_first;  ///< of each target
-    std::vector<int> m_target_of;              ///< of each reading
-    std::vector<std::set<int>> m_seen_from;    ///< targets by station
-    Points m_places;                           ///< of the targets
+    std::vector<const PolarObservation*> m_first;  ///< of each target
+    std::vector<int> m_target_of;                  ///< of each reading
+    std::vector<std::set<int>> m_seen_from;        ///< targets by station
+    Points m_places;                               ///< of the targets
     int m_datum = 0;
     std::vector<TargetBlock> m_blocks;
     Eigen::MatrixXd m_pose_covariance;
@@ -180,7 +180,7 @@ void StationBlock::place_station(int station, const std::vector<bool>& is_known)
     Eigen::Vector3d seen_middle = Eigen::Vector3d::Zero();
     Eigen::Vector3d known_middle = Eigen::Vector3d::Zero();
     for (size_t i = 0; i < m_readings.size(); ++i) {
-        const PolarReading& reading = m_readings[i];
+        const PolarObservation& reading = m_readings[i];
         if (reading.station == station && is_known[m_target_of[i]]) {
             const Eigen::Vector3d height = reading.target_height * Eigen::Vector3d::UnitZ();
             pairs.emplace_back(sighted(reading) - height, m_places.col(m_target_of[i]));
@@ -215,7 +215,7 @@ void StationBlock::place_station(int station, const std::vector<bool>& is_known)
 void StationBlock::place_targets(int station, std::vector<bool>& is_known) {
     const StationPose& pose = m_poses[station];
     for (size_t i = 0; i < m_readings.size(); ++i) {
-        const PolarReading& reading = m_readings[i];
+        const PolarObservation& reading = m_readings[i];
         if (reading.station == station && !is_known[m_target_of[i]]) {
             m_places.col(m_target_of[i]) = pose.place + rotation_of(pose) * sighted(reading) -
                                            reading.target_height * Eigen::Vector3d::UnitZ();
@@ -358,7 +358,7 @@ StationAdjustment StationBlock::result() const {
 
 }  // namespace
 
-PolarReading in_first_face(PolarReading reading) {
+PolarObservation in_first_face(PolarObservation reading) {
     if (reading.zenith > std::numbers::pi) {
         reading.zenith = std::max(0.0, 2.0 * std::numbers::pi - reading.zenith);
         reading.direction +=

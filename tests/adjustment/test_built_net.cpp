@@ -20,7 +20,7 @@
 namespace taut {
 namespace {
 
-constexpr LengthLaw prior{LengthLaw::Kind::uniform, 0.002};
+constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.002};
 constexpr double noise = 0.5e-3;
 
 /// With loads, and cables that expand.
@@ -36,11 +36,11 @@ CableNet site_net() {
 }
 
 Identification identified(const CableNet& net, const Survey& survey,
-                          std::vector<Unknown> uncertain) {
+                          std::vector<UncertainParameter> uncertain) {
     return identify(net, survey,
                     {.method = IdentificationMethod::map,
-                     .law = prior,
-                     .unknowns = std::move(uncertain),
+                     .prior = prior,
+                     .uncertain = std::move(uncertain),
                      .draws = 30});
 }
 
@@ -51,9 +51,9 @@ void expect_same_samples(const CableNet& net, const Identification& found) {
     const BuiltNet built = built_net_of(net, found);
     ASSERT_EQ(built.no_draws_since, "");
     for (int d = 0; d < found.draws->count(); ++d) {
-        const Circumstances perturbation = built.perturbations.empty()
-                                               ? as_told(built.net)
-                                               : built.perturbations.at(static_cast<size_t>(d));
+        const ModelPerturbation perturbation = built.perturbations.empty()
+                                                   ? as_told(built.net)
+                                                   : built.perturbations.at(static_cast<size_t>(d));
         const CableNet sample = net_under(built.net, perturbation, built.length_draws.col(d));
         const Equilibrium equilibrium = solve_equilibrium(sample);
         const Eigen::VectorXd pull =
@@ -74,9 +74,10 @@ TEST(BuiltNet, HasTheSamplesOfAllThatIsUncertain) {
     for (const char* one : {"stiffness:5%", "stiffness-each:3%", "temperature:10K", "supports:1mm",
                             "adjustable:0.5mm", "loads:10%", "loads:2N"}) {
         SCOPED_TRACE(one);
-        expect_same_samples(net, identified(net, s.survey, {parse_unknown(one)}));
+        expect_same_samples(net, identified(net, s.survey, {parse_uncertain_parameter(one)}));
     }
-    std::vector<Unknown> all = with_site_assumptions(net, {parse_unknown("loads:10%")});
+    std::vector<UncertainParameter> all =
+        with_site_assumptions(net, {parse_uncertain_parameter("loads:10%")});
     expect_same_samples(net, identified(net, s.survey, std::move(all)));
 }
 
@@ -95,9 +96,9 @@ TEST(BuiltNet, HasTheSamplesOfASupportOrTurnbuckleThatTheSurveyContradicts) {
         const CableNet truth(*data);
         const test::SimulatedSurvey s = test::simulate(truth, prior, noise, 4);
         for (const bool is_uncertain : {false, true}) {
-            const Identification found =
-                identified(net, s.survey,
-                           is_uncertain ? with_site_assumptions(net, {}) : std::vector<Unknown>());
+            const Identification found = identified(
+                net, s.survey,
+                is_uncertain ? with_site_assumptions(net, {}) : std::vector<UncertainParameter>());
             ASSERT_EQ(found.boundary_outliers.size(), 1U);
             // At a support with one edge either is named, and the other as what it is confounded
             // with.
@@ -120,7 +121,7 @@ TEST(BuiltNet, HasTheSamplesOfASupportOrTurnbuckleThatTheSurveyContradicts) {
 TEST(BuiltNet, OfOlderSamplesWithoutWhatWasUncertainHasNone) {
     const CableNet net = site_net();
     const test::SimulatedSurvey s = test::simulate(net, prior, noise, 3);
-    Identification found = identified(net, s.survey, {parse_unknown("stiffness:5%")});
+    Identification found = identified(net, s.survey, {parse_uncertain_parameter("stiffness:5%")});
     found.draws->perturbations = {};
     const BuiltNet built = built_net_of(net, found);
     EXPECT_EQ(built.length_draws.cols(), 0);
@@ -136,7 +137,7 @@ TEST(Plan, HoldsItsLimitsWhateverTheStiffnessIs) {
     constexpr int draws = 200;
     built.length_draws = net.unstressed_lengths().replicate(1, draws);
     for (int d = 0; d < draws; ++d) {
-        Circumstances& one = built.perturbations.emplace_back(as_told(net));
+        ModelPerturbation& one = built.perturbations.emplace_back(as_told(net));
         one.stiffness.setConstant(common_std * normal(random));
     }
     Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 15e-3);
@@ -148,7 +149,7 @@ TEST(Plan, HoldsItsLimitsWhateverTheStiffnessIs) {
     EXPECT_GE(*plan.limit_probability, 0.95);
     int kept = 0;
     for (int job = 0; job < draws; ++job) {
-        Circumstances other = as_told(net);
+        ModelPerturbation other = as_told(net);
         other.stiffness.setConstant(common_std * normal(random));
         Eigen::VectorXd lengths = net.unstressed_lengths();
         for (const PlannedStroke& stroke : plan.strokes) {

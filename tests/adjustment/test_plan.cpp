@@ -313,7 +313,7 @@ TEST(Plan, HoldsItsLimitsInOtherDrawsThanItsOwn) {
     const Plan plan = plan_strokes(built, FormTarget(net, net.nodes()), limits);
     EXPECT_TRUE(plan.is_feasible);
     EXPECT_GE(plan.limit_probability, 0.95);
-    EXPECT_NEAR(plan.normal_unknown, 0.5e-3, 0.2e-3);
+    EXPECT_NEAR(plan.normal_std, 0.5e-3, 0.2e-3);
     int kept = 0;
     constexpr int jobs = 200;
     for (int i = 0; i < jobs; ++i) {

@@ -16,8 +16,8 @@ protected:
 
     /// Builds it again, with other lengths.
     void build(int seed) const {
-        must_run({"form", "net.json", "--law", "uniform:5mm", "--seed", std::to_string(seed), "-o",
-                  "built.csv", "--lengths", "truth.csv"});
+        must_run({"form", "net.json", "--prior", "uniform:5mm", "--seed", std::to_string(seed),
+                  "-o", "built.csv", "--lengths", "truth.csv"});
     }
 
     void survey(std::vector<std::string> options) const {

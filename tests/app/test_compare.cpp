@@ -24,7 +24,7 @@ protected:
 
     std::string compare(const std::string& directory, const std::string& extra = "--quiet") const {
         return must_run({"compare", "net.json", "-o", directory, "--noise", "0,0.5mm", "--training",
-                         "20,30", "--hidden", "0,25%", "--surveys", "4", "--law", "uniform:3mm",
+                         "20,30", "--hidden", "0,25%", "--surveys", "4", "--prior", "uniform:3mm",
                          "--seed", "5", extra});
     }
 };
@@ -35,7 +35,7 @@ TEST_F(Compare, WritesARowForEachMethodAndKindOfSurvey) {
     EXPECT_EQ(document["format"], "taut-comparison");
     EXPECT_EQ(document["version"], 1);
     EXPECT_EQ(document["net"]["name"], "hypar:6x6");
-    EXPECT_EQ(document["law"], "uniform:3mm");
+    EXPECT_EQ(document["prior"], "uniform:3mm");
     EXPECT_EQ(document["samples"]["total"], 34);
     ASSERT_EQ(document["rows"].size(), 2U * 4 + 2U * 2 + 4);
     for (const json& row : document["rows"]) {
@@ -59,7 +59,7 @@ TEST_F(Compare, TellsTheNumbersOfTheComparison) {
                                       .training_samples = {20, 30},
                                       .hidden_parts = {0.25},
                                       .surveys = 4,
-                                      .law = parse_length_law("uniform:3mm"),
+                                      .prior = parse_length_prior("uniform:3mm"),
                                       .seed = 5});
     ASSERT_EQ(document["rows"].size(), comparison.rows.size());
     for (size_t i = 0; i < comparison.rows.size(); ++i) {
@@ -98,11 +98,11 @@ TEST_F(Compare, WritesTheSameNumbersAsATable) {
 TEST_F(Compare, TriesNetsThatDifferInMoreThanLengthsToldAndNot) {
     const std::string text =
         must_run({"compare", "net.json", "-o", "out", "--noise", "0.5mm", "--training", "60",
-                  "--hidden", "0", "--surveys", "8", "--law", "uniform:2mm", "--unknown",
-                  "supports:2mm", "--unknown", "stiffness:5%"});
+                  "--hidden", "0", "--surveys", "8", "--prior", "uniform:2mm", "--uncertain",
+                  "supports:2mm", "--uncertain", "stiffness:5%"});
     EXPECT_THAT(text, testing::HasSubstr("On nets that differ in more than lengths, noise 0.5 mm"));
     const json document = json::parse(read("out/comparison.json"));
-    EXPECT_EQ(document["unknowns"], (json{"supports:2mm", "stiffness:5%"}));
+    EXPECT_EQ(document["uncertain"], (json{"supports:2mm", "stiffness:5%"}));
     std::map<std::string, double> coverage;
     for (const json& row : document["model_error_rows"]) {
         coverage[row["method"].get<std::string>() + " " + row["model_errors"].get<std::string>()] =
@@ -119,7 +119,7 @@ TEST_F(Compare, TriesNetsThatDifferInMoreThanLengthsToldAndNot) {
 TEST_F(Compare, TellsWhatSurveysAddWithAndWithoutTurnsInBetween) {
     const std::string text =
         must_run({"compare", "net.json", "-o", "out", "--noise", "0.5mm", "--training", "60",
-                  "--hidden", "0", "--surveys", "12", "--law", "uniform:2mm", "--epochs", "3"});
+                  "--hidden", "0", "--surveys", "12", "--prior", "uniform:2mm", "--epochs", "3"});
     EXPECT_THAT(text, testing::HasSubstr("Over the surveys of each net, all used at once"));
     const json document = json::parse(read("out/comparison.json"));
     std::map<std::string, double> mse;

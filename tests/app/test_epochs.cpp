@@ -19,20 +19,20 @@ class EpochCommand : public ProgramTest {
 protected:
     EpochCommand() {
         must_run({"example", "hypar:6x6", "-o", "net.json"});
-        must_run({"form", "net.json", "--law", "uniform:3mm", "--seed", "7", "-o", "built.csv",
+        must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "-o", "built.csv",
                   "--lengths", "truth.csv"});
         must_run({"survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "first.csv"});
-        must_run({"identify", "net.json", "first.csv", "--law", "uniform:3mm", "--draws", "50",
+        must_run({"identify", "net.json", "first.csv", "--prior", "uniform:3mm", "--draws", "50",
                   "-o", "one.json"});
         must_run({"plan", "net.json", "one.json", "-o", "plan.json", "--csv", "turns.csv"});
-        must_run({"form", "net.json", "--law", "uniform:3mm", "--seed", "7", "--turned",
+        must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "--turned",
                   "turns.csv", "-o", "turned_form.csv"});
         must_run({"survey", "net.json", "turned_form.csv", "--noise", "0.3mm", "--seed", "2", "-o",
                   "second.csv"});
     }
 
     [[nodiscard]] Outcome identify(const std::string& epoch) const {
-        return run({"identify", "net.json", "first.csv", "--law", "uniform:3mm", "--draws", "50",
+        return run({"identify", "net.json", "first.csv", "--prior", "uniform:3mm", "--draws", "50",
                     "--epoch", epoch, "-o", "both.json"});
     }
 };
@@ -73,7 +73,7 @@ TEST_F(EpochCommand, LeadsToAPlanOfWhatIsLeft) {
 }
 
 TEST_F(EpochCommand, HasTheEdgesThatWereTurnedInTheTruth) {
-    must_run({"form", "net.json", "--law", "uniform:3mm", "--seed", "7", "--turned", "turns.csv",
+    must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "--turned", "turns.csv",
               "--lengths", "turned_truth.csv", "-o", "form.csv"});
     const std::string before = read("truth.csv");
     const std::string after = read("turned_truth.csv");
@@ -96,8 +96,8 @@ TEST_F(EpochCommand, ShowsWidthsOfAFewDigits) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json result = json::parse(read("both.json"));
     int widths = 0;
-    for (const json& unknown : result["unknowns"]) {
-        const auto told = unknown["told"].get<std::string>();
+    for (const json& unknown : result["uncertain"]) {
+        const auto told = unknown["given"].get<std::string>();
         if (told.starts_with("adjustable:")) {
             ++widths;
             EXPECT_EQ(told, "adjustable:0.124mm");

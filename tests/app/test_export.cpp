@@ -20,7 +20,7 @@ class Export : public ProgramTest {
 protected:
     Export() {
         write("net.json", net_to_json(hypar(3, 4), R"({"colour": "red"})"));
-        must_run({"form", "net.json", "--law", "uniform:5mm", "--seed", "7", "-o", "built.csv",
+        must_run({"form", "net.json", "--prior", "uniform:5mm", "--seed", "7", "-o", "built.csv",
                   "--lengths", "truth.csv"});
     }
 
@@ -140,8 +140,8 @@ TEST_F(Export, CountsTheLengthsThatTheSurveyDoesNotTell) {
     identify({});
     json result = json::parse(read("result.json"));
     result["edges"][0]["status"] = "slack";
-    result["edges"][1]["status"] = "not determined";
-    result["edges"][2]["status"] = "not determined";
+    result["edges"][1]["status"] = "not_determined";
+    result["edges"][2]["status"] = "not_determined";
     write("result.json", result.dump());
     EXPECT_THAT(
         must_run({"export", "result.json", "--to", "net", "-o", "built.json"}),

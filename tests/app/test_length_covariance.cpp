@@ -17,13 +17,13 @@ class LengthCovarianceOption : public ProgramTest {
 protected:
     LengthCovarianceOption() {
         must_run({"example", "hypar:6x6", "-o", "net.json"});
-        must_run({"form", "net.json", "--law", "uniform:3mm", "--seed", "7", "-o", "built.csv"});
+        must_run({"form", "net.json", "--prior", "uniform:3mm", "--seed", "7", "-o", "built.csv"});
         must_run({"survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "survey.csv"});
     }
 
     [[nodiscard]] Outcome identify(std::vector<std::string> options) const {
         options.insert(options.begin(),
-                       {"identify", "net.json", "survey.csv", "--law", "uniform:3mm", "--draws",
+                       {"identify", "net.json", "survey.csv", "--prior", "uniform:3mm", "--draws",
                         "20", "--covariance-of", "edges.txt"});
         return run(options);
     }

@@ -18,7 +18,7 @@ class PolarWorkflow : public ProgramTest {
 protected:
     PolarWorkflow() {
         must_run({"example", "hypar:8x8", "-o", "net.json"});
-        must_run({"form", "net.json", "--law", "uniform:4mm", "--seed", "7", "-o", "built.csv",
+        must_run({"form", "net.json", "--prior", "uniform:4mm", "--seed", "7", "-o", "built.csv",
                   "--lengths", "truth.csv"});
     }
 
@@ -28,15 +28,16 @@ protected:
     }
 
     [[nodiscard]] json identified() const {
-        return json::parse(run({"identify", "net.json", "readings.csv", "--law", "uniform:4mm",
+        return json::parse(run({"identify", "net.json", "readings.csv", "--prior", "uniform:4mm",
                                 "--uncertain", "none", "--draws", "0", "--json"})
                                .out);
     }
 
     [[nodiscard]] double forecast() const {
-        const json told = json::parse(run({"inspect", "net.json", "--survey", "readings.csv",
-                                           "--law", "uniform:4mm", "--uncertain", "none", "--json"})
-                                          .out);
+        const json told =
+            json::parse(run({"inspect", "net.json", "--survey", "readings.csv", "--prior",
+                             "uniform:4mm", "--uncertain", "none", "--json"})
+                            .out);
         return told["survey"]["rms_std"];
     }
 };

@@ -21,8 +21,8 @@ using nlohmann::json;
 struct Roof {
     std::string name;
     int interior_edges;
-    double move;      ///< of a node, by the load [m]
-    std::string law;  ///< by which most samples have slack edges
+    double move;        ///< of a node, by the load [m]
+    std::string prior;  ///< by which most samples have slack edges
 };
 
 void PrintTo(const Roof& roof, std::ostream* stream) {
@@ -96,14 +96,14 @@ TEST_P(SteelRoofChain, TakesTheSameFormByNewtonsMethodAndByTheConicSolver) {
 
 TEST_P(SteelRoofChain, GoesThroughSamplingTrainingAndIdentificationAndItsSlackEdgesAreTold) {
     import_with_loads("balance");
-    const json drawn = json::parse(must_run(
-        {"sample", "net.json", "-n", "30", "--law", GetParam().law, "-o", "data.h5", "--json"}));
+    const json drawn = json::parse(must_run({"sample", "net.json", "-n", "30", "--prior",
+                                             GetParam().prior, "-o", "data.h5", "--json"}));
     EXPECT_EQ(drawn["not_converged"], 0);
     EXPECT_GT(drawn["with_slack"], 20);
     must_run({"train", "data.h5", "-o", "model.h5", "--quiet"});
     // Of a net as built, some edges are slack.
-    const json built = json::parse(must_run(
-        {"form", "net.json", "--law", GetParam().law, "--seed", "3", "-o", "built.csv", "--json"}));
+    const json built = json::parse(must_run({"form", "net.json", "--prior", GetParam().prior,
+                                             "--seed", "3", "-o", "built.csv", "--json"}));
     EXPECT_GT(built["slack_edges"].size(), 0U);
     const json result = json::parse(
         must_run({"identify", "net.json", "built.csv", "--model", "model.h5", "--json"}));
@@ -117,10 +117,10 @@ TEST_P(SteelRoofChain, GoesThroughSamplingTrainingAndIdentificationAndItsSlackEd
 TEST_P(SteelRoofChain, TellsTheSlackEdgesOfAnExactFormAndNoOthersAndNoMoreThanTheirMeasuredLength) {
     import_with_loads("balance");
     const json built =
-        json::parse(must_run({"form", "net.json", "--law", "uniform:5mm", "--seed", "3", "-o",
+        json::parse(must_run({"form", "net.json", "--prior", "uniform:5mm", "--seed", "3", "-o",
                               "built.csv", "--lengths", "truth.csv", "--json"}));
     const std::vector<double> truth = true_deviations();
-    const json result = json::parse(must_run({"identify", "net.json", "built.csv", "--law",
+    const json result = json::parse(must_run({"identify", "net.json", "built.csv", "--prior",
                                               "uniform:5mm", "--method", "balance", "--json"}));
     ASSERT_EQ(result["edges"].size(), truth.size());
     const std::set<int> truly_slack = built["slack_edges"];

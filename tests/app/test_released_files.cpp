@@ -27,7 +27,7 @@ protected:
 TEST_P(FilesOfRelease, NetFormAndSurveyGiveTheLengthsOfThen) {
     must_run({"form", "net.json", "-o", "form.csv"});
     const json now = json::parse(
-        must_run({"identify", "net.json", "survey.csv", "--law", "uniform:2mm", "--prior-exact",
+        must_run({"identify", "net.json", "survey.csv", "--prior", "uniform:2mm", "--prior-exact",
                   "--uncertain", "none", "--draws", "40", "-o", "now.json", "--json"}));
     const json then = json::parse(read("result.json"));
     ASSERT_EQ(now["edges"].size(), then["edges"].size());

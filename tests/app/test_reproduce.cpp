@@ -26,7 +26,7 @@ protected:
     std::string reproduce(const std::string& directory,
                           const std::string& extra = "--quiet") const {
         return must_run({"reproduce", "--net", "net.json", "--samples", "50", "--validation", "8",
-                         "--law", "uniform:3mm", "--seed", "5", "-o", directory, extra});
+                         "--prior", "uniform:3mm", "--seed", "5", "-o", directory, extra});
     }
 };
 
@@ -58,7 +58,7 @@ TEST_F(Reproduce, TellsTheNumbersOfTheStudy) {
     const json results = json::parse(read("study/results.json"));
     const Study study = run_study(
         hypar(3, 4),
-        {.samples = 50, .validation = 8, .law = parse_length_law("uniform:3mm"), .seed = 5});
+        {.samples = 50, .validation = 8, .prior = parse_length_prior("uniform:3mm"), .seed = 5});
     const json& method = results["methods"]["gp_as_in_paper"];
     const LengthErrors& errors = study.as_in_paper().errors;
     EXPECT_DOUBLE_EQ(method["mse"], errors.mse);
@@ -132,7 +132,7 @@ TEST_F(Reproduce, TellsHowItCameAbout) {
     const json results = json::parse(read("study/results.json"));
     EXPECT_EQ(
         results["command"],
-        "taut reproduce --net net.json --samples 50 --validation 8 --law uniform:3mm --seed 5 "
+        "taut reproduce --net net.json --samples 50 --validation 8 --prior uniform:3mm --seed 5 "
         "-o study --quiet");
     EXPECT_THAT(results["date"].get<std::string>(), testing::MatchesRegex("....-..-.. ..:.. UTC"));
 }

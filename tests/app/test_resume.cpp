@@ -25,9 +25,9 @@ protected:
     }
 
     /// Samples as an interrupted run leaves them.
-    void write_partial(int count, const CableNet& net = hypar(2, 3), const LengthLaw& law = {},
+    void write_partial(int count, const CableNet& net = hypar(2, 3), const LengthPrior& prior = {},
                        std::uint64_t seed = 1) const {
-        const Sampler sampler(net, law, seed);
+        const Sampler sampler(net, prior, seed);
         DataSet data = sampler.empty();
         sampler.extend(data, count);
         write_data_set(folder() / "data.h5.partial", data, {.net = net, .unknown_keys = "{}"});
@@ -96,9 +96,9 @@ TEST_F(Resume, RefusesAFinishedDataSetOfAnotherNet) {
     expect_refused(hypar(2, 4).fingerprint());
 }
 
-TEST_F(Resume, RefusesADataSetOfAnotherLaw) {
-    write_partial(10, hypar(2, 3), {LengthLaw::Kind::uniform, 0.004});
-    expect_refused("law uniform:4mm, expected uniform:5mm");
+TEST_F(Resume, RefusesADataSetOfAnotherPrior) {
+    write_partial(10, hypar(2, 3), {LengthPrior::Kind::uniform, 0.004});
+    expect_refused("prior uniform:4mm, expected uniform:5mm");
 }
 
 TEST_F(Resume, RefusesADataSetOfAnotherSeed) {

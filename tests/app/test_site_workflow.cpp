@@ -18,7 +18,7 @@ class SiteWorkflow : public ProgramTest {
 protected:
     SiteWorkflow() {
         must_run({"example", "hilo-quarter", "-o", "net.json"});
-        must_run({"form", "net.json", "--law", "uniform:5mm", "--seed", "7", "-o", "built.csv",
+        must_run({"form", "net.json", "--prior", "uniform:5mm", "--seed", "7", "-o", "built.csv",
                   "--lengths", "truth.csv"});
     }
 
@@ -129,7 +129,7 @@ TEST_F(SiteWorkflow, TellsTensionsWithIntervalsAndKeepsTheDraws) {
     EXPECT_TRUE(exists("r_draws.h5"));
     const json result = json::parse(read("r.json"));
     EXPECT_EQ(result["draws"]["count"], 200);
-    EXPECT_EQ(result["draws"]["doubt"], nullptr);
+    EXPECT_EQ(result["draws"]["reason"], nullptr);
     EXPECT_EQ(result["adjustable_edges"].size(), 128U);
     EXPECT_EQ(result["missing_places"].size(), 30U);
     for (const json& edge : result["edges"]) {

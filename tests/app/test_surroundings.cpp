@@ -112,7 +112,7 @@ TEST_F(Surroundings, AWantOfThreadsIsAnErrorAndNoOutcomeOfATrial) {
     EXPECT_EQ(read("err"), "");
     for (const std::string words : {"trials net.json --surveys 3 -o out",
                                     "control net.json --trials 2 --rounds 1 -o out "
-                                    "--law uniform:5mm --noise 1mm --stroke 20mm"}) {
+                                    "--prior uniform:5mm --noise 1mm --stroke 20mm"}) {
         EXPECT_EQ(shell(taut + words + " --quiet > /dev/null 2> err"), 1) << words;
         EXPECT_EQ(read("err"),
                   "taut: error: pthread_create has failed: Resource temporarily unavailable\n");
@@ -141,7 +141,7 @@ TEST_F(Surroundings, NamesDoNotSteerTheTerminal) {
 
 TEST_F(Surroundings, EmptyArgumentsAreRefused) {
     expect_error(run({"form", "net.json", "-o", ""}), 2, "argument 4 is empty");
-    expect_error(run({"form", "net.json", "--law", "uniform:1mm", "--lengths="}), 2,
+    expect_error(run({"form", "net.json", "--prior", "uniform:1mm", "--lengths="}), 2,
                  "argument 5 is empty");
     must_run({"form", "net.json", "--output=a="});
     EXPECT_THAT(read("a="), testing::StartsWith("id,x,y,z"));
@@ -151,7 +151,7 @@ TEST_F(Surroundings, QuantitiesBeyondAllThatIsBuiltAreRefused) {
     must_run({"form", "net.json", "-o", "form.csv"});
     expect_error(run({"survey", "net.json", "form.csv", "--noise", "1e308m", "-o", "s.csv"}), 2,
                  "1e308m");
-    expect_error(run({"inspect", "net.json", "--survey", "form.csv", "--law", "uniform:1m"}), 2,
+    expect_error(run({"inspect", "net.json", "--survey", "form.csv", "--prior", "uniform:1m"}), 2,
                  "expected less than the shortest interior");
 }
 
@@ -163,7 +163,7 @@ TEST_F(Surroundings, SeedsThatDifferInTheirUpperHalfHaveOtherNoise) {
     }
     EXPECT_NE(read("1.csv"), read("4294967297.csv"));
     for (const std::string seed : {"1", "4294967297"}) {
-        must_run({"compare", "net.json", "-o", seed, "--law", "uniform:2mm", "--noise", "0.5mm",
+        must_run({"compare", "net.json", "-o", seed, "--prior", "uniform:2mm", "--noise", "0.5mm",
                   "--training", "10", "--surveys", "2", "--seed", seed, "--quiet"});
     }
     const auto balance = [this](const std::string& seed) {
@@ -191,7 +191,7 @@ TEST_F(Surroundings, NoiseThatIsToldHoldsForPointsThatTellNone) {
         }
         write("survey.csv", survey);
         const Outcome outcome = run({"identify", "net.json", "survey.csv", "--noise", "0.4mm",
-                                     "--law", "uniform:5mm", "-o", "out.json"});
+                                     "--prior", "uniform:5mm", "-o", "out.json"});
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_THAT(outcome.out + outcome.err,
                     testing::AnyOf(HasSubstr("standard deviations of 0"),

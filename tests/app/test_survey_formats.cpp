@@ -26,7 +26,7 @@ protected:
 
     json identify(const std::string& name, std::vector<std::string> options = {}) const {
         options.insert(options.begin(),
-                       {"identify", "net.json", data_file(name), "--noise", "0.2mm", "--law",
+                       {"identify", "net.json", data_file(name), "--noise", "0.2mm", "--prior",
                         "uniform:2mm", "--draws", "0", "--json"});
         const Outcome outcome = run(options);
         EXPECT_EQ(outcome.exit_code, 0) << name << ": " << outcome.err;

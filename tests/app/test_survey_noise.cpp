@@ -88,7 +88,7 @@ TEST_F(SurveyNoise, OfTargetsOffTheCablesIsWhatItIsWhereTheOffsetIsTold) {
         build(seed);
         survey({"--noise", "0.5mm", "--offset", "3mm:0.2mm", "--seed", std::to_string(seed)});
         // By the prior that is true and no other, which intervals would hold more than 95 % for.
-        const auto told = identify("survey.csv", {"--offset", "3mm:0.2mm", "--law", "uniform:5mm",
+        const auto told = identify("survey.csv", {"--offset", "3mm:0.2mm", "--prior", "uniform:5mm",
                                                   "--prior-exact"})
                               .result;
         EXPECT_EQ(told["trust"]["verdict"], "passed") << told["trust"];

@@ -27,7 +27,7 @@ TEST_F(Trials, TellEachSurveyOfEachNet) {
     ASSERT_EQ(document["nets"].size(), 1U);
     ASSERT_EQ(document["nets"][0]["surveys"].size(), 3U);
     const std::string csv = read("out/trials.csv");
-    EXPECT_THAT(csv, testing::StartsWith("net,seed,survey,law,noise,"));
+    EXPECT_THAT(csv, testing::StartsWith("net,seed,survey,prior,noise,"));
     EXPECT_EQ(std::ranges::count(csv, '\n'), 4);
     EXPECT_EQ(files().size(), 4U);
 }

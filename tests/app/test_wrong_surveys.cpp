@@ -143,7 +143,7 @@ TEST_F(WrongSurveys, ThatAreMirroredOrOfAnotherScale) {
     // As it says:
     write("north.csv", changed("id,y,x,z\n", north_first));
     EXPECT_EQ(run({"identify", "net.json", "north.csv", "--noise", "0.2mm", "--columns", "id,y,x,z",
-                   "--draws", "0", "--law", "uniform:2mm"})
+                   "--draws", "0", "--prior", "uniform:2mm"})
                   .exit_code,
               0);
     const auto inches = [](int, const std::string& id, double x, double y, double z) {

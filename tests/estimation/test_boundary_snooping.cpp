@@ -15,7 +15,7 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 
-constexpr LengthLaw law{LengthLaw::Kind::normal, 0.002};
+constexpr LengthPrior prior{LengthPrior::Kind::normal, 0.002};
 constexpr double noise = 0.5e-3;
 
 /// A fit to a survey of a net whose boundary is not as told.
@@ -26,9 +26,9 @@ struct Fitted {
     GaussNewtonResult result;
 
     Fitted(const CableNet& told, const CableNet& built, bool tested)
-        : net(told), simulated(simulate(built, law, noise, 3)) {
+        : net(told), simulated(simulate(built, prior, noise, 3)) {
         fit = std::make_unique<SurveyFit>(
-            net, simulated.survey, PriorKnowledge(net, law),
+            net, simulated.survey, PriorKnowledge(net, prior),
             SurveyFitSettings{.false_alarm_rate = tested ? default_false_alarm_rate : 0.0});
         result = fit->run();
     }

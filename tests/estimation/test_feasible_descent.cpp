@@ -47,7 +47,7 @@ struct Weak {
                       at.deviations.cwiseAbs2().cwiseQuotient(observed.variance).sum());
     }
 
-    /// The form of given lengths under the rounded law: Newton's method on the forces alone.
+    /// The form of given lengths under the rounded prior: Newton's method on the forces alone.
     [[nodiscard]] Iterate balanced(LinearisedStatics& statics, Iterate at) const {
         Observations known = observed;
         known.weights.setZero();

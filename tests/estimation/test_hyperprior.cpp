@@ -46,11 +46,11 @@ TEST(Hyperprior, NodesOfOnePlaceAreOne) {
 }
 
 TEST(Hyperprior, IsAroundWhatWasGiven) {
-    const LengthLaw uniform{LengthLaw::Kind::uniform, 0.002};
+    const LengthPrior uniform{LengthPrior::Kind::uniform, 0.002};
     EXPECT_EQ(hyperprior_around(uniform).centre, uniform);
     EXPECT_GT(hyperprior_around(uniform).uniform_probability, 0.5);
-    EXPECT_LT(hyperprior_around({LengthLaw::Kind::normal, 0.002}).uniform_probability, 0.5);
-    EXPECT_EQ(hyperprior_around({LengthLaw::Kind::bimodal, 0.002}).uniform_probability, 0.0);
+    EXPECT_LT(hyperprior_around({LengthPrior::Kind::normal, 0.002}).uniform_probability, 0.5);
+    EXPECT_EQ(hyperprior_around({LengthPrior::Kind::bimodal, 0.002}).uniform_probability, 0.0);
     EXPECT_GT(broad_hyperprior().log_std, hyperprior_around(uniform).log_std);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against posteriors that are not law times likelihood, and intervals that leave the law.
+// Guards against posteriors that are not prior times likelihood, and intervals that leave the
+// prior.
 
 #include "taut/estimation/length_posterior.hpp"
 
@@ -16,27 +17,27 @@ namespace {
 using namespace taut;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-const LengthLaw uniform{LengthLaw::Kind::uniform, 0.005};
-const LengthLaw normal{LengthLaw::Kind::normal, 0.002};
-const LengthLaw bimodal{LengthLaw::Kind::bimodal, 0.004};
+const LengthPrior uniform{LengthPrior::Kind::uniform, 0.005};
+const LengthPrior normal{LengthPrior::Kind::normal, 0.002};
+const LengthPrior bimodal{LengthPrior::Kind::bimodal, 0.004};
 
-double density(const LengthLaw& law, double x) {
+double density(const LengthPrior& prior, double x) {
     const auto bell = [](double z) { return std::exp(-0.5 * z * z); };
-    switch (law.kind) {
-        case LengthLaw::Kind::uniform:
-            return std::abs(x) <= law.scale ? 1.0 : 0.0;
-        case LengthLaw::Kind::normal:
-            return bell(x / law.scale);
+    switch (prior.kind) {
+        case LengthPrior::Kind::uniform:
+            return std::abs(x) <= prior.scale ? 1.0 : 0.0;
+        case LengthPrior::Kind::normal:
+            return bell(x / prior.scale);
         default:
-            return bell((x - law.scale) / (0.2 * law.scale)) +
-                   bell((x + law.scale) / (0.2 * law.scale));
+            return bell((x - prior.scale) / (0.2 * prior.scale)) +
+                   bell((x + prior.scale) / (0.2 * prior.scale));
     }
 }
 
 /// Mean, std, the probability below lower and above upper, and of being slack, by the sum over a
 /// fine grid.
-void expect_as_on_a_grid(const LengthLaw& law, const LengthLikelihood& l) {
-    const LengthPosterior found = posterior_of(law, l);
+void expect_as_on_a_grid(const LengthPrior& prior, const LengthLikelihood& l) {
+    const LengthPosterior found = posterior_of(prior, l);
     double mass = 0.0, first = 0.0, second = 0.0, below = 0.0, above = 0.0, slack = 0.0;
     constexpr double step = 1e-7;
     for (double x = -0.02; x <= 0.02; x += step) {
@@ -46,11 +47,11 @@ void expect_as_on_a_grid(const LengthLaw& law, const LengthLikelihood& l) {
         const double loose = x > l.slack_from && std::isfinite(l.extension)
                                  ? std::exp(-0.5 * l.extension * l.extension) / l.std
                                  : 0.0;
-        const double p = density(law, x) * (taut + loose);
+        const double p = density(prior, x) * (taut + loose);
         mass += p;
         first += p * x;
         second += p * x * x;
-        slack += density(law, x) * loose;
+        slack += density(prior, x) * loose;
         below += x < found.lower ? p : 0.0;
         above += x > found.upper ? p : 0.0;
     }
@@ -64,20 +65,20 @@ void expect_as_on_a_grid(const LengthLaw& law, const LengthLikelihood& l) {
     }
 }
 
-TEST(PosteriorOf, IsLawTimesLikelihood) {
-    for (const LengthLaw& law : {uniform, normal, bimodal}) {
+TEST(PosteriorOf, IsPriorTimesLikelihood) {
+    for (const LengthPrior& prior : {uniform, normal, bimodal}) {
         for (const double std : {0.0003, 0.002, 0.02}) {
             for (const double mean : {-0.0045, 0.0, 0.003}) {
-                expect_as_on_a_grid(law, {.mean = mean, .std = std});
+                expect_as_on_a_grid(prior, {.mean = mean, .std = std});
                 expect_as_on_a_grid(
-                    law,
+                    prior,
                     {.mean = mean, .std = std, .slack_from = mean + 0.5 * std, .extension = 0.5});
             }
         }
     }
 }
 
-TEST(PosteriorOf, IsTheLawWhereTheSurveyTellsNothing) {
+TEST(PosteriorOf, IsThePriorWhereTheSurveyTellsNothing) {
     const LengthPosterior p = posterior_of(uniform, {});
     EXPECT_NEAR(p.mean, 0.0, 1e-12);
     EXPECT_NEAR(p.std, uniform.std(), 1e-9);
@@ -85,7 +86,7 @@ TEST(PosteriorOf, IsTheLawWhereTheSurveyTellsNothing) {
     EXPECT_EQ(status_of(uniform.std(), p), EdgeStatus::not_determined);
 }
 
-TEST(PosteriorOf, NeverLeavesTheBoundsOfAUniformLaw) {
+TEST(PosteriorOf, NeverLeavesTheBoundsOfAUniformPrior) {
     for (const double mean : {-1.0, -0.006, -0.005, 0.0049, 0.0051, 0.3}) {
         for (const double std : {1e-9, 1e-5, 1e-3, 1.0}) {
             const LengthPosterior p = posterior_of(uniform, {.mean = mean, .std = std});
@@ -150,10 +151,10 @@ TEST(LengthPosterior, OfAnEdgeUnderAnyPressureIsThatOfASlackOne) {
     for (const double z : {-1e7, -1e160, -1e300}) {
         LengthLikelihood pressed = slack;
         pressed.extension = z;
-        for (const LengthLaw& law : {uniform, normal, bimodal}) {
-            EXPECT_EQ(posterior_of(law, pressed).mean, posterior_of(law, slack).mean);
-            pressed.slack_from = 0.9;  // beyond any law
-            EXPECT_TRUE(std::isfinite(posterior_of(law, pressed).mean));
+        for (const LengthPrior& prior : {uniform, normal, bimodal}) {
+            EXPECT_EQ(posterior_of(prior, pressed).mean, posterior_of(prior, slack).mean);
+            pressed.slack_from = 0.9;  // beyond any prior
+            EXPECT_TRUE(std::isfinite(posterior_of(prior, pressed).mean));
             pressed.slack_from = slack.slack_from;
         }
     }

@@ -66,7 +66,7 @@ protected:
         m_statics.invert();
     }
 
-    // All unknowns as one vector: places of all nodes, lengths, loads of free nodes, common ones.
+    // All uncertain as one vector: places of all nodes, lengths, loads of free nodes, common ones.
     [[nodiscard]] Eigen::VectorXd together(const Iterate& it) const {
         Eigen::VectorXd x(m_size);
         x << it.form.reshaped(), it.deviations, it.loads(Eigen::all, m_net.free_nodes()).reshaped(),
@@ -116,16 +116,17 @@ protected:
     }
 
     const CableNet m_net = loaded_net();
-    const std::vector<Unknown> m_unknowns{
-        parse_unknown("supports:1mm"), parse_unknown("stiffness:5%@half"),
-        parse_unknown("temperature:15K"), parse_unknown("loads:20N"), parse_unknown("loads:10%")};
+    const std::vector<UncertainParameter> m_uncertain{
+        parse_uncertain_parameter("supports:1mm"), parse_uncertain_parameter("stiffness:5%@half"),
+        parse_uncertain_parameter("temperature:15K"), parse_uncertain_parameter("loads:20N"),
+        parse_uncertain_parameter("loads:10%")};
     const Eigen::Index m_places = 3 * m_net.node_count();
     const Eigen::Index m_lengths = m_net.interior_edge_count();
     const Eigen::Index m_loads = 3 * m_net.free_node_count();
     const Eigen::Index m_size = m_places + m_lengths + m_loads + 3;
     Iterate m_iterate = nominal_iterate(m_net, 3);
     Observations m_observed = nothing_observed(m_net, 0.002, 3);
-    LinearisedStatics m_statics{m_net, m_unknowns};
+    LinearisedStatics m_statics{m_net, m_uncertain};
 };
 
 /// The dense system [Q A'; A 0], with Q the weights and A the derivative of the forces.

@@ -222,7 +222,7 @@ TEST_F(OnALargerHypar, LengthsThatGoFirstLeaveWhatThoseThatGoLastDo) {
     }
 }
 
-// A far more precise survey than the lengths' law: variances fall by ten orders of magnitude.
+// A far more precise survey than the lengths' prior: variances fall by ten orders of magnitude.
 TEST_F(OnALargerHypar, PreciseSurveysKeepTheDigits) {
     m_factor.place_weights.setConstant(1e10);
     ASSERT_TRUE(m_factor.factorize());

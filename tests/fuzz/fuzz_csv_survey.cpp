@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto text = fuzz::text_of(data, size);
     static const CableNet net = hypar(2, 3);
     fuzz::refuse_or_read([&] {
-        for (const ForceReading& reading : parse_force_readings(net, text, "forces.csv")) {
+        for (const ForceMeasurement& reading : parse_force_measurements(net, text, "forces.csv")) {
             fuzz::require(reading.tension >= 0.0 && reading.std > 0.0);
         }
     });
@@ -24,7 +24,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         }
     });
     fuzz::refuse_or_read([&] {
-        for (const PolarReading& reading : parse_polar_csv(text, "readings.csv", 1.0).readings) {
+        for (const PolarObservation& reading :
+             parse_polar_csv(text, "readings.csv", 1.0).readings) {
             fuzz::require(reading.distance > 0.0 && reading.zenith >= 0.0);
         }
     });

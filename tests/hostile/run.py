@@ -56,7 +56,7 @@ def make_originals(sandbox: Sandbox, folder: Path):
     folder.mkdir()
     do("example", "hypar:4x4", "-o", "net.json")
     do("form", "net.json", "-o", "form.csv")
-    do("form", "net.json", "--law", "uniform:1mm", "-o", "built.csv")
+    do("form", "net.json", "--prior", "uniform:1mm", "-o", "built.csv")
     do("survey", "net.json", "built.csv", "--noise", "0.3mm", "-o", "survey.csv")
     do("survey", "net.json", "built.csv", "--noise", "0.3mm", "--seed", "2", "-o", "second.csv")
     do(
@@ -78,7 +78,7 @@ def make_originals(sandbox: Sandbox, folder: Path):
         "survey.csv",
         "--noise",
         "0.3mm",
-        "--law",
+        "--prior",
         "uniform:1mm",
         "-o",
         "result.json",

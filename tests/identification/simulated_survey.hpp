@@ -13,19 +13,19 @@
 
 namespace taut::test {
 
-/// Lengths drawn from a law, their form, and a survey of it with normal noise.
+/// Lengths drawn from a prior, their form, and a survey of it with normal noise.
 struct SimulatedSurvey {
     Eigen::VectorXd deviations;  ///< m_I, the truth [m]
     Equilibrium truth;
     Survey survey;
 };
 
-/// @param alter what is otherwise than the law has it, of the length deviations (m_I)
+/// @param alter what is otherwise than the prior has it, of the length deviations (m_I)
 inline SimulatedSurvey simulate(
-    const CableNet& net, const LengthLaw& law, double noise_std, std::uint64_t seed,
+    const CableNet& net, const LengthPrior& prior, double noise_std, std::uint64_t seed,
     const std::function<void(Eigen::VectorXd&)>& alter = [](Eigen::VectorXd&) {}) {
     SimulatedSurvey s;
-    s.deviations = draw_length_deviations(law, 11, seed, net.interior_edge_count());
+    s.deviations = draw_length_deviations(prior, 11, seed, net.interior_edge_count());
     alter(s.deviations);
     s.truth = EquilibriumSolver(net).solve(with_length_deviations(net, s.deviations), net.nodes());
     s.survey = {.form = s.truth.form,

@@ -29,7 +29,7 @@ CableNet turned(const CableNet& net, const Eigen::Matrix3d& R) {
 class CorrelatedNoise : public ::testing::Test {
 protected:
     CorrelatedNoise() {
-        m_survey = test::simulate(m_net, m_law, 0.0, 21).survey;
+        m_survey = test::simulate(m_net, m_prior, 0.0, 21).survey;
         std::mt19937_64 random(5);
         std::normal_distribution<double> normal;
         for (const int node : m_net.free_nodes()) {
@@ -88,27 +88,28 @@ protected:
         Eigen::AngleAxisd(0.9, Eigen::Vector3d(1.0, -2.0, 0.7).normalized()).toRotationMatrix();
     const CableNet m_net = hypar(4, 5);
     const CableNet m_turned_net = turned(m_net, R);
-    const LengthLaw m_law{LengthLaw::Kind::normal, 2e-3};
+    const LengthPrior m_prior{LengthPrior::Kind::normal, 2e-3};
     Survey m_survey;
     Survey m_turned;
 };
 
 TEST_F(CorrelatedNoise, ATurnedFrameChangesNoLength) {
-    expect_the_same_lengths({.law = m_law}, 1e-7);
+    expect_the_same_lengths({.prior = m_prior}, 1e-7);
 }
 
 TEST_F(CorrelatedNoise, NorWhereTheFrameIsUnknown) {
     m_survey.frame_is_unknown = m_turned.frame_is_unknown = true;
-    expect_the_same_lengths({.law = m_law}, 1e-7);
+    expect_the_same_lengths({.prior = m_prior}, 1e-7);
 }
 
 TEST_F(CorrelatedNoise, NorWhereSupportsAre) {
-    expect_the_same_lengths({.law = m_law, .unknowns = {parse_unknown("supports:1mm")}}, 1e-7);
+    expect_the_same_lengths(
+        {.prior = m_prior, .uncertain = {parse_uncertain_parameter("supports:1mm")}}, 1e-7);
 }
 
 TEST_F(CorrelatedNoise, ItsDiagonalAloneIsAnotherSurvey) {
     m_turned.noise_correlations.setZero();
-    const auto [straight, turned] = both({.law = m_law});
+    const auto [straight, turned] = both({.prior = m_prior});
     double largest = 0.0;
     for (size_t i = 0; i < straight.edges.size(); ++i) {
         largest = std::max(largest, std::abs(straight.edges[i].length_deviation -
@@ -122,16 +123,16 @@ TEST_F(CorrelatedNoise, AGrossErrorStandsOutAsMuchInATurnedFrame) {
     const Eigen::Vector3d error(12e-3, 0.0, 3e-3);
     m_survey.form.col(node) += error;
     m_turned.form.col(node) += R * error;
-    const auto [straight, turned] = both({.law = m_law});
+    const auto [straight, turned] = both({.prior = m_prior});
     ASSERT_EQ(straight.outliers.size(), 1U);
     EXPECT_EQ(straight.outliers.front().node, node);
-    expect_the_same_lengths({.law = m_law}, 1e-7);
+    expect_the_same_lengths({.prior = m_prior}, 1e-7);
 }
 
 // Draws are made anew in the turned frame: their spread is the same up to chance, some 4 % of it in
 // the root mean square of so many edges.
 TEST_F(CorrelatedNoise, DrawsSpreadAsMuchInATurnedFrame) {
-    const auto [straight, turned] = both({.law = m_law, .draws = 200});
+    const auto [straight, turned] = both({.prior = m_prior, .draws = 200});
     ASSERT_TRUE(straight.draws && turned.draws);
     const auto spread = [](const Eigen::MatrixXd& draws) {
         const Eigen::MatrixXd centred = draws.colwise() - draws.rowwise().mean();

@@ -25,7 +25,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.005};
+constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.005};
 constexpr double noise = 0.5e-3;
 
 const CableNet& net() {
@@ -85,7 +85,7 @@ TEST(Epochs, AreThoseOfOneLeastSquaresProblem) {
         epochs.push_back(std::move(epoch));
     }
     IdentifyOptions options;
-    options.law = LengthLaw{LengthLaw::Kind::normal, reference["law"]};
+    options.prior = LengthPrior{LengthPrior::Kind::normal, reference["law"]};
     options.prior_exact = true;
     const Identification result = identify_epochs(small, epochs, options);
     ASSERT_EQ(result.status, IdentificationStatus::converged);
@@ -123,10 +123,10 @@ std::vector<EdgeTurned> some_turns(std::uint64_t seed, double play = 0.0) {
 /// @param slip change of interior lengths in between (m_I); empty: none
 Job job_of(std::uint64_t seed, const std::vector<EdgeTurned>& told,
            const std::vector<EdgeTurned>& done, const Eigen::VectorXd& slip = {}) {
-    const test::SimulatedSurvey first = test::simulate(net(), law, noise, seed);
+    const test::SimulatedSurvey first = test::simulate(net(), prior, noise, seed);
     const CableNet after = turned_net(net(), done);
     test::SimulatedSurvey second =
-        test::simulate(after, law, noise, seed, [&](Eigen::VectorXd& deviations) {
+        test::simulate(after, prior, noise, seed, [&](Eigen::VectorXd& deviations) {
             if (slip.size() > 0) {
                 deviations += slip;
             }
@@ -145,9 +145,9 @@ Job job_of(std::uint64_t seed, const std::vector<EdgeTurned>& told,
                        {.survey = second.survey, .turned = told}}};
 }
 
-IdentifyOptions with_law() {
+IdentifyOptions with_prior() {
     IdentifyOptions options;
-    options.law = law;
+    options.prior = prior;
     options.draws = 0;
     return options;
 }
@@ -177,8 +177,8 @@ TEST(Epochs, TellMoreThanOneSurvey) {
         const std::vector<EdgeTurned> turned = some_turns(seed);
         const Job job = job_of(seed, turned, turned);
         const Score alone =
-            score(identify(net(), job.epochs[0].survey, with_law()), job.deviations);
-        const Identification result = identify_epochs(net(), job.epochs, with_law());
+            score(identify(net(), job.epochs[0].survey, with_prior()), job.deviations);
+        const Identification result = identify_epochs(net(), job.epochs, with_prior());
         EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed)
             << result.trust.findings[0].reason;
         ASSERT_EQ(result.epochs.size(), 2U);
@@ -201,7 +201,7 @@ TEST(Epochs, NameATurnThatWasDoneTheWrongWay) {
         done[3].stroke = told[3].stroke > 0.0 ? -5e-3 : 5e-3;
         const double wrong = done[3].stroke - told[3].stroke;
         const Job job = job_of(seed, told, done);
-        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        const Identification result = identify_epochs(net(), job.epochs, with_prior());
         ASSERT_EQ(result.epochs.size(), 2U);
         const std::vector<LengthChange>& changes = result.epochs[1].changes;
         ASSERT_EQ(changes.size(), 1U) << seed;
@@ -219,7 +219,7 @@ TEST(Epochs, NameACableThatSlipped) {
         slip(40) = 8e-3;
         const std::vector<EdgeTurned> turned = some_turns(seed);
         const Job job = job_of(seed, turned, turned, slip);
-        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        const Identification result = identify_epochs(net(), job.epochs, with_prior());
         const std::vector<LengthChange>& changes = result.epochs[1].changes;
         ASSERT_EQ(changes.size(), 1U) << seed;
         EXPECT_EQ(changes[0].edge, net().interior_edges()[40]);
@@ -232,7 +232,7 @@ TEST(Epochs, NameACableThatSlipped) {
 
 TEST(Epochs, AreRefusedWhereTheTurnsAreOfAnotherDay) {
     const Job job = job_of(1, some_turns(1), some_turns(2));
-    const Identification result = identify_epochs(net(), job.epochs, with_law());
+    const Identification result = identify_epochs(net(), job.epochs, with_prior());
     EXPECT_EQ(result.status, IdentificationStatus::survey_does_not_fit);
     EXPECT_THAT(result.message, HasSubstr("Check the turns given"));
 }
@@ -244,7 +244,7 @@ TEST(Epochs, FailWhereAllTurnsAreALittleOff) {
         one.stroke *= 1.15;  // a pitch told wrong
     }
     const Job job = job_of(1, told, done);
-    const Identification result = identify_epochs(net(), job.epochs, with_law());
+    const Identification result = identify_epochs(net(), job.epochs, with_prior());
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::failed);
     EXPECT_NEAR(result.epochs[1].stroke_factor, 1.15, 4.0 * result.epochs[1].stroke_factor_std);
 }
@@ -262,10 +262,10 @@ TEST(Epochs, TakeThePlayOfTurnbucklesIntoAccount) {
             one.stroke += normal(random);
         }
         const Job job = job_of(seed, told, done);
-        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        const Identification result = identify_epochs(net(), job.epochs, with_prior());
         EXPECT_NE(result.trust.verdict(), Trust::Verdict::failed)
             << result.trust.findings[0].reason;
-        EXPECT_EQ(result.unknowns.size(), told.size());
+        EXPECT_EQ(result.uncertain.size(), told.size());
         sum.inside += score(result, job.deviations).inside / jobs;
     }
     EXPECT_GT(sum.inside, 0.92);
@@ -285,11 +285,12 @@ TEST(Epochs, SayThatTurnsHadPlay) {
             one.stroke += normal(random);
         }
         const Job job = job_of(seed, told, done);
-        const Identification result = identify_epochs(net(), job.epochs, with_law());
+        const Identification result = identify_epochs(net(), job.epochs, with_prior());
         EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed) << seed;
-        EXPECT_GT(result.epochs[1].untold_play + (result.epochs[1].changes.empty() ? 0.0 : play),
-                  0.5 * play);
-        EXPECT_LT(result.epochs[1].untold_play, 2.0 * play);
+        EXPECT_GT(
+            result.epochs[1].excess_actuator_std + (result.epochs[1].changes.empty() ? 0.0 : play),
+            0.5 * play);
+        EXPECT_LT(result.epochs[1].excess_actuator_std, 2.0 * play);
         sum.inside += score(result, job.deviations).inside / jobs;
     }
     EXPECT_GT(sum.inside, 0.92);
@@ -300,7 +301,7 @@ TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
     const std::vector<EdgeTurned> off{{.edge = adjustable[3], .stroke = 6e-3},
                                       {.edge = adjustable[28], .stroke = -6e-3}};
     const CableNet built = turned_net(net(), off);
-    const test::SimulatedSurvey first = test::simulate(built, law, noise, 5);
+    const test::SimulatedSurvey first = test::simulate(built, prior, noise, 5);
     std::mt19937_64 random(99);
     std::normal_distribution<double> normal(0.0, noise);
     std::vector<Epoch> epochs(2);
@@ -309,7 +310,7 @@ TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
         epoch.survey.form =
             first.truth.form.unaryExpr([&](double place) { return place + normal(random); });
     }
-    const Identification result = identify_epochs(net(), epochs, with_law());
+    const Identification result = identify_epochs(net(), epochs, with_prior());
     std::vector<int> named;
     for (const LengthChange& change : result.epochs[0].changes) {
         named.push_back(change.edge);
@@ -326,28 +327,28 @@ TEST(Epochs, NameTurnbucklesThatWereOffFromTheBeginning) {
 TEST(Epochs, SayThatOneSurveyWasToldTwice) {
     const std::vector<EdgeTurned> turned = some_turns(4);
     Job job = job_of(4, turned, turned);
-    EXPECT_EQ(identify_epochs(net(), job.epochs, with_law()).trust.verdict(),
+    EXPECT_EQ(identify_epochs(net(), job.epochs, with_prior()).trust.verdict(),
               Trust::Verdict::passed);
     job.epochs[1].turned.clear();
     job.epochs[1].survey.form = job.epochs[0].survey.form.unaryExpr(
         [](double place) { return 1e-4 * std::round(1e4 * place); });
-    EXPECT_EQ(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().kind,
+    EXPECT_EQ(identify_epochs(net(), job.epochs, with_prior()).trust.findings.back().kind,
               Trust::Finding::Kind::repeated_survey);
     job.epochs[1].survey.form.colwise() += Eigen::Vector3d(1e-3, -2e-3, 3e-3);
     for (Epoch& epoch : job.epochs) {
         epoch.survey.frame_is_unknown = true;
     }
-    EXPECT_EQ(identify_epochs(net(), job.epochs, with_law()).trust.findings.back().kind,
+    EXPECT_EQ(identify_epochs(net(), job.epochs, with_prior()).trust.findings.back().kind,
               Trust::Finding::Kind::repeated_survey);
 }
 
-TEST(Epochs, SayThatTheLawIsAnother) {
+TEST(Epochs, SayThatThePriorIsAnother) {
     const std::vector<EdgeTurned> turned = some_turns(2);
     const Job job = job_of(2, turned, turned);
-    IdentifyOptions options = with_law();
-    options.law = LengthLaw{LengthLaw::Kind::uniform, 1e-3};
+    IdentifyOptions options = with_prior();
+    options.prior = LengthPrior{LengthPrior::Kind::uniform, 1e-3};
     const Identification result = identify_epochs(net(), job.epochs, options);
-    EXPECT_TRUE(result.contradicted_law);
+    EXPECT_TRUE(result.contradicted_prior);
     EXPECT_NE(result.trust.verdict(), Trust::Verdict::passed);
     EXPECT_EQ(result.trust.findings[0].kind, Trust::Finding::Kind::prior);
     EXPECT_THAT(result.trust.findings[0].reason, HasSubstr("Survey 1: "));
@@ -368,12 +369,12 @@ TEST(Epochs, TakeCablesThatWereSlackAtOneSurvey) {
             let_out.push_back({.edge = edge, .stroke = 2e-3});
         }
         const CableNet loose = turned_net(net(), let_out);
-        const test::SimulatedSurvey first = test::simulate(loose, law, noise, seed);
+        const test::SimulatedSurvey first = test::simulate(loose, prior, noise, seed);
         if (first.truth.slack_edges.empty()) {
             continue;
         }
         test::SimulatedSurvey second =
-            test::simulate(turned_net(loose, tightened), law, noise, seed);
+            test::simulate(turned_net(loose, tightened), prior, noise, seed);
         std::mt19937_64 random(seed);
         std::normal_distribution<double> normal(0.0, noise);
         second.survey.form =
@@ -382,7 +383,7 @@ TEST(Epochs, TakeCablesThatWereSlackAtOneSurvey) {
             identify_epochs(loose,
                             std::vector<Epoch>{{.survey = first.survey, .turned = {}},
                                                {.survey = second.survey, .turned = tightened}},
-                            with_law());
+                            with_prior());
         ASSERT_EQ(result.status, IdentificationStatus::converged) << seed;
         for (size_t i = 0; i < result.edges.size(); ++i) {
             const IdentifiedEdge& edge = result.edges[i];
@@ -402,24 +403,24 @@ TEST(Epochs, NeedNoAdjustableEdges) {
     data.adjustable.clear();
     data.thread.clear();
     const CableNet fixed{data};
-    const test::SimulatedSurvey first = test::simulate(fixed, law, noise, 1);
+    const test::SimulatedSurvey first = test::simulate(fixed, prior, noise, 1);
     std::mt19937_64 random(9);
     std::normal_distribution<double> normal(0.0, noise);
     Epoch second{.survey = first.survey, .turned = {}};
     second.survey.form =
         first.truth.form.unaryExpr([&](double place) { return place + normal(random); });
     const std::vector<Epoch> epochs{{.survey = first.survey, .turned = {}}, second};
-    const Identification result = identify_epochs(fixed, epochs, with_law());
+    const Identification result = identify_epochs(fixed, epochs, with_prior());
     EXPECT_EQ(result.trust.verdict(), Trust::Verdict::passed);
     EXPECT_GT(score(result, first.deviations).inside, 0.9);
-    const Identification alone = identify(fixed, first.survey, with_law());
+    const Identification alone = identify(fixed, first.survey, with_prior());
     EXPECT_LT(score(result, first.deviations).rmse, score(alone, first.deviations).rmse);
 }
 
 TEST(Epochs, DrawAsWidelyAsTheyTell) {
     const std::vector<EdgeTurned> turned = some_turns(2);
     const Job job = job_of(2, turned, turned);
-    IdentifyOptions options = with_law();
+    IdentifyOptions options = with_prior();
     options.draws = 200;
     const Identification result = identify_epochs(net(), job.epochs, options);
     ASSERT_TRUE(result.draws);
@@ -438,22 +439,22 @@ TEST(Epochs, DrawAsWidelyAsTheyTell) {
 TEST(Epochs, DrawWhatTurnsWithPlayAre) {
     const std::vector<EdgeTurned> turned = some_turns(6, 0.5e-3);
     const Job job = job_of(6, turned, turned);
-    IdentifyOptions options = with_law();
+    IdentifyOptions options = with_prior();
     options.draws = 200;
     const Identification result = identify_epochs(net(), job.epochs, options);
     ASSERT_TRUE(result.draws);
     const Eigen::MatrixXd& drawn = result.draws->adjustable_deviations;
     ASSERT_EQ(drawn.rows(), std::ssize(net().adjustable_edges()));
     ASSERT_EQ(drawn.cols(), result.draws->count());
-    ASSERT_EQ(result.unknowns.size(), turned.size());
+    ASSERT_EQ(result.uncertain.size(), turned.size());
     double ratio = 0.0;
-    for (const UnknownEstimate& one : result.unknowns) {
+    for (const ParameterEstimate& one : result.uncertain) {
         const auto row = std::ranges::find(net().adjustable_edges(), one.edge) -
                          net().adjustable_edges().begin();
         const Eigen::VectorXd of_edge = drawn.row(row);
         const double std = std::sqrt((of_edge.array() - of_edge.mean()).square().mean());
         EXPECT_NEAR(of_edge.mean(), one.mean, 0.5 * one.std);
-        ratio += std / one.std / static_cast<double>(result.unknowns.size());
+        ratio += std / one.std / static_cast<double>(result.uncertain.size());
     }
     EXPECT_NEAR(ratio, 1.0, 0.1);
     const BuiltNet built = built_net_of(net(), result);
@@ -474,7 +475,7 @@ TEST(Epochs, MaySeeOtherTargetsInOtherFrames) {
     for (Epoch& epoch : job.epochs) {
         epoch.survey.frame_is_unknown = true;
     }
-    const Identification result = identify_epochs(net(), job.epochs, with_law());
+    const Identification result = identify_epochs(net(), job.epochs, with_prior());
     ASSERT_EQ(result.status, IdentificationStatus::converged);
     ASSERT_TRUE(result.frame_offset);
     EXPECT_NEAR(result.frame_offset->translation.x(), 3e-3,
@@ -490,41 +491,42 @@ TEST(Epochs, RefuseWhatTheyCannotTell) {
     const auto refused = [&](const std::vector<Epoch>& epochs, const IdentifyOptions& options) {
         return [=] { static_cast<void>(identify_epochs(net(), epochs, options)); };
     };
-    EXPECT_THAT(refused({job.epochs[0]}, with_law()),
+    EXPECT_THAT(refused({job.epochs[0]}, with_prior()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("at least two surveys")));
-    IdentifyOptions options = with_law();
-    options.unknowns = {parse_unknown("supports:1mm")};
+    IdentifyOptions options = with_prior();
+    options.uncertain = {parse_uncertain_parameter("supports:1mm")};
     EXPECT_THAT(refused(job.epochs, options),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("does not go with --epoch")));
     std::vector<Epoch> exact = job.epochs;
     exact[1].survey.noise_std.setZero();
-    EXPECT_THAT(refused(exact, with_law()), ThrowsMessage<EpochError>(HasSubstr("noise")));
+    EXPECT_THAT(refused(exact, with_prior()), ThrowsMessage<EpochError>(HasSubstr("noise")));
     try {
-        static_cast<void>(identify_epochs(net(), exact, with_law()));
+        static_cast<void>(identify_epochs(net(), exact, with_prior()));
     } catch (const EpochError& error) {
         EXPECT_EQ(error.epoch(), 1U);
     }
     std::vector<Epoch> wrong = job.epochs;
     wrong[1].survey = wrong[0].survey;
-    EXPECT_THAT(refused(wrong, with_law()), ThrowsMessage<SurveyError>(HasSubstr("counted twice")));
+    EXPECT_THAT(refused(wrong, with_prior()),
+                ThrowsMessage<SurveyError>(HasSubstr("counted twice")));
     wrong = job.epochs;
     wrong[1].turned.push_back({.edge = net().interior_edges()[0], .stroke = 1e-3});
-    EXPECT_THAT(refused(wrong, with_law()),
+    EXPECT_THAT(refused(wrong, with_prior()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("expected an adjustable one")));
     wrong = job.epochs;
     wrong[1].turned.push_back(wrong[1].turned[0]);
-    EXPECT_THAT(refused(wrong, with_law()),
+    EXPECT_THAT(refused(wrong, with_prior()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("a second time")));
     wrong = job.epochs;
     wrong[1].turned[0].stroke = 1.0;
-    EXPECT_THAT(refused(wrong, with_law()),
+    EXPECT_THAT(refused(wrong, with_prior()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("a quarter of its length")));
     // Each less than that, and together more.
     wrong = job.epochs;
     wrong[1].turned = {
         {.edge = turned[0].edge, .stroke = 0.2 * net().unstressed_lengths()(turned[0].edge)}};
     wrong.push_back(wrong[1]);
-    EXPECT_THAT(refused(wrong, with_law()),
+    EXPECT_THAT(refused(wrong, with_prior()),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("until survey 3")));
 }
 

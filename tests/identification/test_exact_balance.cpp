@@ -29,9 +29,9 @@ struct BuiltNet {
     Survey survey;
 };
 
-BuiltNet build(const CableNet& net, const LengthLaw& law, std::uint64_t sample) {
+BuiltNet build(const CableNet& net, const LengthPrior& prior, std::uint64_t sample) {
     BuiltNet built;
-    built.deviations = draw_length_deviations(law, seed, sample, net.interior_edge_count());
+    built.deviations = draw_length_deviations(prior, seed, sample, net.interior_edge_count());
     built.equilibrium =
         EquilibriumSolver(net).solve(with_length_deviations(net, built.deviations), net.nodes());
     built.survey.form = built.equilibrium.form;
@@ -39,9 +39,9 @@ BuiltNet build(const CableNet& net, const LengthLaw& law, std::uint64_t sample) 
     return built;
 }
 
-/// Taut edges to a nanometre where the law leaves them free, all others named slack, and the form
+/// Taut edges to a nanometre where the prior leaves them free, all others named slack, and the form
 /// found again.
-void expect_all_lengths(const CableNet& net, const LengthLaw& law, const BuiltNet& built,
+void expect_all_lengths(const CableNet& net, const LengthPrior& prior, const BuiltNet& built,
                         const Identification& found) {
     ASSERT_EQ(built.equilibrium.status, EquilibriumStatus::converged);
     for (int i = 0; i < net.interior_edge_count(); ++i) {
@@ -49,9 +49,10 @@ void expect_all_lengths(const CableNet& net, const LengthLaw& law, const BuiltNe
         const bool is_slack = std::ranges::binary_search(built.equilibrium.slack_edges, edge.edge);
         EXPECT_EQ(edge.status, is_slack ? EdgeStatus::slack : EdgeStatus::determined) << edge.edge;
         const double error = std::abs(edge.length_deviation - built.deviations(i));
-        // By a bound of the law the mean of what is left lies off it, by what stands for the noise.
-        const bool is_by_a_bound = std::abs(built.deviations(i)) > law.scale - 6.0 * edge.std;
-        EXPECT_LT(error, is_slack        ? 2.0 * law.scale
+        // By a bound of the prior the mean of what is left lies off it, by what stands for the
+        // noise.
+        const bool is_by_a_bound = std::abs(built.deviations(i)) > prior.scale - 6.0 * edge.std;
+        EXPECT_LT(error, is_slack        ? 2.0 * prior.scale
                          : is_by_a_bound ? 2.0 * edge.std
                                          : 1e-9)
             << edge.edge;
@@ -64,9 +65,9 @@ void expect_all_lengths(const CableNet& net, const LengthLaw& law, const BuiltNe
 TEST(ExactBalance, FindsLengthsAndSlackEdgesOfTheBuiltInNet) {
     const CableNet net = hilo_quarter();
     for (const double reach : {5e-3, 10e-3}) {
-        const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = reach};
-        const BuiltNet built = build(net, law, 0);
-        expect_all_lengths(net, law, built, identify_by_exact_balance(net, built.survey, law));
+        const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = reach};
+        const BuiltNet built = build(net, prior, 0);
+        expect_all_lengths(net, prior, built, identify_by_exact_balance(net, built.survey, prior));
     }
 }
 
@@ -75,19 +76,20 @@ TEST(ExactBalance, FindsThoseOfANetOfSteelWithoutLoads) {
     data.axial_stiffness *= 100.0;
     data.unstressed_lengths = data.unstressed_lengths.array() * 1.008;
     const CableNet net(std::move(data));
-    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 0.2e-3};
-    const BuiltNet built = build(net, law, 0);
-    expect_all_lengths(net, law, built, identify_by_exact_balance(net, built.survey, law));
+    const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = 0.2e-3};
+    const BuiltNet built = build(net, prior, 0);
+    expect_all_lengths(net, prior, built, identify_by_exact_balance(net, built.survey, prior));
 }
 
 void expect_lengths_though_edges_are_slack(const CableNet& net,
                                            const std::vector<double>& reaches) {
     for (const double reach : reaches) {
-        const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = reach};
+        const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = reach};
         for (const std::uint64_t sample : {1, 2, 3}) {
-            const BuiltNet built = build(net, law, sample);
+            const BuiltNet built = build(net, prior, sample);
             EXPECT_THAT(built.equilibrium.slack_edges, ::testing::Not(::testing::IsEmpty()));
-            expect_all_lengths(net, law, built, identify_by_exact_balance(net, built.survey, law));
+            expect_all_lengths(net, prior, built,
+                               identify_by_exact_balance(net, built.survey, prior));
         }
     }
 }
@@ -103,12 +105,12 @@ TEST(ExactBalance, FindsThoseOfTheHiloRoofThoughDozensOfEdgesAreSlack) {
 
 /// Errors of one survey's lengths go together: of four, more than 93 % of the intervals hold.
 void expect_to_settle_with_little_noise(const CableNet& net) {
-    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 5e-3};
+    const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = 5e-3};
     constexpr double noise = 0.1e-3;
     constexpr int surveys = 4;
     int inside = 0;
     for (int sample = 1; sample <= surveys; ++sample) {
-        BuiltNet built = build(net, law, static_cast<std::uint64_t>(sample));
+        BuiltNet built = build(net, prior, static_cast<std::uint64_t>(sample));
         built.survey.noise_std = Points::Constant(3, net.node_count(), noise);
         std::mt19937_64 random(static_cast<std::uint64_t>(sample));
         std::normal_distribution<double> normal(0.0, noise);
@@ -117,7 +119,7 @@ void expect_to_settle_with_little_noise(const CableNet& net) {
                 coordinate += normal(random);
             }
         }
-        const Identification found = identify_by_maximum_a_posteriori(net, built.survey, law);
+        const Identification found = identify_by_maximum_a_posteriori(net, built.survey, prior);
         EXPECT_EQ(found.status, IdentificationStatus::converged);
         EXPECT_NEAR(found.noise_ratio, 1.0, 0.1);
         for (const Outlier& outlier : found.outliers) {  // who fits is not left out
@@ -149,14 +151,14 @@ TEST(ExactBalance, FindsTheLengthOfACableFarSofterThanItsNeighbours) {
     CableNetData data = hypar(5, 5).data();
     data.axial_stiffness(hypar(5, 5).interior_edges()[soft]) *= 1e-4;
     const CableNet net(std::move(data));
-    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 1e-3};
+    const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = 1e-3};
     for (const std::uint64_t sample : {1, 2}) {
-        const BuiltNet built = build(net, law, sample);
-        const Identification found = identify_by_exact_balance(net, built.survey, law);
-        // Else its mean would lie off the truth by a bound of the law.
-        ASSERT_LT(std::abs(built.deviations(soft)), law.scale - 4.0 * found.edges[soft].std);
+        const BuiltNet built = build(net, prior, sample);
+        const Identification found = identify_by_exact_balance(net, built.survey, prior);
+        // Else its mean would lie off the truth by a bound of the prior.
+        ASSERT_LT(std::abs(built.deviations(soft)), prior.scale - 4.0 * found.edges[soft].std);
         EXPECT_NEAR(found.edges[soft].length_deviation, built.deviations(soft), 1e-9);
-        expect_all_lengths(net, law, built, found);
+        expect_all_lengths(net, prior, built, found);
     }
 }
 
@@ -167,10 +169,10 @@ TEST(ExactBalance, ClaimsNoLengthThatTheFormDoesNotDetermine) {
     CableNetData data = test::cross_data(0.02);
     data.adjustable = {0};
     const CableNet net(std::move(data));
-    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 5e-3};
+    const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = 5e-3};
     for (const std::uint64_t sample : {0, 1, 2, 3}) {
-        const BuiltNet built = build(net, law, sample);
-        const Identification found = identify_by_exact_balance(net, built.survey, law);
+        const BuiltNet built = build(net, prior, sample);
+        const Identification found = identify_by_exact_balance(net, built.survey, prior);
         for (int i = 0; i < net.interior_edge_count(); ++i) {
             const IdentifiedEdge& edge = found.edges[i];
             EXPECT_LE(edge.lower, built.deviations(i));
@@ -178,34 +180,34 @@ TEST(ExactBalance, ClaimsNoLengthThatTheFormDoesNotDetermine) {
         }
         EXPECT_GT(found.edges[0].std, 1e-7);
         EXPECT_LT(found.edges[0].std, 1e-5);
-        EXPECT_GT(found.edges[1].std, 0.5 * law.std());
-        EXPECT_GT(found.edges[2].std, 0.5 * law.std());
+        EXPECT_GT(found.edges[1].std, 0.5 * prior.std());
+        EXPECT_GT(found.edges[2].std, 0.5 * prior.std());
     }
 }
 
 TEST(ExactBalance, IsWhatBothMethodsMakeOfAnExactSurvey) {
     const CableNet net = hypar(5, 5);
-    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 1e-3};
-    const BuiltNet built = build(net, law, 0);
-    const Identification balance = identify_by_force_balance(net, built.survey, law);
-    const Identification map = identify_by_maximum_a_posteriori(net, built.survey, law);
+    const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = 1e-3};
+    const BuiltNet built = build(net, prior, 0);
+    const Identification balance = identify_by_force_balance(net, built.survey, prior);
+    const Identification map = identify_by_maximum_a_posteriori(net, built.survey, prior);
     EXPECT_EQ(balance.method, "balance");
     EXPECT_EQ(map.method, "map");
-    expect_all_lengths(net, law, built, balance);
-    expect_all_lengths(net, law, built, map);
+    expect_all_lengths(net, prior, built, balance);
+    expect_all_lengths(net, prior, built, map);
 }
 
 // An interval of rounding errors around lengths that are off by a millimetre.
 TEST(ExactBalance, SaysWhereTheSurveyIsNotExact) {
     const CableNet net = hypar(5, 5);
-    const LengthLaw law{.kind = LengthLaw::Kind::uniform, .scale = 5e-3};
-    BuiltNet built = build(net, law, 0);
-    EXPECT_EQ(identify_by_exact_balance(net, built.survey, law).status,
+    const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = 5e-3};
+    BuiltNet built = build(net, prior, 0);
+    EXPECT_EQ(identify_by_exact_balance(net, built.survey, prior).status,
               IdentificationStatus::converged);
     for (const int node : net.free_nodes()) {
         built.survey.form(node % 3, node) += 5e-4;
     }
-    const Identification found = identify_by_exact_balance(net, built.survey, law);
+    const Identification found = identify_by_exact_balance(net, built.survey, prior);
     EXPECT_EQ(found.status, IdentificationStatus::survey_not_exact);
     EXPECT_NE(found.message.find("is taken for exact"), std::string::npos) << found.message;
 }

@@ -27,14 +27,14 @@ constexpr double no_test = 0.0;
 class FormConditioning : public ::testing::Test {
 protected:
     static LengthModel model_of(const CableNet& net) {
-        const Sampler sampler(net, {LengthLaw::Kind::uniform, 0.002}, 1);
+        const Sampler sampler(net, {LengthPrior::Kind::uniform, 0.002}, 1);
         DataSet data = sampler.empty();
         sampler.extend(data, 60);
         return train(net, data, data.converged_in(0, 60));
     }
 
     [[nodiscard]] Survey survey(double noise) const {
-        return test::simulate(m_net, m_model.law, noise, 5).survey;
+        return test::simulate(m_net, m_model.prior, noise, 5).survey;
     }
 
     [[nodiscard]] ConditionedForm condition(const Survey& survey, double false_alarm_rate) const {
@@ -48,9 +48,9 @@ protected:
         m_before.directions.transpose() * m_before.variances.asDiagonal() * m_before.directions;
 };
 
-TEST_F(FormConditioning, BeforeASurveyIsTheLawThroughTheStaticsAndWhatTheseMiss) {
+TEST_F(FormConditioning, BeforeASurveyIsThePriorThroughTheStaticsAndWhatTheseMiss) {
     // Mean and covariance of many forms that were not trained on.
-    const Sampler sampler(m_net, m_model.law, 77);
+    const Sampler sampler(m_net, m_model.prior, 77);
     DataSet data = sampler.empty();
     sampler.extend(data, 4000);
     const Eigen::VectorXd mean = data.form_deviations.rowwise().mean();
@@ -152,7 +152,7 @@ TEST_F(FormConditioning, TestsATargetAgainstWhatAllOthersLetExpect) {
 TEST_F(FormConditioning, ReadmitsWhatFitsOnceOthersAreRejected) {
     size_t found = 0;
     for (int k = 0; k < 50; ++k) {
-        Survey wrong = test::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
+        Survey wrong = test::simulate(m_net, m_model.prior, 0.0003, 100 + k).survey;
         const int first = m_net.free_nodes()[k % 12];
         const int second = m_net.free_nodes()[(5 * k + 3) % 12];
         wrong.form(k % 3, first) += 0.02;
@@ -173,7 +173,7 @@ TEST_F(FormConditioning, RaisesFalseAlarmsAsOftenAsStated) {
     int alarms = 0;
     double ratio = 0.0;
     for (int k = 0; k < surveys; ++k) {
-        const Survey good = test::simulate(m_net, m_model.law, 0.0003, 100 + k).survey;
+        const Survey good = test::simulate(m_net, m_model.prior, 0.0003, 100 + k).survey;
         const ConditionedForm after = condition(good, 0.1);
         alarms += after.snooping().outliers().empty() ? 0 : 1;
         ratio += after.snooping().noise_ratio() / surveys;

@@ -37,9 +37,9 @@ protected:
     static constexpr int training = 150;
     static constexpr int validation = 50;
 
-    explicit OnASmallNet(const LengthLaw& law = {LengthLaw::Kind::uniform, 0.002})
-        : m_data(Sampler(m_net, law, 1).empty()) {
-        Sampler(m_net, law, 1).extend(m_data, training + validation);
+    explicit OnASmallNet(const LengthPrior& prior = {LengthPrior::Kind::uniform, 0.002})
+        : m_data(Sampler(m_net, prior, 1).empty()) {
+        Sampler(m_net, prior, 1).extend(m_data, training + validation);
         m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
     }
 
@@ -77,7 +77,7 @@ TEST_F(OnASmallNet, TheErrorsAreAFewStandardDeviations) {
 
 TEST_F(OnASmallNet, TheLengthsAreFarBetterKnownThanBefore) {
     for (const IdentifiedEdge& e : identify(training).edges) {
-        EXPECT_LT(e.std, 0.2 * m_model.law.std()) << "edge " << e.edge;
+        EXPECT_LT(e.std, 0.2 * m_model.prior.std()) << "edge " << e.edge;
         EXPECT_EQ(e.status, EdgeStatus::determined);
     }
 }
@@ -159,7 +159,7 @@ TEST_F(OnASmallNet, TheResidualsAreTheDistancesOfPredictedAndSurveyedNodes) {
     EXPECT_GT(result.residuals.minCoeff(), 0.0);
 }
 
-TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncertainAsTheLaw) {
+TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncertainAsThePrior) {
     constexpr int constant = 4;
     m_data.length_deviations.row(constant).setZero();
     m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
@@ -170,7 +170,7 @@ TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncerta
             << "edge " << e.edge;
         if (i == constant) {
             EXPECT_EQ(e.length_deviation, 0.0);
-            EXPECT_DOUBLE_EQ(e.std, m_data.law.std());
+            EXPECT_DOUBLE_EQ(e.std, m_data.prior.std());
         }
     }
 }
@@ -180,12 +180,12 @@ TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsNotDetermined) {
     constexpr int unrelated = 4;
     for (int k = 0; k < m_data.size(); ++k) {
         m_data.length_deviations(unrelated, k) =
-            draw_length_deviations(m_data.law, 2, static_cast<std::uint64_t>(k), 1)(0);
+            draw_length_deviations(m_data.prior, 2, static_cast<std::uint64_t>(k), 1)(0);
     }
     m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
     const IdentifiedEdge edge = identify(training).edges[unrelated];
     EXPECT_EQ(edge.status, EdgeStatus::not_determined);
-    EXPECT_NEAR(edge.std, m_data.law.std(), 0.15 * m_data.law.std());
+    EXPECT_NEAR(edge.std, m_data.prior.std(), 0.15 * m_data.prior.std());
 }
 
 TEST_F(OnASmallNet, AModelForAnotherNetIsRefusedAndBothAreNamed) {
@@ -219,7 +219,7 @@ TEST_F(OnASmallNet, ASurveyThatMissesAFreeNodeIsRefusedAndTheNodeIsNamed) {
 /// Deviations so large that some edges are slack.
 class WithSlackEdges : public OnASmallNet {
 protected:
-    WithSlackEdges() : OnASmallNet({LengthLaw::Kind::uniform, 0.008}) {}
+    WithSlackEdges() : OnASmallNet({LengthPrior::Kind::uniform, 0.008}) {}
 };
 
 TEST_F(WithSlackEdges, TheSlackOnesOfThePredictedFormAreMarkedAndNoOthers) {
@@ -242,8 +242,8 @@ TEST_F(WithSlackEdges, TheSlackOnesOfThePredictedFormAreMarkedAndNoOthers) {
 
 TEST(EdgeStatus, HasAWordForEachValue) {
     EXPECT_EQ(to_string(EdgeStatus::determined), "determined");
-    EXPECT_EQ(to_string(EdgeStatus::weakly_determined), "weakly determined");
-    EXPECT_EQ(to_string(EdgeStatus::not_determined), "not determined");
+    EXPECT_EQ(to_string(EdgeStatus::weakly_determined), "weakly_determined");
+    EXPECT_EQ(to_string(EdgeStatus::not_determined), "not_determined");
     EXPECT_EQ(to_string(EdgeStatus::slack), "slack");
 }
 

@@ -23,19 +23,19 @@ namespace {
 using namespace taut;
 using ::testing::HasSubstr;
 
-constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.002};
+constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.002};
 
 class Identify : public ::testing::Test {
 protected:
     static LengthModel model_of(const CableNet& net, const TrainingSettings& settings) {
-        const Sampler sampler(net, law, 1);
+        const Sampler sampler(net, prior, 1);
         const DataSet data = draw_samples(sampler, 80);
         return train(net, data, data.converged_in(0, 80), settings);
     }
 
     /// Half a millimetre of noise that nobody tells.
     [[nodiscard]] Survey marked_exact() const {
-        Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+        Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
         survey.noise_std.setZero();
         return survey;
     }
@@ -54,28 +54,28 @@ protected:
 };
 
 TEST_F(Identify, ChoosesTheMethodThatSuitsTheSurveyAndSaysWhy) {
-    const Survey exact = test::simulate(m_net, law, 0.0, 3).survey;
-    Survey noisy = test::simulate(m_net, law, 0.0005, 3).survey;
-    const Identification balance = identify(m_net, exact, {.law = law});
+    const Survey exact = test::simulate(m_net, prior, 0.0, 3).survey;
+    Survey noisy = test::simulate(m_net, prior, 0.0005, 3).survey;
+    const Identification balance = identify(m_net, exact, {.prior = prior});
     EXPECT_EQ(balance.method, "balance");
     EXPECT_THAT(balance.method_reason, HasSubstr("no noise is told"));
-    EXPECT_EQ(identify(m_net, noisy, {.law = law}).method, "map");
+    EXPECT_EQ(identify(m_net, noisy, {.prior = prior}).method, "map");
     test::hide(m_net, noisy, m_net.free_nodes()[2]);
-    const Identification map = identify(m_net, noisy, {.law = law});
+    const Identification map = identify(m_net, noisy, {.prior = prior});
     EXPECT_EQ(map.method, "map");
     EXPECT_THAT(map.method_reason, HasSubstr("1 free nodes were not surveyed"));
     const LengthModel model = model_of(m_net, {});
     const Identification gp = identify(m_net, noisy, {.model = &model});
     EXPECT_EQ(gp.method, "gp");
-    EXPECT_EQ(gp.law, law);
+    EXPECT_EQ(gp.prior, prior);
 }
 
 TEST_F(Identify, SaysSoWhereASurveyMarkedExactIsNot) {
     const LengthModel model = model_of(m_net, {});
     const LengthModel paper = model_of(m_net, TrainingSettings::paper());
     for (const IdentifyOptions& options :
-         {IdentifyOptions{.method = IdentificationMethod::balance, .law = law},
-          IdentifyOptions{.method = IdentificationMethod::map, .law = law},
+         {IdentifyOptions{.method = IdentificationMethod::balance, .prior = prior},
+          IdentifyOptions{.method = IdentificationMethod::map, .prior = prior},
           IdentifyOptions{.model = &model}, IdentifyOptions{.model = &paper}}) {
         const Identification found = identify(m_net, marked_exact(), options);
         EXPECT_EQ(found.status, IdentificationStatus::survey_not_exact) << found.method;
@@ -84,29 +84,30 @@ TEST_F(Identify, SaysSoWhereASurveyMarkedExactIsNot) {
 }
 
 TEST_F(Identify, RefusesAnExactSurveyThatMissesNodes) {
-    Survey exact = test::simulate(m_net, law, 0.0, 3).survey;
+    Survey exact = test::simulate(m_net, prior, 0.0, 3).survey;
     test::hide(m_net, exact, m_net.free_nodes()[2]);
-    expect_misuse(exact, {.law = law}, "expected all, or their noise");
-    expect_misuse(exact, {.method = IdentificationMethod::balance, .law = law},
+    expect_misuse(exact, {.prior = prior}, "expected all, or their noise");
+    expect_misuse(exact, {.method = IdentificationMethod::balance, .prior = prior},
                   "expected all for --method balance");
 }
 
-TEST_F(Identify, RefusesLawsThatAreNoneByName) {
-    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+TEST_F(Identify, RefusesPriorsThatAreNoneByName) {
+    const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     for (const double scale :
          {0.0, -0.001, std::nan(""), std::numeric_limits<double>::infinity()}) {
         for (const auto method :
              {IdentificationMethod::balance, IdentificationMethod::map, IdentificationMethod::gp}) {
-            expect_misuse(survey, {.method = method, .law = LengthLaw{.scale = scale}}, "scale");
+            expect_misuse(survey, {.method = method, .prior = LengthPrior{.scale = scale}},
+                          "scale");
         }
     }
 }
 
 TEST_F(Identify, RefusesAModelThatIsNotForThis) {
-    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     const LengthModel model = model_of(m_net, {});
-    expect_misuse(survey, {.law = LengthLaw{.scale = 0.003}, .model = &model},
-                  "was trained for the law uniform:2mm, expected uniform:3mm");
+    expect_misuse(survey, {.prior = LengthPrior{.scale = 0.003}, .model = &model},
+                  "was trained for the prior uniform:2mm, expected uniform:3mm");
     expect_misuse(survey, {.method = IdentificationMethod::map, .model = &model}, "not for map");
     EXPECT_THROW((void)identify(hypar(5, 6), survey, {.model = &model}), std::invalid_argument);
     LengthModel part = model;
@@ -117,9 +118,9 @@ TEST_F(Identify, RefusesAModelThatIsNotForThis) {
 }
 
 TEST_F(Identify, TrainsAModelWhereNoneIsGivenAndStopsWhereAsked) {
-    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     const IdentifyOptions options{
-        .method = IdentificationMethod::gp, .law = law, .training_samples = 60};
+        .method = IdentificationMethod::gp, .prior = prior, .training_samples = 60};
     const Identification found = identify(m_net, survey, options);
     EXPECT_EQ(found.status, IdentificationStatus::converged);
     EXPECT_THAT(found.how, HasSubstr("trained on 60 samples of uniform:2mm"));
@@ -128,22 +129,22 @@ TEST_F(Identify, TrainsAModelWhereNoneIsGivenAndStopsWhereAsked) {
 }
 
 TEST_F(Identify, StopsAmidTheFitWhereAsked) {
-    const Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    const Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     int asked = 0;
     const Progress progress{.stop_requested = [&] { return ++asked > 3; }};
-    EXPECT_THROW((void)identify(m_net, survey, {.law = law}, progress), Interrupted);
+    EXPECT_THROW((void)identify(m_net, survey, {.prior = prior}, progress), Interrupted);
     EXPECT_EQ(asked, 4);
 }
 
 // A target 26 mm off, told to a method that looked at no residual.
 TEST_F(Identify, FindsAGrossErrorWhateverTheMethod) {
-    Survey survey = test::simulate(m_net, law, 0.0005, 3).survey;
+    Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     const int wrong = m_net.free_nodes()[7];
     survey.form(2, wrong) += 0.026;
     const LengthModel model = model_of(m_net, {});
     for (const IdentifyOptions& options :
-         {IdentifyOptions{.method = IdentificationMethod::balance, .law = law},
-          IdentifyOptions{.method = IdentificationMethod::map, .law = law},
+         {IdentifyOptions{.method = IdentificationMethod::balance, .prior = prior},
+          IdentifyOptions{.method = IdentificationMethod::map, .prior = prior},
           IdentifyOptions{.model = &model}}) {
         const Identification found = identify(m_net, survey, options);
         ASSERT_EQ(found.outliers.size(), 1U) << found.method;

@@ -15,16 +15,17 @@ namespace taut {
 namespace {
 
 constexpr double noise = 0.0002;
-const LengthLaw normal_law{LengthLaw::Kind::normal, 0.001};
+const LengthPrior normal_prior{LengthPrior::Kind::normal, 0.001};
 
 class LengthCovariances : public ::testing::Test {
 protected:
     LengthCovariances() {
-        m_options = {.method = IdentificationMethod::map, .law = normal_law, .prior_exact = true};
+        m_options = {
+            .method = IdentificationMethod::map, .prior = normal_prior, .prior_exact = true};
     }
 
     CableNet m_net = hypar(5, 5);
-    test::SimulatedSurvey m_site = test::simulate(m_net, normal_law, noise, 3);
+    test::SimulatedSurvey m_site = test::simulate(m_net, normal_prior, noise, 3);
     IdentifyOptions m_options;
 };
 
@@ -36,7 +37,7 @@ TEST_F(LengthCovariances, AreThoseOfTheLinearModelOfFormAndLengths) {
     ASSERT_TRUE(found.length_covariance);
     EXPECT_EQ(found.length_covariance->edges, m_net.interior_edges());
 
-    // (J' S J + I / law^2)^-1, dense, with J of the rows that were surveyed.
+    // (J' S J + I / prior^2)^-1, dense, with J of the rows that were surveyed.
     Eigen::VectorXd deviations(m_net.interior_edge_count());
     for (Eigen::Index i = 0; i < deviations.size(); ++i) {
         deviations(i) = found.edges[i].length_deviation;
@@ -49,9 +50,9 @@ TEST_F(LengthCovariances, AreThoseOfTheLinearModelOfFormAndLengths) {
         const int place = m_net.free_index(m_site.survey.surveyed[k]);
         rows.middleRows<3>(3 * static_cast<Eigen::Index>(k)) = all.middleRows<3>(3 * place);
     }
-    const Eigen::MatrixXd information =
-        rows.transpose() * rows / (noise * noise) +
-        Eigen::MatrixXd::Identity(all.cols(), all.cols()) / (normal_law.std() * normal_law.std());
+    const Eigen::MatrixXd information = rows.transpose() * rows / (noise * noise) +
+                                        Eigen::MatrixXd::Identity(all.cols(), all.cols()) /
+                                            (normal_prior.std() * normal_prior.std());
     const Eigen::MatrixXd expected = information.inverse();
     const double largest = expected.diagonal().maxCoeff();
     EXPECT_LT((found.length_covariance->covariance - expected).cwiseAbs().maxCoeff(),
@@ -65,7 +66,7 @@ TEST_F(LengthCovariances, AreThoseOfTheLinearModelOfFormAndLengths) {
 }
 
 TEST_F(LengthCovariances, HaveTheVariancesThatAreToldAndTheOrderThatWasAsked) {
-    m_options.law = LengthLaw{LengthLaw::Kind::uniform, 0.001};
+    m_options.prior = LengthPrior{LengthPrior::Kind::uniform, 0.001};
     const std::vector<int>& interior = m_net.interior_edges();
     m_options.covariance_of = {interior[7], interior[2]};
     const Identification found = identify(m_net, m_site.survey, m_options);

@@ -18,7 +18,7 @@ namespace {
 using namespace taut;
 
 constexpr int surveys = 8;
-const LengthLaw law{LengthLaw::Kind::uniform, 2e-3};
+const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
 
 struct Coverage {
     double lengths = 0.0;
@@ -26,7 +26,7 @@ struct Coverage {
     double mean_error = 0.0;  ///< of the common mean, root mean square, in its standard deviations
 };
 
-/// Of 95 % intervals, with the prior given as the law that the lengths follow apart from what is
+/// Of 95 % intervals, with the prior given as the prior that the lengths follow apart from what is
 /// altered.
 /// @param given the net that is identified, which is built as `net`
 template <class Alter>
@@ -35,7 +35,7 @@ Coverage coverage(const CableNet& net, const CableNet& given, const IdentifyOpti
     Coverage result;
     for (int seed = 0; seed < surveys; ++seed) {
         const auto s =
-            test::simulate(net, law, 5e-4, static_cast<std::uint64_t>(seed),
+            test::simulate(net, prior, 5e-4, static_cast<std::uint64_t>(seed),
                            [&](Eigen::VectorXd& d) { alter(d, static_cast<unsigned>(seed)); });
         const Identification found = identify(given, s.survey, options);
         const Eigen::VectorXd tension =
@@ -60,7 +60,8 @@ Coverage coverage(const CableNet& net, const CableNet& given, const IdentifyOpti
 
 template <class Alter>
 Coverage coverage(const CableNet& net, bool prior_exact, double mean, const Alter& alter) {
-    return coverage(net, net, {.law = law, .prior_exact = prior_exact, .draws = 100}, mean, alter);
+    return coverage(net, net, {.prior = prior, .prior_exact = prior_exact, .draws = 100}, mean,
+                    alter);
 }
 
 TEST(LengthTrend, IntervalsHoldWhereAllLengthsAreWrongByTheSame) {
@@ -82,7 +83,7 @@ TEST(LengthTrend, IntervalsHoldWhereAllTurnbucklesAreOffByTheSame) {
     for (const int edge : net.adjustable_edges()) {
         data.unstressed_lengths(edge) += 1e-3;
     }
-    IdentifyOptions options{.law = law, .draws = 100};
+    IdentifyOptions options{.prior = prior, .draws = 100};
     options.assume_site = true;
     const auto as_cut = [](Eigen::VectorXd&, unsigned) {};
     const Coverage with = coverage(CableNet(data), net, options, 0.0, as_cut);
@@ -110,20 +111,20 @@ TEST(LengthTrend, IntervalsHoldWhereEachCableHasAScaleOfItsOwn) {
 
 TEST(LengthTrend, DoesNotStandForAPriorThatIsFarTooNarrow) {
     const CableNet net = hypar(5, 5);
-    const LengthLaw wide{LengthLaw::Kind::uniform, 3e-3};
-    const LengthLaw narrow{LengthLaw::Kind::uniform, 2e-4};
+    const LengthPrior wide{LengthPrior::Kind::uniform, 3e-3};
+    const LengthPrior narrow{LengthPrior::Kind::uniform, 2e-4};
     for (int seed = 0; seed < surveys; ++seed) {
         const auto s = test::simulate(net, wide, 5e-4, static_cast<std::uint64_t>(seed));
         const Identification found =
-            identify(net, s.survey, {.law = narrow, .assume_site = true, .draws = 20});
+            identify(net, s.survey, {.prior = narrow, .assume_site = true, .draws = 20});
         EXPECT_NE(found.trust.verdict(), Trust::Verdict::passed) << seed;
     }
 }
 
 TEST(LengthTrend, IsNoneWhereThePriorIsExact) {
     const CableNet net = hypar(4, 4);
-    const auto s = test::simulate(net, law, 5e-4, 1);
-    const Identification found = identify(net, s.survey, {.law = law, .prior_exact = true});
+    const auto s = test::simulate(net, prior, 5e-4, 1);
+    const Identification found = identify(net, s.survey, {.prior = prior, .prior_exact = true});
     EXPECT_EQ(found.prior.common.mean_std, 0.0);
     EXPECT_EQ(found.prior.common.runs, 0);
 }

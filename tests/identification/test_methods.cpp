@@ -29,11 +29,11 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 
-constexpr LengthLaw uniform_3mm{LengthLaw::Kind::uniform, 0.003};
-constexpr LengthLaw normal_law{LengthLaw::Kind::normal, 0.0015};
+constexpr LengthPrior uniform_3mm{LengthPrior::Kind::uniform, 0.003};
+constexpr LengthPrior normal_prior{LengthPrior::Kind::normal, 0.0015};
 
-Identification map(const CableNet& net, const Survey& survey, const LengthLaw& law) {
-    return identify_by_maximum_a_posteriori(net, survey, law);
+Identification map(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
+    return identify_by_maximum_a_posteriori(net, survey, prior);
 }
 
 double squared_error(const Identification& result, const Eigen::VectorXd& truth) {
@@ -68,9 +68,10 @@ TEST(Methods, AreExactWithoutNoise) {
 }
 
 TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
-    using Method = std::function<Identification(const CableNet&, const Survey&, const LengthLaw&)>;
+    using Method =
+        std::function<Identification(const CableNet&, const Survey&, const LengthPrior&)>;
     constexpr int surveys = 40;
-    for (const LengthLaw& law : {uniform_3mm, normal_law}) {
+    for (const LengthPrior& prior : {uniform_3mm, normal_prior}) {
         for (const double noise : {0.0001, 0.0005, 0.002}) {
             for (const Method& by : {Method(map), Method(identify_by_force_balance)}) {
                 double errors = 0.0;
@@ -78,22 +79,22 @@ TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
                 int covered = 0;
                 std::string method;
                 for (std::uint64_t seed = 0; seed < surveys; ++seed) {
-                    const SimulatedSurvey s = simulate(net_7x7, law, noise, seed);
-                    const Identification result = by(net_7x7, s.survey, law);
+                    const SimulatedSurvey s = simulate(net_7x7, prior, noise, seed);
+                    const Identification result = by(net_7x7, s.survey, prior);
                     EXPECT_EQ(result.status, IdentificationStatus::converged);
                     method = result.method;
                     errors += squared_error(result, s.deviations);
                     covered += inside(result, s.deviations);
                     best += best_possible_variances(net_7x7,
                                                     with_length_deviations(net_7x7, s.deviations),
-                                                    s.truth.form, s.survey, law)
+                                                    s.truth.form, s.survey, prior)
                                 .mean();
                 }
                 const double coverage = covered / double(surveys * net_7x7.interior_edge_count());
                 EXPECT_NEAR(coverage, 0.95, 0.02)
-                    << method << ' ' << law.to_string() << ' ' << noise;
+                    << method << ' ' << prior.to_string() << ' ' << noise;
                 EXPECT_LT(errors, (method == "map" ? 1.05 : 1.3) * best)
-                    << method << ' ' << law.to_string() << ' ' << noise;
+                    << method << ' ' << prior.to_string() << ' ' << noise;
             }
         }
     }
@@ -118,7 +119,7 @@ TEST(BestPossible, IsTheTextbookPosteriorVariance) {
 
 TEST(MaximumAPosteriori, IsTheTextbookPosteriorMeanForSmallDeviations) {
     // So small that the statics are linear: mean = C J' S (r - nominal).
-    const LengthLaw small{LengthLaw::Kind::normal, 1e-6};
+    const LengthPrior small{LengthPrior::Kind::normal, 1e-6};
     const SimulatedSurvey s = simulate(net_7x7, small, 1e-6, 4);
     const Equilibrium nominal = solve_equilibrium(net_7x7);
     const Eigen::MatrixXd J = FormSensitivity(net_7x7, net_7x7.unstressed_lengths(), nominal.form)
@@ -193,7 +194,7 @@ TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
 }
 
 TEST(Methods, TellASlackEdgeByNoMoreThanItsLength) {
-    const LengthLaw wide{LengthLaw::Kind::uniform, 0.007};
+    const LengthPrior wide{LengthPrior::Kind::uniform, 0.007};
     int slack = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const SimulatedSurvey s = simulate(net_7x7, wide, 0.0, seed);
@@ -259,7 +260,7 @@ TEST(Methods, RefuseSurveysThatMakeNoSense) {
 TEST(Methods, TellNoNumberThatIsNotOneWhereNodesAreLoose) {
     // Lengths that leave whole nodes without tension.
     const CableNet net = hypar(4, 5);
-    const LengthLaw wide{LengthLaw::Kind::uniform, 0.02};
+    const LengthPrior wide{LengthPrior::Kind::uniform, 0.02};
     const Sampler sampler(net, wide, 3);
     DataSet data = sampler.empty();
     sampler.extend(data, 40);

@@ -26,7 +26,7 @@ const CableNet& net() {
 }
 
 DataSet samples(int count) {
-    const Sampler sampler(net(), {LengthLaw::Kind::normal, 0.001}, 5);
+    const Sampler sampler(net(), {LengthPrior::Kind::normal, 0.001}, 5);
     DataSet data = sampler.empty();
     sampler.extend(data, count);
     return data;
@@ -36,7 +36,7 @@ TEST(Train, KeepsWhatTheModelIsFor) {
     const DataSet data = samples(12);
     const LengthModel model = train(net(), data, {0, 1, 2, 3, 4});
     EXPECT_EQ(model.net_fingerprint, net().fingerprint());
-    EXPECT_EQ(model.law, data.law);
+    EXPECT_EQ(model.prior, data.prior);
     EXPECT_EQ(model.seed, 5U);
     EXPECT_EQ(model.nominal_form, data.nominal_form);
     EXPECT_EQ(model.training_count(), 5);
@@ -62,7 +62,7 @@ TEST(Train, GivesBackTheLengthsItLearntFrom) {
     const DataSet data = samples(60);
     const LengthModel model = train(net(), data, data.converged_in(0, 60));
     const Eigen::MatrixXd mean = estimate_lengths(net(), model, data.form_deviations).mean;
-    EXPECT_LT((mean - data.length_deviations).cwiseAbs().maxCoeff(), 0.05 * data.law.std());
+    EXPECT_LT((mean - data.length_deviations).cwiseAbs().maxCoeff(), 0.05 * data.prior.std());
 }
 
 TEST(TrainTogether, IsAsLikelyAsEachByItself) {

@@ -50,19 +50,19 @@ Survey survey_of(const CableNet& net, const PolarSurvey& readings) {
 /// Of 15 surveys, with each target's covariance and with its diagonal alone.
 std::pair<Tally, Tally> identify_surveys(const std::vector<Eigen::Vector3d>& stations) {
     const CableNet net = hypar(5, 6);
-    const LengthLaw law{LengthLaw::Kind::uniform, 4e-3};
+    const LengthPrior prior{LengthPrior::Kind::uniform, 4e-3};
     constexpr int surveys = 15;
     std::pair<Tally, Tally> result;
     for (std::uint64_t seed = 1; seed <= surveys; ++seed) {
-        const test::SimulatedSurvey built = test::simulate(net, law, 0.0, seed);
+        const test::SimulatedSurvey built = test::simulate(net, prior, 0.0, seed);
         Survey survey = survey_of(net, simulate_polar_survey(net, built.truth.form,
                                                              {.stations = stations,
                                                               .distance = {.std = 1.5e-3},
                                                               .dropped_part = 0.1,
                                                               .seed = seed}));
-        result.first.add(identify(net, survey, {.law = law}), built.deviations);
+        result.first.add(identify(net, survey, {.prior = prior}), built.deviations);
         survey.noise_correlations.resize(3, 0);
-        result.second.add(identify(net, survey, {.law = law}), built.deviations);
+        result.second.add(identify(net, survey, {.prior = prior}), built.deviations);
     }
     result.first.noise_ratio /= surveys;
     return result;

@@ -48,7 +48,7 @@ struct Reference {
     Json json;
     CableNet net;
     Survey survey;
-    std::optional<LengthLaw> law;  ///< empty: none was given
+    std::optional<LengthPrior> prior;  ///< empty: none was given
     bool prior_exact = false;
 
     explicit Reference(const Json& of) : json(of), net(net_of(of)) {
@@ -62,7 +62,7 @@ struct Reference {
         prior_exact = of.contains("bound");
         const Json& bound = prior_exact ? of.at("bound") : of.at("given");
         if (!bound.is_null()) {
-            law = LengthLaw{LengthLaw::Kind::uniform, bound};
+            prior = LengthPrior{LengthPrior::Kind::uniform, bound};
         }
     }
 
@@ -103,9 +103,9 @@ std::vector<Reference> references() {
 TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
     for (const Reference& reference : references()) {
         SCOPED_TRACE(reference.json.at("name").get<std::string>());
-        const Identification found =
-            identify(reference.net, reference.survey,
-                     {.law = reference.law, .prior_exact = reference.prior_exact, .draws = 2000});
+        const Identification found = identify(
+            reference.net, reference.survey,
+            {.prior = reference.prior, .prior_exact = reference.prior_exact, .draws = 2000});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
         // What lengths have in common, (length-trend), is told to first order.
@@ -155,10 +155,10 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
 // together.
 TEST(PosteriorDraws, AreInEquilibrium) {
     const CableNet net = hypar(4, 5);
-    const LengthLaw law{LengthLaw::Kind::uniform, 2e-3};
-    test::SimulatedSurvey s = test::simulate(net, law, 5e-4, 3);
+    const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
+    test::SimulatedSurvey s = test::simulate(net, prior, 5e-4, 3);
     test::hide(net, s.survey, net.free_nodes()[7]);
-    const Identification found = identify(net, s.survey, {.law = law, .draws = 20});
+    const Identification found = identify(net, s.survey, {.prior = prior, .draws = 20});
     ASSERT_TRUE(found.draws);
     const PosteriorDraws& draws = *found.draws;
     ASSERT_EQ(draws.count(), 20);
@@ -180,13 +180,13 @@ TEST(PosteriorDraws, AreInEquilibrium) {
 // together.
 TEST(PosteriorDraws, TellIntervalsThatHoldTheTrueTensions) {
     const CableNet net = hypar(5, 5);
-    const LengthLaw law{LengthLaw::Kind::uniform, 3e-3};
+    const LengthPrior prior{LengthPrior::Kind::uniform, 3e-3};
     constexpr int surveys = 40;
     int inside = 0;
     int mean_inside = 0;
     for (int seed = 0; seed < surveys; ++seed) {
-        const auto s = test::simulate(net, law, 5e-4, static_cast<std::uint64_t>(seed));
-        const Identification found = identify(net, s.survey, {.law = law, .draws = 200});
+        const auto s = test::simulate(net, prior, 5e-4, static_cast<std::uint64_t>(seed));
+        const Identification found = identify(net, s.survey, {.prior = prior, .draws = 200});
         ASSERT_TRUE(found.draws && found.draws->doubt.empty());
         const Eigen::VectorXd truth =
             tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
@@ -205,10 +205,10 @@ TEST(PosteriorDraws, TellIntervalsThatHoldTheTrueTensions) {
 // tight the others, the form hardly shows.
 TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
     const CableNet net = test::stiffened(hypar(9, 9), 10.0);
-    const LengthLaw law{LengthLaw::Kind::uniform, 2e-3};
+    const LengthPrior prior{LengthPrior::Kind::uniform, 2e-3};
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
-        const auto s = test::simulate(net, law, 5e-4, seed);
-        const Identification found = identify(net, s.survey, {.law = law, .draws = 100});
+        const auto s = test::simulate(net, prior, 5e-4, seed);
+        const Identification found = identify(net, s.survey, {.prior = prior, .draws = 100});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         ASSERT_TRUE(found.draws);
         EXPECT_THAT(found.draws->doubt, testing::HasSubstr("does not show which edges are slack"));
@@ -230,9 +230,9 @@ TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
 // themselves.
 TEST(PosteriorDraws, ShowTensionsOfSoundSurveys) {
     const CableNet net = hypar(9, 9);
-    const LengthLaw law{LengthLaw::Kind::uniform, 3e-3};
+    const LengthPrior prior{LengthPrior::Kind::uniform, 3e-3};
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        const auto s = test::simulate(net, law, 5e-4, seed);
+        const auto s = test::simulate(net, prior, 5e-4, seed);
         const Identification found = identify(net, s.survey, {.assume_site = true, .draws = 100});
         EXPECT_EQ(found.draws.value().doubt, "") << seed;
     }
@@ -240,10 +240,10 @@ TEST(PosteriorDraws, ShowTensionsOfSoundSurveys) {
 
 TEST(PosteriorDraws, AreTheSameFromTheSameSeedWithAnyNumberOfThreads) {
     const CableNet net = hypar(3, 4);
-    const LengthLaw law{LengthLaw::Kind::normal, 2e-3};
-    const auto s = test::simulate(net, law, 5e-4, 1);
+    const LengthPrior prior{LengthPrior::Kind::normal, 2e-3};
+    const auto s = test::simulate(net, prior, 5e-4, 1);
     const auto draws = [&](std::uint64_t seed) {
-        return identify(net, s.survey, {.law = law, .draws = 10, .seed = seed})
+        return identify(net, s.survey, {.prior = prior, .draws = 10, .seed = seed})
             .draws->length_deviations;
     };
     const Eigen::MatrixXd by_all_threads = draws(1);

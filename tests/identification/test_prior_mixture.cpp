@@ -38,12 +38,12 @@ TEST(PriorMixture, SharesOutAllDraws) {
 
 TEST(PriorMixture, HasTheMeanAndVarianceOfItsParts) {
     const CableNet net = hypar(5, 5);
-    const LengthLaw truth{LengthLaw::Kind::uniform, 0.003};
+    const LengthPrior truth{LengthPrior::Kind::uniform, 0.003};
     const SimulatedSurvey s = simulate(net, truth, 0.5e-3, 4);
     const auto by = [&](double scale) {
         return identify(net, s.survey,
                         {.method = IdentificationMethod::map,
-                         .law = LengthLaw{LengthLaw::Kind::normal, scale},
+                         .prior = LengthPrior{LengthPrior::Kind::normal, scale},
                          .prior_exact = true,
                          .draws = 40});
     };

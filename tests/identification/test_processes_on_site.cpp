@@ -19,12 +19,12 @@
 namespace taut {
 namespace {
 
-constexpr LengthLaw uniform_law{LengthLaw::Kind::uniform, 0.003};
-constexpr LengthLaw gaussian_law{LengthLaw::Kind::normal, 0.0015};
+constexpr LengthPrior uniform_prior{LengthPrior::Kind::uniform, 0.003};
+constexpr LengthPrior gaussian_prior{LengthPrior::Kind::normal, 0.0015};
 
-LengthModel model_of(const CableNet& net, const LengthLaw& law,
+LengthModel model_of(const CableNet& net, const LengthPrior& prior,
                      const TrainingSettings& settings = {}) {
-    const Sampler sampler(net, law, 1);
+    const Sampler sampler(net, prior, 1);
     DataSet data = sampler.empty();
     sampler.extend(data, 300);
     return train(net, data, data.converged_in(0, 300), settings);
@@ -41,7 +41,7 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
             int hidden = 0) {
     Score sum;
     for (int k = 0; k < surveys; ++k) {
-        auto s = test::simulate(net, model.law, noise, 500 + static_cast<unsigned>(k));
+        auto s = test::simulate(net, model.prior, noise, 500 + static_cast<unsigned>(k));
         for (int h = 0; h < hidden; ++h) {
             test::hide(net, s.survey, net.free_nodes()[5 * h + k % 5]);
         }
@@ -52,15 +52,15 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
             const double truth = s.deviations(static_cast<Eigen::Index>(i));
             sum.mse += weight * std::pow(e.length_deviation - truth, 2);
             sum.coverage += e.lower <= truth && truth <= e.upper ? weight : 0.0;
-            if (model.law.kind == LengthLaw::Kind::uniform) {
-                EXPECT_GE(e.lower, -model.law.scale);
-                EXPECT_LE(e.upper, model.law.scale);
+            if (model.prior.kind == LengthPrior::Kind::uniform) {
+                EXPECT_GE(e.lower, -model.prior.scale);
+                EXPECT_LE(e.upper, model.prior.scale);
             }
         }
         if (noise > 0.0) {
             sum.best_possible +=
                 best_possible_variances(net, with_length_deviations(net, s.deviations),
-                                        s.truth.form, s.survey, model.law)
+                                        s.truth.form, s.survey, model.prior)
                     .mean() /
                 surveys;
         }
@@ -70,11 +70,11 @@ Score score(const CableNet& net, const LengthModel& model, double noise, int sur
 
 TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
     const CableNet net = hypar(5, 6);
-    for (const LengthLaw& law : {uniform_law, gaussian_law}) {
-        const LengthModel model = model_of(net, law);
+    for (const LengthPrior& prior : {uniform_prior, gaussian_prior}) {
+        const LengthModel model = model_of(net, prior);
         for (const double noise : {0.0, 0.0001, 0.0005, 0.002}) {
             const Score s = score(net, model, noise, 40);
-            SCOPED_TRACE(law.to_string() + ", noise " + std::to_string(noise));
+            SCOPED_TRACE(prior.to_string() + ", noise " + std::to_string(noise));
             EXPECT_GT(s.coverage, 0.93);
             EXPECT_LT(s.coverage, 0.97);
             if (noise > 0.0) {
@@ -87,7 +87,7 @@ TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
 TEST(ProcessesOnSite, IntervalsAllButHoldWithFewSamplesAndLittleNoise) {
     // 75 coordinates: the samples alone leave most directions of the remainder untold.
     const CableNet net = hypar(5, 5);
-    const Sampler sampler(net, uniform_law, 1);
+    const Sampler sampler(net, uniform_prior, 1);
     DataSet data = sampler.empty();
     sampler.extend(data, 40);
     const LengthModel model = train(net, data, data.converged_in(0, 40));
@@ -102,8 +102,8 @@ TEST(ProcessesOnSite, IntervalsAllButHoldWithFewSamplesAndLittleNoise) {
 
 TEST(ProcessesOnSite, AFormPriorThatTheModelDoesNotKeepIsMadeWhereItIsAskedFor) {
     const CableNet net = hypar(4, 5);
-    LengthModel model = model_of(net, uniform_law);
-    auto s = test::simulate(net, uniform_law, 0.0005, 7);
+    LengthModel model = model_of(net, uniform_prior);
+    auto s = test::simulate(net, uniform_prior, 0.0005, 7);
     test::hide(net, s.survey, net.free_nodes()[3]);
     const Identification kept = identify_by_processes(net, model, s.survey);
     model.form_prior = {};  // as of a net of more than 1,000 free nodes
@@ -120,7 +120,7 @@ TEST(ProcessesOnSite, AnEdgeAtASupportMayBeOneToIdentify) {
     net_data.adjustable = std::vector<int>{hypar(4, 4).adjustable_edges().front()};
     const CableNet net(net_data);
     ASSERT_GT(net.interior_edge_count(), hypar(4, 4).interior_edge_count());
-    const Score s = score(net, model_of(net, gaussian_law), 0.0005, 30);
+    const Score s = score(net, model_of(net, gaussian_prior), 0.0005, 30);
     EXPECT_GT(s.coverage, 0.93);
     EXPECT_LT(s.coverage, 0.97);
     EXPECT_LT(s.mse, 1.1 * s.best_possible);
@@ -128,7 +128,7 @@ TEST(ProcessesOnSite, AnEdgeAtASupportMayBeOneToIdentify) {
 
 TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
     const CableNet net = hypar(5, 6);
-    const Score s = score(net, model_of(net, gaussian_law), 0.0005, 40, 3);
+    const Score s = score(net, model_of(net, gaussian_prior), 0.0005, 40, 3);
     EXPECT_GT(s.coverage, 0.93);
     EXPECT_LT(s.coverage, 0.97);
     EXPECT_LT(s.mse, 1.05 * s.best_possible);
@@ -137,15 +137,15 @@ TEST(ProcessesOnSite, HiddenNodesAreFilledInWithTheirConditionalMean) {
 TEST(ProcessesOnSite, TheGeometricMeanLeavesLessToLearn) {
     const CableNet net = hypar(5, 6);
     const double zero =
-        score(net, model_of(net, uniform_law, {.mean = MeanFunction::zero}), 0.0, 10).mse;
-    const double geometry = score(net, model_of(net, uniform_law), 0.0, 10).mse;
+        score(net, model_of(net, uniform_prior, {.mean = MeanFunction::zero}), 0.0, 10).mse;
+    const double geometry = score(net, model_of(net, uniform_prior), 0.0, 10).mse;
     EXPECT_LT(geometry, 0.5 * zero);
 }
 
 TEST(ProcessesOnSite, GrossErrorsAreFoundAndLeftOut) {
     const CableNet net = hypar(6, 6);
-    const LengthModel model = model_of(net, uniform_law);
-    auto s = test::simulate(net, uniform_law, 0.0005, 3);
+    const LengthModel model = model_of(net, uniform_prior);
+    auto s = test::simulate(net, uniform_prior, 0.0005, 3);
     const int moved = net.free_nodes()[10];
     const int a = net.free_nodes()[20];
     const int b = net.free_nodes()[27];
@@ -164,8 +164,8 @@ TEST(ProcessesOnSite, GrossErrorsAreFoundAndLeftOut) {
 
 TEST(ProcessesOnSite, AModelAsInThePaperTakesTheSurveyForExactAndWhole) {
     const CableNet net = hypar(3, 4);
-    const LengthModel model = model_of(net, uniform_law, TrainingSettings::paper());
-    auto s = test::simulate(net, uniform_law, 0.0005, 3);
+    const LengthModel model = model_of(net, uniform_prior, TrainingSettings::paper());
+    auto s = test::simulate(net, uniform_prior, 0.0005, 3);
     const Identification found = identify(net, s.survey, {.model = &model});
     const LengthEstimates expected =
         estimate_lengths(net, model, free_coordinates(net, s.survey.form) - model.nominal_form);

@@ -26,8 +26,8 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 
-LengthLaw uniform_law(double bound) {
-    return {LengthLaw::Kind::uniform, bound};
+LengthPrior uniform_prior(double bound) {
+    return {LengthPrior::Kind::uniform, bound};
 }
 
 /// What an identification makes of simulated surveys.
@@ -53,15 +53,16 @@ std::vector<int> move_targets(const CableNet& net, Survey& survey, int one_of, s
 }
 
 /// @param one_of gross errors: one target of so many; 0: none
-Tally tally(const CableNet& net, const LengthLaw& law, double noise_std, int surveys, int one_of) {
+Tally tally(const CableNet& net, const LengthPrior& prior, double noise_std, int surveys,
+            int one_of) {
     Tally tally;
     for (int seed = 0; seed < surveys; ++seed) {
-        SimulatedSurvey s = simulate(net, law, noise_std, static_cast<std::uint64_t>(seed));
+        SimulatedSurvey s = simulate(net, prior, noise_std, static_cast<std::uint64_t>(seed));
         std::vector<int> moved;
         if (one_of > 0) {
             moved = move_targets(net, s.survey, one_of, static_cast<std::uint64_t>(seed));
         }
-        const Identification result = identify_by_maximum_a_posteriori(net, s.survey, law);
+        const Identification result = identify_by_maximum_a_posteriori(net, s.survey, prior);
         tally.unsettled += result.status == IdentificationStatus::converged ? 0 : 1;
         const auto found =
             static_cast<int>(std::ranges::count_if(result.outliers, [&](const Outlier& outlier) {
@@ -91,12 +92,13 @@ void expect_sound(const Tally& found, double coverage_tolerance) {
 // Deviations and noise beyond what the cables stretch: steps with the matrix of an earlier
 // linearisation soon lead nowhere.
 TEST(SteelNet, SettlesWithIntervalsThatHold) {
-    const Tally found = tally(stiffened(hilo_quarter(), 20.0), uniform_law(0.003), 0.0005, 10, 0);
+    const Tally found = tally(stiffened(hilo_quarter(), 20.0), uniform_prior(0.003), 0.0005, 10, 0);
     expect_sound(found, 0.015);
 }
 
 TEST(SteelNet, TellsSlackEdgesFromTautOnes) {
-    const Tally found = tally(stiffened(hilo_quarter(), 500.0), uniform_law(0.003), 0.0005, 10, 0);
+    const Tally found =
+        tally(stiffened(hilo_quarter(), 500.0), uniform_prior(0.003), 0.0005, 10, 0);
     expect_sound(found, 0.015);
     EXPECT_EQ(found.far_off, 0);
 }
@@ -110,42 +112,43 @@ TEST(SteelRoof, HasADozenSlackEdgesOnceItsLengthsDeviate) {
     const Equilibrium nominal = solve_equilibrium(net);
     EXPECT_LT((nominal.form - net.nodes()).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_TRUE(nominal.slack_edges.empty());
-    const SimulatedSurvey s = simulate(net, uniform_law(0.005), noise_on_site, 0);
+    const SimulatedSurvey s = simulate(net, uniform_prior(0.005), noise_on_site, 0);
     ASSERT_EQ(s.truth.status, EquilibriumStatus::converged);
     EXPECT_GE(s.truth.slack_edges.size(), 12U);
 }
 
 TEST(SteelRoof, KeepsAllSoundTargets) {
-    const Tally found = tally(steel_lattice(), uniform_law(0.005), noise_on_site, 20, 0);
+    const Tally found = tally(steel_lattice(), uniform_prior(0.005), noise_on_site, 20, 0);
     expect_sound(found, 0.012);
     EXPECT_LE(found.far_off, 1);
 }
 
 TEST(SteelRoof, ShowsManyGrossErrors) {
-    expect_sound(tally(steel_lattice(), uniform_law(0.001), noise_on_site, 4, 20), 0.015);
+    expect_sound(tally(steel_lattice(), uniform_prior(0.001), noise_on_site, 4, 20), 0.015);
 }
 
 // Multipliers large against what they hold: the noise is a hundredth of the deviations.
 TEST(SteelRoof, SettlesWithLittleNoise) {
-    expect_sound(tally(steel_lattice(), uniform_law(0.005), 0.00005, 20, 0), 0.012);
+    expect_sound(tally(steel_lattice(), uniform_prior(0.005), 0.00005, 20, 0), 0.012);
 }
 
 TEST(HiloRoof, KeepsAllSoundTargets) {
     TAUT_NEEDS_HILO_ROOF();
-    const Tally found = tally(hilo_roof(), uniform_law(0.005), noise_on_site, 5, 0);
+    const Tally found = tally(hilo_roof(), uniform_prior(0.005), noise_on_site, 5, 0);
     expect_sound(found, 0.01);
     EXPECT_LE(found.far_off, 1);
 }
 
 TEST(HiloRoof, SettlesWithLittleNoise) {
     TAUT_NEEDS_HILO_ROOF();
-    expect_sound(tally(hilo_roof(), uniform_law(0.005), 0.00005, 2, 0), 0.01);
+    expect_sound(tally(hilo_roof(), uniform_prior(0.005), 0.00005, 2, 0), 0.01);
 }
 
-// Strands that bed in: tangents of their laws are 0 on one side of a corner and steep on the other.
+// Strands that bed in: tangents of their priors are 0 on one side of a corner and steep on the
+// other.
 TEST(TwoSlopeRoof, SettlesWithIntervalsThatHold) {
-    expect_sound(tally(steel_roof(), uniform_law(0.002), 0.0003, 6, 0), 0.02);
-    expect_sound(tally(steel_roof(), uniform_law(0.005), noise_on_site, 6, 0), 0.02);
+    expect_sound(tally(steel_roof(), uniform_prior(0.002), 0.0003, 6, 0), 0.02);
+    expect_sound(tally(steel_roof(), uniform_prior(0.005), noise_on_site, 6, 0), 0.02);
 }
 
 /// The strain of an edge of a net as built.
@@ -156,11 +159,11 @@ double strain_in(const CableNet& net, const SimulatedSurvey& s, int i) {
            1.0;
 }
 
-TEST(TwoSlopeRoof, IsFoundByItsExactFormAndWhereALawIsFlatToWhatItLeavesOpen) {
+TEST(TwoSlopeRoof, IsFoundByItsExactFormAndWhereAPriorIsFlatToWhatItLeavesOpen) {
     const CableNet net = steel_roof();
-    const SimulatedSurvey s = simulate(net, uniform_law(0.002), 0.0, 3);
+    const SimulatedSurvey s = simulate(net, uniform_prior(0.002), 0.0, 3);
     const Identification found =
-        identify_by_maximum_a_posteriori(net, s.survey, uniform_law(0.002));
+        identify_by_maximum_a_posteriori(net, s.survey, uniform_prior(0.002));
     ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
     int flat = 0;
     for (int i = 0; i < net.interior_edge_count(); ++i) {

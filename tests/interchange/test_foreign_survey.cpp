@@ -274,7 +274,7 @@ TEST(ForeignSurvey, TakesTheCovarianceOfEachPointOfGamaFromItsBand) {
                "</adjusted>" +
                matrix + "</coordinates></gama-local-adjustment>";
     };
-    // Rows of the upper band of two: 7 unknowns, the fourth of the point with a height only.
+    // Rows of the upper band of two: 7 uncertain, the fourth of the point with a height only.
     const std::string matrix =
         "<cov-mat><dim>7</dim><band>1</band><flt>4</flt><flt>6</flt><flt>16</flt><flt>9</flt>"
         "<flt>25</flt><flt>9</flt><flt>9</flt><flt>9</flt><flt>36</flt><flt>9</flt><flt>49</flt>"

@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
               }},
         Table{"Forces", "edge,tension\naB,1000\nab,20000\n",
               [](const std::string& text) {
-                  (void)parse_force_readings(test::two_node_net(), text, file_name, {});
+                  (void)parse_force_measurements(test::two_node_net(), text, file_name, {});
               }},
         Table{"EdgeList", "aB\nab\n",
               [](const std::string& text) {

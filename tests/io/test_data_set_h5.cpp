@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 void expect_same(const DataSet& a, const DataSet& b) {
     EXPECT_EQ(a.net_fingerprint, b.net_fingerprint);
-    EXPECT_EQ(a.law, b.law);
+    EXPECT_EQ(a.prior, b.prior);
     EXPECT_EQ(a.seed, b.seed);
     EXPECT_TRUE(same_bits(a.nominal_form, b.nominal_form));
     EXPECT_TRUE(same_bits(a.form_deviations, b.form_deviations));
@@ -53,7 +53,7 @@ protected:
 
 TEST_F(DataSetH5, ReadsBackEverythingToTheLastBit) {
     m_data.seed = std::numeric_limits<std::uint64_t>::max();
-    m_data.law = {.kind = LengthLaw::Kind::bimodal, .scale = 1.0 / 300.0};
+    m_data.prior = {.kind = LengthPrior::Kind::bimodal, .scale = 1.0 / 300.0};
     m_data.statuses[3] = EquilibriumStatus::slack_mechanism;
     m_data.statuses[4] = EquilibriumStatus::iteration_limit;
     m_data.slack_counts[3] = 5;
@@ -83,7 +83,7 @@ TEST_F(DataSetH5, IsTheSameToTheByteWhenWrittenTwice) {
 }
 
 TEST_F(DataSetH5, IsExtendedAfterReadingAsIfItHadNeverBeenWritten) {
-    const Sampler sampler(m_net.net, m_data.law, m_data.seed);
+    const Sampler sampler(m_net.net, m_data.prior, m_data.seed);
     write_data_set(m_path, m_data, m_net);
     DataSet back = read_data_set(m_path).data;
     sampler.extend(back, 40);

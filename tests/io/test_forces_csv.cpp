@@ -21,7 +21,7 @@ using namespace taut::test;
 using testing::HasSubstr;
 
 TEST(ForcesCsv, IsReadByTheNamesOfEdges) {
-    const auto readings = parse_force_readings(
+    const auto readings = parse_force_measurements(
         two_node_net(), "edge,tension,std\nab,1500,30\n# a cell that was moved\n\"aA\",2000,50\n",
         "f.csv");
     ASSERT_EQ(readings.size(), 2U);
@@ -32,15 +32,16 @@ TEST(ForcesCsv, IsReadByTheNamesOfEdges) {
 }
 
 TEST(ForcesCsv, MayLeaveOutHeaderAndDeviationsAndTellAUnit) {
-    const auto readings = parse_force_readings(two_node_net(),
-                                               "\xEF\xBB\xBF"
-                                               "ab;1.5\r\nbD;2\r\n",
-                                               "f.csv", {.unit = 1e3, .relative_std = 0.01});
+    const auto readings = parse_force_measurements(two_node_net(),
+                                                   "\xEF\xBB\xBF"
+                                                   "ab;1.5\r\nbD;2\r\n",
+                                                   "f.csv", {.unit = 1e3, .relative_std = 0.01});
     ASSERT_EQ(readings.size(), 2U);
     EXPECT_EQ(readings[0].tension, 1500.0);
     EXPECT_DOUBLE_EQ(readings[0].std, 15.0);
     EXPECT_EQ(readings[1].edge, 4);
-    EXPECT_EQ(parse_force_readings(two_node_net(), "ab,0\n", "f.csv", {.std = 20.0})[0].std, 20.0);
+    EXPECT_EQ(parse_force_measurements(two_node_net(), "ab,0\n", "f.csv", {.std = 20.0})[0].std,
+              20.0);
 }
 
 TEST(ForcesCsv, AListOfEdgesIsNoReadings) {
@@ -68,8 +69,9 @@ TEST(ForcesCsv, AUnitThatIsMostLikelyAnotherIsNamed) {
 class RefusedForces : public testing::TestWithParam<BadText> {};
 
 TEST_P(RefusedForces, WithLineAndRule) {
-    EXPECT_THAT(input_error_of(
-                    [] { return parse_force_readings(two_node_net(), GetParam().text, "f.csv"); }),
+    EXPECT_THAT(input_error_of([] {
+                    return parse_force_measurements(two_node_net(), GetParam().text, "f.csv");
+                }),
                 HasSubstr(GetParam().message));
 }
 

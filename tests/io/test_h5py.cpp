@@ -46,7 +46,7 @@ void expect_attributes(const json& found, const std::string& format, int version
                        const NetFile& net) {
     EXPECT_EQ(found["attributes"]["format"], format);
     EXPECT_EQ(found["attributes"]["version"], version);
-    EXPECT_EQ(found["attributes"]["law"], "uniform:3mm");
+    EXPECT_EQ(found["attributes"]["prior"], "uniform:3mm");
     EXPECT_EQ(found["attributes"]["seed"], 7);
     EXPECT_EQ(found["attributes"]["net_fingerprint"], net.net.fingerprint());
     EXPECT_EQ(found["attributes"].size(), count);

@@ -31,7 +31,7 @@ protected:
 
     static void expect_same(const LengthModel& a, const LengthModel& b) {
         EXPECT_EQ(a.net_fingerprint, b.net_fingerprint);
-        EXPECT_EQ(a.law, b.law);
+        EXPECT_EQ(a.prior, b.prior);
         EXPECT_EQ(a.seed, b.seed);
         EXPECT_EQ(a.mean, b.mean);
         EXPECT_EQ(a.metric, b.metric);

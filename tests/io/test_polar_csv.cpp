@@ -27,7 +27,7 @@ TEST(PolarCsv, ReadsColumnsInAnyOrderAndUnit) {
     EXPECT_EQ(survey.stations[1].name, "S2");
     EXPECT_EQ(survey.stations[1].line, 4);
     ASSERT_EQ(survey.readings.size(), 3U);
-    const PolarReading& first = survey.readings[0];
+    const PolarObservation& first = survey.readings[0];
     EXPECT_EQ(first.target, "A");
     EXPECT_NEAR(first.direction, std::numbers::pi / 2, 1e-15);
     EXPECT_NEAR(first.zenith, std::numbers::pi / 2, 1e-15);
@@ -73,8 +73,8 @@ TEST(PolarCsv, WritesWhatItReadsBack) {
     ASSERT_EQ(again.readings.size(), 2U);
     EXPECT_EQ(again.stations[0].name, "S, 1");
     for (size_t i = 0; i < 2; ++i) {
-        const PolarReading& a = survey.readings[i];
-        const PolarReading& b = again.readings[i];
+        const PolarObservation& a = survey.readings[i];
+        const PolarObservation& b = again.readings[i];
         EXPECT_EQ(b.station, a.station);
         EXPECT_NEAR(b.direction, a.direction, 1e-11);
         EXPECT_NEAR(b.zenith, a.zenith, 1e-11);

@@ -48,7 +48,7 @@ protected:
 
     /// Without what is told of the precision.
     [[nodiscard]] static std::string untold(PolarSurvey survey) {
-        for (PolarReading& reading : survey.readings) {
+        for (PolarObservation& reading : survey.readings) {
             reading.angle_std = 0.0;
             reading.distance_std = 0.0;
         }
@@ -56,7 +56,7 @@ protected:
     }
 
     [[nodiscard]] static PolarSurvey altered(PolarSurvey survey,
-                                             const std::function<void(PolarReading&)>& alter) {
+                                             const std::function<void(PolarObservation&)>& alter) {
         std::ranges::for_each(survey.readings, alter);
         return survey;
     }
@@ -110,7 +110,7 @@ TEST_F(PolarFile, MatchesNamesOfItsOwnByPlace) {
 
 TEST_F(PolarFile, OfDegreesWhereGonWasToldIsRefused) {
     // The numbers of degrees below a header that says gon.
-    PolarSurvey degrees = altered(readings(), [](PolarReading& reading) {
+    PolarSurvey degrees = altered(readings(), [](PolarObservation& reading) {
         reading.direction *= gon / degree;
         reading.zenith *= gon / degree;
     });
@@ -119,12 +119,12 @@ TEST_F(PolarFile, OfDegreesWhereGonWasToldIsRefused) {
         "targets have the shape of the net";
     EXPECT_EQ(refusal(polar_to_csv(degrees)), message);
     degrees.stations.resize(1);
-    std::erase_if(degrees.readings, [](const PolarReading& one) { return one.station == 1; });
+    std::erase_if(degrees.readings, [](const PolarObservation& one) { return one.station == 1; });
     EXPECT_EQ(refusal(polar_to_csv(degrees)), message);
 }
 
 TEST_F(PolarFile, OfAStationThatNothingTiesToTheOthersIsRefused) {
-    const PolarSurvey untied = altered(readings(), [](PolarReading& reading) {
+    const PolarSurvey untied = altered(readings(), [](PolarObservation& reading) {
         reading.target += reading.station == 1 && reading.target != "7" ? "b" : "";
     });
     EXPECT_EQ(refusal(polar_to_csv(untied)),

@@ -69,8 +69,8 @@ private:
 TEST_P(OverRanks, SampleGivesTheSameDataSetAndSaysTheSame) {
     for (const Words& words :
          {Words{"sample", "net.json", "-n", "150", "-o", "data.h5"},
-          Words{"sample", "net.json", "-n", "5", "-o", "data.h5", "--seed", "7", "--law",
-                "normal:2mm", "--unknown", "supports:2mm", "--json"}}) {
+          Words{"sample", "net.json", "-n", "5", "-o", "data.h5", "--seed", "7", "--prior",
+                "normal:2mm", "--uncertain", "supports:2mm", "--json"}}) {
         EXPECT_EQ(by_ranks(words, "data.h5"), by_taut(words, "data.h5"));
     }
     EXPECT_EQ(files().size(), 1U) << "the net alone";
@@ -94,7 +94,7 @@ TEST_P(OverRanks, TrainGivesTheSameModel) {
 TEST_P(OverRanks, CompareGivesTheSameNumbers) {
     expect_same_json(
         {"compare", "net.json", "-o", "out", "--noise", "0,0.5mm", "--training", "20,30",
-         "--hidden", "0,25%", "--surveys", "5", "--unknown", "supports:2mm", "--epochs", "2"},
+         "--hidden", "0,25%", "--surveys", "5", "--uncertain", "supports:2mm", "--epochs", "2"},
         "out/comparison.json");
 }
 

@@ -14,7 +14,7 @@ def net():
 
 @pytest.fixture(scope="session")
 def built(net):
-    return taut.built_net(net, law="uniform:3mm", seed=2)
+    return taut.built_net(net, prior="uniform:3mm", seed=2)
 
 
 @pytest.fixture(scope="session")
@@ -42,7 +42,7 @@ def survey(net, columns):
 
 @pytest.fixture(scope="session")
 def found(net, survey):
-    return taut.identify(net, survey, law="uniform:3mm", draws=100)
+    return taut.identify(net, survey, prior="uniform:3mm", draws=100)
 
 
 @pytest.fixture

@@ -41,7 +41,7 @@ def test_edges_come_in_any_order(found):
 def test_a_plan_on_a_doubtful_identification_says_so(found, survey):
     assert taut.plan(found).trust == found.trust == "passed"
     assert taut.plan(found).warnings == []
-    few = taut.identify(found.net, survey, law="uniform:0.2mm", draws=0)
+    few = taut.identify(found.net, survey, prior="uniform:0.2mm", draws=0)
     assert few.trust != "passed"
     plan = taut.plan(few, accept_failed=True)
     assert f"the identification is {few.trust}" in repr(plan)
@@ -50,7 +50,7 @@ def test_a_plan_on_a_doubtful_identification_says_so(found, survey):
 def test_a_plan_on_a_failed_identification_is_made_only_where_that_is_accepted(net, columns):
     # Half a millimetre of noise, taken for far less.
     sure = {**columns, **{axis: np.full(len(columns["x"]), 1.5e-4) for axis in ("sx", "sy", "sz")}}
-    failed = taut.identify(net, taut.read_survey(net, sure), law="uniform:3mm", draws=0)
+    failed = taut.identify(net, taut.read_survey(net, sure), prior="uniform:3mm", draws=0)
     assert failed.trust == "failed"
     with pytest.raises(ValueError, match="accept_failed=True"):
         taut.plan(failed)

@@ -28,14 +28,14 @@ def results(net, survey, found):
     moved = np.array(found.form)
     moved[net.free_nodes[3], 2] += 0.05
     off = taut.read_survey(net, moved[net.free_nodes[1:]], ids=net.free_nodes[1:], noise=0.5e-3)
-    data = taut.Sampler(net, "uniform:3mm", unknowns=["stiffness:5%"]).draw(30)
+    data = taut.Sampler(net, "uniform:3mm", uncertain=["stiffness:5%"]).draw(30)
     unsure = {
-        "unknowns": ["stiffness:5%", "supports:1mm"],
-        "readings": [(3, float(found.tension[3]), 50.0)],
+        "uncertain": ["stiffness:5%", "supports:1mm"],
+        "forces": [(3, float(found.tension[3]), 50.0)],
     }
     of_one = taut.identify(net, off, covariance_of=net.interior_edges[:2], **unsure)
     turned = [(int(net.adjustable_edges[0]), 1e-3, 1e-4)]
-    of_two = taut.identify(net, off, epochs=[(survey, turned)], readings=unsure["readings"])
+    of_two = taut.identify(net, off, epochs=[(survey, turned)], forces=unsure["forces"])
     return [
         taut.TensionLaw([0.0, 0.001], [0.0, 50.0], name="strand"),
         taut.solve_equilibrium(net),
@@ -71,7 +71,7 @@ def test_what_is_made_of_a_pickled_result_is_the_same(net, found, survey):
     assert np.array_equal(again.length_draws, found.length_draws)
     assert taut.plan(again).to_json() == taut.plan(found).to_json()
     identified = taut.identify(
-        net, pickle.loads(pickle.dumps(survey)), law="uniform:3mm", draws=100
+        net, pickle.loads(pickle.dumps(survey)), prior="uniform:3mm", draws=100
     )
     assert identified.to_json() == found.to_json()
     plan = taut.plan(found)
@@ -88,7 +88,7 @@ def test_what_is_made_of_a_pickled_result_is_the_same(net, found, survey):
 def test_processes_hand_results_to_each_other(method, net, survey, found):
     context = multiprocessing.get_context(method)
     with concurrent.futures.ProcessPoolExecutor(1, mp_context=context) as pool:
-        there = pool.submit(taut.identify, net, survey, law="uniform:3mm", draws=100).result(120)
+        there = pool.submit(taut.identify, net, survey, prior="uniform:3mm", draws=100).result(120)
         plan = pool.submit(taut.plan, there).result(120)
     assert there.to_json() == found.to_json()
     assert plan.to_json() == taut.plan(found).to_json()

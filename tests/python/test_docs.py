@@ -135,7 +135,7 @@ def test_the_files_that_the_page_of_files_shows(tmp_path, monkeypatch):
     whole, part = (text for kind, _, text, _ in fenced("docs/files.md") if kind == "json")
     net = taut.CableNet.from_json(whole)
     assert net.edge_id(1) == "BC"
-    # The laws are those of a net of three edges.
+    # The priors are those of a net of three edges.
     three = {
         "format": "taut-net",
         "version": 1,
@@ -145,8 +145,8 @@ def test_the_files_that_the_page_of_files_shows(tmp_path, monkeypatch):
         "axial_stiffness": 1e5,
         "unstressed_lengths": [0.998, 1.41, 1.41],
     }
-    laws = json.loads("{" + part + "}")
-    strands = taut.CableNet.from_json(json.dumps(three | laws))
+    priors = json.loads("{" + part + "}")
+    strands = taut.CableNet.from_json(json.dumps(three | priors))
     assert strands.to_dict()["tension_laws"] == laws["tension_laws"]
     stretched = taut.tensions(strands, strands.unstressed_lengths, strands.nodes)
     assert stretched[0] == pytest.approx(17050 * (1 / 0.998 - 1) / 0.0022)

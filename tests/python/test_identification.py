@@ -71,14 +71,14 @@ def test_a_clamp_that_slipped_is_in_the_diagnostics():
     data["unstressed_lengths"][shorter] -= 0.01
     form = taut.solve_equilibrium(taut.CableNet.from_json(json.dumps(data))).form
     survey = taut.read_survey(saddle, taut.simulate_survey(saddle, form, noise=0.5e-3))
-    found = taut.identify(saddle, survey, law="uniform:2mm", draws=0)
-    named = {(one["edge"], one["other"]) for one in found.diagnostics["lengths_beyond_law"]}
+    found = taut.identify(saddle, survey, prior="uniform:2mm", draws=0)
+    named = {(one["edge"], one["other"]) for one in found.diagnostics["length_outliers"]}
     assert named == {(longer, str(shorter)), (shorter, str(longer))}
     assert found.trust == "doubtful"
 
 
 def test_what_is_not_given_is_assumed(net, survey):
-    site = taut.identify(net, survey, law="uniform:3mm", draws=50)
+    site = taut.identify(net, survey, prior="uniform:3mm", draws=50)
     assert [one["value"] for one in site.assumptions] == [
         "stiffness:5%",
         "stiffness-each:2%",
@@ -86,21 +86,21 @@ def test_what_is_not_given_is_assumed(net, survey):
         "supports:1mm",
     ]
     assert {one["source"] for one in site.assumptions} == {"default"}
-    exact = taut.identify(net, survey, law="uniform:3mm", draws=50, uncertain=["none"])
+    exact = taut.identify(net, survey, prior="uniform:3mm", draws=50, uncertain=["none"])
     assert exact.assumptions == []
     assert np.mean(site.tension_upper - site.tension_lower) > np.mean(
         exact.tension_upper - exact.tension_lower
     )
-    given = taut.identify(net, survey, law="uniform:3mm", draws=0, uncertain=["stiffness:10%"])
+    given = taut.identify(net, survey, prior="uniform:3mm", draws=0, uncertain=["stiffness:10%"])
     assert given.assumptions[0]["source"] == "given"
     assert not given.assumptions[0]["testable"]
     with pytest.raises(ValueError, match="cannot stand together"):
-        taut.identify(net, survey, uncertain=["none"], unknowns=[])
+        taut.identify(net, survey, uncertain=["none"], uncertain=[])
 
 
 def test_covariances_between_lengths(net, survey):
     pair = net.interior_edges[:2]
-    found = taut.identify(net, survey, law="uniform:3mm", draws=0, covariance_of=pair)
+    found = taut.identify(net, survey, prior="uniform:3mm", draws=0, covariance_of=pair)
     assert found.length_covariance.shape == (2, 2)
     assert np.sqrt(np.diag(found.length_covariance)) == pytest.approx(found.std[:2], rel=1e-6)
     assert found.length_draws is None
@@ -163,8 +163,8 @@ def test_the_prospect_of_a_survey(net):
     ("settings", "words"),
     [
         ({"method": "luck"}, "luck"),
-        ({"law": "uniform:5"}, "uniform:5"),
-        ({"unknowns": ["weather:1"]}, "weather"),
+        ({"prior": "uniform:5"}, "uniform:5"),
+        ({"uncertain": ["weather:1"]}, "weather"),
         ({"draws": -1}, "draws"),
         ({"covariance_of": [10**6]}, "covariance"),
         ({"slack": [0], "taut": [0]}, "slack"),
@@ -178,12 +178,12 @@ def test_what_does_not_go_together_is_refused(net, survey, settings, words):
 @pytest.mark.parametrize(
     ("settings", "words"),
     [
-        ({"law": 5}, r"identify: law: got int 5, expected str \| None"),
+        ({"prior": 5}, r"identify: prior: got int 5, expected str \| None"),
         ({"draws": 1.5}, "draws: got float, expected int"),
         ({"seed": -1}, "seed: got int -1"),
-        ({"readings": [(1, 2)]}, r"readings: got list, expected Sequence\[tuple\["),
+        ({"forces": [(1, 2)]}, r"forces: got list, expected Sequence\[tuple\["),
         ({"model": 1}, "model: got int 1, expected LengthModel"),
-        ({"lawn": "uniform:5mm"}, "lawn: is no argument, expected law"),
+        ({"lawn": "uniform:5mm"}, "lawn: is no argument, expected prior"),
         ({"progress": 3}, "progress: got int, expected a function"),
     ],
 )

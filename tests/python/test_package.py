@@ -115,8 +115,8 @@ def test_nothing_is_left_behind():
         survey = taut.read_survey(copy, columns)
         found = taut.identify(copy, survey, draws=20)
         views = [found.tension, found.form, copy.nodes, found.length_draws]
-        with pytest.raises(ValueError, match="law"):
-            taut.identify(copy, survey, law="no law")
+        with pytest.raises(ValueError, match="prior"):
+            taut.identify(copy, survey, prior="no prior")
         return views
 
     for _ in range(5):

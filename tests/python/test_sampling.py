@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Guards against samples that depend on anything but law, seed and number."""
+"""Guards against samples that depend on anything but prior, seed and number."""
 
 import pickle
 
@@ -52,7 +52,7 @@ def test_samples_and_models_stay_with_what_they_are_of(net, tmp_path):
     for other in (
         taut.Sampler(net, "uniform:5mm", seed=4),
         taut.Sampler(net, "uniform:3mm", seed=5),
-        taut.Sampler(net, "uniform:3mm", seed=4, unknowns=["stiffness:5%"]),
+        taut.Sampler(net, "uniform:3mm", seed=4, uncertain=["stiffness:5%"]),
         taut.Sampler(taut.hypar(4, 4), "uniform:3mm", seed=4),
     ):
         with pytest.raises(ValueError, match=r"data: got one of .*expected one of this sampler"):
@@ -65,7 +65,7 @@ def test_samples_and_models_stay_with_what_they_are_of(net, tmp_path):
         taut.train(net, data, as_in_paper=True, kernel="node")
 
 
-def test_wrong_laws_and_counts_are_refused(net):
+def test_wrong_priors_and_counts_are_refused(net):
     with pytest.raises(ValueError, match="5 miles"):
         taut.Sampler(net, "uniform:5 miles")
     with pytest.raises(ValueError, match="count"):
@@ -86,7 +86,7 @@ def test_parts_join_to_what_one_call_draws(net):
         sampler.joined([parts[0], parts[1]])
     with pytest.raises(ValueError, match="sample 0 twice"):
         sampler.joined([*parts, parts[1]])
-    with pytest.raises(ValueError, match="another net, law, seed"):
+    with pytest.raises(ValueError, match="another net, prior, seed"):
         taut.Sampler(net, seed=8).joined(parts)
     with pytest.raises(ValueError, match="expected both 0 or more"):
         sampler.part(-1, 5)

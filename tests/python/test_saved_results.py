@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[2]
 FULL = ROOT / "tests/data/results"
 SCHEMA = json.loads((ROOT / "src/results/result.schema.json").read_text())
 KINDS = ("identification", "plan", "study", "comparison", "control")
-NOISE = ["--noise", "0.5mm", "--law", "uniform:3mm"]
+NOISE = ["--noise", "0.5mm", "--prior", "uniform:3mm"]
 EXACT = ["--uncertain", "none"]  # what the finding shows is not explained by anything else
 
 
@@ -239,13 +239,13 @@ def test_what_the_schema_allows_is_taken_or_refused_in_one_line(part, tmp_path):
 # What identify finds.
 
 
-def surveyed(folder, change=None, *words, law="uniform:2mm", noise="0.5mm", seed=4, name="survey"):
+def surveyed(folder, change=None, *words, prior="uniform:2mm", noise="0.5mm", seed=4, name="survey"):
     """A survey of the net as built, with the lengths and supports that are not as designed."""
     net = read(folder / "net.json")
     if change:
         change(net)
     write(folder / "changed.json", net)
-    must_run(folder, "form", "changed.json", "--law", law, "--seed", 2, "-o", "built.csv")
+    must_run(folder, "form", "changed.json", "--prior", prior, "--seed", 2, "-o", "built.csv")
     of = "changed.json" if change else "net.json"
     survey = ["survey", of, "built.csv", "--noise", noise, "--seed", seed, "-o", f"{name}.csv"]
     must_run(folder, *survey, *words)
@@ -272,7 +272,7 @@ def interior(net):
 
 def adjustable_edge(folder):
     surveyed(folder, lengthened(lambda net: net["adjustable"][2], -0.012))
-    return NOISE, lambda result: any("edge" in one for one in result["doubt"]["boundary"])
+    return NOISE, lambda result: any("edge" in one for one in result["diagnostics"]["boundary"])
 
 
 def support(folder):
@@ -283,12 +283,12 @@ def support(folder):
     supports = set(map(str, read(folder / "net.json")["supports"]))
     rewrite(folder, [row[:4] for row in rows_of(folder) if row[0] not in supports])
     words = [*NOISE, *EXACT]
-    return words, lambda result: any("node" in one for one in result["doubt"]["boundary"])
+    return words, lambda result: any("node" in one for one in result["diagnostics"]["boundary"])
 
 
 def length_outlier(folder):
     surveyed(folder, lengthened(lambda net: interior(net)[40], 0.03))
-    return NOISE, lambda result: result["doubt"]["lengths_beyond_law"]
+    return NOISE, lambda result: result["diagnostics"]["length_outliers"]
 
 
 def swapped_names(folder):
@@ -308,14 +308,14 @@ def common_mean(folder):
             net["unstressed_lengths"][edge] -= 0.004
 
     surveyed(folder, shorten)
-    law = ["--noise", "0.5mm", "--law", "uniform:5mm"]
-    return law, lambda result: abs(result["doubt"]["law"]["mean"]) > 0.003
+    prior = ["--noise", "0.5mm", "--prior", "uniform:5mm"]
+    return prior, lambda result: abs(result["diagnostics"]["prior"]["mean"]) > 0.003
 
 
 def noise(folder):
     surveyed(folder, None, noise="2mm")
     rewrite(folder, [row[:4] for row in rows_of(folder)])
-    return NOISE, lambda result: result["doubt"]["noise"]["ratio"] > 2
+    return NOISE, lambda result: result["diagnostics"]["noise"]["ratio"] > 2
 
 
 def frame(folder):
@@ -331,7 +331,7 @@ def frame_of_the_net(folder):
         row[1] = str(float(row[1]) + 0.006)
     rewrite(folder, rows)
     words = [*NOISE, "--frame", "net"]
-    return words, lambda result: result["doubt"]["frame"]["motion_statistic"] > 100
+    return words, lambda result: result["diagnostics"]["frame"]["motion_statistic"] > 100
 
 
 def scale(folder):
@@ -340,7 +340,7 @@ def scale(folder):
     for row in rows[1:]:
         row[1:4] = [str(1.002 * float(x)) for x in row[1:4]]
     rewrite(folder, rows)
-    return NOISE, lambda result: abs(result["doubt"]["frame"]["scale"] - 0.002) < 0.001
+    return NOISE, lambda result: abs(result["diagnostics"]["frame"]["scale"] - 0.002) < 0.001
 
 
 def forces(folder, factor_of):
@@ -373,15 +373,15 @@ def epoch_change(folder):
 
 def slack(folder):
     surveyed(folder, lengthened(lambda net: interior(net)[30], 0.03))
-    law = ["--noise", "0.5mm", "--law", "normal:15mm", "--prior-exact", *EXACT]
-    return law, lambda result: any(edge["status"] == "slack" for edge in result["edges"])
+    prior = ["--noise", "0.5mm", "--prior", "normal:15mm", "--prior-exact", *EXACT]
+    return prior, lambda result: any(edge["status"] == "slack" for edge in result["edges"])
 
 
 def uncertain(folder):
     surveyed(folder, None, "--drop", "20%")
     words = ("stiffness:5%", "stiffness-each:3%", "supports:1mm", "adjustable:0.5mm", "loads:20N")
-    told = [word for name in words for word in ("--unknown", name)]
-    return [*NOISE, *told], lambda result: result["unknowns"]
+    told = [word for name in words for word in ("--uncertain", name)]
+    return [*NOISE, *told], lambda result: result["uncertain"]
 
 
 FOUND = [

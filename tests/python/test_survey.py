@@ -187,12 +187,12 @@ def test_messages_name_arguments_not_options_of_the_program(net, columns):
     assert "--" not in str(error.value)
     survey = taut.read_survey(net, {k: columns[k] for k in ("id", "x", "y", "z")}, noise=1e-4)
     with pytest.raises(ValueError, match="for method='map'") as error:
-        taut.identify(net, survey, method="gp", unknowns=["stiffness:5%"], taut=[0])
+        taut.identify(net, survey, method="gp", uncertain=["stiffness:5%"], taut=[0])
     assert "--" not in str(error.value)
-    found = taut.identify(net, survey, law="uniform:5mm", prior_exact=True, uncertain=["none"])
+    found = taut.identify(net, survey, prior="uniform:5mm", prior_exact=True, uncertain=["none"])
     assert found.findings
     assert all("--" not in f["next"] + f["reason"] for f in found.findings)
-    assert any("law='" in f["next"] and f["remedy"]["parameter"] == "law" for f in found.findings)
+    assert any("prior='" in f["next"] and f["remedy"]["parameter"] == "prior" for f in found.findings)
     [noise] = [f for f in found.findings if f["kind"] == "survey_noise"]
     assert f"noise={noise['remedy']['value']:.6g}" in noise["next"]
     again = taut.read_survey(

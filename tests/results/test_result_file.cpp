@@ -118,9 +118,9 @@ TEST(ResultFile, OfAnIdentificationMayLackWhatOnlySomeMethodsTell) {
     EXPECT_NO_THROW(static_cast<void>(parse_result(result.dump(), "result.json")));
 }
 
-TEST(ResultFile, OfAnOlderTautLacksLawAndFrame) {
+TEST(ResultFile, OfAnOlderTautLacksPriorAndFrame) {
     json result = good("identification");
-    result.erase("law");
+    result.erase("length_prior");
     result.erase("frame");
     result.erase("trust");
     result["survey"].erase("control");
@@ -142,11 +142,11 @@ TEST(ResultFile, TellsTargetsThatWereLeftOutFromThoseInUse) {
 TEST(ResultFile, TellsAdjustableEdgesAndSupportsThatAreNotAsDesigned) {
     json result = good("identification");
     const int edge = result["cable_net"]["adjustable"][1];
-    result["doubt"]["boundary"] = json::array(
+    result["diagnostics"]["boundary"] = json::array(
         {{{"edge", edge}, {"id", std::to_string(edge)}, {"deviation", -0.012}, {"std", 4e-4}},
          {{"node", 0}, {"id", "0"}, {"deviation", {0.0, 0.02, 0.0}}, {"std", {1e-3, 1e-3, 1e-3}}}});
-    for (json& one : result["doubt"]["boundary"]) {
-        one.update({{"statistic", 99.0}, {"rival", nullptr}});
+    for (json& one : result["diagnostics"]["boundary"]) {
+        one.update({{"statistic", 99.0}, {"confounded_with", nullptr}});
     }
     const auto parse = [&] { return parse_result(result.dump(), "r.json"); };
     EXPECT_THAT(input_error_of(parse), ::testing::HasSubstr("/form/0: is 0.02 m from ["));
@@ -242,7 +242,7 @@ const json gone = json(json::value_t::discarded);
 /// Of a result: one adjustable edge or support that is not as designed.
 json boundary(const std::string& entry) {
     json one = json::parse(entry);
-    one.update({{"statistic", 99.0}, {"rival", nullptr}});
+    one.update({{"statistic", 99.0}, {"confounded_with", nullptr}});
     return json::array({one});
 }
 
@@ -364,23 +364,23 @@ INSTANTIATE_TEST_SUITE_P(
                "/survey/missing_nodes/0: is -1"},
         Damage{"WithAResidualWithoutDirection", "identification", "/survey/residuals/0/dz", gone,
                "/survey/residuals/0/dz: is missing"},
-        Damage{"WithAnUnknownOfNoName", "identification", "/unknowns",
-               json::parse(R"([{"name": "wind", "group": null, "told": "wind:5%", "mean": 0,
+        Damage{"WithAnUnknownOfNoName", "identification", "/uncertain",
+               json::parse(R"([{"name": "wind", "group": null, "given": "wind:5%", "mean": 0,
                                 "std": 1, "unit": "1", "observed": true}])"),
-               "/unknowns/0/told: 'wind:5%' is nothing"},
-        Damage{"WithAnUnknownOfAnEdgeBeyondTheNet", "identification", "/unknowns",
+               "/uncertain/0/told: 'wind:5%' is nothing"},
+        Damage{"WithAnUnknownOfAnEdgeBeyondTheNet", "identification", "/uncertain",
                json::parse(R"([{"name": "stiffness-each", "group": null, "edge": 999,
-                                "told": "stiffness-each:3%", "mean": 0, "std": 0.01, "unit": "1",
+                                "given": "stiffness-each:3%", "mean": 0, "std": 0.01, "unit": "1",
                                 "observed": true}])"),
-               "/unknowns/0/edge: is 999"},
-        Damage{"WithAnUnknownOfNoNode", "identification", "/unknowns",
-               json::parse(R"([{"name": "supports", "group": null, "told": "supports:1mm",
+               "/uncertain/0/edge: is 999"},
+        Damage{"WithAnUnknownOfNoNode", "identification", "/uncertain",
+               json::parse(R"([{"name": "supports", "group": null, "given": "supports:1mm",
                                 "mean": 0, "std": 0.001, "unit": "m", "observed": true}])"),
-               "/unknowns/0/node: is missing"},
-        Damage{"WithAnUnknownThatNobodyKnowsOfObserved", "identification", "/unknowns",
-               json::parse(R"([{"name": "stiffness", "group": null, "told": "stiffness:3%",
+               "/uncertain/0/node: is missing"},
+        Damage{"WithAnUnknownThatNobodyKnowsOfObserved", "identification", "/uncertain",
+               json::parse(R"([{"name": "stiffness", "group": null, "given": "stiffness:3%",
                                 "mean": 0, "std": 0.01, "unit": "1", "observed": 1}])"),
-               "/unknowns/0/observed: is 1, expected true or false"},
+               "/uncertain/0/observed: is 1, expected true or false"},
         Damage{"WithTooFewTensions", "identification", "/tension", json{1.0},
                "/tension: has 1 entries"},
         Damage{"WithAReversedIntervalOfTheMeanTension", "identification", "/mean_tension",
@@ -412,7 +412,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithTheIdOfAnotherEdge", "identification", "/edges/0/id", "edge 77",
                "/edges/0/id: is 'edge 77', expected '"},
         Damage{"WithPriorsOfAnotherSumThanOne", "identification", "/prior/nodes",
-               json::parse(R"([{"law": "uniform:5mm", "weight": 0.25}])"),
+               json::parse(R"([{"prior": "uniform:5mm", "weight": 0.25}])"),
                "/prior/nodes: has weights of sum "},
         Damage{"WithAVerdictBetterThanItsFindings", "identification", "/findings",
                json::parse(R"([{"kind": "slip", "severity": "failed", "ids": [], "value": null,
@@ -422,20 +422,21 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithALengthCovarianceOfTooFewRows", "identification", "/length_covariance",
                json::parse(R"({"edges": [0, 1], "ids": ["0", "1"], "covariance": [[1, 0]]})"),
                "/length_covariance/covariance: has 1 entries, expected a row for each edge: 2"},
-        Damage{"WithABoundaryOutlierThatIsNoAdjustableEdge", "identification", "/doubt/boundary",
+        Damage{"WithABoundaryOutlierThatIsNoAdjustableEdge", "identification",
+               "/diagnostics/boundary",
                boundary(R"({"edge": 4, "id": "4", "deviation": 0.01, "std": 0.001})"),
-               "/doubt/boundary/0/edge: is 4, expected an adjustable edge"},
-        Damage{"WithANumberForAMoveOfASupport", "identification", "/doubt/boundary",
+               "/diagnostics/boundary/0/edge: is 4, expected an adjustable edge"},
+        Damage{"WithANumberForAMoveOfASupport", "identification", "/diagnostics/boundary",
                boundary(R"({"node": 0, "id": "0", "deviation": 0.01, "std": 0.001})"),
-               "/doubt/boundary/0/deviation: is 0.01, expected a number for each axis"},
-        Damage{"WithATextInAMoveOfASupport", "identification", "/doubt/boundary",
+               "/diagnostics/boundary/0/deviation: is 0.01, expected a number for each axis"},
+        Damage{"WithATextInAMoveOfASupport", "identification", "/diagnostics/boundary",
                boundary(R"({"node": 0, "id": "0", "deviation": [0, 0, "far"], "std": [1, 1, 1]})"),
-               "/doubt/boundary/0/deviation/2: is the text 'far', expected a number"},
+               "/diagnostics/boundary/0/deviation/2: is the text 'far', expected a number"},
         Damage{"WithAnEpochsBoundaryOutlierOfNothing", "identification", "/epochs",
                json::parse(R"([{"used": 1, "turned": [], "outliers": [], "change_ratio": 0,
                                 "changes": [], "trust": {"verdict": "passed", "findings": []},
                                 "boundary": [{"id": "0", "deviation": 0.01, "std": 0.001,
-                                              "statistic": 9, "rival": null}]}])"),
+                                              "statistic": 9, "confounded_with": null}]}])"),
                "/epochs/0/boundary/0/node: is missing"},
         Damage{"WithAFingerprintWithoutEnd", "identification", "/net/fingerprint",
                std::string(100'000, 'x'), "x...', expected "}),
@@ -470,7 +471,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/turns/0/edge_id: is 'no edge', expected '"},
         Damage{"ThatTurnsNoEdge", "plan", "/turns/0/edge", 999,
                "/turns/0/edge: is 999, expected an edge of the net"},
-        Damage{"ThatTurnsSomehow", "plan", "/turns/0/sense", "tighten", "/turns/0/sense: is"},
+        Damage{"ThatTurnsSomehow", "plan", "/turns/0/action", "tighten", "/turns/0/action: is"},
         Damage{"WithABreachOfNoEdge", "plan", "/violations/0/edge", 999,
                "/violations/0/edge: is 999"},
         Damage{"WithAWorstMomentOfNoEdge", "plan", "/order/worst/breach/edge", 999,

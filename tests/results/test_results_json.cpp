@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a result that does not tell what it was reckoned with: the law of the lengths, and
-// the frame that the survey was moved into.
+// Guards against a result that does not tell what it was reckoned with: the prior of the lengths,
+// and the frame that the survey was moved into.
 
 #include "taut/results/results_json.hpp"
 
@@ -35,15 +35,16 @@ json written(const CableNet& net, const Survey& survey, const Identification& id
     return json::parse(text);
 }
 
-TEST(IdentificationJson, TellsTheLawOfEachMethod) {
+TEST(IdentificationJson, TellsThePriorOfEachMethod) {
     const CableNet net = hypar(3, 4);
-    const LengthLaw law = parse_length_law("normal:2mm");
+    const LengthPrior prior = parse_length_prior("normal:2mm");
     for (const double noise : {0.0, 1e-4}) {
         const Survey survey = whole_survey(net, noise);
         for (const auto method : {IdentificationMethod::balance, IdentificationMethod::map}) {
             const Identification result =
-                identify(net, survey, {.method = method, .law = law, .prior_exact = true});
-            EXPECT_EQ(written(net, survey, result)["law"], "normal:2mm") << result.method << noise;
+                identify(net, survey, {.method = method, .prior = prior, .prior_exact = true});
+            EXPECT_EQ(written(net, survey, result)["length_prior"], "normal:2mm")
+                << result.method << noise;
         }
     }
 }
@@ -51,7 +52,8 @@ TEST(IdentificationJson, TellsTheLawOfEachMethod) {
 TEST(IdentificationJson, TellsTheFrameThatTheSurveyWasMovedInto) {
     const CableNet net = hypar(3, 4);
     Survey survey = whole_survey(net, 1e-4);
-    const Identification result = identify(net, survey, {.law = parse_length_law("uniform:5mm")});
+    const Identification result =
+        identify(net, survey, {.prior = parse_length_prior("uniform:5mm")});
     EXPECT_TRUE(written(net, survey, result)["frame"].is_null());
     EXPECT_TRUE(written(net, survey, result)["survey"]["control"].empty());
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a trial on lengths that no law gives, that change what is known and set, or that
+// Guards against a trial on lengths that no prior gives, that change what is known and set, or that
 // the trained processes have seen.
 
 #include "taut/sampling/built_net.hpp"
@@ -19,20 +19,20 @@ namespace {
 
 using namespace taut;
 
-constexpr LengthLaw built_law{LengthLaw::Kind::uniform, 0.005};
+constexpr LengthPrior built_prior{LengthPrior::Kind::uniform, 0.005};
 
 Eigen::VectorXd deviations(const CableNet& net, std::uint64_t seed) {
-    return (built_net(net, built_law, seed).unstressed_lengths() -
+    return (built_net(net, built_prior, seed).unstressed_lengths() -
             net.unstressed_lengths())(net.interior_edges());
 }
 
-TEST(BuiltNet, HasInteriorLengthsOfTheLawAndAllElseAsDesigned) {
+TEST(BuiltNet, HasInteriorLengthsOfThePriorAndAllElseAsDesigned) {
     const CableNet net = hypar(6, 8);
     const Eigen::VectorXd drawn = deviations(net, 7);
-    EXPECT_LE(drawn.cwiseAbs().maxCoeff(), built_law.scale);
-    EXPECT_NEAR(drawn.norm() / std::sqrt(static_cast<double>(drawn.size())), built_law.std(),
-                0.2 * built_law.std());
-    CableNetData data = built_net(net, built_law, 7).data();
+    EXPECT_LE(drawn.cwiseAbs().maxCoeff(), built_prior.scale);
+    EXPECT_NEAR(drawn.norm() / std::sqrt(static_cast<double>(drawn.size())), built_prior.std(),
+                0.2 * built_prior.std());
+    CableNetData data = built_net(net, built_prior, 7).data();
     for (const int edge : net.adjustable_edges()) {
         EXPECT_EQ(data.unstressed_lengths(edge), net.unstressed_lengths()(edge));
     }
@@ -44,14 +44,14 @@ TEST(BuiltNet, WeighsAsDesigned) {
     CableNetData data = hypar(3, 4).data();
     data.mass = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 1.2);
     const CableNet net(std::move(data));
-    EXPECT_EQ(built_net(net, built_law, 7).loads(), net.loads());
+    EXPECT_EQ(built_net(net, built_prior, 7).loads(), net.loads());
 }
 
 TEST(BuiltNet, IsTheSameForASeedAndNoSampleOfIt) {
     const CableNet net = hypar(3, 4);
     EXPECT_EQ(deviations(net, 7), deviations(net, 7));
     EXPECT_NE(deviations(net, 7), deviations(net, 8));
-    const Sampler sampler(net, built_law, 7);
+    const Sampler sampler(net, built_prior, 7);
     DataSet data = sampler.empty();
     sampler.extend(data, 20);
     for (const auto& sample : data.length_deviations.colwise()) {
@@ -59,9 +59,9 @@ TEST(BuiltNet, IsTheSameForASeedAndNoSampleOfIt) {
     }
 }
 
-TEST(BuiltNet, RefusesALawThatGivesLengthsBelowZero) {
-    for (const LengthLaw& far :
-         {LengthLaw{LengthLaw::Kind::uniform, 9.0}, LengthLaw{LengthLaw::Kind::normal, 0.06}}) {
+TEST(BuiltNet, RefusesAPriorThatGivesLengthsBelowZero) {
+    for (const LengthPrior& far : {LengthPrior{LengthPrior::Kind::uniform, 9.0},
+                                   LengthPrior{LengthPrior::Kind::normal, 0.06}}) {
         try {
             static_cast<void>(built_net(hypar(3, 4), far, 1));
             ADD_FAILURE() << far.to_string() << " is not refused";
@@ -71,13 +71,13 @@ TEST(BuiltNet, RefusesALawThatGivesLengthsBelowZero) {
     }
 }
 
-TEST(BuiltNet, RefusesALawWithoutAPositiveScaleByName) {
+TEST(BuiltNet, RefusesAPriorWithoutAPositiveScaleByName) {
     for (const double scale : {0.0, -0.005, std::nan("")}) {
         try {
-            static_cast<void>(built_net(hypar(3, 4), {LengthLaw::Kind::normal, scale}, 1));
+            static_cast<void>(built_net(hypar(3, 4), {LengthPrior::Kind::normal, scale}, 1));
             ADD_FAILURE() << scale << " is not refused";
         } catch (const std::invalid_argument& error) {
-            EXPECT_THAT(error.what(), testing::HasSubstr("normal law"));
+            EXPECT_THAT(error.what(), testing::HasSubstr("normal prior"));
         }
     }
 }

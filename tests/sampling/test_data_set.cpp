@@ -4,7 +4,7 @@
 // Guards against data that cannot be drawn again: draws that another compiler, seed width or sample
 // count changes; and against miscounted samples.
 
-#include "sampling/uniform_law.hpp"
+#include "sampling/uniform_prior.hpp"
 #include "taut/sampling/data_set.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 using taut::DataSet;
 using taut::draw_length_deviations;
 using taut::EquilibriumStatus;
-using taut::LengthLaw;
+using taut::LengthPrior;
 
 using taut::test::uniform_5mm;
 
@@ -109,7 +109,7 @@ TEST(DataSet, RefusesSamplesThatAreNotThere) {
     const DataSet data;
     EXPECT_THROW((void)data.converged_in(0, 1), std::out_of_range);
     EXPECT_THROW((void)data.converged_in(-1, 0), std::out_of_range);
-    EXPECT_THROW((void)draw_length_deviations(LengthLaw{}, 1, 0, -1), std::invalid_argument);
+    EXPECT_THROW((void)draw_length_deviations(LengthPrior{}, 1, 0, -1), std::invalid_argument);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 // samples that depend on threads or on where a run was broken off, deviations from a form that is
 // not the nominal one.
 
-#include "sampling/uniform_law.hpp"
+#include "sampling/uniform_prior.hpp"
 #include "taut/sampling/sampler.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ using namespace taut;
 
 using taut::test::uniform_5mm;
 
-DataSet draw(const CableNet& net, int count, const LengthLaw& from = uniform_5mm,
+DataSet draw(const CableNet& net, int count, const LengthPrior& from = uniform_5mm,
              std::uint64_t seed = 1) {
     const Sampler sampler(net, from, seed);
     DataSet data = sampler.empty();
@@ -40,7 +40,7 @@ DataSet draw(const CableNet& net, int count, const LengthLaw& from = uniform_5mm
 
 void expect_same(const DataSet& a, const DataSet& b) {
     EXPECT_EQ(a.net_fingerprint, b.net_fingerprint);
-    EXPECT_EQ(a.law, b.law);
+    EXPECT_EQ(a.prior, b.prior);
     EXPECT_EQ(a.seed, b.seed);
     EXPECT_EQ(a.nominal_form, b.nominal_form);
     ASSERT_EQ(a.size(), b.size());
@@ -79,13 +79,13 @@ CableNet loaded(const CableNet& net) {
     return CableNet(content);
 }
 
-TEST(Sampler, BeginsWithAnEmptyDataSetOfItsNetLawAndSeed) {
+TEST(Sampler, BeginsWithAnEmptyDataSetOfItsNetPriorAndSeed) {
     const CableNet net = hypar(3, 4);
     const Sampler sampler(net, uniform_5mm, 42);
     const DataSet data = sampler.empty();
     EXPECT_EQ(data.size(), 0);
     EXPECT_EQ(data.net_fingerprint, net.fingerprint());
-    EXPECT_EQ(data.law, uniform_5mm);
+    EXPECT_EQ(data.prior, uniform_5mm);
     EXPECT_EQ(data.seed, 42U);
     EXPECT_EQ(data.nominal_form, free_coordinates(net, sampler.nominal().form));
     EXPECT_EQ(data.form_deviations.rows(), 3 * net.free_node_count());
@@ -109,7 +109,7 @@ TEST(Sampler, GivesFormsInEquilibriumWithTheirLengths) {
 
 TEST(Sampler, GivesFormsInEquilibriumWhereEdgesAreSlack) {
     const CableNet net = hypar(3, 4);
-    const DataSet data = draw(net, 40, {LengthLaw::Kind::uniform, 0.02});
+    const DataSet data = draw(net, 40, {LengthPrior::Kind::uniform, 0.02});
     ASSERT_GT(data.with_slack(), 10);
     expect_balance(net, data);
 }
@@ -121,7 +121,7 @@ TEST(Sampler, GivesFormsThatDifferFromTheNominalOne) {
 
 TEST(Sampler, CountsTheSlackEdgesOfEachSample) {
     const CableNet net = hypar(3, 4);
-    const DataSet data = draw(net, 40, {LengthLaw::Kind::uniform, 0.01});
+    const DataSet data = draw(net, 40, {LengthPrior::Kind::uniform, 0.01});
     int with_slack = 0;
     for (int k = 0; k < data.size(); ++k) {
         const auto slack = slack_edges(
@@ -149,7 +149,7 @@ TEST(Sampler, TellsWhichSamplesAreMechanisms) {
     content.unstressed_lengths.setConstant(3, 0.999);
     content.adjustable = {0, 2};
     const CableNet net(content);
-    const DataSet data = draw(net, 30, {LengthLaw::Kind::uniform, 0.1});
+    const DataSet data = draw(net, 30, {LengthPrior::Kind::uniform, 0.1});
     EXPECT_EQ(data.not_converged(), 0);
     for (int k = 0; k < data.size(); ++k) {
         // 3 mm of the chain are strained away before it hangs loose.
@@ -163,7 +163,7 @@ TEST(Sampler, GivesTheSameBitsOnOneThreadAndOnTwo) {
     const CableNet net = hypar(4, 5);
     const auto draw_on = [&net](int threads) {
         return with_threads(threads,
-                            [&] { return draw(net, 60, {LengthLaw::Kind::uniform, 0.01}); });
+                            [&] { return draw(net, 60, {LengthPrior::Kind::uniform, 0.01}); });
     };
     expect_same(draw_on(1), draw_on(2));
 }
@@ -282,7 +282,7 @@ TEST(Sampler, MeasuresDeviationsFromTheEquilibriumNotFromTheNodesOfTheFile) {
     EXPECT_LT((data.form_deviations - expected.form_deviations).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-std::string refusal(const CableNet& net, const LengthLaw& of) {
+std::string refusal(const CableNet& net, const LengthPrior& of) {
     try {
         const Sampler sampler(net, of, 1);
     } catch (const std::invalid_argument& error) {
@@ -295,28 +295,28 @@ TEST(Sampler, RefusesANetWithoutInteriorEdges) {
     EXPECT_THAT(refusal(hypar(1, 1), uniform_5mm), testing::HasSubstr("no interior edge"));
 }
 
-TEST(Sampler, RefusesALawThatReachesTheShortestInteriorLengthAndNamesBoth) {
+TEST(Sampler, RefusesAPriorThatReachesTheShortestInteriorLengthAndNamesBoth) {
     CableNetData content = hypar(3, 4).data();
     const int interior = hypar(3, 4).interior_edges()[5];
     content.unstressed_lengths(interior) = 0.1;
     const CableNet net(content);
-    EXPECT_THAT(refusal(net, {LengthLaw::Kind::uniform, 0.1}),
+    EXPECT_THAT(refusal(net, {LengthPrior::Kind::uniform, 0.1}),
                 testing::AllOf(testing::HasSubstr("uniform:100mm"), testing::HasSubstr("100 mm")));
-    EXPECT_THAT(refusal(net, {LengthLaw::Kind::normal, 0.02}),
+    EXPECT_THAT(refusal(net, {LengthPrior::Kind::normal, 0.02}),
                 testing::AllOf(testing::HasSubstr("normal:20mm"), testing::HasSubstr("166 mm"),
                                testing::HasSubstr("100 mm")));
-    EXPECT_EQ(refusal(net, {LengthLaw::Kind::uniform, 0.0999}), "not refused");
+    EXPECT_EQ(refusal(net, {LengthPrior::Kind::uniform, 0.0999}), "not refused");
 }
 
 TEST(Sampler, AsksNothingOfTheLengthsOfAdjustableEdges) {
     CableNetData content = hypar(3, 4).data();
     content.unstressed_lengths(content.adjustable.front()) = 0.05;
-    EXPECT_EQ(refusal(CableNet(content), {LengthLaw::Kind::uniform, 0.06}), "not refused");
+    EXPECT_EQ(refusal(CableNet(content), {LengthPrior::Kind::uniform, 0.06}), "not refused");
 }
 
-TEST(Sampler, RefusesALawWhoseScaleIsNoPositiveNumber) {
+TEST(Sampler, RefusesAPriorWhoseScaleIsNoPositiveNumber) {
     for (const double scale : {0.0, -0.005, std::nan(""), -HUGE_VAL}) {
-        EXPECT_THAT(refusal(hypar(3, 4), {LengthLaw::Kind::uniform, scale}),
+        EXPECT_THAT(refusal(hypar(3, 4), {LengthPrior::Kind::uniform, scale}),
                     testing::HasSubstr("positive"));
     }
 }
@@ -365,7 +365,7 @@ TEST(SamplePart, ThatIsMissingDoubledOrAnothersIsRefused) {
     EXPECT_THAT(message_of({sampler.part(0, 3), sampler.part(2, 2)}),
                 testing::HasSubstr("have sample 2 twice"));
     EXPECT_THAT(message_of({Sampler(net, uniform_5mm, 8).part(0, 3)}),
-                testing::HasSubstr("another net, law, seed or unknowns"));
+                testing::HasSubstr("another net, prior, seed or uncertain"));
     SamplePart cut = sampler.part(0, 3);
     cut.samples.statuses.push_back(EquilibriumStatus::converged);
     EXPECT_NE(message_of({cut}), "");

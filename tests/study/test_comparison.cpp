@@ -31,7 +31,7 @@ const ComparisonSettings small_comparison{.noises = {5e-4, 0.0, 1e-4},
                                           .training_samples = {60, 20, 40},
                                           .hidden_parts = {0.0, 0.2},
                                           .surveys = 6,
-                                          .law = {LengthLaw::Kind::uniform, 0.003},
+                                          .prior = {LengthPrior::Kind::uniform, 0.003},
                                           .seed = 3};
 
 const ComparisonRow& row_of(const Comparison& comparison, const std::string& method,
@@ -80,7 +80,7 @@ TEST_F(SmallComparison, HasARowForEachMethodAndPlaceOnItsAxes) {
 }
 
 TEST_F(SmallComparison, TrainsOnTheFirstSamplesAndSurveysTheLast) {
-    const Sampler sampler(m_net, small_comparison.law, small_comparison.seed);
+    const Sampler sampler(m_net, small_comparison.prior, small_comparison.seed);
     DataSet data = sampler.empty();
     sampler.extend(data, 66);
     ASSERT_EQ(data.not_converged(), 0);
@@ -146,7 +146,7 @@ TEST_F(SmallComparison, TellsHowLongItsStagesTook) {
 
 TEST(Comparison, CountsSurveysWithSlackEdges) {
     ComparisonSettings settings = small_comparison;
-    settings.law.scale = 0.01;
+    settings.prior.scale = 0.01;
     settings.noises = {0.0};
     settings.training_samples = {20};
     settings.hidden_parts = {};
@@ -213,7 +213,8 @@ TEST(ComparisonSettings, RefuseWhatMakesNoSense) {
     EXPECT_THAT(refusal([](auto& s) { s.hidden_parts = {-0.1}; }), HasSubstr("-0.1"));
     EXPECT_THAT(refusal([](auto& s) { s.surveys = 0; }), HasSubstr("0 surveys"));
     for (const double scale : {0.0, -0.005, std::nan("")}) {
-        EXPECT_THAT(refusal([scale](auto& s) { s.law.scale = scale; }), HasSubstr("uniform law"));
+        EXPECT_THAT(refusal([scale](auto& s) { s.prior.scale = scale; }),
+                    HasSubstr("uniform prior"));
     }
 }
 

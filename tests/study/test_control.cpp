@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 ControlSettings small_job() {
-    return {.law = LengthLaw{.kind = LengthLaw::Kind::uniform, .scale = 2e-3},
+    return {.prior = LengthPrior{.kind = LengthPrior::Kind::uniform, .scale = 2e-3},
             .noise_std = 0.2e-3,
             .stroke = 10e-3,
             .draws = 50,
@@ -65,7 +65,8 @@ TEST(Control, BuildsNetsWithWhatIsUncertain) {
     const CableNet net = hypar(5, 5);
     ControlSettings settings = small_job();
     const ControlRecord exact = simulate_control(net, settings)[1];
-    settings.uncertain = {parse_unknown("stiffness:10%"), parse_unknown("supports:2mm")};
+    settings.uncertain = {parse_uncertain_parameter("stiffness:10%"),
+                          parse_uncertain_parameter("supports:2mm")};
     const ControlRecord built = simulate_control(net, settings)[1];
     for (size_t k = 0; k < exact.states.size(); k += 3) {  // as built, of the same lengths
         EXPECT_GT(std::abs(built.states[k].most_tension / exact.states[k].most_tension - 1.0),
@@ -104,7 +105,9 @@ TEST(Control, RefusesSettingsThatCannotBeMeant) {
         expect_refused([&](ControlSettings& s) { s.most_tension = value; }, "largest tension");
     }
     expect_refused([](ControlSettings& s) { s.draws = -1; }, "draws");
-    expect_refused([](ControlSettings& s) { s.uncertain = {parse_unknown("loads:10%")}; }, "loads");
+    expect_refused(
+        [](ControlSettings& s) { s.uncertain = {parse_uncertain_parameter("loads:10%")}; },
+        "loads");
 }
 
 }  // namespace

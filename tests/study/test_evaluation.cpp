@@ -26,7 +26,7 @@ using namespace taut;
 
 class Trials : public testing::Test {
 protected:
-    Trials() { Sampler(m_net, m_law, 4).extend(m_data, 6); }
+    Trials() { Sampler(m_net, m_prior, 4).extend(m_data, 6); }
 
     [[nodiscard]] std::vector<Trial> simulated(const SurveyKind& kind,
                                                std::uint64_t seed = 1) const {
@@ -52,9 +52,9 @@ protected:
     }
 
     const CableNet m_net = hypar(3, 4);
-    const LengthLaw m_law{LengthLaw::Kind::uniform, 0.002};
+    const LengthPrior m_prior{LengthPrior::Kind::uniform, 0.002};
     const std::vector<int> m_samples{1, 2, 4, 5};
-    DataSet m_data = Sampler(m_net, m_law, 4).empty();
+    DataSet m_data = Sampler(m_net, m_prior, 4).empty();
 };
 
 TEST_F(Trials, AreTheSamplesAndExactSurveysOfThem) {
@@ -93,7 +93,7 @@ TEST_F(Trials, HideThePartOfTheNodesThatTheirKindSays) {
 }
 
 TEST_F(Trials, KnowWhichInteriorEdgesAreSlack) {
-    const LengthLaw wide{LengthLaw::Kind::uniform, 0.02};
+    const LengthPrior wide{LengthPrior::Kind::uniform, 0.02};
     const Sampler sampler(m_net, wide, 4);
     DataSet data = sampler.empty();
     sampler.extend(data, 20);
@@ -203,8 +203,8 @@ TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBestPossible) {
         trial.slack[0] = false;
     }
     trials.back().slack[1] = false;
-    // The textbook's (J' S J + I / law.std()^2)^-1 at each trial's truth.
-    const double precision_of_law = std::pow(m_law.std(), -2);
+    // The textbook's (J' S J + I / prior.std()^2)^-1 at each trial's truth.
+    const double precision_of_prior = std::pow(m_prior.std(), -2);
     double mean = 0.0;
     double mean_of_taut = 0.0;
     for (const Trial& trial : trials) {
@@ -216,14 +216,14 @@ TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBestPossible) {
             weights.segment<3>(3 * m_net.free_index(node)).setConstant(std::pow(5e-4, -2));
         }
         Eigen::MatrixXd precision = J.transpose() * weights.asDiagonal() * J;
-        precision.diagonal().array() += precision_of_law;
+        precision.diagonal().array() += precision_of_prior;
         const Eigen::VectorXd variances = precision.inverse().diagonal();
         mean += variances.mean() / 4.0;
         // Five edges are taut: the first of each trial, and the second of the last.
         mean_of_taut += variances(0) / 5.0;
         mean_of_taut += trial.slack[1] ? 0.0 : variances(1) / 5.0;
     }
-    const auto best = best_possible(m_net, m_law, trials);
+    const auto best = best_possible(m_net, m_prior, trials);
     ASSERT_TRUE(best);
     EXPECT_NEAR(best->mse, mean, 1e-6 * mean);
     EXPECT_NEAR(best->mse_of_taut, mean_of_taut, 1e-6 * mean_of_taut);

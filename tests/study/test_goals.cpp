@@ -49,14 +49,14 @@ TEST(Goals, AreReachedOnTheBuiltInNet) {
     EXPECT_LE(over_best(comparison, "map", {.noise_std = 5e-4, .hidden_part = 0.1}), 1.05);
 }
 
-class Coverage : public testing::TestWithParam<LengthLaw> {};
+class Coverage : public testing::TestWithParam<LengthPrior> {};
 
 TEST_P(Coverage, OfNinetyFivePercentIntervalsHoldsOverManySurveys) {
     const ComparisonSettings settings{.noises = {0.0, 1e-4, 5e-4, 2e-3},
                                       .training_samples = {300},
                                       .hidden_parts = {},
                                       .surveys = 80,
-                                      .law = GetParam()};
+                                      .prior = GetParam()};
     const Comparison comparison = compare_methods(hypar(7, 7), settings);
     for (const ComparisonRow& row : comparison.rows) {
         const MethodResult& result = row.result;
@@ -75,12 +75,12 @@ TEST_P(Coverage, OfNinetyFivePercentIntervalsHoldsOverManySurveys) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, Coverage,
-                         testing::Values(LengthLaw{LengthLaw::Kind::uniform, 0.003},
-                                         LengthLaw{LengthLaw::Kind::normal, 0.0015}),
-                         [](const auto& law) {
-                             return law.param.kind == LengthLaw::Kind::uniform ? "uniform"
-                                                                               : "normal";
+INSTANTIATE_TEST_SUITE_P(Priors, Coverage,
+                         testing::Values(LengthPrior{LengthPrior::Kind::uniform, 0.003},
+                                         LengthPrior{LengthPrior::Kind::normal, 0.0015}),
+                         [](const auto& prior) {
+                             return prior.param.kind == LengthPrior::Kind::uniform ? "uniform"
+                                                                                   : "normal";
                          });
 
 }  // namespace

@@ -50,7 +50,7 @@ std::vector<Figure> error_statistics(const Study& study, const PaperFigures& pap
         identified.push_back(
             summarise(node_distances(truth, free_coordinates(net, predicted.form))));
     }
-    // Both nets have 300 free nodes, edges of some 130 mm and the same law, so that the errors'
+    // Both nets have 300 free nodes, edges of some 130 mm and the same prior, so that the errors'
     // size is the same but for the shape of the roof: by a sixth. The smallest of 300 distances
     // is a matter of chance: it is that of one node, which varies as the distance of a point in
     // three dimensions, not as a mean.

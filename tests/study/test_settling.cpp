@@ -81,7 +81,7 @@ TEST(SettlingSurvey, HoldsWhatItTells) {
                 return lengths;
             }(),
             net.nodes());
-        EXPECT_LE(s.deviations.cwiseAbs().maxCoeff(), s.law.scale);
+        EXPECT_LE(s.deviations.cwiseAbs().maxCoeff(), s.prior.scale);
         EXPECT_GE(s.noise_std, 0.00005);
         EXPECT_LE(s.noise_std, 0.002);
         int far = 0;

@@ -24,7 +24,7 @@ namespace {
 using namespace taut;
 
 const StudySettings small{
-    .samples = 60, .validation = 12, .law = {LengthLaw::Kind::uniform, 0.004}, .seed = 3};
+    .samples = 60, .validation = 12, .prior = {LengthPrior::Kind::uniform, 0.004}, .seed = 3};
 
 class SmallStudy : public testing::Test {
 protected:
@@ -36,8 +36,8 @@ protected:
     }
 };
 
-TEST_F(SmallStudy, DrawsTheSamplesOfItsLawAndSeed) {
-    const Sampler sampler(m_net, small.law, small.seed);
+TEST_F(SmallStudy, DrawsTheSamplesOfItsPriorAndSeed) {
+    const Sampler sampler(m_net, small.prior, small.seed);
     DataSet data = sampler.empty();
     sampler.extend(data, small.samples);
     EXPECT_EQ(m_study.data.length_deviations, data.length_deviations);
@@ -253,7 +253,7 @@ TEST(StudySettings, AreThoseOfThePaperByDefault) {
     const StudySettings settings;
     EXPECT_EQ(settings.samples, 1000);
     EXPECT_EQ(settings.validation, 50);
-    EXPECT_EQ(settings.law.to_string(), "uniform:5mm");
+    EXPECT_EQ(settings.prior.to_string(), "uniform:5mm");
     EXPECT_EQ(refusal(settings), "not refused");
 }
 
@@ -282,10 +282,10 @@ TEST(StudySettings, RefuseValidationSamplesThatLeaveFewerThanTwoToTrainOn) {
     }
 }
 
-TEST(StudySettings, RefuseALawWithoutAPositiveScale) {
+TEST(StudySettings, RefuseAPriorWithoutAPositiveScale) {
     for (const double scale : {0.0, -0.005, std::nan("")}) {
-        EXPECT_THAT(refusal({.law = {LengthLaw::Kind::bimodal, scale}}),
-                    testing::HasSubstr("bimodal law"));
+        EXPECT_THAT(refusal({.prior = {LengthPrior::Kind::bimodal, scale}}),
+                    testing::HasSubstr("bimodal prior"));
     }
 }
 
@@ -293,9 +293,9 @@ TEST(Study, ChecksItsSettingsBeforeItBegins) {
     const Progress must_not_be_called{.tell = [](std::string_view, int, int) { FAIL(); }};
     EXPECT_THROW((void)run_study(hypar(4, 5), {.samples = 0}, must_not_be_called),
                  std::invalid_argument);
-    EXPECT_THROW(
-        (void)run_study(hypar(4, 5), {.law = {LengthLaw::Kind::uniform, 1.0}}, must_not_be_called),
-        std::invalid_argument);
+    EXPECT_THROW((void)run_study(hypar(4, 5), {.prior = {LengthPrior::Kind::uniform, 1.0}},
+                                 must_not_be_called),
+                 std::invalid_argument);
 }
 
 TEST(Study, RunsWithTheFewestSamples) {

@@ -31,7 +31,7 @@ inline NetFile example_net() {
 }
 
 inline DataSet example_data(const CableNet& net, int count = 30) {
-    const Sampler sampler(net, {.kind = LengthLaw::Kind::uniform, .scale = 0.003}, 7);
+    const Sampler sampler(net, {.kind = LengthPrior::Kind::uniform, .scale = 0.003}, 7);
     DataSet data = sampler.empty();
     sampler.extend(data, count);
     return data;

@@ -140,7 +140,7 @@ inline ResultFile made_up_control(const CableNet& net, int rounds = 2, int trial
         records.push_back(record);
     }
     const ControlSettings settings{
-        .law = LengthLaw{}, .least_tension = 1500.0, .rounds = rounds, .trials = trials};
+        .prior = LengthPrior{}, .least_tension = 1500.0, .rounds = rounds, .trials = trials};
     return parse_result(control_to_json(records, net, settings), "control.json");
 }
 
@@ -169,8 +169,8 @@ inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
               .as_built = deviation_from(target, net, built.net.nodes())};
     plan.form = net.nodes() + deviation / 3.0;
     plan.planned = deviation_from(target, net, plan.form);
-    plan.unavoidable = plan.planned;
-    plan.normal_unknown = draws > 0 ? 0.0002 : 0.0;
+    plan.unconstrained = plan.planned;
+    plan.normal_std = draws > 0 ? 0.0002 : 0.0;
     plan.form_std.setConstant(3, net.node_count(), draws > 0 ? 0.0003 : 0.0);
     plan.tensions = Eigen::VectorXd::LinSpaced(m, 2000.0, 4200.0);
     if (draws > 0) {

@@ -61,7 +61,7 @@ TEST(Rounding, IsThatOfMostNumbers) {
     EXPECT_EQ(rounding_step(points, 1.0), 0.0);
 }
 
-TEST(Rounding, HasTheStandardDeviationOfAUniformLaw) {
+TEST(Rounding, HasTheStandardDeviationOfAUniformPrior) {
     const auto points = points_to(0.0, 0.0, 20000);
     double squares = 0.0;
     for (const SurveyPoint& point : points) {

@@ -78,12 +78,12 @@ TEST(StationAdjustment, GivesThePlacesAndCovariancesOfAnIndependentSolver) {
 }
 
 TEST(StationAdjustment, HasTheDerivativesOfItsResiduals) {
-    const PolarReading reading{.direction = 1.1,
-                               .zenith = 0.7,
-                               .distance = 8.0,
-                               .target_height = 0.1,
-                               .angle_std = 5e-6,
-                               .distance_std = 1e-3};
+    const PolarObservation reading{.direction = 1.1,
+                                   .zenith = 0.7,
+                                   .distance = 8.0,
+                                   .target_height = 0.1,
+                                   .angle_std = 5e-6,
+                                   .distance_std = 1e-3};
     Eigen::VectorXd x(7);
     x << 5.0, 1.9, 6.3, 0.4, -0.2, 0.3, 0.25;
     const auto at = [&](const Eigen::VectorXd& u) {
@@ -187,7 +187,7 @@ TEST_F(SimulatedStations, AreAsPreciseAsTheReadingsOfTheOnlyOne) {
     EXPECT_EQ(found.redundancy, 0);
     EXPECT_EQ(found.noise_ratio, 0.0);
     for (size_t i = 0; i < found.points.size(); ++i) {
-        const PolarReading& reading = readings.readings[i];
+        const PolarObservation& reading = readings.readings[i];
         EXPECT_NEAR(found.points[i].position.norm(), reading.distance, 1e-12);
         // Along the line of sight, and up.
         const Eigen::Vector3d u = found.points[i].position.normalized();
@@ -200,11 +200,11 @@ TEST_F(SimulatedStations, AreAsPreciseAsTheReadingsOfTheOnlyOne) {
 
 TEST_F(SimulatedStations, JoinTargetsThatOnlyOneOfThemSees) {
     PolarSurvey readings = survey(1e-6, 7);
-    const auto seen = [](const PolarReading& one) {
+    const auto seen = [](const PolarObservation& one) {
         const int target = std::stoi(one.target);
         return one.station == 0 ? target < 25 : one.station == 1 ? target > 20 : target % 3 == 0;
     };
-    std::erase_if(readings.readings, [&](const PolarReading& one) { return !seen(one); });
+    std::erase_if(readings.readings, [&](const PolarObservation& one) { return !seen(one); });
     const StationAdjustment found = adjust_stations(readings);
     std::vector<ControlPoint> pairs;
     for (const SurveyPoint& point : found.points) {
@@ -222,7 +222,7 @@ TEST_F(SimulatedStations, TakeTwoFacesForTwoReadings) {
     const StationAdjustment one_face = adjust_stations(readings);
     const size_t count = readings.readings.size();
     for (size_t i = 0; i < count; ++i) {
-        PolarReading second = readings.readings[i];
+        PolarObservation second = readings.readings[i];
         second.direction += std::numbers::pi;
         second.zenith = 2.0 * std::numbers::pi - second.zenith;
         readings.readings.push_back(in_first_face(second));
@@ -260,15 +260,16 @@ TEST_F(SimulatedStations, AreRefusedWithoutOrientation) {
     PolarSurvey readings = survey(1.0, 13);
     readings.stations[2].line = 77;
     PolarSurvey untied = readings;
-    std::erase_if(untied.readings,
-                  [](const PolarReading& one) { return one.station == 2 && one.target != "10"; });
+    std::erase_if(untied.readings, [](const PolarObservation& one) {
+        return one.station == 2 && one.target != "10";
+    });
     EXPECT_EQ(
         refusal_of(untied, 77),
         "station '3' has 1 targets in common with the other stations, expected at least 2: it "
         "has no orientation");
     // Two above each other.
     PolarSurvey above = readings;
-    std::erase_if(above.readings, [](const PolarReading& one) { return one.station == 2; });
+    std::erase_if(above.readings, [](const PolarObservation& one) { return one.station == 2; });
     for (const double zenith : {1.0, 2.0}) {
         const std::string name = zenith < 1.5 ? "up" : "down";
         for (const int station : {0, 2}) {
@@ -288,27 +289,28 @@ TEST_F(SimulatedStations, AreRefusedWithoutOrientation) {
 
 TEST_F(SimulatedStations, AreRefusedWithReadingsThatMakeNoSense) {
     const PolarSurvey good = survey(1.0, 17);
-    const auto refusal = [&](const std::function<void(PolarReading&)>& alter) {
+    const auto refusal = [&](const std::function<void(PolarObservation&)>& alter) {
         PolarSurvey bad = good;
         bad.readings[4].line = 9;
         alter(bad.readings[4]);
         return refusal_of(bad, 9);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(refusal([&](PolarReading& r) { r.zenith = nan; }),
+    EXPECT_EQ(refusal([&](PolarObservation& r) { r.zenith = nan; }),
               "has a reading that is not finite");
-    EXPECT_EQ(refusal([](PolarReading& r) { r.distance = 0.0; }),
+    EXPECT_EQ(refusal([](PolarObservation& r) { r.distance = 0.0; }),
               "has the distance 0, expected more than 0");
-    EXPECT_THAT(refusal([](PolarReading& r) { r.angle_std = 0.0; }),
+    EXPECT_THAT(refusal([](PolarObservation& r) { r.angle_std = 0.0; }),
                 testing::HasSubstr("has the standard deviations 0 rad"));
-    EXPECT_EQ(refusal([](PolarReading& r) { r.station = 3; }), "is of station 3, expected 0 to 2");
+    EXPECT_EQ(refusal([](PolarObservation& r) { r.station = 3; }),
+              "is of station 3, expected 0 to 2");
     PolarSurvey idle = good;
     idle.stations.push_back({.name = "idle", .line = 12});
     EXPECT_EQ(refusal_of(idle, 12), "station 'idle' has no reading");
 }
 
-TEST(PolarReading, InTheSecondFaceIsThatOfTheFirst) {
-    const PolarReading first = in_first_face(
+TEST(PolarObservation, InTheSecondFaceIsThatOfTheFirst) {
+    const PolarObservation first = in_first_face(
         {.direction = 0.3 + std::numbers::pi, .zenith = 2.0 * std::numbers::pi - 1.2});
     EXPECT_NEAR(first.direction, 0.3, 1e-15);
     EXPECT_NEAR(first.zenith, 1.2, 1e-15);

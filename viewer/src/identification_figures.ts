@@ -15,8 +15,8 @@ import { mostAlong, thinningWords } from "./thinning";
 
 const kinds: { status: Status; ink: Ink; words: string }[] = [
   { status: "determined", ink: "deep", words: "determined" },
-  { status: "weakly determined", ink: "green", words: "weakly determined" },
-  { status: "not determined", ink: "grey", words: "not determined" },
+  { status: "weakly_determined", ink: "green", words: "weakly_determined" },
+  { status: "not_determined", ink: "grey", words: "not_determined" },
   { status: "slack", ink: "orange", words: "slack: at least" },
 ];
 

@@ -127,12 +127,12 @@ function tensionAndStrain(net: NetFile, tension: number[], which: string, key: s
 
 const statusNames = [
   { text: "determined", colour: palette.blue },
-  { text: "weakly determined", colour: palette.green },
-  { text: "not determined", colour: palette.yellow },
+  { text: "weakly_determined", colour: palette.green },
+  { text: "not_determined", colour: palette.yellow },
   { text: "slack", colour: palette.orange },
   { text: "adjustable", colour: palette.grey },
 ];
-const statuses: Status[] = ["determined", "weakly determined", "not determined", "slack"];
+const statuses: Status[] = ["determined", "weakly_determined", "not_determined", "slack"];
 
 function statusQuantity(model: Model, statusOf: (edge: number) => Status): Quantity {
   return quantity({
@@ -204,7 +204,7 @@ export function modelOfIdentification(result: Identification): Model {
   const statusOf = new Map(result.edges.map((e) => [e.edge, statusNow(e)]));
   const fromNominal = difference(result.form, net.nodes);
   model.quantities.push(
-    statusQuantity(model, (e) => statusOf.get(e) ?? "not determined"),
+    statusQuantity(model, (e) => statusOf.get(e) ?? "not_determined"),
     quantity({
       key: "identified", label: "length deviation, identified", head: "deviation", unit: "mm", of: "edge", kind: "diverging", decimals: 3, scale: "deviation",
       values: of("length_deviation", tense), interval: { lower: of("lower", tense), upper: of("upper", tense) },

@@ -20,15 +20,15 @@ export function methodsOf(study: Study): [string, Method][] {
 export const isSlack = (edge: IdentifiedEdge): boolean => edge.status === "slack";
 
 /** What the survey tells of an edge's length. */
-export type Status = "determined" | "weakly determined" | "not determined" | "slack";
+export type Status = "determined" | "weakly_determined" | "not_determined" | "slack";
 
 /** In the words of now: 0.2.0 called edges identified or unobserved. */
 export function statusNow({ status }: IdentifiedEdge): Status {
   if (status === "identified") return "determined";
-  return status === "unobserved" ? "not determined" : status;
+  return status === "unobserved" ? "not_determined" : status;
 }
 
-export const isNotDetermined = (edge: IdentifiedEdge): boolean => statusNow(edge) === "not determined";
+export const isNotDetermined = (edge: IdentifiedEdge): boolean => statusNow(edge) === "not_determined";
 
 /** The control points that the survey's frame was fitted to; older results have no `frame`. */
 export const controlOf = (result: Identification): ControlResidual[] => result.frame?.control ?? result.survey.control ?? [];

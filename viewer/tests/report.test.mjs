@@ -456,7 +456,7 @@ test("the findings of a result are shown with the option that is the remedy", as
   const shown = await page.innerText(".trust");
   assert.match(shown, /Checks: failed/);
   assert.match(shown, /failed: one/);
-  assert.match(shown, /note: three Look at it\. --law uniform:8mm/);
+  assert.match(shown, /note: three Look at it\. --prior uniform:8mm/);
   await close(page);
 });
 
@@ -577,7 +577,7 @@ test("the head of a plan tells what it stands on, whether limits are kept, and h
   assert.ok(Math.abs(Number(probability) - 100 * result.tension.limit_probability) < 0.06);
   const keys = ["normal_rmse", "normal_mean", "normal_max", "rmse", "mean", "max"];
   const rows = await page.$$eval("#plan table >> nth=0", ([table]) => [...table.tBodies[0].rows].map((row) => [...row.children].slice(1).map((cell) => cell.textContent)));
-  keys.forEach((key, i) => ["as_built", "planned", "unavoidable"].forEach((state, k) => {
+  keys.forEach((key, i) => ["as_built", "planned", "unconstrained"].forEach((state, k) => {
     const expected = 1e3 * result.form[state][key];
     assert.ok(Math.abs(plainNumber(rows[i][k]) - expected) <= 0.006 * expected, `${state} ${key}: ${rows[i][k]}`);
   }));

@@ -39,9 +39,9 @@ function plan(name, ...words) {
 
 /** Plans in quarter turns by two crews, without limits that can be kept, without draws or pitch, and without a turn. */
 function makePlans() {
-  taut("form", "net.json", "--law", "uniform:5mm", "--seed", "3", "-o", "built.csv");
+  taut("form", "net.json", "--prior", "uniform:5mm", "--seed", "3", "-o", "built.csv");
   taut("survey", "net.json", "built.csv", "--noise", "0.2mm", "--seed", "2", "-o", "site.csv");
-  const identify = ["identify", "net.json", "site.csv", "--noise", "0.2mm", "--law", "uniform:5mm", "--quiet", "--draws"];
+  const identify = ["identify", "net.json", "site.csv", "--noise", "0.2mm", "--prior", "uniform:5mm", "--quiet", "--draws"];
   taut(...identify, "50", "-o", "site.json");
   taut(...identify, "0", "-o", "drawless.json");
   plan("plan", "site.json", "--tension", "0.05kN..20kN", "--turn", "5mm", "--step", "1/4", "--crews", "2", "--thread", "left");
@@ -53,7 +53,7 @@ function makePlans() {
 
 /** Simulated jobs of two rounds; one job of one round; and the same where nothing could be planned. */
 function makeJobs() {
-  const control = ["control", "net.json", "--law", "uniform:2mm", "--noise", "0.2mm", "--tension", "0.05kN..20kN", "--draws", "50", "--quiet"];
+  const control = ["control", "net.json", "--prior", "uniform:2mm", "--noise", "0.2mm", "--tension", "0.05kN..20kN", "--draws", "50", "--quiet"];
   taut(...control, "--rounds", "2", "--trials", "4", "-o", "jobs");
   taut(...control, "--rounds", "1", "--trials", "1", "-o", "job");
   const failed = JSON.parse(readFileSync(join(folder, "job/control.json"), "utf8"));
@@ -104,13 +104,13 @@ function copyFullResults() {
 
 export function makeReports() {
   taut("example", "hypar:5x6", "-o", "net.json");
-  const run = ["reproduce", "--net", "net.json", "--law", "uniform:2mm", "--quiet"];
+  const run = ["reproduce", "--net", "net.json", "--prior", "uniform:2mm", "--quiet"];
   taut(...run, "--samples", "60", "--validation", "5", "-o", "study", "--keep");
   taut(...run, "--samples", "30", "--validation", "1", "-o", "one");
   taut("form", "net.json", "-o", "survey.csv");
   taut("identify", "net.json", "survey.csv", "--model", "study/model.h5", "-o", "plain.json", "--quiet");
   taut("survey", "net.json", "survey.csv", "--noise", "0.2mm", "--frame", "random", "--seed", "3", "-o", "moved.csv");
-  taut("identify", "net.json", "moved.csv", "--noise", "0.2mm", "--law", "uniform:2mm", "--prior-exact", "-o", "moved.json", "--quiet");
+  taut("identify", "net.json", "moved.csv", "--noise", "0.2mm", "--prior", "uniform:2mm", "--prior-exact", "-o", "moved.json", "--quiet");
   const plain = JSON.parse(readFileSync(join(folder, "plain.json"), "utf8"));
   const bare = structuredClone(plain);
   for (const key of ["residuals", "missing_nodes"]) delete bare.survey[key];
@@ -118,6 +118,6 @@ export function makeReports() {
   write("bare", bare);
   write("troubled", troubled(plain));
   write("hostile", hostile(plain));
-  taut("compare", "net.json", "-o", "comparison", "--law", "uniform:2mm", "--noise", "0,0.1mm,0.5mm", "--training", "30,60", "--surveys", "4", "--quiet");
+  taut("compare", "net.json", "-o", "comparison", "--prior", "uniform:2mm", "--noise", "0,0.1mm,0.5mm", "--training", "30,60", "--surveys", "4", "--quiet");
   return Object.fromEntries(["study/results", "one/results", "plain", "moved", "bare", "troubled", "hostile", "comparison/comparison", ...makePlans(), ...makeJobs(), ...copyFullResults()].map((name) => [name.split("/")[0], report(name)]));
 }

@@ -11,7 +11,7 @@
 #include "taut/identification/result.hpp"
 #include "taut/identification/trust.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/circumstances.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 
 namespace taut {
 
@@ -22,7 +22,7 @@ struct BuiltNet {
     /// held for the estimate alone.
     Eigen::MatrixXd length_draws;
     /// What else differs from `net` in each draw, but for lengths; none: nothing does.
-    std::vector<Circumstances> perturbations;
+    std::vector<ModelPerturbation> perturbations;
     std::string no_draws_since;  ///< why there are none, in words
     /// Why the identification failed its tests, and what to do about it; empty where it did not.
     std::string failed_since;
@@ -33,13 +33,14 @@ struct BuiltNet {
 /// all else as identified; its nodes in equilibrium, its loads those of `net`, self-weight
 /// included.
 /// @param net with what was turned since: turned_net()
-/// @param edges, unknowns, boundary_outliers of an identification of this net; their indices are
+/// @param edges, uncertain, boundary_outliers of an identification of this net; their indices are
 ///   not checked
 /// @throws std::invalid_argument where these find no equilibrium, or are no net (NetError)
 /// @throws std::out_of_range for an unknown of a group that the net does not have
-[[nodiscard]] TAUT_ADJUSTMENT_EXPORT CableNet net_as_identified(
-    const CableNet& net, std::span<const IdentifiedEdge> edges,
-    std::span<const UnknownEstimate> unknowns, std::span<const BoundaryOutlier> boundary_outliers);
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT CableNet
+net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> edges,
+                  std::span<const ParameterEstimate> uncertain,
+                  std::span<const BoundaryOutlier> boundary_outliers);
 
 /// What speaks most against a failed identification, and what to do about it, for
 /// BuiltNet::failed_since; empty where it did not fail.
@@ -56,10 +57,10 @@ struct BuiltNet {
 /// @param built gets the draws, or the reason
 /// @param turned the net with what was turned, as told
 /// @param draws of this net, whose sizes are not checked
-/// @param unknowns of the identification: draws of an older version hold lengths alone
+/// @param uncertain of the identification: draws of an older version hold lengths alone
 /// @throws std::invalid_argument where draws leave an edge no length
 TAUT_ADJUSTMENT_EXPORT void add_draws(BuiltNet& built, const CableNet& turned,
                                       const PosteriorDraws& draws,
-                                      std::span<const UnknownEstimate> unknowns);
+                                      std::span<const ParameterEstimate> uncertain);
 
 }  // namespace taut

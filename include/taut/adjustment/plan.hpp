@@ -69,8 +69,8 @@ struct LimitBreach {
 /// A target that tells of the planned form what is not known yet.
 struct FurtherTarget {
     int node = 0;  ///< index of a free node
-    /// Plan::normal_unknown after a survey of this and those before it [m].
-    double normal_unknown = 0.0;
+    /// Plan::normal_std after a survey of this and those before it [m].
+    double normal_std = 0.0;
 };
 
 /// Which edges to turn how far, and what comes of it.
@@ -78,10 +78,10 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     std::vector<PlannedStroke> strokes;  ///< those that are not 0, by edge
     FormDeviation as_built;              ///< of the estimate, before anything is turned
     FormDeviation planned;               ///< of the estimate
-    FormDeviation unavoidable;           ///< what strokes without limits leave, no edge slack
+    FormDeviation unconstrained;         ///< what strokes without limits leave, no edge slack
     /// Root of the mean square, over nodes and draws, of what the deviation along the normal
     /// differs from the planned one: not known yet, rather than not to be had. 0 without draws [m].
-    double normal_unknown = 0.0;
+    double normal_std = 0.0;
     /// Where PlanOptions::survey_noise is told: at most ten, those that tell most first. Of other
     /// targets the draws do not show that they tell anything.
     std::vector<FurtherTarget> further_targets;

@@ -7,14 +7,15 @@
 
 #include "taut/estimation/edge_status.hpp"
 #include "taut/export/core.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
-/// What a survey tells of one length deviation x, whatever the law: its likelihood. While the edge
-/// is taut this has the shape of a normal density. Where it is slack, any x beyond slack_from is as
-/// likely as any other, as likely as the survey finds an edge without tension: with z the extension
-/// of the edge in standard deviations and phi, Phi the standard normal density and distribution,
+/// What a survey tells of one length deviation x, whatever the prior: its likelihood. While the
+/// edge is taut this has the shape of a normal density. Where it is slack, any x beyond slack_from
+/// is as likely as any other, as likely as the survey finds an edge without tension: with z the
+/// extension of the edge in standard deviations and phi, Phi the standard normal density and
+/// distribution,
 ///
 ///     taut:  Phi(z) N(x; mean, std^2)       slack: phi(z) / std   for x > slack_from
 ///
@@ -48,21 +49,21 @@ struct LengthPosterior {
     double slack_probability = 0.0;  ///< that the deviation exceeds slack_from
 };
 
-/// Likelihood times the density of the law itself, normalised, docs/theory.md (posterior): exactly,
-/// a mixture of truncated normal and uniform distributions. The interval holds 95 %, 2.5 % on
-/// either side, or more where it has to reach to the mean; it never leaves the bounds of a uniform
-/// law. Where the edge is rather slack than not, all that is known is that bound: the interval
-/// begins at slack_from or where it would anyway, if that is lower, and ends at the bound of a
-/// uniform law.
-/// @param law with a positive scale, not checked
+/// Likelihood times the density of the prior itself, normalised, docs/theory.md (posterior):
+/// exactly, a mixture of truncated normal and uniform distributions. The interval holds 95 %, 2.5 %
+/// on either side, or more where it has to reach to the mean; it never leaves the bounds of a
+/// uniform prior. Where the edge is rather slack than not, all that is known is that bound: the
+/// interval begins at slack_from or where it would anyway, if that is lower, and ends at the bound
+/// of a uniform prior.
+/// @param prior with a positive scale, not checked
 /// @throws std::invalid_argument for a mean that is not finite, or a std that is not positive
-[[nodiscard]] TAUT_CORE_EXPORT LengthPosterior posterior_of(const LengthLaw& law,
+[[nodiscard]] TAUT_CORE_EXPORT LengthPosterior posterior_of(const LengthPrior& prior,
                                                             const LengthLikelihood& likelihood);
 
 /// Mean [m] and variance [m2] of the same distribution.
 /// @throws std::invalid_argument as posterior_of()
 [[nodiscard]] TAUT_CORE_EXPORT std::pair<double, double> moments_of(
-    const LengthLaw& law, const LengthLikelihood& likelihood);
+    const LengthPrior& prior, const LengthLikelihood& likelihood);
 
 /// What a posterior says of its edge: slack where that is more probable than not; else by its
 /// standard deviation.

@@ -19,19 +19,20 @@ struct Outlier {
 };
 
 /// A reading of a force that contradicts all else.
-struct ReadingOutlier {
+struct ForceOutlier {
     int edge = 0;            ///< whose force was read
     double read = 0.0;       ///< [N]
     double expected = 0.0;   ///< what all else tells [N]
     double statistic = 0.0;  ///< squared difference in its variances
 };
 
-/// An edge whose length the survey shows to be beyond the law of the others: mis-cut, most likely.
+/// An edge whose length the survey shows to be beyond the prior of the others: mis-cut, most
+/// likely.
 struct LengthOutlier {
     int edge = 0;            ///< an interior one
     double deviation = 0.0;  ///< of its length by the survey alone [m]
     double std = 0.0;        ///< of that [m]
-    double statistic = 0.0;  ///< squared distance from the law in its variances
+    double statistic = 0.0;  ///< squared distance from the prior in its variances
     /// Edge that is as much shorter as this one is longer, or the other way round: a clamp slipped
     /// along the cable, or both were swapped; -1: none.
     int other = -1;
@@ -58,7 +59,7 @@ struct BoundaryOutlier {
 };
 
 /// What all readings of forces have in common against all else: a wrong unit, a calibration.
-struct ReadingBias {
+struct ForceBias {
     double part = 0.0;  ///< by which they are too high
     double std = 0.0;   ///< of that
 };

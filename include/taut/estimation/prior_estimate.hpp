@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
 /// One prior of a mixture.
 struct PriorNode {
-    LengthLaw law;        ///< shape and scale
+    LengthPrior prior;    ///< shape and scale
     double weight = 1.0;  ///< its posterior probability; all of a mixture sum to 1
 };
 
@@ -28,7 +28,7 @@ struct CommonDeviation {
 /// The prior of the length deviations after the survey: a distribution over shapes and scales,
 /// represented by the nodes of a quadrature, docs/theory.md (hyperprior), (prior-evidence).
 struct PriorEstimate {
-    LengthLaw given;                   ///< given, or assumed where none was
+    LengthPrior given;                 ///< given, or assumed where none was
     bool exact = true;                 ///< taken as exact: the one node is it
     double std = 0.0;                  ///< posterior mean of the deviations' standard deviation [m]
     double std_std = 0.0;              ///< posterior standard deviation of that [m]
@@ -38,11 +38,11 @@ struct PriorEstimate {
 };
 
 /// A prior that is taken as exact.
-[[nodiscard]] inline PriorEstimate exact_prior(const LengthLaw& law) {
-    return {.given = law,
-            .std = law.std(),
-            .uniform_probability = law.kind == LengthLaw::Kind::uniform ? 1.0 : 0.0,
-            .nodes = {{.law = law}}};
+[[nodiscard]] inline PriorEstimate exact_prior(const LengthPrior& prior) {
+    return {.given = prior,
+            .std = prior.std(),
+            .uniform_probability = prior.kind == LengthPrior::Kind::uniform ? 1.0 : 0.0,
+            .nodes = {{.prior = prior}}};
 }
 
 }  // namespace taut

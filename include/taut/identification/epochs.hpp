@@ -46,7 +46,7 @@ inline constexpr int most_edges_of_epochs = 3000;
 /// @param progress told of the stages "comparing surveys" and "identification"
 /// @return of the net at the last survey, turned_net(net, result.turned); `epochs` tells of each
 /// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
-///   than most_edges_of_epochs, unknowns that all surveys would share one by one (supports,
+///   than most_edges_of_epochs, uncertain that all surveys would share one by one (supports,
 ///   stiffness-each, loads in newtons), a method that is not map, and covariance_of
 /// @throws std::runtime_error where the net as turned finds no equilibrium
 /// @throws EpochError where identify() throws SurveyError; for an exact survey, and one told twice

@@ -11,8 +11,8 @@
 #include "taut/identification/result.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/sampling/length_law.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/forces.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -42,7 +42,7 @@ struct IdentifyOptions {
     std::optional<IdentificationMethod> method = {};
     /// Of the length deviations: their prior. Empty: the model's, or one that is next to unknown,
     /// around uniform:5mm.
-    std::optional<LengthLaw> law = {};
+    std::optional<LengthPrior> prior = {};
     /// Whether that prior is exact. Else its scale is uncertain by a factor of 1.5, and its shape
     /// uniform or normal; both are estimated with the lengths, and what the survey leaves open of
     /// them is in the intervals: Identification::prior, docs/theory.md (hyperprior). A model's is.
@@ -51,13 +51,13 @@ struct IdentifyOptions {
     Forces forces = {};
     /// What else is not known: map estimates it with the lengths; the samples of gp are drawn with
     /// it. A model has its own.
-    std::vector<Unknown> unknowns = {};
+    std::vector<UncertainParameter> uncertain = {};
     /// Of what is not among these taut assumes what is usual on a site, with_site_assumptions():
     /// for map, of a survey that is not exact. Else all that is not given is as the net tells. Of
     /// several surveys only common stiffness and temperature are assumed uncertain.
     bool assume_site = false;
     /// For gp; not copied: it must live until identify() has ended. Null: one is trained now, on
-    /// `training_samples` samples of the law, and forgotten.
+    /// `training_samples` samples of the prior, and forgotten.
     const LengthModel* model = nullptr;
     int training_samples = 1000;  ///< at least 2
     /// Draws of the posterior, for map (the other methods make none); 0: none, and which edges are
@@ -89,18 +89,18 @@ TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
 ///
 /// Gross errors are found by data snooping and left out, whatever the method; not by a model as in
 /// the paper, which takes the survey as it is. A survey without noise is held to that: where no
-/// lengths of the law give its form to rounding errors, the status is `survey_not_exact`.
+/// lengths of the prior give its form to rounding errors, the status is `survey_not_exact`.
 ///
 /// @param survey of the net's free nodes: read_survey(), match_to_nodes(), or made by hand
 /// @param progress told of "sampling" and "training" where a model has to be trained; the fit of
 /// map
 ///   tells it nothing, but asks it at each step, as draws do, whether to go on
 /// @return status and message tell whether it may be relied on; misuse throws
-/// @throws std::invalid_argument for draws as check_draws(), a law that the net does not bear
-///   (check_law()), forces as check_forces(), or for another method than map; covariances of edges
-///   that are not interior or come twice, or for another method than map; unknowns as
-///   check_unknowns(), for balance, or others than the model's; a model of another net (both
-///   fingerprints are named) or law, a model for another method than gp
+/// @throws std::invalid_argument for draws as check_draws(), a prior that the net does not bear
+///   (check_prior()), forces as check_forces(), or for another method than map; covariances of
+///   edges that are not interior or come twice, or for another method than map; uncertain as
+///   check_uncertain_parameters(), for balance, or others than the model's; a model of another net
+///   (both fingerprints are named) or prior, a model for another method than gp
 /// @throws SurveyError as check_survey(), and where a free node was not surveyed though the survey
 ///   is exact, or the method (balance, a model as in the paper) needs all; and where it is to tell
 ///   its noise, but does not show it
@@ -111,10 +111,10 @@ TAUT_CORE_EXPORT void check_draws(const CableNet& net, std::int64_t draws);
                                                        const IdentifyOptions& options = {},
                                                        const Progress& progress = {});
 
-/// Whether a model may be used for a net and, where it is given, a law: by the fingerprint that it
-/// bears and the sizes of its parts.
+/// Whether a model may be used for a net and, where it is given, a prior: by the fingerprint that
+/// it bears and the sizes of its parts.
 /// @throws std::invalid_argument as identify()
 TAUT_CORE_EXPORT void check_model(const CableNet& net, const LengthModel& model,
-                                  const std::optional<LengthLaw>& law = {});
+                                  const std::optional<LengthPrior>& prior = {});
 
 }  // namespace taut

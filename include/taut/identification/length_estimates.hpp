@@ -19,7 +19,7 @@ struct LengthEstimates {
 };
 
 /// Eq. ident for k forms: their deviations from the model's nominal form (3 n_I x k) [m]. Edges
-/// whose process could not be fitted get the law's mean and standard deviation. That the model is
+/// whose process could not be fitted get the prior's mean and standard deviation. That the model is
 /// of this net is not checked: check_model() does.
 /// @throws std::invalid_argument for deviations of another size than 3 n_I, or not finite
 [[nodiscard]] TAUT_CORE_EXPORT LengthEstimates

@@ -57,10 +57,10 @@ struct FormPrior {
 
 /// The learnt map from form deviation to length deviations: one Gaussian process an interior edge.
 struct LengthModel {
-    std::string net_fingerprint;    ///< CableNet::fingerprint() of the net it was trained for
-    LengthLaw law;                  ///< of the data it was trained on
-    std::uint64_t seed = 1;         ///< of the data it was trained on
-    std::vector<Unknown> unknowns;  ///< that its data were drawn with
+    std::string net_fingerprint;  ///< CableNet::fingerprint() of the net it was trained for
+    LengthPrior prior;            ///< of the data it was trained on
+    std::uint64_t seed = 1;       ///< of the data it was trained on
+    std::vector<UncertainParameter> uncertain;      ///< that its data were drawn with
     MeanFunction mean = MeanFunction::zero;         ///< that was taken off the length deviations
     KernelMetric metric = KernelMetric::isotropic;  ///< of the kernel of all processes
     /// Trained for the paper's algorithm: eq. ident as it stands, which takes every survey for

@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "taut/estimation/detectable.hpp"
-#include "taut/estimation/doubt.hpp"
+#include "taut/estimation/diagnostics.hpp"
 #include "taut/estimation/edge_status.hpp"
 #include "taut/estimation/outlier.hpp"
 #include "taut/estimation/prior_estimate.hpp"
 #include "taut/export/core.hpp"
+#include "taut/identification/parameter_estimate.hpp"
 #include "taut/identification/posterior_draws.hpp"
 #include "taut/identification/trust.hpp"
-#include "taut/identification/unknown_estimate.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/survey/survey.hpp"
 #include "taut/survey/turned_net.hpp"
@@ -30,7 +30,7 @@ enum class IdentificationStatus {
     iteration_limit,      ///< lengths and form still moved
     survey_does_not_fit,  ///< so many targets contradict the rest that it is not they who are
                           ///< wrong, or no positive lengths give the form
-    survey_not_exact,     ///< taken for exact, but no lengths of the law give its form
+    survey_not_exact,     ///< taken for exact, but no lengths of the prior give its form
     no_equilibrium,       ///< the identified lengths find none: there is no predicted form
 };
 
@@ -52,14 +52,14 @@ struct IdentifiedEdge {
 struct LengthCovariance {
     std::vector<int> edges;  ///< k, in the order in which they were asked for
     /// k x k: the correlations of the fit linearised at the result, (covariance) of docs/theory.md,
-    /// times the standard deviations of IdentifiedEdge, which the law itself cuts [m2].
+    /// times the standard deviations of IdentifiedEdge, which the prior itself cuts [m2].
     Eigen::MatrixXd covariance;
 };
 
 /// A parameter that was taken as uncertain.
 struct Assumption {
-    Unknown parameter;        ///< with its standard deviation before the survey
-    bool is_default = false;  ///< assumed, since nothing was given
+    UncertainParameter parameter;  ///< with its standard deviation before the survey
+    bool is_default = false;       ///< assumed, since nothing was given
     bool is_testable =
         false;  ///< whether the survey shows any number of it: else it is taken as is
 };
@@ -103,7 +103,7 @@ struct EpochResult {
     std::vector<LengthChange> changes;
     /// How far turns differ from what is told, beyond the play that is told of them, where single
     /// ones do not stand out; 0: no further [m].
-    double untold_play = 0.0;
+    double excess_actuator_std = 0.0;
     /// By which all strokes would have to be multiplied to fit best, and its standard deviation, 0
     /// where nothing was turned; far from 1 where a pitch or unit was told wrong.
     double stroke_factor = 1.0;
@@ -117,9 +117,9 @@ struct EpochResult {
 struct Identification {
     std::string method;         ///< "gp", "balance", "map"
     std::string method_reason;  ///< why this method, in words
-    std::string how;            ///< what was done, in words: the method, its law, its training
+    std::string how;            ///< what was done, in words: the method, its prior, its training
     /// Prior of the length deviations that explains the survey best, of those assumed.
-    LengthLaw law;
+    LengthPrior length_prior;
     PriorEstimate prior;  ///< all that were assumed, with their posterior probabilities
     IdentificationStatus status = IdentificationStatus::converged;  ///< how it ended
     std::string message;                ///< why it did not converge, and what may help; else empty
@@ -136,8 +136,8 @@ struct Identification {
     /// noise is stated right. 0 where it was not computed.
     double noise_ratio = 0.0;
 
-    /// Edges beyond the law: their intervals are those of the survey alone; the worst first.
-    std::vector<LengthOutlier> lengths_beyond_law;
+    /// Edges beyond the prior: their intervals are those of the survey alone; the worst first.
+    std::vector<LengthOutlier> length_outliers;
 
     /// Adjustable edges and supports that are not as told; the worst first. Their intervals and
     /// what else is told take them so.
@@ -150,17 +150,17 @@ struct Identification {
     /// Where the frame was unknown; forms and places are then told in that of the survey.
     std::optional<FrameOffset> frame_offset;
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
-    LawCheck law_check;         ///< how lengths fit `law`; as here where not computed
+    PriorCheck prior_check;     ///< how lengths fit `prior`; as here where not computed
     FrameCheck frame_check;     ///< how the survey would fit better; as here where not computed
-    /// The law told, or the default where none was, if the survey contradicts it: `law` is then the
-    /// one that the survey shows.
-    std::optional<LawCheck> contradicted_law;
-    bool law_was_told = false;  ///< false: `law` began as the default, or the model's
+    /// The prior told, or the default where none was, if the survey contradicts it: `prior` is then
+    /// the one that the survey shows.
+    std::optional<PriorCheck> contradicted_prior;
+    bool prior_was_told = false;  ///< false: `prior` began as the default, or the model's
 
-    int readings = 0;                              ///< of forces, that were told
-    std::vector<ReadingOutlier> reading_outliers;  ///< those left out, the worst first
+    int readings = 0;                            ///< of forces, that were told
+    std::vector<ForceOutlier> reading_outliers;  ///< those left out, the worst first
     /// Where all of them were left out, since they fit only if each is off by the same part.
-    std::optional<ReadingBias> reading_bias;
+    std::optional<ForceBias> reading_bias;
     /// Edges seen taut or slack where the survey tells otherwise: then nothing that was seen is
     /// used.
     std::vector<int> contradicted_taut;
@@ -168,7 +168,7 @@ struct Identification {
 
     std::vector<Assumption> assumptions;  ///< of what is uncertain, in their order
     /// What else was unknown, in the order in which it was told.
-    std::vector<UnknownEstimate> unknowns;
+    std::vector<ParameterEstimate> uncertain;
 
     /// Of the posterior; empty where none were asked for, or the method gives none.
     std::optional<PosteriorDraws> draws;

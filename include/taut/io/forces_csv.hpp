@@ -27,7 +27,7 @@ struct ForceFormat {
 /// @throws InputError with the line, for anything else, an edge that is not of the net or comes
 ///   twice, a tension that is negative, a std that is not positive, and a tension of 0 whose std is
 ///   told as a part of it
-[[nodiscard]] TAUT_IO_EXPORT std::vector<ForceReading> parse_force_readings(
+[[nodiscard]] TAUT_IO_EXPORT std::vector<ForceMeasurement> parse_force_measurements(
     const CableNet& net, std::string_view text, const std::string& file_name,
     const ForceFormat& format = {});
 
@@ -47,6 +47,7 @@ struct ForceFormat {
 /// @param file_name for messages
 /// @throws InputError where it is 50 times as large or as small: that cannot be meant
 [[nodiscard]] TAUT_IO_EXPORT std::string force_unit_warning(
-    const CableNet& net, const std::vector<ForceReading>& readings, const std::string& file_name);
+    const CableNet& net, const std::vector<ForceMeasurement>& readings,
+    const std::string& file_name);
 
 }  // namespace taut

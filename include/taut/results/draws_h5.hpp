@@ -19,7 +19,7 @@ namespace taut {
 ///
 /// and, where these are uncertain, adjustable_deviation [draws, m_A], stiffness_perturbation and
 /// thermal_perturbation [draws, m], support_perturbation [draws, 3 n_S], load_perturbation
-/// [draws, 3 n_I], as PosteriorDraws has them; with the fingerprint of the net, the law, the seed
+/// [draws, 3 n_I], as PosteriorDraws has them; with the fingerprint of the net, the prior, the seed
 /// and how they were drawn as attributes. Not for two threads at the same time, as all that uses
 /// HDF5.
 /// @param identification of this net, which is not checked

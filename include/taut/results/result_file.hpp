@@ -35,10 +35,10 @@ struct StudyResult {
 
 /// What a saved identification tells, as far as its figures need it.
 struct IdentificationResult {
-    CableNet net;                           ///< as designed
-    std::vector<IdentifiedEdge> edges;      ///< in the order of the file
-    Points form;                            ///< predicted (3 x n) [m]
-    std::vector<UnknownEstimate> unknowns;  ///< what was unknown besides lengths
+    CableNet net;                              ///< as designed
+    std::vector<IdentifiedEdge> edges;         ///< in the order of the file
+    Points form;                               ///< predicted (3 x n) [m]
+    std::vector<ParameterEstimate> uncertain;  ///< what was unknown besides lengths
     /// Adjustable edges of another length than told, and supports at another place.
     std::vector<BoundaryOutlier> boundary_outliers;
     std::vector<EdgeTurned> turned;  ///< since the net was as designed, until the last survey

@@ -6,14 +6,14 @@
 
 #include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
 /// A net as it might be built, for trials: the unstressed lengths of its interior edges drawn from
-/// a law, all else as designed. No sample that a Sampler draws with this seed is the same.
-/// @throws std::invalid_argument as check_law()
-[[nodiscard]] TAUT_CORE_EXPORT CableNet built_net(const CableNet& net, const LengthLaw& law,
+/// a prior, all else as designed. No sample that a Sampler draws with this seed is the same.
+/// @throws std::invalid_argument as check_prior()
+[[nodiscard]] TAUT_CORE_EXPORT CableNet built_net(const CableNet& net, const LengthPrior& prior,
                                                   std::uint64_t seed);
 
 }  // namespace taut

@@ -9,8 +9,8 @@
 
 #include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/length_law.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut {
@@ -18,11 +18,11 @@ namespace taut {
 /// The data set D of the paper (Algorithm 2) in deviations from the nominal net: pairs of form
 /// deviation and length deviation (section 5: f maps one to the other).
 struct TAUT_CORE_EXPORT DataSet {
-    std::string net_fingerprint;        ///< CableNet::fingerprint() of the nominal net
-    LengthLaw law;                      ///< of the length deviations
-    std::uint64_t seed = 1;             ///< that all samples follow from
-    std::vector<Unknown> unknowns;      ///< what was drawn besides the lengths
-    Eigen::VectorXd nominal_form;       ///< r_I of the nominal net (3 n_I) [m]
+    std::string net_fingerprint;                ///< CableNet::fingerprint() of the nominal net
+    LengthPrior prior;                          ///< of the length deviations
+    std::uint64_t seed = 1;                     ///< that all samples follow from
+    std::vector<UncertainParameter> uncertain;  ///< what was drawn besides the lengths
+    Eigen::VectorXd nominal_form;               ///< r_I of the nominal net (3 n_I) [m]
     Eigen::MatrixXd form_deviations;    ///< r_I - nominal, one column a sample (3 n_I x n) [m]
     Eigen::MatrixXd length_deviations;  ///< of the interior edges (m_I x n) [m]
     std::vector<EquilibriumStatus> statuses;  ///< n
@@ -41,17 +41,17 @@ struct TAUT_CORE_EXPORT DataSet {
     [[nodiscard]] std::vector<int> converged_in(int first, int last) const;
 };
 
-/// Whether length deviations of a net can be drawn from a law.
-/// @throws std::invalid_argument where the net has no interior edge, as LengthLaw::check(), and
-///   where the law's reach is not below the shortest interior unstressed length, named with both,
-///   or the law so narrow that rounding errors hide it
-TAUT_CORE_EXPORT void check_law(const CableNet& net, const LengthLaw& law);
+/// Whether length deviations of a net can be drawn from a prior.
+/// @throws std::invalid_argument where the net has no interior edge, as LengthPrior::check(), and
+///   where the prior's reach is not below the shortest interior unstressed length, named with both,
+///   or the prior so narrow that rounding errors hide it
+TAUT_CORE_EXPORT void check_prior(const CableNet& net, const LengthPrior& prior);
 
-/// The length deviations of one sample (m_I) [m]. They depend on the law, the seed and the sample's
-/// index alone, and so on no other sample, thread or run.
+/// The length deviations of one sample (m_I) [m]. They depend on the prior, the seed and the
+/// sample's index alone, and so on no other sample, thread or run.
 /// @param count m_I, 0 or more
-/// @throws std::invalid_argument as LengthLaw::check(), and for a negative count
-[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd draw_length_deviations(const LengthLaw& law,
+/// @throws std::invalid_argument as LengthPrior::check(), and for a negative count
+[[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd draw_length_deviations(const LengthPrior& prior,
                                                                       std::uint64_t seed,
                                                                       std::uint64_t sample,
                                                                       Eigen::Index count);

@@ -28,11 +28,12 @@ struct SamplePart {
 class TAUT_CORE_EXPORT Sampler {
 public:
     /// Solves for the nominal form.
-    /// @param unknowns what is drawn besides the lengths; the lengths are the same with and without
-    /// @throws std::invalid_argument as check_law(), check_unknowns()
+    /// @param uncertain what is drawn besides the lengths; the lengths are the same with and
+    /// without
+    /// @throws std::invalid_argument as check_prior(), check_uncertain_parameters()
     /// @throws std::runtime_error where the nominal net finds no equilibrium
-    Sampler(const CableNet& net, const LengthLaw& law, std::uint64_t seed,
-            const std::vector<Unknown>& unknowns = {});
+    Sampler(const CableNet& net, const LengthPrior& prior, std::uint64_t seed,
+            const std::vector<UncertainParameter>& uncertain = {});
     ~Sampler();
     Sampler(const Sampler&) = delete;
     Sampler& operator=(const Sampler&) = delete;
@@ -42,13 +43,14 @@ public:
     /// Of the net as designed: the reference of all form deviations. Lives as long as the sampler.
     [[nodiscard]] const Equilibrium& nominal() const;
 
-    /// A data set of this net, law, seed and unknowns without samples.
+    /// A data set of this net, prior, seed and uncertain without samples.
     [[nodiscard]] DataSet empty() const;
 
     /// Adds samples to a data set that this sampler made, until it holds `count`, in blocks of
     /// about a second. The outcome is the same, bit for bit, in one call or in many, on any number
     /// of threads.
-    /// @param data made by empty() of this sampler, or one of the same net, law, seed and unknowns,
+    /// @param data made by empty() of this sampler, or one of the same net, prior, seed and
+    /// uncertain,
     ///   which is not checked; in no other thread's use meanwhile
     /// @param count in all; no more than there are: nothing is drawn
     /// @param progress told of the stage "sampling" before each block and at the end
@@ -65,7 +67,7 @@ public:
     [[nodiscard]] SamplePart part(int first, int count, const Progress& progress = {}) const;
 
     /// The data set of all parts, in whatever order: bit for bit that of one call.
-    /// @throws std::invalid_argument for a part of another net, law, seed or unknowns, and where
+    /// @throws std::invalid_argument for a part of another net, prior, seed or uncertain, and where
     ///   samples between 0 and the last are missing, or told twice
     [[nodiscard]] DataSet joined(std::vector<SamplePart> parts) const;
 

@@ -27,10 +27,10 @@ struct TAUT_ADJUSTMENT_EXPORT ComparisonSettings {
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
     std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is there anyway
     int surveys = 50;        ///< of samples that no model was trained on; the same for all methods
-    LengthLaw law = {};      ///< of the length deviations; all methods are told
+    LengthPrior prior = {};  ///< of the length deviations; all methods are told
     std::uint64_t seed = 1;  ///< of samples and surveys
-    std::vector<Unknown> unknowns = {};  ///< besides the lengths; empty: no such axis
-    int epochs = 1;                      ///< surveys of one net; 1: no such axis
+    std::vector<UncertainParameter> uncertain = {};  ///< besides the lengths; empty: no such axis
+    int epochs = 1;                                  ///< surveys of one net; 1: no such axis
 
     /// 950, as in the paper, where that is among the training samples; else the most.
     [[nodiscard]] int common_training() const;
@@ -40,7 +40,7 @@ struct TAUT_ADJUSTMENT_EXPORT ComparisonSettings {
     /// Whether a comparison can be made of these.
     /// @throws std::invalid_argument for an empty list, noise that is negative or not finite, fewer
     ///   than two training samples, a hidden part outside [0, 1), no survey, fewer than one epoch
-    ///   or more than ten, epochs without noise; and as LengthLaw::check()
+    ///   or more than ten, epochs without noise; and as LengthPrior::check()
     void check() const;
 };
 
@@ -91,7 +91,8 @@ struct Comparison {
 };
 
 /// Compares all methods on simulated surveys of one net.
-/// @throws std::invalid_argument as ComparisonSettings::check(), check_unknowns(), Sampler and
+/// @throws std::invalid_argument as ComparisonSettings::check(), check_uncertain_parameters(),
+/// Sampler and
 ///   simulate_trials()
 /// @throws std::runtime_error where too few samples converge
 /// @param progress told of the stages "sampling", "training" and "identification"

@@ -10,8 +10,8 @@
 #include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/sampling/length_law.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 
 namespace taut {
 
@@ -28,10 +28,10 @@ enum class ControlStrategy {
 
 /// A job: nets are built, surveyed, turned, and so on.
 struct ControlSettings {
-    LengthLaw law;  ///< of the length deviations as built; "identified" is told
+    LengthPrior prior;  ///< of the length deviations as built; "identified" is told
     /// What else is uncertain: each net is built with values of its own, and "identified" knows the
     /// widths alone. Empty: nothing; with_site_assumptions() has what the program assumes.
-    std::vector<Unknown> uncertain = {};
+    std::vector<UncertainParameter> uncertain = {};
     double noise_std = 0.5e-3;     ///< of a surveyed coordinate [m]
     double hidden_part = 0.1;      ///< of the free nodes, in each survey
     double actuator_std = 0.0;     ///< of what is turned, from what was told [m]
@@ -87,7 +87,8 @@ struct TAUT_ADJUSTMENT_EXPORT ControlRecord {
 
 /// The whole loop, simulated: survey, identification, plan, turns, again, beside its rivals. The
 /// net of a trial, its surveys and the play of its turnbuckles follow from the seed.
-/// @throws std::invalid_argument for settings that cannot be meant, as check_unknowns(), and as
+/// @throws std::invalid_argument for settings that cannot be meant, as
+/// check_uncertain_parameters(), and as
 ///   plan_strokes()
 /// @param progress told of the stage "control" before each job and at the end
 /// @throws Interrupted where a stop was requested

@@ -66,6 +66,6 @@ struct BestPossible {
 /// @return nothing where the statics of a true form are singular: a slack mechanism
 /// @throws std::invalid_argument as best_possible_variances()
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::optional<BestPossible> best_possible(
-    const CableNet& net, const LengthLaw& law, const std::vector<Trial>& trials);
+    const CableNet& net, const LengthPrior& prior, const std::vector<Trial>& trials);
 
 }  // namespace taut

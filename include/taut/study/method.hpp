@@ -10,14 +10,14 @@
 #include "taut/export/adjustment.hpp"
 #include "taut/identification/model.hpp"
 #include "taut/identification/result.hpp"
-#include "taut/sampling/length_law.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/study/trial.hpp"
 
 namespace taut {
 
 /// A method of identification, ready to be tried on surveys of one net. It and its copies refer to
-/// the net and the model that it was made with, which must outlive them; law and unknowns are
+/// the net and the model that it was made with, which must outlive them; prior and uncertain are
 /// copied. It throws and tells what identify() does. Several threads may call one at once unless
 /// uses_all_threads says otherwise.
 struct Method {
@@ -47,15 +47,16 @@ struct Method {
 
 /// "balance".
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_by_force_balance(const CableNet& net,
-                                                                    const LengthLaw& law);
+                                                                    const LengthPrior& prior);
 
 /// "map".
-/// @param unknowns what is told to be unknown besides the lengths
-[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_by_maximum_a_posteriori(
-    const CableNet& net, const LengthLaw& law, const std::vector<Unknown>& unknowns = {});
+/// @param uncertain what is told to be unknown besides the lengths
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method
+method_by_maximum_a_posteriori(const CableNet& net, const LengthPrior& prior,
+                               const std::vector<UncertainParameter>& uncertain = {});
 
 /// "map" of all surveys of a trial at once, identify_epochs().
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method method_by_epochs(const CableNet& net,
-                                                             const LengthLaw& law);
+                                                             const LengthPrior& prior);
 
 }  // namespace taut

@@ -9,7 +9,7 @@
 #include "taut/export/adjustment.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/progress.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 #include "taut/study/slack_reliability.hpp"
 #include "taut/survey/survey.hpp"
 
@@ -26,13 +26,13 @@ struct TAUT_ADJUSTMENT_EXPORT SettlingSettings {
     void check() const;
 };
 
-/// A random survey whose truth is known. Drawn: the law, uniform to +-2 or +-5 mm; the noise of a
+/// A random survey whose truth is known. Drawn: the prior, uniform to +-2 or +-5 mm; the noise of a
 /// coordinate, 0.05 to 2 mm, its logarithm uniform; none or a tenth of the free nodes hidden; none
 /// or 5 % of the targets (at least one) off by 10 to 50 standard deviations of the noise, in any
 /// direction.
 struct SettlingSurvey {
     int number = 0;              ///< from 0; with net and seed it tells the survey
-    LengthLaw law;               ///< that the lengths were drawn from
+    LengthPrior prior;           ///< that the lengths were drawn from
     double noise_std = 0.0;      ///< [m]
     int gross_errors = 0;        ///< number of targets that have one
     Eigen::VectorXd deviations;  ///< true length deviations of the interior edges (m_I) [m]
@@ -42,7 +42,7 @@ struct SettlingSurvey {
 };
 
 /// Survey `number` of a net. Where its drawn lengths find no equilibrium others are drawn.
-/// @throws std::invalid_argument as check_law()
+/// @throws std::invalid_argument as check_prior()
 /// @throws std::runtime_error where a hundred draws find none
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT SettlingSurvey settling_survey(const CableNet& net,
                                                                     std::uint64_t seed, int number);
@@ -50,7 +50,7 @@ struct SettlingSurvey {
 /// What maximum a posteriori made of one survey.
 struct SettlingOutcome {
     int number = 0;           ///< SettlingSurvey::number
-    LengthLaw law;            ///< that the lengths were drawn from; the method is told
+    LengthPrior prior;        ///< that the lengths were drawn from; the method is told
     double noise_std = 0.0;   ///< [m]
     int hidden_nodes = 0;     ///< number of free nodes not surveyed
     int gross_errors = 0;     ///< number of targets that have one

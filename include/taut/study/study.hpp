@@ -21,12 +21,12 @@ namespace taut {
 struct TAUT_ADJUSTMENT_EXPORT StudySettings {
     int samples = 1000;      ///< drawn in all
     int validation = 50;     ///< of these the last, kept from training
-    LengthLaw law;           ///< of the length deviations
+    LengthPrior prior;       ///< of the length deviations
     std::uint64_t seed = 1;  ///< of the samples
 
     /// Whether the experiment can be made of these.
     /// @throws std::invalid_argument for less than 3 samples, no validation sample, or fewer than
-    ///   two samples left to train on, and as LengthLaw::check()
+    ///   two samples left to train on, and as LengthPrior::check()
     void check() const;
 };
 

@@ -10,7 +10,7 @@
 namespace taut {
 
 /// The tension of an edge, read from a load cell or a tension meter.
-struct ForceReading {
+struct ForceMeasurement {
     int edge = 0;          ///< index in the net
     double tension = 0.0;  ///< [N]
     double std = 0.0;      ///< standard deviation of the reading [N]
@@ -18,9 +18,9 @@ struct ForceReading {
 
 /// What is known of the forces of a built net besides its form.
 struct Forces {
-    std::vector<ForceReading> readings = {};  ///< of any edges, one an edge
-    std::vector<int> taut = {};               ///< edges seen to carry tension
-    std::vector<int> slack = {};              ///< edges seen to carry none
+    std::vector<ForceMeasurement> readings = {};  ///< of any edges, one an edge
+    std::vector<int> taut = {};                   ///< edges seen to carry tension
+    std::vector<int> slack = {};                  ///< edges seen to carry none
 
     /// Whether nothing was read or seen.
     [[nodiscard]] bool empty() const { return readings.empty() && taut.empty() && slack.empty(); }

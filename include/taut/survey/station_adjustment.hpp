@@ -28,7 +28,7 @@ struct DistancePrecision {
 };
 
 /// What one pointing of an instrument reads.
-struct PolarReading {
+struct PolarObservation {
     int station = 0;             ///< index of the station
     std::string target;          ///< its name
     double direction = 0.0;      ///< on the horizontal circle, clockwise from its zero [rad]
@@ -48,13 +48,13 @@ struct PolarStation {
 
 /// What instruments read.
 struct PolarSurvey {
-    std::vector<PolarStation> stations;  ///< by PolarReading::station
-    std::vector<PolarReading> readings;  ///< of all stations, in the order of the file
+    std::vector<PolarStation> stations;      ///< by PolarObservation::station
+    std::vector<PolarObservation> readings;  ///< of all stations, in the order of the file
 };
 
 /// A reading whose telescope was turned over, its zenith angle above pi, as the first face reads
 /// it.
-[[nodiscard]] TAUT_CORE_EXPORT PolarReading in_first_face(PolarReading reading);
+[[nodiscard]] TAUT_CORE_EXPORT PolarObservation in_first_face(PolarObservation reading);
 
 /// Where a station stands: place of the point that its axes meet in, and by how much the zero of
 /// its horizontal circle is turned, counterclockwise seen from above, from the direction of y.

@@ -69,8 +69,8 @@ struct PlacedPoint {
 };
 
 /// A survey brought to the nodes of a net: by match_to_nodes(), read_survey(), or by hand.
-/// identify(), identify_epochs() and survey_prospect() refuse what check_survey() refuses; its own
-/// functions do not check, and ask for a `surveyed` that names columns of `noise_std`.
+/// identify(), identify_epochs() and predicted_precision() refuse what check_survey() refuses; its
+/// own functions do not check, and ask for a `surveyed` that names columns of `noise_std`.
 struct TAUT_CORE_EXPORT Survey {
     Points form;  ///< 3 x n: surveyed where it was, nominal elsewhere [m]
     /// 3 x n, standard deviation of each coordinate, 0 for an exact one; ignored where no free node

@@ -17,11 +17,11 @@
 namespace taut {
 namespace {
 
-/// A point, and which unknowns of the adjustment its coordinates are.
+/// A point, and which uncertain of the adjustment its coordinates are.
 struct GamaPoint {
     SurveyPoint point;
     pugi::xml_node node;
-    std::array<size_t, 3> unknown{};
+    std::array<size_t, 3> parameter{};
 };
 
 /// A coordinate, in small letters, or in capitals where it took part in fixing the frame.
@@ -34,7 +34,7 @@ std::optional<double> gama_coordinate(const SurveyXml& xml, pugi::xml_node node,
 /// Of an unknown: its variance, and its covariances with the next two [mm2].
 using GamaCovariances = std::array<double, 3>;
 
-/// Those of all unknowns: the first numbers of each row of the covariance matrix, of which the
+/// Those of all uncertain: the first numbers of each row of the covariance matrix, of which the
 /// upper band stands there by rows.
 std::vector<GamaCovariances> gama_covariances(const SurveyXml& xml, pugi::xml_node matrix) {
     const auto dim = xml.number(matrix, "dim");
@@ -72,11 +72,11 @@ std::vector<GamaCovariances> gama_covariances(const SurveyXml& xml, pugi::xml_no
     return rows;
 }
 
-/// Of a point, whose coordinates are unknowns one after the other [mm].
+/// Of a point, whose coordinates are uncertain one after the other [mm].
 PlaceNoise gama_noise(const std::vector<GamaCovariances>& rows, const GamaPoint& point) {
-    const GamaCovariances& x = rows[point.unknown[0]];
-    const GamaCovariances& y = rows[point.unknown[1]];
-    const GamaCovariances& z = rows[point.unknown[2]];
+    const GamaCovariances& x = rows[point.parameter[0]];
+    const GamaCovariances& y = rows[point.parameter[1]];
+    const GamaCovariances& z = rows[point.parameter[2]];
     Eigen::Matrix3d covariance;
     covariance << x[0], x[1], x[2],  //
         x[1], y[0], y[1],            //
@@ -97,7 +97,7 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
     ForeignSurvey survey{.format = "GNU Gama adjustment", .unit = 1.0, .std_unit = 1e-3};
     const pugi::xml_node coordinates = xml.root().child("coordinates");
     std::vector<GamaPoint> points;
-    size_t unknowns = 0;
+    size_t uncertain = 0;
     for (const pugi::xml_node node : coordinates.child("adjusted").children("point")) {
         const std::string id(trimmed(node.child("id").text().get()));
         const auto x = gama_coordinate(xml, node, "x", "X");
@@ -107,22 +107,22 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
         if (x && y && z) {
             points.push_back({.point = {.id = id, .position = {*x, *y, *z}, .line = line},
                               .node = node,
-                              .unknown = {unknowns, unknowns + 1, unknowns + 2}});
+                              .parameter = {uncertain, uncertain + 1, uncertain + 2}});
         } else {
             survey.left_out.push_back(
                 {.line = line, .reason = fmt::format("point {} has no x, y and z", quote(id))});
         }
         for (const auto& value : {x, y, z}) {
-            unknowns += value ? 1 : 0;
+            uncertain += value ? 1 : 0;
         }
     }
     const pugi::xml_node matrix = coordinates.child("cov-mat");
     const std::vector<GamaCovariances> covariances =
         matrix ? gama_covariances(xml, matrix) : std::vector<GamaCovariances>();
-    if (matrix && covariances.size() < unknowns) {
-        xml.fail(matrix, fmt::format("has a cov-mat of {} unknowns, expected at least the {} "
+    if (matrix && covariances.size() < uncertain) {
+        xml.fail(matrix, fmt::format("has a cov-mat of {} uncertain, expected at least the {} "
                                      "adjusted coordinates",
-                                     covariances.size(), unknowns));
+                                     covariances.size(), uncertain));
     }
     for (const pugi::xml_node node : coordinates.child("fixed").children("point")) {
         const auto x = gama_coordinate(xml, node, "x", "X");

@@ -15,7 +15,7 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 PROGRAM = Path(sys.argv[1]).resolve()
-LAW = ["--law", "uniform:3mm"]
+LAW = ["--prior", "uniform:3mm"]
 
 
 def taut(folder, *words):
@@ -70,7 +70,7 @@ def identify(folder, net):
     asked = [net["edge_ids"][e] for e in interior(net)[:2]]
     (folder / "asked.txt").write_text("\n".join(asked) + "\n")
     unknowns = ["stiffness:5%@all", "stiffness-each:3%", "supports:0.5mm"]
-    told = [word for name in unknowns for word in ("--unknown", name)]
+    told = [word for name in unknowns for word in ("--uncertain", name)]
     common = [*LAW, "--draws", 20, "--quiet"]
     taut(
         folder,
@@ -121,14 +121,14 @@ def full_identification(folder, net):
             "deviation": -0.0005,
             "std": 0.0002,
             "statistic": 40.0,
-            "rival": support["id"],
+            "confounded_with": support["id"],
         },
         {
             **support,
             "deviation": [0.0, 0.0005, 0.0],
             "std": [2e-4, 2e-4, 2e-4],
             "statistic": 30.0,
-            "rival": None,
+            "confounded_with": None,
         },
     ]
     offset = {
@@ -189,9 +189,9 @@ def full_identification(folder, net):
         "control": control,
     }
     result["detectable"].update(adjustable=0.004, support=0.009)
-    result["doubt"].update(boundary=boundary, boundary_beyond=1)
-    result["doubt"]["law"].update(found=True, contradicted="uniform:1mm", likeliest="uniform:3mm")
-    result["doubt"]["lengths_beyond_law"] = [
+    result["diagnostics"].update(boundary=boundary, boundary_not_released=1)
+    result["diagnostics"]["prior"].update(found=True, contradicted="uniform:1mm", likeliest="uniform:3mm")
+    result["diagnostics"]["length_outliers"] = [
         {
             **edge,
             "deviation": 0.004,
@@ -204,13 +204,13 @@ def full_identification(folder, net):
         }
     ]
     result["forces"] = {
-        "readings": 2,
-        "outliers": [{**edge, "read": 5000.0, "expected": 4000.0, "statistic": 20.0}],
+        "measurements": 2,
+        "outliers": [{**edge, "measured": 5000.0, "expected": 4000.0, "statistic": 20.0}],
         "bias": {"part": 0.2, "std": 0.01},
         "contradicted_taut": [inner[1]],
         "contradicted_slack": [inner[2]],
     }
-    result["draws"]["doubt"] = "made up"
+    result["draws"]["reason"] = "made up"
     result["edges"][1]["status"] = "unobserved"
     result["edges"][2]["status"] = "slack"
     survey = result["survey"]
@@ -230,7 +230,7 @@ def full_identification(folder, net):
         result["form"][i] = [
             x + t for x, t in zip(net["nodes"][i], offset["translation"], strict=True)
         ]
-    for unknown in result["unknowns"]:
+    for unknown in result["uncertain"]:
         if unknown["name"] == "supports":
             result["form"][unknown["node"]]["xyz".index(unknown["axis"])] += unknown["mean"]
     result["form"][support["node"]][1] += 0.0005
@@ -250,7 +250,7 @@ def full_plan(folder, net):
         "--thread",
         "left",
     ]
-    wanted += ["--tolerance", "1mm", "--further", 2, "--survey-first", "0.2mm", "--quiet"]
+    wanted += ["--tolerance", "1mm", "--suggest-adjustable", 2, "--suggest-targets", "0.2mm", "--quiet"]
     (folder / "turnable.txt").write_text(
         "\n".join(net["edge_ids"][e] for e in net["adjustable"][:8]) + "\n"
     )
@@ -273,9 +273,9 @@ def full_plan(folder, net):
     for breach in breaches:
         breach.update(load_case="snow.csv", value=5000.0, limit=4000.0, probability=0.1)
     plan["violations"] = breaches
-    plan["order"].update(safe=False, worst={"moment": 0, "breach": breaches[0]})
+    plan["order"].update(safe=False, worst={"step": 0, "breach": breaches[0]})
     plan["identification"] = {"verdict": "doubtful", "reasons": ["made up"]}
-    plan["no_draws_since"] = "made up"
+    plan["no_draws_because"] = "made up"
     plan["warnings"] = ["made up"]
     plan["limits_given"] = True
     plan["order"]["safe_probability"] = 0.5
@@ -283,8 +283,8 @@ def full_plan(folder, net):
     for edge in plan["tension"]["edges"]:
         edge.update(lower=0.9 * edge["planned"], upper=1.1 * edge["planned"])
     node = free(net)[0]
-    plan["survey_first"]["targets"] = [
-        {"node": node, "id": net["node_ids"][node], "normal_unknown": 0.0002}
+    plan["suggested_targets"]["targets"] = [
+        {"node": node, "id": net["node_ids"][node], "normal_std": 0.0002}
     ]
     plan["cable_net"]["axial_stiffness"] = [net["axial_stiffness"]] * len(net["edges"])
     plan["date"] = "2026-11-21 06:30 UTC"
@@ -321,7 +321,7 @@ def full_comparison(folder):
         "10",
         "--surveys",
         2,
-        "--unknown",
+        "--uncertain",
         "supports:1mm",
         "--quiet",
     ]

@@ -4,7 +4,7 @@
 """Writes one and the same survey in the formats that taut reads, to a tenth of a millimetre.
 
 Usage: taut example hypar:4x5 -o net.json
-       taut form net.json --law uniform:2mm --seed 3 -o form.csv
+       taut form net.json --prior uniform:2mm --seed 3 -o form.csv
        make_surveys.py form.csv [FOLDER]
 """
 

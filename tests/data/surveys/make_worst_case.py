@@ -4,7 +4,7 @@
 """Writes a survey with all that a survey can have wrong at once, as worst_case.csv.
 
 Usage: taut example hilo-quarter -o net.json
-       taut form net.json --law uniform:5mm --seed 7 -o form.csv
+       taut form net.json --prior uniform:5mm --seed 7 -o form.csv
        make_worst_case.py form.csv [FOLDER]
 
 A German table in Latin-1: decimal commas, millimetres, columns in another order and more of them,

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "taut/export/core.hpp"
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut {
 
@@ -30,27 +30,27 @@ struct TAUT_CORE_EXPORT FoundScale {
 /// The scales by which noise and lengths together fit what a survey shows.
 struct VarianceComponents {
     FoundScale noise;    ///< of the standard deviations of surveyed coordinates
-    FoundScale lengths;  ///< of the standard deviation of the law
+    FoundScale lengths;  ///< of the standard deviation of the prior
 };
 
-/// What the lengths that a survey shows tell of their law.
-struct TAUT_CORE_EXPORT LawCheck {
-    LengthLaw checked;      ///< the law reckoned with
+/// What the lengths that a survey shows tell of their prior.
+struct TAUT_CORE_EXPORT PriorCheck {
+    LengthPrior checked;    ///< the prior reckoned with
     int lengths = 0;        ///< that it rests on
-    LengthLaw likeliest;    ///< of uniform, normal and bimodal, of any scale
-    double gain = 0.0;      ///< of its log likelihood over that of the law checked
+    LengthPrior likeliest;  ///< of uniform, normal and bimodal, of any scale
+    double gain = 0.0;      ///< of its log likelihood over that of the prior checked
     double mean = 0.0;      ///< that all deviations have in common [m]
     double mean_std = 0.0;  ///< of that, if it is none [m]
-    int beyond = 0;         ///< edges beyond the law, where these were too many to be mis-cut
+    int beyond = 0;         ///< edges beyond the prior, where these were too many to be mis-cut
 
     /// Whether the mean is none that chance would give.
     [[nodiscard]] bool has_mean() const;
-    /// Whether another law is so much likelier that the one checked is not to be relied on.
+    /// Whether another prior is so much likelier that the one checked is not to be relied on.
     [[nodiscard]] bool is_contradicted() const;
     /// Whether no chance explains that.
     [[nodiscard]] bool is_untenable() const;
-    /// Whether the likeliest law is narrower: intervals by the one checked then hold more than they
-    /// need to.
+    /// Whether the likeliest prior is narrower: intervals by the one checked then hold more than
+    /// they need to.
     [[nodiscard]] bool is_too_wide() const;
 };
 

@@ -7,15 +7,16 @@
 
 #include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/circumstances.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/model_perturbation.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 
 namespace taut {
 
 /// What a survey tells of one number that was unknown besides the lengths, in the unit of its kind:
 /// the logarithm of a factor of the stiffness, K, m, a part of the loads, N.
-struct TAUT_CORE_EXPORT UnknownEstimate {
-    Unknown unknown;    ///< as it was told, with its standard deviation before the survey
+struct TAUT_CORE_EXPORT ParameterEstimate {
+    UncertainParameter
+        parameter;      ///< as it was told, with its standard deviation before the survey
     int edge = -1;      ///< whose it is, of stiffness-each and adjustable; else -1
     int node = -1;      ///< whose it is, of supports and of loads in newtons; else -1
     int axis = -1;      ///< of the node: 0, 1, 2 for x, y, z
@@ -31,13 +32,13 @@ struct TAUT_CORE_EXPORT UnknownEstimate {
 /// How far estimates of one width are from what was told, root mean square, over what that width
 /// lets expect of them, sqrt(told^2 - std^2): about 1 where it is told right. 0 where nothing shows
 /// them.
-[[nodiscard]] TAUT_CORE_EXPORT double spread_ratio(std::span<const UnknownEstimate> estimates);
+[[nodiscard]] TAUT_CORE_EXPORT double spread_ratio(std::span<const ParameterEstimate> estimates);
 
 /// The spread_ratio() of the estimates of one unknown.
-struct TAUT_CORE_EXPORT UnknownSpread {
-    Unknown unknown;        ///< with its standard deviation before the survey
-    int count = 0;          ///< of numbers
-    double ratio = 0.0;     ///< 0 where nothing shows them
+struct TAUT_CORE_EXPORT ParameterSpread {
+    UncertainParameter parameter;  ///< with its standard deviation before the survey
+    int count = 0;                 ///< of numbers
+    double ratio = 0.0;            ///< 0 where nothing shows them
     double widening = 1.0;  ///< standard deviation before the survey over the width of `unknown`
 
     /// Whether chance does not explain it.
@@ -45,13 +46,13 @@ struct TAUT_CORE_EXPORT UnknownSpread {
 };
 
 /// Of each unknown, in their order.
-[[nodiscard]] TAUT_CORE_EXPORT std::vector<UnknownSpread> spreads_of(
-    const std::vector<UnknownEstimate>& estimates);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<ParameterSpread> spreads_of(
+    const std::vector<ParameterEstimate>& estimates);
 
-/// The means of unknowns as circumstances of their net.
-/// @param unknowns of this net; edges, nodes and axes are not checked
+/// The means of uncertain as perturbation of their net.
+/// @param uncertain of this net; edges, nodes and axes are not checked
 /// @throws std::out_of_range for a group that the net does not have
-[[nodiscard]] TAUT_CORE_EXPORT Circumstances
-circumstances_of(const CableNet& net, const std::vector<UnknownEstimate>& unknowns);
+[[nodiscard]] TAUT_CORE_EXPORT ModelPerturbation
+perturbation_of(const CableNet& net, const std::vector<ParameterEstimate>& uncertain);
 
 }  // namespace taut

@@ -3,7 +3,7 @@
 //
 // Guards against an unknown that is taken for another, or taken though it makes no sense.
 
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "taut/design/builtin_nets.hpp"
-#include "taut/sampling/circumstances.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace {
@@ -29,43 +29,46 @@ std::string refusal_of(const auto& action) {
     return "taken";
 }
 
-TEST(Unknown, IsReadBackAsItIsTold) {
+TEST(UncertainParameter, IsReadBackAsItIsTold) {
     for (const std::string text :
          {"stiffness:5%", "stiffness:0.5%@ridge", "stiffness-each:3%", "temperature:10K",
           "temperature:2.5K@a@b", "supports:1mm", "adjustable:0.5mm", "loads:20N", "loads:10%"}) {
-        EXPECT_EQ(parse_unknown(text).to_string(), text);
+        EXPECT_EQ(parse_uncertain_parameter(text).to_string(), text);
     }
-    EXPECT_EQ(parse_unknown("loads:0.2kN"), parse_unknown("loads:200N"));
-    EXPECT_DOUBLE_EQ(parse_unknown("stiffness:5 %").std, 0.05);
-    EXPECT_EQ(parse_unknown("loads:10%").kind, Unknown::Kind::loads);
-    EXPECT_EQ(parse_unknown("loads:10N").kind, Unknown::Kind::loads_each);
+    EXPECT_EQ(parse_uncertain_parameter("loads:0.2kN"), parse_uncertain_parameter("loads:200N"));
+    EXPECT_DOUBLE_EQ(parse_uncertain_parameter("stiffness:5 %").std, 0.05);
+    EXPECT_EQ(parse_uncertain_parameter("loads:10%").kind, UncertainParameter::Kind::loads);
+    EXPECT_EQ(parse_uncertain_parameter("loads:10N").kind, UncertainParameter::Kind::loads_each);
 }
 
-struct BadUnknown {
+struct BadUncertainParameter {
     const char* text;
     const char* told;
 };
 
-class RefusedUnknown : public testing::TestWithParam<BadUnknown> {};
+class RefusedUncertainParameter : public testing::TestWithParam<BadUncertainParameter> {};
 
-TEST_P(RefusedUnknown, WithWhatIsWrong) {
-    EXPECT_THAT(refusal_of([] { return parse_unknown(GetParam().text); }),
+TEST_P(RefusedUncertainParameter, WithWhatIsWrong) {
+    EXPECT_THAT(refusal_of([] { return parse_uncertain_parameter(GetParam().text); }),
                 AllOf(HasSubstr(GetParam().text), HasSubstr(GetParam().told)));
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Unknown, RefusedUnknown,
-    testing::Values(BadUnknown{"wind:5%", "nothing that can be unknown"},
-                    BadUnknown{"stiffness", "tells no width"},
-                    BadUnknown{"stiffness@ridge", "nothing that can be unknown"},
-                    BadUnknown{"stiffness:", "percentage"}, BadUnknown{"stiffness:5", "percentage"},
-                    BadUnknown{"stiffness:0%", "positive"}, BadUnknown{"stiffness:-5%", "positive"},
-                    BadUnknown{"stiffness:nan%", "percentage"},
-                    BadUnknown{"stiffness:30%", "as wide as 30 %"},
-                    BadUnknown{"stiffness:5%@", "no group"},
-                    BadUnknown{"temperature:10", "temperature"},
-                    BadUnknown{"supports:1mm@ridge", "takes no group"},
-                    BadUnknown{"supports:5%", "length"}, BadUnknown{"loads:5mm", "force"}));
+    UncertainParameter, RefusedUncertainParameter,
+    testing::Values(BadUncertainParameter{"wind:5%", "no uncertain parameter"},
+                    BadUncertainParameter{"stiffness", "tells no width"},
+                    BadUncertainParameter{"stiffness@ridge", "no uncertain parameter"},
+                    BadUncertainParameter{"stiffness:", "percentage"},
+                    BadUncertainParameter{"stiffness:5", "percentage"},
+                    BadUncertainParameter{"stiffness:0%", "positive"},
+                    BadUncertainParameter{"stiffness:-5%", "positive"},
+                    BadUncertainParameter{"stiffness:nan%", "percentage"},
+                    BadUncertainParameter{"stiffness:30%", "as wide as 30 %"},
+                    BadUncertainParameter{"stiffness:5%@", "no group"},
+                    BadUncertainParameter{"temperature:10", "temperature"},
+                    BadUncertainParameter{"supports:1mm@ridge", "takes no group"},
+                    BadUncertainParameter{"supports:5%", "length"},
+                    BadUncertainParameter{"loads:5mm", "force"}));
 
 CableNet net_with(const auto& change) {
     CableNetData data = hypar(3, 3).data();
@@ -73,15 +76,15 @@ CableNet net_with(const auto& change) {
     return CableNet(std::move(data));
 }
 
-TEST(Unknown, IsRefusedWhereTheNetHasNothingOfIt) {
+TEST(UncertainParameter, IsRefusedWhereTheNetHasNothingOfIt) {
     const CableNet net = net_with([](CableNetData& data) { data.groups["ridge"] = {0, 1}; });
     const auto told = [&net](std::vector<std::string> texts) {
-        std::vector<Unknown> unknowns;
+        std::vector<UncertainParameter> uncertain;
         for (const std::string& text : texts) {
-            unknowns.push_back(parse_unknown(text));
+            uncertain.push_back(parse_uncertain_parameter(text));
         }
         return refusal_of([&] {
-            check_unknowns(net, unknowns);
+            check_uncertain_parameters(net, uncertain);
             return 0;
         });
     };
@@ -93,44 +96,48 @@ TEST(Unknown, IsRefusedWhereTheNetHasNothingOfIt) {
     EXPECT_THAT(told({"adjustable:400mm"}), HasSubstr("third of the shortest"));
     EXPECT_THAT(told({"loads:1000kN"}), HasSubstr("third of the largest axial stiffness"));
     // Made by hand, past the parser.
-    const auto by_hand = [&net](const Unknown& unknown) {
+    const auto by_hand = [&net](const UncertainParameter& parameter) {
         return refusal_of([&] {
-            check_unknowns(net, {unknown});
+            check_uncertain_parameters(net, {parameter});
             return 0;
         });
     };
-    EXPECT_THAT(by_hand({Unknown::Kind::adjustable, 0.0, ""}), HasSubstr("no positive width"));
-    EXPECT_THAT(by_hand({Unknown::Kind::supports, 1e-3, "ridge"}), HasSubstr("takes no group"));
+    EXPECT_THAT(by_hand({UncertainParameter::Kind::adjustable, 0.0, ""}),
+                HasSubstr("no positive width"));
+    EXPECT_THAT(by_hand({UncertainParameter::Kind::supports, 1e-3, "ridge"}),
+                HasSubstr("takes no group"));
     EXPECT_THAT(told({"supports:2m"}), HasSubstr("third of the shortest"));
     const CableNet fixed = net_with([](CableNetData& data) { data.adjustable.clear(); });
     EXPECT_THAT(refusal_of([&] {
-                    check_unknowns(fixed, {parse_unknown("adjustable:1mm")});
+                    check_uncertain_parameters(fixed,
+                                               {parse_uncertain_parameter("adjustable:1mm")});
                     return 0;
                 }),
                 HasSubstr("adjustable edges"));
 }
 
-TEST(Unknown, OfASiteIsWhatIsNotGiven) {
+TEST(UncertainParameter, OfASiteIsWhatIsNotGiven) {
     CableNetData data = hypar(4, 4).data();
     EXPECT_EQ(to_string(with_site_assumptions(CableNet(data), {})),
               "stiffness:5%, stiffness-each:2%, adjustable:0.5mm, supports:1mm");
     data.expansion = Eigen::VectorXd::Constant(std::ssize(data.edges), 12e-6);
     data.groups = {{"ridge", {0, 1}}};
     const CableNet net(data);
-    EXPECT_EQ(to_string(with_site_assumptions(
-                  net, {parse_unknown("loads:20N"), parse_unknown("stiffness:10%@ridge")})),
-              "loads:20N, stiffness:10%@ridge, stiffness-each:2%, temperature:5K, "
-              "adjustable:0.5mm, supports:1mm");
+    EXPECT_EQ(
+        to_string(with_site_assumptions(net, {parse_uncertain_parameter("loads:20N"),
+                                              parse_uncertain_parameter("stiffness:10%@ridge")})),
+        "loads:20N, stiffness:10%@ridge, stiffness-each:2%, temperature:5K, "
+        "adjustable:0.5mm, supports:1mm");
     // Of a model of 4 mm edges no more than the net bears.
     data.nodes *= 1e-2;
     data.unstressed_lengths *= 1e-2;
     const CableNet small(data);
-    const std::vector<Unknown> assumed = with_site_assumptions(small, {});
-    EXPECT_NO_THROW(check_unknowns(small, assumed));
-    EXPECT_LT(std_of(assumed, Unknown::Kind::supports), 1e-3);
+    const std::vector<UncertainParameter> assumed = with_site_assumptions(small, {});
+    EXPECT_NO_THROW(check_uncertain_parameters(small, assumed));
+    EXPECT_LT(std_of(assumed, UncertainParameter::Kind::supports), 1e-3);
 }
 
-TEST(Circumstances, AsToldLeaveTheNetAsItIs) {
+TEST(ModelPerturbation, AsToldLeaveTheNetAsItIs) {
     const CableNet net = hypar(3, 4);
     const CableNet same = net_under(net, as_told(net), net.unstressed_lengths());
     EXPECT_EQ(same.unstressed_lengths(), net.unstressed_lengths());
@@ -139,7 +146,7 @@ TEST(Circumstances, AsToldLeaveTheNetAsItIs) {
     EXPECT_EQ(same.loads(), net.loads());
 }
 
-TEST(Circumstances, ChangeTheNetByWhatTheyAre) {
+TEST(ModelPerturbation, ChangeTheNetByWhatTheyAre) {
     const CableNet net = net_with([](CableNetData& data) {
         data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
         data.mass = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 0.3);
@@ -149,7 +156,7 @@ TEST(Circumstances, ChangeTheNetByWhatTheyAre) {
         data.tension_law.assign(data.edges.size(), -1);
         data.tension_law[2] = 0;
     });
-    Circumstances c = as_told(net);
+    ModelPerturbation c = as_told(net);
     c.stiffness(1) = std::log(1.1);
     c.stiffness(2) = std::log(0.9);
     c.thermal(3) = 1e-3;
@@ -172,20 +179,20 @@ TEST(Circumstances, ChangeTheNetByWhatTheyAre) {
         1e-9);
 }
 
-TEST(Circumstances, AreDrawnWithTheWidthsTold) {
+TEST(ModelPerturbation, AreDrawnWithTheWidthsTold) {
     const CableNet net = net_with([](CableNetData& data) {
         data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
         data.expansion =
             Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data.edges.size()), 1e-5);
     });
-    const std::vector<Unknown> unknowns{
-        parse_unknown("stiffness:5%"), parse_unknown("temperature:10K"),
-        parse_unknown("supports:1mm"), parse_unknown("adjustable:0.5mm"),
-        parse_unknown("loads:10%"),    parse_unknown("loads:20N")};
+    const std::vector<UncertainParameter> uncertain{
+        parse_uncertain_parameter("stiffness:5%"), parse_uncertain_parameter("temperature:10K"),
+        parse_uncertain_parameter("supports:1mm"), parse_uncertain_parameter("adjustable:0.5mm"),
+        parse_uncertain_parameter("loads:10%"),    parse_uncertain_parameter("loads:20N")};
     constexpr int count = 2000;
     double squares[6] = {};
     for (int k = 0; k < count; ++k) {
-        const Circumstances c = draw_circumstances(net, unknowns, 1, k);
+        const ModelPerturbation c = draw_perturbation(net, uncertain, 1, k);
         const double values[6] = {c.stiffness(0) / 0.05,
                                   c.thermal(0) / 1e-4,
                                   c.supports(1, net.supports()[0]) / 1e-3,
@@ -201,9 +208,9 @@ TEST(Circumstances, AreDrawnWithTheWidthsTold) {
     for (const double square : squares) {
         EXPECT_NEAR(square, 1.0, 5.0 * std::sqrt(2.0 / count));
     }
-    const Circumstances again = draw_circumstances(net, unknowns, 1, 7);
-    EXPECT_EQ(again.supports, draw_circumstances(net, unknowns, 1, 7).supports);
-    EXPECT_NE(again.loads, draw_circumstances(net, unknowns, 2, 7).loads);
+    const ModelPerturbation again = draw_perturbation(net, uncertain, 1, 7);
+    EXPECT_EQ(again.supports, draw_perturbation(net, uncertain, 1, 7).supports);
+    EXPECT_NE(again.loads, draw_perturbation(net, uncertain, 2, 7).loads);
 }
 
 }  // namespace

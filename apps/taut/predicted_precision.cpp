@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "prospect.hpp"
+#include "predicted_precision.hpp"
 
 #include <fmt/core.h>
 
@@ -13,9 +13,10 @@
 
 namespace taut::app {
 
-Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
-                     const LengthLaw& law, const Forces& forces, const UncertainOptions& uncertain,
-                     const std::string& net_file, bool with_notes) {
+PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
+                             const SurveyOptions& options, const LengthPrior& prior,
+                             const Forces& forces, const UncertainOptions& uncertain,
+                             const std::string& net_file, bool with_notes) {
     if (options.noise == estimated_noise) {
         throw std::invalid_argument(
             "--noise estimate is for identify: before a survey nothing shows it");
@@ -27,21 +28,19 @@ Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const Surv
             fmt::format("{}: no equilibrium was found: {}", net_file, equilibrium_text(nominal)));
     }
     // As identify does: an exact survey is of an exact net.
-    std::vector<Unknown> unknowns = uncertain.given(net, net_file);
-    if (uncertain.assume_site() && survey.is_noisy()) {
-        unknowns = with_site_assumptions(net, std::move(unknowns));
-    }
-    SurveyProspect lengths = with_survey_of(options.survey, [&] {
-        return survey_prospect(net, nominal.form, survey, law, forces, unknowns);
+    const std::vector<UncertainParameter> parameters =
+        survey.is_noisy() ? uncertain.assumed(net, net_file) : uncertain.given(net, net_file);
+    PredictedPrecision lengths = with_survey_of(options.survey, [&] {
+        return predicted_precision(net, nominal.form, survey, prior, forces, parameters);
     });
-    return {.survey = std::move(survey), .law = law, .lengths = std::move(lengths)};
+    return {.survey = std::move(survey), .prior = prior, .lengths = std::move(lengths)};
 }
 
-nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
+nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& precision,
                                const std::string& file) {
-    const SurveyProspect& lengths = prospect.lengths;
+    const PredictedPrecision& lengths = precision.lengths;
     nlohmann::ordered_json edges = nlohmann::ordered_json::array();
-    for (const EdgeProspect& e : lengths.edges) {
+    for (const EdgePrecision& e : lengths.edges) {
         edges.push_back({{"edge", e.edge},
                          {"id", net.edge_id(e.edge)},
                          {"std", e.std},
@@ -49,7 +48,7 @@ nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
                          {"status", to_string(e.status)}});
     }
     nlohmann::ordered_json readings = nlohmann::ordered_json::array();
-    for (const TensionProspect& reading : lengths.readings) {
+    for (const TensionPrecision& reading : lengths.readings) {
         readings.push_back({{"edge", reading.edge},
                             {"id", net.edge_id(reading.edge)},
                             {"tension", reading.tension},
@@ -57,40 +56,40 @@ nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
                             {"mean_tension_std", reading.mean_std_with_reading}});
     }
     return {{"file", file},
-            {"used", prospect.survey.surveyed.size()},
-            {"missing", prospect.survey.missing.size()},
-            {"missing_nodes", prospect.survey.missing},
-            {"law", prospect.law.to_string()},
+            {"used", precision.survey.surveyed.size()},
+            {"missing", precision.survey.missing.size()},
+            {"missing_nodes", precision.survey.missing},
+            {"prior", precision.prior.to_string()},
             {"prior_std", lengths.prior_std},
             {"rms_std", lengths.rms_std()},
             {"determined", lengths.count(EdgeStatus::determined)},
             {"weakly_determined", lengths.count(EdgeStatus::weakly_determined)},
             {"not_determined", lengths.count(EdgeStatus::not_determined)},
             {"slack", lengths.count(EdgeStatus::slack)},
-            {"warnings", prospect.survey.warnings},
+            {"warnings", precision.survey.warnings},
             {"edges", edges},
             {"mean_tension", {{"mean", lengths.mean_tension}, {"std", lengths.mean_tension_std}}},
-            {"readings", readings}};
+            {"forces", readings}};
 }
 
-std::string prospect_text(const CableNet& net, const Prospect& prospect,
-                          const SurveyOptions& options) {
-    const SurveyProspect& lengths = prospect.lengths;
-    std::string text = survey_text(net, options, prospect.survey);
+std::string precision_text(const CableNet& net, const PredictedSurvey& precision,
+                           const SurveyOptions& options) {
+    const PredictedPrecision& lengths = precision.lengths;
+    std::string text = survey_text(net, options, precision.survey);
     text += fmt::format(
         "what it can tell, lengths {}, to first order at the equilibrium:\n"
         "  edges: {} determined, {} weakly determined, {} not determined, {} slack\n"
         "  std of a length deviation: {:.3g} mm RMS over the interior edges, {:.3g} mm before\n"
         "  {:<12}{:>10}{:>12}  status\n",
-        prospect.law.to_string(), lengths.count(EdgeStatus::determined),
+        precision.prior.to_string(), lengths.count(EdgeStatus::determined),
         lengths.count(EdgeStatus::weakly_determined), lengths.count(EdgeStatus::not_determined),
         lengths.count(EdgeStatus::slack), 1e3 * lengths.rms_std(), 1e3 * lengths.prior_std,
         "worst edges", "std [mm]", "of before");
-    std::vector<EdgeProspect> worst = lengths.edges;
-    std::ranges::sort(worst, {}, [](const EdgeProspect& e) { return std::pair(-e.std, e.edge); });
+    std::vector<EdgePrecision> worst = lengths.edges;
+    std::ranges::sort(worst, {}, [](const EdgePrecision& e) { return std::pair(-e.std, e.edge); });
     constexpr size_t shown = 8;
     for (size_t i = 0; i < std::min(shown, worst.size()); ++i) {
-        const EdgeProspect& e = worst[i];
+        const EdgePrecision& e = worst[i];
         text += fmt::format("  {:<12}{:>10.3f}{:>10.1f} %  {}\n", net.edge_id(e.edge), 1e3 * e.std,
                             100.0 * e.std / lengths.prior_std, to_string(e.status));
     }
@@ -102,7 +101,7 @@ std::string prospect_text(const CableNet& net, const Prospect& prospect,
         "edge", "tension [kN]", "std of the mean [%]");
     constexpr size_t best = 5;
     for (size_t i = 0; i < std::min(best, lengths.readings.size()); ++i) {
-        const TensionProspect& reading = lengths.readings[i];
+        const TensionPrecision& reading = lengths.readings[i];
         text += fmt::format("  {:<12}{:>14.4g}{:>20.3g}\n", net.edge_id(reading.edge),
                             1e-3 * reading.tension,
                             100.0 * reading.mean_std_with_reading / lengths.mean_tension);

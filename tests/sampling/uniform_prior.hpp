@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 namespace taut::test {
 
-inline constexpr LengthLaw uniform_5mm{LengthLaw::Kind::uniform, 0.005};
+inline constexpr LengthPrior uniform_5mm{LengthPrior::Kind::uniform, 0.005};
 
 }  // namespace taut::test

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/identification/survey_prospect.hpp"
+#include "taut/identification/predicted_precision.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "estimation/linearised_statics.hpp"
 #include "estimation/observations.hpp"
 #include "estimation/prior_knowledge.hpp"
-#include "identification/unknown_estimates.hpp"
+#include "identification/parameter_estimates.hpp"
 #include "taut/estimation/length_posterior.hpp"
 #include "taut/numerical_error.hpp"
 #include "taut/statics/tensions.hpp"
@@ -19,21 +19,21 @@
 namespace taut {
 namespace {
 
-/// The status that a taut edge most probably gets: over deviations from the law and errors of the
+/// The status that a taut edge most probably gets: over deviations from the prior and errors of the
 /// survey, at evenly spaced quantiles of both.
 /// @param std of the length deviation after the survey, to first order [m]
-EdgeStatus probable_status(const LengthLaw& law, double std) {
-    LengthLikelihood likelihood = without_prior(0.0, law.std(), 0.0, std);
+EdgeStatus probable_status(const LengthPrior& prior, double std) {
+    LengthLikelihood likelihood = without_prior(0.0, prior.std(), 0.0, std);
     if (!std::isfinite(likelihood.std)) {
         return EdgeStatus::not_determined;
     }
     constexpr int count = 10;
-    const LengthLaw errors{LengthLaw::Kind::normal, likelihood.std};
+    const LengthPrior errors{LengthPrior::Kind::normal, likelihood.std};
     std::array<int, 4> found{};
     for (int i = 0; i < count; ++i) {
         for (int k = 0; k < count; ++k) {
-            likelihood.mean = law.draw((i + 0.5) / count) + errors.draw((k + 0.5) / count);
-            const EdgeStatus status = status_of(law.std(), posterior_of(law, likelihood));
+            likelihood.mean = prior.draw((i + 0.5) / count) + errors.draw((k + 0.5) / count);
+            const EdgeStatus status = status_of(prior.std(), posterior_of(prior, likelihood));
             ++found.at(static_cast<size_t>(status));
         }
     }
@@ -41,22 +41,23 @@ EdgeStatus probable_status(const LengthLaw& law, double std) {
 }
 
 /// Linearised at the design, with all that is told.
-class Prospect {
+class Prediction {
 public:
-    Prospect(const CableNet& net, const Points& form, const Survey& survey, const LengthLaw& law,
-             const Forces& forces, const std::vector<Unknown>& unknowns)
+    Prediction(const CableNet& net, const Points& form, const Survey& survey,
+               const LengthPrior& prior, const Forces& forces,
+               const std::vector<UncertainParameter>& uncertain)
         : m_net(net),
-          m_fit_net(net_to_fit(net, unknowns)),
+          m_fit_net(net_to_fit(net, uncertain)),
           m_knowledge(
-              knowledge_of(m_fit_net, law, unknowns, forces, adjustable_stds(net, unknowns))),
-          m_statics(m_fit_net, unknowns) {
+              knowledge_of(m_fit_net, prior, uncertain, forces, adjustable_stds(net, uncertain))),
+          m_statics(m_fit_net, uncertain) {
         std::vector<bool> slack(net.edge_count(), false);
         for (const int edge : slack_edges(net, net.unstressed_lengths(), form)) {
             slack[edge] = true;
         }
         m_statics.set_slack(std::move(slack));
-        LawBlur blur = blur_by(m_fit_net, law.std(), unknowns);
-        blur.strain_stds.resize(0);  // laws as they are at the design
+        LawBlur blur = blur_by(m_fit_net, prior.std(), uncertain);
+        blur.strain_stds.resize(0);  // priors as they are at the design
         blur.missed.resize(0);
         m_statics.set_blur(std::move(blur));
         const int common = m_statics.common().count();
@@ -72,12 +73,12 @@ public:
         m_statics.invert();
         m_tensions = m_statics.tensions(design);
     }
-    Prospect(const Prospect&) = delete;
-    Prospect& operator=(const Prospect&) = delete;
+    Prediction(const Prediction&) = delete;
+    Prediction& operator=(const Prediction&) = delete;
 
     /// Of the lengths' deviations (m_I) [m2].
-    [[nodiscard]] Eigen::VectorXd length_variances(const LengthLaw& law) const {
-        const double of_law = law.std() * law.std();
+    [[nodiscard]] Eigen::VectorXd length_variances(const LengthPrior& prior) const {
+        const double of_prior = prior.std() * prior.std();
         const Eigen::VectorXd unknown =
             m_statics.blur().length_variances(m_fit_net.interior_edge_count());
         const Eigen::VectorXd found = m_statics.length_variances();
@@ -85,22 +86,22 @@ public:
         Eigen::VectorXd result(m_net.interior_edge_count());
         for (int k = 0; k < result.size(); ++k) {
             const int i = has_all ? m_net.interior_edges()[k] : k;
-            // At loose nodes they can be lost in rounding errors: then the law is all that is
+            // At loose nodes they can be lost in rounding errors: then the prior is all that is
             // known. Where an edge has a stiffness of its own, the sum of both is found.
-            const double own = of_law / (of_law + unknown(i));
-            result(k) = found(i) > 0.0 ? own * unknown(i) + own * own * found(i) : of_law;
+            const double own = of_prior / (of_prior + unknown(i));
+            result(k) = found(i) > 0.0 ? own * unknown(i) + own * own * found(i) : of_prior;
         }
         return result;
     }
 
-    void tell_tensions(SurveyProspect& result, double reading_noise) const {
+    void tell_tensions(PredictedPrecision& result, double reading_noise) const {
         const Eigen::VectorXd variances = m_statics.tension_variances();
         const Eigen::VectorXd with_mean = m_statics.covariances_with_mean_tension();
         const double of_mean = with_mean.mean();
         result.mean_tension = m_tensions.mean();
         result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
         std::vector<bool> is_read(m_net.edge_count(), false);
-        for (const ForceReading& reading : m_knowledge.forces.readings) {
+        for (const ForceMeasurement& reading : m_knowledge.forces.readings) {
             is_read[reading.edge] = true;
         }
         for (int e = 0; e < m_net.edge_count(); ++e) {
@@ -115,7 +116,7 @@ public:
                                        .std = std::sqrt(variances(e)),
                                        .mean_std_with_reading = std::sqrt(std::max(0.0, left))});
         }
-        std::ranges::sort(result.readings, {}, [](const TensionProspect& t) {
+        std::ranges::sort(result.readings, {}, [](const TensionPrecision& t) {
             return std::pair(t.mean_std_with_reading, t.edge);
         });
     }
@@ -130,36 +131,38 @@ private:
 
 }  // namespace
 
-int SurveyProspect::count(EdgeStatus status) const {
-    return static_cast<int>(std::ranges::count(edges, status, &EdgeProspect::status));
+int PredictedPrecision::count(EdgeStatus status) const {
+    return static_cast<int>(std::ranges::count(edges, status, &EdgePrecision::status));
 }
 
-double SurveyProspect::rms_std() const {
+double PredictedPrecision::rms_std() const {
     double sum = 0.0;
-    for (const EdgeProspect& e : edges) {
+    for (const EdgePrecision& e : edges) {
         sum += e.std * e.std;
     }
     return edges.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(edges.size()));
 }
 
-SurveyProspect survey_prospect(const CableNet& net, const Eigen::Ref<const Points>& form,
-                               const Survey& survey, const LengthLaw& law, const Forces& forces,
-                               const std::vector<Unknown>& unknowns, double reading_noise) {
+PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<const Points>& form,
+                                       const Survey& survey, const LengthPrior& prior,
+                                       const Forces& forces,
+                                       const std::vector<UncertainParameter>& uncertain,
+                                       double reading_noise) {
     if (net.interior_edge_count() == 0) {
         throw std::invalid_argument(
             "the net has no interior edge: every unstressed length is known and set");
     }
-    law.check();
+    prior.check();
     check_survey(net, survey);
     check_forces(net, forces);
-    check_unknowns(net, unknowns);
+    check_uncertain_parameters(net, uncertain);
     if (survey.is_exact()) {
         require_whole(net, survey, "all, or their noise (--noise, or sx, sy, sz in the file)");
     }
-    const Prospect prospect(net, form, survey, law, forces, unknowns);
-    const Eigen::VectorXd variances = prospect.length_variances(law);
+    const Prediction prediction(net, form, survey, prior, forces, uncertain);
+    const Eigen::VectorXd variances = prediction.length_variances(prior);
     const std::vector<int> slack = slack_edges(net, net.unstressed_lengths(), form);
-    SurveyProspect result{.prior_std = law.std(), .edges = {}};
+    PredictedPrecision result{.prior_std = prior.std(), .edges = {}};
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
         const double std = std::sqrt(variances(i));
@@ -167,9 +170,9 @@ SurveyProspect survey_prospect(const CableNet& net, const Eigen::Ref<const Point
         result.edges.push_back(
             {.edge = edge,
              .std = std,
-             .status = is_slack ? EdgeStatus::slack : probable_status(law, std)});
+             .status = is_slack ? EdgeStatus::slack : probable_status(prior, std)});
     }
-    prospect.tell_tensions(result, reading_noise);
+    prediction.tell_tensions(result, reading_noise);
     return result;
 }
 

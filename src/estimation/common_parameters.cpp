@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "estimation/common_unknowns.hpp"
+#include "estimation/common_parameters.hpp"
 
 #include <Eigen/Geometry>
 
@@ -10,15 +10,17 @@
 namespace taut {
 namespace {
 
-bool is_common(const Unknown& unknown) {
-    return unknown.kind == Unknown::Kind::stiffness || unknown.kind == Unknown::Kind::temperature ||
-           unknown.kind == Unknown::Kind::loads;
+bool is_common(const UncertainParameter& parameter) {
+    return parameter.kind == UncertainParameter::Kind::stiffness ||
+           parameter.kind == UncertainParameter::Kind::temperature ||
+           parameter.kind == UncertainParameter::Kind::loads;
 }
 
 }  // namespace
 
-CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& unknowns,
-                               bool frame_is_unknown, BoundaryReleases released)
+CommonParameters::CommonParameters(const CableNet& net,
+                                   const std::vector<UncertainParameter>& uncertain,
+                                   bool frame_is_unknown, BoundaryReleases released)
     : m_released(std::move(released)),
       m_has_frame(frame_is_unknown),
       m_node_count(net.node_count()) {
@@ -31,20 +33,20 @@ CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& 
             m_motions.back()(k, node) = m_translation_unit;
         }
     }
-    for (const Unknown& unknown : unknowns) {
-        if (is_common(unknown)) {
-            m_unknowns.push_back(unknown);
+    for (const UncertainParameter& parameter : uncertain) {
+        if (is_common(parameter)) {
+            m_uncertain.push_back(parameter);
         }
     }
     m_stiffness.setZero(net.edge_count(), count());
     m_thermal.setZero(net.edge_count(), count());
-    for (int k = 0; k < static_cast<int>(m_unknowns.size()); ++k) {
-        const Unknown& unknown = m_unknowns[k];
-        for (const int edge : edges_of(net, unknown)) {
-            if (unknown.kind == Unknown::Kind::stiffness) {
-                m_stiffness(edge, k) = unknown.std;
-            } else if (unknown.kind == Unknown::Kind::temperature) {
-                m_thermal(edge, k) = unknown.std * net.data().expansion(edge);
+    for (int k = 0; k < static_cast<int>(m_uncertain.size()); ++k) {
+        const UncertainParameter& parameter = m_uncertain[k];
+        for (const int edge : edges_of(net, parameter)) {
+            if (parameter.kind == UncertainParameter::Kind::stiffness) {
+                m_stiffness(edge, k) = parameter.std;
+            } else if (parameter.kind == UncertainParameter::Kind::temperature) {
+                m_thermal(edge, k) = parameter.std * net.data().expansion(edge);
             }
         }
     }
@@ -56,7 +58,7 @@ CommonUnknowns::CommonUnknowns(const CableNet& net, const std::vector<Unknown>& 
 
 /// Three translations and three rotations about the middle of the supports, each by as much as
 /// moves the farthest of them by that.
-void CommonUnknowns::set_frame(const CableNet& net) {
+void CommonParameters::set_frame(const CableNet& net) {
     const Points places = net.nodes()(Eigen::all, net.supports());
     m_middle = places.rowwise().mean();
     const double reach = (places.colwise() - m_middle).colwise().norm().maxCoeff();
@@ -71,16 +73,16 @@ void CommonUnknowns::set_frame(const CableNet& net) {
     }
 }
 
-double CommonUnknowns::stiffness_factor(int edge, const Eigen::VectorXd& values) const {
+double CommonParameters::stiffness_factor(int edge, const Eigen::VectorXd& values) const {
     return count() > 0 ? std::exp(m_stiffness.row(edge).dot(values)) : 1.0;
 }
 
-double CommonUnknowns::thermal_strain(int edge, const Eigen::VectorXd& values) const {
+double CommonParameters::thermal_strain(int edge, const Eigen::VectorXd& values) const {
     return count() > 0 ? m_thermal.row(edge).dot(values) : 0.0;
 }
 
-Eigen::VectorXd CommonUnknowns::cold(const Eigen::VectorXd& lengths,
-                                     const Eigen::VectorXd& values) const {
+Eigen::VectorXd CommonParameters::cold(const Eigen::VectorXd& lengths,
+                                       const Eigen::VectorXd& values) const {
     Eigen::VectorXd result = lengths;
     for (int e = 0; count() > 0 && e < lengths.size(); ++e) {
         result(e) = cold(e, lengths(e), values);
@@ -88,21 +90,21 @@ Eigen::VectorXd CommonUnknowns::cold(const Eigen::VectorXd& lengths,
     return result;
 }
 
-Points CommonUnknowns::support_motion(const Eigen::VectorXd& values) const {
+Points CommonParameters::support_motion(const Eigen::VectorXd& values) const {
     Points motion = Points::Zero(3, m_node_count);
     for (size_t k = 0; k < m_motions.size(); ++k) {
-        motion += values(std::ssize(m_unknowns) + static_cast<Eigen::Index>(k)) * m_motions[k];
+        motion += values(std::ssize(m_uncertain) + static_cast<Eigen::Index>(k)) * m_motions[k];
     }
     return motion;
 }
 
-Points CommonUnknowns::frame_motion(const Eigen::VectorXd& values) const {
+Points CommonParameters::frame_motion(const Eigen::VectorXd& values) const {
     Eigen::VectorXd of_frame = values;
     of_frame.tail(values.size() - kept_count()).setZero();
     return support_motion(of_frame);
 }
 
-double CommonUnknowns::load_factor(const Eigen::VectorXd& values) const {
+double CommonParameters::load_factor(const Eigen::VectorXd& values) const {
     double factor = 1.0;
     for (int k = 0; k < count(); ++k) {
         factor += load_rate(k) * values(k);

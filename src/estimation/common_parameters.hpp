@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "taut/net/cable_net.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 
 namespace taut {
 
@@ -20,28 +20,28 @@ struct BoundaryReleases {
     bool operator==(const BoundaryReleases&) const = default;
 };
 
-/// Unknown numbers in the border of the matrix, in their standard deviations: common factors of the
-/// stiffness, temperatures, a factor of the loads; the six of the frame that a survey is in, a
-/// small motion of all supports; three of each support and one of each adjustable edge that are
-/// released. docs/theory.md, (common), (frame), (boundary).
-class CommonUnknowns {
+/// UncertainParameter numbers in the border of the matrix, in their standard deviations: common
+/// factors of the stiffness, temperatures, a factor of the loads; the six of the frame that a
+/// survey is in, a small motion of all supports; three of each support and one of each adjustable
+/// edge that are released. docs/theory.md, (common), (frame), (boundary).
+class CommonParameters {
 public:
-    CommonUnknowns() = default;
-    /// @param unknowns of the net; those of other kinds are left out
+    CommonParameters() = default;
+    /// @param uncertain of the net; those of other kinds are left out
     /// @param frame_is_unknown whether the frame is among them
-    CommonUnknowns(const CableNet& net, const std::vector<Unknown>& unknowns,
-                   bool frame_is_unknown = false, BoundaryReleases released = {});
+    CommonParameters(const CableNet& net, const std::vector<UncertainParameter>& uncertain,
+                     bool frame_is_unknown = false, BoundaryReleases released = {});
 
     [[nodiscard]] int count() const {
-        return static_cast<int>(m_unknowns.size() + m_motions.size() + m_released.turned.size());
+        return static_cast<int>(m_uncertain.size() + m_motions.size() + m_released.turned.size());
     }
     /// Of those that are not released: they come first.
     [[nodiscard]] int kept_count() const {
-        return static_cast<int>(m_unknowns.size()) + (m_has_frame ? 6 : 0);
+        return static_cast<int>(m_uncertain.size()) + (m_has_frame ? 6 : 0);
     }
     [[nodiscard]] const BoundaryReleases& released() const { return m_released; }
-    /// Places of the unknowns of a released support (the first of three) and of a released edge, by
-    /// their order there.
+    /// Places of the uncertain of a released support (the first of three) and of a released edge,
+    /// by their order there.
     [[nodiscard]] int place_of_moved(int i) const { return kept_count() + 3 * i; }
     [[nodiscard]] int place_of_turned(int i) const {
         return kept_count() + 3 * static_cast<int>(m_released.moved.size()) + i;
@@ -49,7 +49,7 @@ public:
     /// What one of a released unknown is in its standard deviations [m].
     [[nodiscard]] static double released_unit() { return m_translation_unit; }
     /// Of those that are told.
-    [[nodiscard]] const Unknown& operator[](int k) const { return m_unknowns[k]; }
+    [[nodiscard]] const UncertainParameter& operator[](int k) const { return m_uncertain[k]; }
 
     /// The factor of an edge's stiffness.
     [[nodiscard]] double stiffness_factor(int edge, const Eigen::VectorXd& values) const;
@@ -75,17 +75,19 @@ public:
         return m_thermal.size() > 0 ? m_thermal(edge, k) : 0.0;
     }
     [[nodiscard]] double load_rate(int k) const {
-        return is_told(k) && m_unknowns[k].kind == Unknown::Kind::loads ? m_unknowns[k].std : 0.0;
+        return is_told(k) && m_uncertain[k].kind == UncertainParameter::Kind::loads
+                   ? m_uncertain[k].std
+                   : 0.0;
     }
     /// Of a support's place; 0 for free nodes [m].
     [[nodiscard]] Eigen::Vector3d support_rate(int k, int node) const {
-        const auto motion = k - std::ssize(m_unknowns);
+        const auto motion = k - std::ssize(m_uncertain);
         return motion >= 0 && motion < std::ssize(m_motions)
                    ? Eigen::Vector3d(m_motions[motion].col(node))
                    : Eigen::Vector3d::Zero();
     }
     /// Place of the first unknown of the frame among all: three translations, three rotations.
-    [[nodiscard]] int first_of_frame() const { return static_cast<int>(m_unknowns.size()); }
+    [[nodiscard]] int first_of_frame() const { return static_cast<int>(m_uncertain.size()); }
     /// The point that rotations of the frame are about.
     [[nodiscard]] const Eigen::Vector3d& frame_middle() const { return m_middle; }
     /// What one of a translation [m] and of a rotation [rad] is in its standard deviations.
@@ -101,9 +103,9 @@ public:
 
 private:
     void set_frame(const CableNet& net);
-    [[nodiscard]] bool is_told(int k) const { return k < std::ssize(m_unknowns); }
+    [[nodiscard]] bool is_told(int k) const { return k < std::ssize(m_uncertain); }
 
-    std::vector<Unknown> m_unknowns;
+    std::vector<UncertainParameter> m_uncertain;
     BoundaryReleases m_released;
     bool m_has_frame = false;
     Eigen::MatrixXd m_stiffness;    ///< m x count

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "identification/unknown_estimates.hpp"
+#include "identification/parameter_estimates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace taut {
 namespace {
 
-using Kind = Unknown::Kind;
+using Kind = UncertainParameter::Kind;
 
 /// Of the deviation x of a length that is the sum of the edge's own and of one that nobody knows,
 /// with prior variances P and v: the part of the sum that a term of variance `part` is.
@@ -57,43 +57,43 @@ public:
           m_unknown_lengths(statics.blur().length_variances(sites.variance.size())),
           m_length_variances(statics.length_variances()) {}
 
-    [[nodiscard]] std::vector<UnknownEstimate> run() && {
+    [[nodiscard]] std::vector<ParameterEstimate> run() && {
         int common = 0;
-        for (const Unknown& unknown : m_knowledge.unknowns) {
-            switch (unknown.kind) {
+        for (const UncertainParameter& parameter : m_knowledge.uncertain) {
+            switch (parameter.kind) {
                 case Kind::stiffness:
                 case Kind::temperature:
                 case Kind::loads:
-                    add_common(unknown, common++);
+                    add_common(parameter, common++);
                     break;
                 case Kind::stiffness_each:
-                    add_own_stiffness(unknown);
+                    add_own_stiffness(parameter);
                     break;
                 case Kind::adjustable:
-                    add_adjustable(unknown);
+                    add_adjustable(parameter);
                     break;
                 case Kind::supports:
-                    add_supports(unknown);
+                    add_supports(parameter);
                     break;
                 case Kind::loads_each:
-                    add_own_loads(unknown);
+                    add_own_loads(parameter);
                     break;
             }
         }
-        for (UnknownEstimate& one : m_result) {
-            one.prior_std = one.unknown.std;
+        for (ParameterEstimate& one : m_result) {
+            one.prior_std = one.parameter.std;
         }
         return std::move(m_result);
     }
 
 private:
-    /// @param k place among the common unknowns
-    void add_common(const Unknown& unknown, int k) {
+    /// @param k place among the common uncertain
+    void add_common(const UncertainParameter& parameter, int k) {
         m_result.push_back(
-            {.unknown = unknown,
-             .mean = unknown.std * m_fitted.common(k),
-             .std = told_or(unknown.std * unknown.std * m_statics.common_covariance()(k, k),
-                            unknown.std)});
+            {.parameter = parameter,
+             .mean = parameter.std * m_fitted.common(k),
+             .std = told_or(parameter.std * parameter.std * m_statics.common_covariance()(k, k),
+                            parameter.std)});
     }
 
     /// What of an edge's deviation a part of its prior variance stands for.
@@ -106,63 +106,64 @@ private:
     }
 
     /// (own-stiffness). All edges are interior ones of the net to fit.
-    void add_own_stiffness(const Unknown& unknown) {
-        const Eigen::VectorXd stds = own_stiffness_stds(m_net, m_knowledge.unknowns);
-        for (const int edge : edges_of(m_net, unknown)) {
-            UnknownEstimate estimate{.unknown = unknown, .edge = edge, .std = unknown.std};
+    void add_own_stiffness(const UncertainParameter& parameter) {
+        const Eigen::VectorXd stds = own_stiffness_stds(m_net, m_knowledge.uncertain);
+        for (const int edge : edges_of(m_net, parameter)) {
+            ParameterEstimate estimate{.parameter = parameter, .edge = edge, .std = parameter.std};
             if (const double part = m_statics.blur().stiffness(edge); part > 0.0) {
                 // The edge's own stiffness, of which this unknown is a part where there are two.
                 const double by_length = stds(edge) / std::sqrt(part);
-                const double own = std::pow(unknown.std / stds(edge), 2);
+                const double own = std::pow(parameter.std / stds(edge), 2);
                 const Share length = share(edge, part);
                 estimate.mean = -own * by_length * length.mean;
                 estimate.std = told_or(own * own * by_length * by_length * length.variance +
-                                           (1.0 - own) * unknown.std * unknown.std,
-                                       unknown.std);
+                                           (1.0 - own) * parameter.std * parameter.std,
+                                       parameter.std);
             }
             m_result.push_back(std::move(estimate));
         }
     }
 
     /// By the width that each is told with: most are told as well, some were set free.
-    void add_adjustable(const Unknown& unknown) {
+    void add_adjustable(const UncertainParameter& parameter) {
         std::vector<int> edges;
         std::ranges::copy_if(m_net.adjustable_edges(), std::back_inserter(edges), [&](int edge) {
             // Else as good as known: not turned since it was.
-            return m_knowledge.laws[edge].std() >= 1e-3 * unknown.std;
+            return m_knowledge.priors[edge].std() >= 1e-3 * parameter.std;
         });
-        std::ranges::stable_sort(edges, {}, [&](int edge) { return m_knowledge.laws[edge].std(); });
+        std::ranges::stable_sort(edges, {},
+                                 [&](int edge) { return m_knowledge.priors[edge].std(); });
         for (const int edge : edges) {
             const Share length = share(edge, m_sites.variance(edge));
-            Unknown told = unknown;
-            told.std = width_to_tell(m_knowledge.laws[edge].std(), unknown.std);
-            m_result.push_back({.unknown = told,
+            UncertainParameter told = parameter;
+            told.std = width_to_tell(m_knowledge.priors[edge].std(), parameter.std);
+            m_result.push_back({.parameter = told,
                                 .edge = edge,
                                 .mean = m_sites.mean(edge) + length.mean,
                                 .std = std::sqrt(std::max(0.0, length.variance))});
         }
     }
 
-    void add_supports(const Unknown& unknown) {
+    void add_supports(const UncertainParameter& parameter) {
         const Points motion = m_statics.common().support_motion(m_fitted.common);
         for (const int node : m_net.supports()) {
             const Eigen::Vector3d shift =
                 m_fitted.form.col(node) - m_net.nodes().col(node) - motion.col(node);
-            add_node(unknown, node, shift, m_statics.form_covariance(node));
+            add_node(parameter, node, shift, m_statics.form_covariance(node));
         }
     }
 
-    void add_own_loads(const Unknown& unknown) {
+    void add_own_loads(const UncertainParameter& parameter) {
         for (const int node : m_net.free_nodes()) {
             const Eigen::Vector3d load = m_fitted.loads.col(node);
-            add_node(unknown, node, load, m_statics.load_covariance(node));
+            add_node(parameter, node, load, m_statics.load_covariance(node));
         }
     }
 
-    void add_node(const Unknown& unknown, int node, const Eigen::Vector3d& mean,
+    void add_node(const UncertainParameter& parameter, int node, const Eigen::Vector3d& mean,
                   const Eigen::Matrix3d& covariance) {
         for (int axis = 0; axis < 3; ++axis) {
-            m_result.push_back({.unknown = unknown,
+            m_result.push_back({.parameter = parameter,
                                 .node = node,
                                 .axis = axis,
                                 .mean = mean(axis),
@@ -177,20 +178,20 @@ private:
     const Iterate& m_fitted;
     Eigen::VectorXd m_unknown_lengths;
     Eigen::VectorXd m_length_variances;
-    std::vector<UnknownEstimate> m_result;
+    std::vector<ParameterEstimate> m_result;
 };
 
 }  // namespace
 
-bool UnknownEstimate::is_observed() const {
+bool ParameterEstimate::is_observed() const {
     return std < not_determined_ratio * prior_std;
 }
 
-double spread_ratio(std::span<const UnknownEstimate> estimates) {
+double spread_ratio(std::span<const ParameterEstimate> estimates) {
     double found = 0.0;
     double expected = 0.0;
     double told = 0.0;
-    for (const UnknownEstimate& one : estimates) {
+    for (const ParameterEstimate& one : estimates) {
         found += one.mean * one.mean;
         told += one.prior_std * one.prior_std;
         expected += std::max(0.0, one.prior_std * one.prior_std - one.std * one.std);
@@ -200,40 +201,41 @@ double spread_ratio(std::span<const UnknownEstimate> estimates) {
     return expected > least_shown * told ? std::sqrt(found / expected) : 0.0;
 }
 
-bool UnknownSpread::is_contradicted() const {
+bool ParameterSpread::is_contradicted() const {
     // Many correlated numbers are seldom half as wide again by chance, one seldom three times.
     constexpr int many = 20;
     return ratio > (count >= many ? 1.5 : 3.0);
 }
 
-std::vector<UnknownSpread> spreads_of(const std::vector<UnknownEstimate>& estimates) {
-    std::vector<UnknownSpread> result;
+std::vector<ParameterSpread> spreads_of(const std::vector<ParameterEstimate>& estimates) {
+    std::vector<ParameterSpread> result;
     for (auto first = estimates.begin(); first != estimates.end();) {
-        const auto last = std::find_if(first, estimates.end(), [&](const UnknownEstimate& one) {
-            return one.unknown != first->unknown;
+        const auto last = std::find_if(first, estimates.end(), [&](const ParameterEstimate& one) {
+            return one.parameter != first->parameter;
         });
-        result.push_back({.unknown = first->unknown,
+        result.push_back({.parameter = first->parameter,
                           .count = static_cast<int>(last - first),
                           .ratio = spread_ratio({first, last}),
-                          .widening = first->prior_std / first->unknown.std});
+                          .widening = first->prior_std / first->parameter.std});
         first = last;
     }
     return result;
 }
 
-Circumstances circumstances_of(const CableNet& net, const std::vector<UnknownEstimate>& unknowns) {
-    Circumstances result = as_told(net);
-    for (const UnknownEstimate& estimate : unknowns) {
+ModelPerturbation perturbation_of(const CableNet& net,
+                                  const std::vector<ParameterEstimate>& uncertain) {
+    ModelPerturbation result = as_told(net);
+    for (const ParameterEstimate& estimate : uncertain) {
         const double mean = estimate.mean;
-        switch (estimate.unknown.kind) {
+        switch (estimate.parameter.kind) {
             case Kind::stiffness:
-                result.stiffness(edges_of(net, estimate.unknown)).array() += mean;
+                result.stiffness(edges_of(net, estimate.parameter)).array() += mean;
                 break;
             case Kind::stiffness_each:
                 result.stiffness(estimate.edge) += mean;
                 break;
             case Kind::temperature: {
-                const std::vector<int> edges = edges_of(net, estimate.unknown);
+                const std::vector<int> edges = edges_of(net, estimate.parameter);
                 result.thermal(edges) += mean * net.data().expansion(edges);
                 break;
             }
@@ -254,9 +256,9 @@ Circumstances circumstances_of(const CableNet& net, const std::vector<UnknownEst
     return result;
 }
 
-CableNet net_to_fit(const CableNet& net, const std::vector<Unknown>& unknowns) {
+CableNet net_to_fit(const CableNet& net, const std::vector<UncertainParameter>& uncertain) {
     const bool needs_all_lengths =
-        std_of(unknowns, Kind::adjustable) > 0.0 || std_of(unknowns, Kind::stiffness_each) > 0.0;
+        std_of(uncertain, Kind::adjustable) > 0.0 || std_of(uncertain, Kind::stiffness_each) > 0.0;
     if (!needs_all_lengths) {
         return net;
     }
@@ -266,9 +268,10 @@ CableNet net_to_fit(const CableNet& net, const std::vector<Unknown>& unknowns) {
     return CableNet(std::move(data));
 }
 
-Eigen::VectorXd adjustable_stds(const CableNet& net, const std::vector<Unknown>& unknowns) {
+Eigen::VectorXd adjustable_stds(const CableNet& net,
+                                const std::vector<UncertainParameter>& uncertain) {
     constexpr double as_good_as_known = 1e-7;  // of a length, as of exact places
-    const double told = std_of(unknowns, Kind::adjustable);
+    const double told = std_of(uncertain, Kind::adjustable);
     Eigen::VectorXd result = Eigen::VectorXd::Zero(net.edge_count());
     for (const int edge : net.adjustable_edges()) {
         result(edge) = std::max(told, as_good_as_known * net.unstressed_lengths()(edge));
@@ -276,23 +279,25 @@ Eigen::VectorXd adjustable_stds(const CableNet& net, const std::vector<Unknown>&
     return result;
 }
 
-PriorKnowledge knowledge_of(const CableNet& fit_net, const LengthLaw& law,
-                            const std::vector<Unknown>& unknowns, const Forces& forces,
+PriorKnowledge knowledge_of(const CableNet& fit_net, const LengthPrior& prior,
+                            const std::vector<UncertainParameter>& uncertain, const Forces& forces,
                             const Eigen::VectorXd& stds) {
-    PriorKnowledge knowledge(fit_net, law);
-    knowledge.unknowns = unknowns;
+    PriorKnowledge knowledge(fit_net, prior);
+    knowledge.uncertain = uncertain;
     knowledge.forces = forces;
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         if (const double std = stds(fit_net.interior_edges()[i]); std > 0.0) {
-            knowledge.laws[i] = {LengthLaw::Kind::normal, std};
+            knowledge.priors[i] = {LengthPrior::Kind::normal, std};
         }
     }
     return knowledge;
 }
 
-std::vector<UnknownEstimate> unknown_estimates(const CableNet& net, const PriorKnowledge& knowledge,
-                                               const LinearisedStatics& statics,
-                                               const Observations& sites, const Iterate& fitted) {
+std::vector<ParameterEstimate> parameter_estimates(const CableNet& net,
+                                                   const PriorKnowledge& knowledge,
+                                                   const LinearisedStatics& statics,
+                                                   const Observations& sites,
+                                                   const Iterate& fitted) {
     return Estimates(net, knowledge, statics, sites, fitted).run();
 }
 

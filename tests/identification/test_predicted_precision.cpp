@@ -3,7 +3,7 @@
 //
 // Guards against a plan of targets that promises more, or less, than the survey then tells.
 
-#include "taut/identification/survey_prospect.hpp"
+#include "taut/identification/predicted_precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ namespace {
 using namespace taut;
 
 constexpr double noise_std = 0.5e-3;
-constexpr LengthLaw uniform_5mm{LengthLaw::Kind::uniform, 0.005};
-constexpr LengthLaw normal_3mm{LengthLaw::Kind::normal, 0.003};
+constexpr LengthPrior uniform_5mm{LengthPrior::Kind::uniform, 0.005};
+constexpr LengthPrior normal_3mm{LengthPrior::Kind::normal, 0.003};
 
 Survey survey_without(const CableNet& net, const std::set<int>& hidden) {
     Survey survey{.form = net.nodes(),
@@ -48,8 +48,8 @@ std::set<int> region(const CableNet& net, int centre, int edges) {
     return nodes;
 }
 
-/// (J' S J + I / law.std()^2)^-1, with J from differences of equilibria.
-Eigen::VectorXd reference_std(const CableNet& net, const Survey& survey, const LengthLaw& law) {
+/// (J' S J + I / prior.std()^2)^-1, with J from differences of equilibria.
+Eigen::VectorXd reference_std(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
     constexpr double step = 1e-5;
     const Eigen::Index count = net.interior_edge_count();
     Eigen::MatrixXd jacobian(3 * static_cast<Eigen::Index>(survey.surveyed.size()), count);
@@ -64,56 +64,57 @@ Eigen::VectorXd reference_std(const CableNet& net, const Survey& survey, const L
     }
     const Eigen::MatrixXd precision =
         jacobian.transpose() * jacobian / (noise_std * noise_std) +
-        Eigen::MatrixXd::Identity(count, count) / (law.std() * law.std());
+        Eigen::MatrixXd::Identity(count, count) / (prior.std() * prior.std());
     return precision.inverse().diagonal().cwiseSqrt();
 }
 
-Eigen::VectorXd stds(const SurveyProspect& prospect) {
-    Eigen::VectorXd result(prospect.edges.size());
-    for (size_t i = 0; i < prospect.edges.size(); ++i) {
-        result(static_cast<Eigen::Index>(i)) = prospect.edges[i].std;
+Eigen::VectorXd stds(const PredictedPrecision& precision) {
+    Eigen::VectorXd result(precision.edges.size());
+    for (size_t i = 0; i < precision.edges.size(); ++i) {
+        result(static_cast<Eigen::Index>(i)) = precision.edges[i].std;
     }
     return result;
 }
 
-TEST(SurveyProspect, OfAllNodesIsThePosteriorByDifferencesOfEquilibria) {
+TEST(PredictedPrecision, OfAllNodesIsThePosteriorByDifferencesOfEquilibria) {
     const CableNet net = hypar(6, 8);
     const Survey survey = survey_without(net, {});
-    const SurveyProspect prospect =
-        survey_prospect(net, solve_equilibrium(net).form, survey, uniform_5mm);
+    const PredictedPrecision precision =
+        predicted_precision(net, solve_equilibrium(net).form, survey, uniform_5mm);
     const Eigen::VectorXd expected = reference_std(net, survey, uniform_5mm);
-    EXPECT_LT((stds(prospect) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
-    EXPECT_NEAR(prospect.rms_std(), std::sqrt(expected.cwiseAbs2().mean()), 1e-4 * expected.mean());
-    EXPECT_DOUBLE_EQ(prospect.prior_std, 0.005 / std::sqrt(3.0));
-    EXPECT_EQ(prospect.count(EdgeStatus::determined), net.interior_edge_count());
+    EXPECT_LT((stds(precision) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
+    EXPECT_NEAR(precision.rms_std(), std::sqrt(expected.cwiseAbs2().mean()),
+                1e-4 * expected.mean());
+    EXPECT_DOUBLE_EQ(precision.prior_std, 0.005 / std::sqrt(3.0));
+    EXPECT_EQ(precision.count(EdgeStatus::determined), net.interior_edge_count());
 }
 
-TEST(SurveyProspect, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
+TEST(PredictedPrecision, IsThePosteriorByDifferencesOfEquilibriaAndItsRule) {
     const CableNet net = hypar(6, 8);
     const Points form = solve_equilibrium(net).form;
     for (const int radius : {0, 2, 4}) {
         const Survey survey = survey_without(net, region(net, net.free_nodes()[20], radius));
-        const SurveyProspect prospect = survey_prospect(net, form, survey, normal_3mm);
+        const PredictedPrecision precision = predicted_precision(net, form, survey, normal_3mm);
         const Eigen::VectorXd expected = reference_std(net, survey, normal_3mm);
-        EXPECT_LT((stds(prospect) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
-        for (size_t i = 0; i < prospect.edges.size(); ++i) {
-            EXPECT_EQ(prospect.edges[i].status,
+        EXPECT_LT((stds(precision) - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-4);
+        for (size_t i = 0; i < precision.edges.size(); ++i) {
+            EXPECT_EQ(precision.edges[i].status,
                       status_of(normal_3mm.std(), expected(static_cast<Eigen::Index>(i))))
                 << i;
         }
     }
 }
 
-TEST(SurveyProspect, DeterminesAllButEdgesInsideAHiddenRegion) {
+TEST(PredictedPrecision, DeterminesAllButEdgesInsideAHiddenRegion) {
     const CableNet net = hypar(10, 10);
     const Points form = solve_equilibrium(net).form;
     const int centre = net.free_nodes()[44];
     const std::set<int> hidden = region(net, centre, 5);
     const std::set<int> core = region(net, centre, 3);
-    const SurveyProspect prospect =
-        survey_prospect(net, form, survey_without(net, hidden), uniform_5mm);
+    const PredictedPrecision precision =
+        predicted_precision(net, form, survey_without(net, hidden), uniform_5mm);
     int inside = 0;
-    for (const EdgeProspect& e : prospect.edges) {
+    for (const EdgePrecision& e : precision.edges) {
         const auto [s, t] = net.edges()[e.edge];
         if (core.contains(s) && core.contains(t)) {
             EXPECT_EQ(e.status, EdgeStatus::not_determined) << net.edge_id(e.edge);
@@ -125,39 +126,40 @@ TEST(SurveyProspect, DeterminesAllButEdgesInsideAHiddenRegion) {
     EXPECT_GT(inside, 30);
 }
 
-TEST(SurveyProspect, TellsWhatIdentificationsThenGive) {
+TEST(PredictedPrecision, TellsWhatIdentificationsThenGive) {
     const CableNet net = hilo_quarter();
     const Points form = solve_equilibrium(net).form;
-    for (const LengthLaw& law : {uniform_5mm, normal_3mm}) {
-        test::SimulatedSurvey s = test::simulate(net, law, noise_std, 3);
+    for (const LengthPrior& prior : {uniform_5mm, normal_3mm}) {
+        test::SimulatedSurvey s = test::simulate(net, prior, noise_std, 3);
         for (const int node : net.free_nodes()) {
             if (node % 10 < 7) {
                 test::hide(net, s.survey, node);
             }
         }
-        const SurveyProspect prospect = survey_prospect(net, form, s.survey, law);
-        const Identification then = identify_by_maximum_a_posteriori(net, s.survey, law);
+        const PredictedPrecision precision = predicted_precision(net, form, s.survey, prior);
+        const Identification then = identify_by_maximum_a_posteriori(net, s.survey, prior);
         double squares = 0.0;
         for (const IdentifiedEdge& e : then.edges) {
             squares += e.std * e.std;
         }
-        EXPECT_NEAR(prospect.rms_std(), std::sqrt(squares / static_cast<double>(then.edges.size())),
-                    0.03 * prospect.rms_std());
+        EXPECT_NEAR(precision.rms_std(),
+                    std::sqrt(squares / static_cast<double>(then.edges.size())),
+                    0.03 * precision.rms_std());
         const auto open = static_cast<double>(
             std::ranges::count(then.edges, EdgeStatus::not_determined, &IdentifiedEdge::status));
         EXPECT_GT(open, 10);
-        EXPECT_NEAR(prospect.count(EdgeStatus::not_determined), open, 0.3 * open);
+        EXPECT_NEAR(precision.count(EdgeStatus::not_determined), open, 0.3 * open);
     }
 }
 
-TEST(SurveyProspect, KnowsASlackEdge) {
+TEST(PredictedPrecision, KnowsASlackEdge) {
     CableNetData data = hypar(4, 4).data();
     const int edge = CableNet(data).interior_edges()[3];
     data.unstressed_lengths(edge) *= 1.5;
     const CableNet net(data);
-    const SurveyProspect prospect =
-        survey_prospect(net, solve_equilibrium(net).form, survey_without(net, {}), uniform_5mm);
-    for (const EdgeProspect& e : prospect.edges) {
+    const PredictedPrecision precision =
+        predicted_precision(net, solve_equilibrium(net).form, survey_without(net, {}), uniform_5mm);
+    for (const EdgePrecision& e : precision.edges) {
         EXPECT_EQ(e.status == EdgeStatus::slack, e.edge == edge);
         if (e.edge == edge) {
             EXPECT_NEAR(e.std, uniform_5mm.std(), 1e-9);
@@ -165,15 +167,15 @@ TEST(SurveyProspect, KnowsASlackEdge) {
     }
 }
 
-TEST(SurveyProspect, RefusesASurveyOfNothingAndANetWithNothingToFind) {
+TEST(PredictedPrecision, RefusesASurveyOfNothingAndANetWithNothingToFind) {
     const CableNet net = hypar(3, 3);
     Survey survey = survey_without(net, {});
     survey.surveyed.clear();
-    EXPECT_THROW(static_cast<void>(survey_prospect(net, net.nodes(), survey, uniform_5mm)),
+    EXPECT_THROW(static_cast<void>(predicted_precision(net, net.nodes(), survey, uniform_5mm)),
                  std::invalid_argument);
     const CableNet known = hypar(1, 1);
-    EXPECT_THROW(static_cast<void>(
-                     survey_prospect(known, known.nodes(), survey_without(known, {}), uniform_5mm)),
+    EXPECT_THROW(static_cast<void>(predicted_precision(known, known.nodes(),
+                                                       survey_without(known, {}), uniform_5mm)),
                  std::invalid_argument);
 }
 

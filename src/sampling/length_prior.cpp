@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/sampling/length_law.hpp"
+#include "taut/sampling/length_prior.hpp"
 
 #include <fmt/core.h>
 
@@ -17,12 +17,12 @@
 namespace taut {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, LengthLaw::Kind>, 3> names{
-    {{"uniform", LengthLaw::Kind::uniform},
-     {"normal", LengthLaw::Kind::normal},
-     {"bimodal", LengthLaw::Kind::bimodal}}};
+constexpr std::array<std::pair<std::string_view, LengthPrior::Kind>, 3> names{
+    {{"uniform", LengthPrior::Kind::uniform},
+     {"normal", LengthPrior::Kind::normal},
+     {"bimodal", LengthPrior::Kind::bimodal}}};
 
-/// Spread of each mode of the bimodal law, of the distance of the mode from zero.
+/// Spread of each mode of the bimodal prior, of the distance of the mode from zero.
 constexpr double mode_spread = 0.2;
 
 /// Standard normal quantile, of u kept to where it is finite: |result| < normal_reach.
@@ -33,7 +33,7 @@ double normal_quantile(double u) {
            boost::math::erfc_inv(2.0 * std::clamp(u, 0x1p-54, 1.0 - 0x1p-53));
 }
 
-std::string_view name_of(LengthLaw::Kind kind) {
+std::string_view name_of(LengthPrior::Kind kind) {
     const auto* const found =
         std::ranges::find(names, kind, [](const auto& n) { return n.second; });
     return found != names.end() ? found->first : "unknown";
@@ -41,16 +41,16 @@ std::string_view name_of(LengthLaw::Kind kind) {
 
 }  // namespace
 
-void LengthLaw::check() const {
+void LengthPrior::check() const {
     if (!(scale > 0.0) || !std::isfinite(scale)) {
-        throw std::invalid_argument(
-            fmt::format("the scale of the {} law of length deviations is {} m, expected a positive "
-                        "and finite length",
-                        name_of(kind), scale));
+        throw std::invalid_argument(fmt::format(
+            "the scale of the {} prior of length deviations is {} m, expected a positive "
+            "and finite length",
+            name_of(kind), scale));
     }
 }
 
-double LengthLaw::std() const {
+double LengthPrior::std() const {
     switch (kind) {
         case Kind::uniform:
             return scale / std::numbers::sqrt3;
@@ -62,7 +62,7 @@ double LengthLaw::std() const {
     return scale;
 }
 
-double LengthLaw::reach() const {
+double LengthPrior::reach() const {
     switch (kind) {
         case Kind::uniform:
             return scale;
@@ -74,7 +74,7 @@ double LengthLaw::reach() const {
     return scale;
 }
 
-double LengthLaw::draw(double u) const {
+double LengthPrior::draw(double u) const {
     switch (kind) {
         case Kind::uniform:
             return scale * (2.0 * u - 1.0);
@@ -88,7 +88,7 @@ double LengthLaw::draw(double u) const {
     return 0.0;
 }
 
-std::string LengthLaw::to_string() const {
+std::string LengthPrior::to_string() const {
     for (const auto& [name, named_kind] : names) {
         if (named_kind == kind) {
             return fmt::format("{}:{}", name, format_length_exactly(scale));
@@ -97,7 +97,7 @@ std::string LengthLaw::to_string() const {
     return {};
 }
 
-LengthLaw parse_length_law(std::string_view text) {
+LengthPrior parse_length_prior(std::string_view text) {
     const size_t colon = text.find(':');
     if (colon != std::string_view::npos) {
         for (const auto& [name, kind] : names) {
@@ -105,7 +105,7 @@ LengthLaw parse_length_law(std::string_view text) {
                 const double scale = parse_length(text.substr(colon + 1));
                 if (!(scale > 0.0)) {
                     throw std::invalid_argument(
-                        fmt::format("the law '{}' has the scale {} m, expected a positive length",
+                        fmt::format("the prior '{}' has the scale {} m, expected a positive length",
                                     text, scale));
                 }
                 return {.kind = kind, .scale = scale};
@@ -113,7 +113,7 @@ LengthLaw parse_length_law(std::string_view text) {
         }
     }
     throw std::invalid_argument(
-        fmt::format("'{}' is no law of length deviations: expected uniform:5mm, normal:2mm or "
+        fmt::format("'{}' is no prior of length deviations: expected uniform:5mm, normal:2mm or "
                     "bimodal:5mm, with "
                     "any length",
                     text));

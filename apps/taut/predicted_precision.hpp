@@ -7,17 +7,17 @@
 
 #include "force_input.hpp"
 #include "survey_input.hpp"
-#include "taut/identification/survey_prospect.hpp"
+#include "taut/identification/predicted_precision.hpp"
 #include "taut/net/cable_net.hpp"
 #include "taut/statics/equilibrium.hpp"
 
 namespace taut::app {
 
 /// A survey that is planned, and what it can tell.
-struct Prospect {
+struct PredictedSurvey {
     Survey survey;
-    LengthLaw law;
-    SurveyProspect lengths;
+    LengthPrior prior;
+    PredictedPrecision lengths;
 };
 
 /// @param options SURVEY is a survey, or names of nodes alone
@@ -25,15 +25,16 @@ struct Prospect {
 /// @param with_notes whether to tell on standard error how the survey's file was understood
 /// @throws InputError as read_survey(), and where nodes are hidden and no noise is told
 /// @throws NumericalFailure where there is no equilibrium to linearise at
-Prospect prospect_of(const CableNet& net, const Equilibrium& nominal, const SurveyOptions& options,
-                     const LengthLaw& law, const Forces& forces, const UncertainOptions& uncertain,
-                     const std::string& net_file, bool with_notes);
+PredictedSurvey precision_of(const CableNet& net, const Equilibrium& nominal,
+                             const SurveyOptions& options, const LengthPrior& prior,
+                             const Forces& forces, const UncertainOptions& uncertain,
+                             const std::string& net_file, bool with_notes);
 
-nlohmann::ordered_json to_json(const CableNet& net, const Prospect& prospect,
+nlohmann::ordered_json to_json(const CableNet& net, const PredictedSurvey& precision,
                                const std::string& file);
 
 /// Lines to be printed.
-std::string prospect_text(const CableNet& net, const Prospect& prospect,
-                          const SurveyOptions& options);
+std::string precision_text(const CableNet& net, const PredictedSurvey& precision,
+                           const SurveyOptions& options);
 
 }  // namespace taut::app

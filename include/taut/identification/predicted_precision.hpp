@@ -6,15 +6,15 @@
 
 #include "taut/estimation/edge_status.hpp"
 #include "taut/export/core.hpp"
-#include "taut/sampling/length_law.hpp"
-#include "taut/sampling/unknown.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
 #include "taut/survey/forces.hpp"
 #include "taut/survey/survey.hpp"
 
 namespace taut {
 
 /// What a survey can tell of one interior edge's unstressed length, before it is made.
-struct EdgeProspect {
+struct EdgePrecision {
     int edge = 0;                                ///< index in the net
     double std = 0.0;                            ///< of the length deviation, after the survey [m]
     EdgeStatus status = EdgeStatus::determined;  ///< that an identification most probably gives
@@ -22,7 +22,7 @@ struct EdgeProspect {
 
 /// What a survey can tell of one edge's tension, before it is made, and what a reading of it would
 /// add.
-struct TensionProspect {
+struct TensionPrecision {
     int edge = 0;          ///< index in the net
     double tension = 0.0;  ///< in the form that it is reckoned at [N]
     double std = 0.0;      ///< of the tension, after the survey and the readings told [N]
@@ -31,14 +31,14 @@ struct TensionProspect {
 };
 
 /// What a survey can tell of all lengths and tensions, before it is made.
-struct TAUT_CORE_EXPORT SurveyProspect {
-    double prior_std = 0.0;           ///< of each length deviation, before the survey [m]
-    std::vector<EdgeProspect> edges;  ///< one an interior edge, in their order
+struct TAUT_CORE_EXPORT PredictedPrecision {
+    double prior_std = 0.0;            ///< of each length deviation, before the survey [m]
+    std::vector<EdgePrecision> edges;  ///< one an interior edge, in their order
 
     double mean_tension = 0.0;      ///< over all edges, in the form that it is reckoned at [N]
     double mean_tension_std = 0.0;  ///< after the survey and the readings told [N]
     /// All taut edges of which no reading is told, those first of which one would tell most.
-    std::vector<TensionProspect> readings;
+    std::vector<TensionPrecision> readings;
 
     /// How many edges have a status.
     [[nodiscard]] int count(EdgeStatus status) const;
@@ -46,22 +46,24 @@ struct TAUT_CORE_EXPORT SurveyProspect {
     [[nodiscard]] double rms_std() const;
 };
 
-/// Standard deviations to first order at the nominal lengths and their form, with the law taken as
-/// a normal one of the same variance (best_possible_variances()). Of the net as built, which nobody
-/// knows before, they differ to second order. Each status is the one that an identification most
-/// probably gives, over deviations from the law and errors of the survey: by its own rule, under
-/// the law itself (posterior_of(), status_of()). Slack are the edges without tension in this form.
+/// Standard deviations to first order at the nominal lengths and their form, with the prior taken
+/// as a normal one of the same variance (best_possible_variances()). Of the net as built, which
+/// nobody knows before, they differ to second order. Each status is the one that an identification
+/// most probably gives, over deviations from the prior and errors of the survey: by its own rule,
+/// under the prior itself (posterior_of(), status_of()). Slack are the edges without tension in
+/// this form.
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
 /// @param forces of which edges tensions are read, and their noise; the tensions are not used
 /// @param reading_noise standard deviation of one more reading, as a part of the tension
-/// @throws std::invalid_argument as best_possible_variances(), check_forces(), check_unknowns(),
+/// @throws std::invalid_argument as best_possible_variances(), check_forces(),
+/// check_uncertain_parameters(),
 ///   and where the net has no interior edge
 /// @throws SurveyError as check_survey(), and where the survey is exact and not whole
 /// @throws std::runtime_error where the statics are singular at this form
-[[nodiscard]] TAUT_CORE_EXPORT SurveyProspect
-survey_prospect(const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
-                const LengthLaw& law, const Forces& forces = {},
-                const std::vector<Unknown>& unknowns = {}, double reading_noise = 0.02);
+[[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision predicted_precision(
+    const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
+    const LengthPrior& prior, const Forces& forces = {},
+    const std::vector<UncertainParameter>& uncertain = {}, double reading_noise = 0.02);
 
 }  // namespace taut

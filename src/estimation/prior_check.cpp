@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "estimation/law_check.hpp"
+#include "estimation/prior_check.hpp"
 
 #include <cmath>
 
-#include "estimation/law_likelihood.hpp"
+#include "estimation/prior_likelihood.hpp"
 
 namespace taut {
 namespace {
@@ -21,32 +21,32 @@ bool FoundScale::is_contradicted() const {
     return ratio > 0.0 && std > 0.0 && std::abs(ratio - 1.0) > beyond_chance_std * std;
 }
 
-bool LawCheck::has_mean() const {
+bool PriorCheck::has_mean() const {
     return mean_std > 0.0 && std::abs(mean) > beyond_chance_std * mean_std;
 }
 
-bool LawCheck::is_contradicted() const {
+bool PriorCheck::is_contradicted() const {
     return gain > beyond_chance_gain || has_mean() || beyond > 0;
 }
 
-bool LawCheck::is_untenable() const {
+bool PriorCheck::is_untenable() const {
     return gain > untenable_gain;
 }
 
-bool LawCheck::is_too_wide() const {
+bool PriorCheck::is_too_wide() const {
     constexpr double narrower = 0.8;
     return likeliest.std() < narrower * checked.std();
 }
 
-LawCheck check_law_by_lengths(const LengthLaw& law, const LawLikelihood& likelihood) {
-    LawCheck result{.checked = law, .lengths = likelihood.count(), .likeliest = law};
+PriorCheck check_prior_by_lengths(const LengthPrior& prior, const PriorLikelihood& likelihood) {
+    PriorCheck result{.checked = prior, .lengths = likelihood.count(), .likeliest = prior};
     if (result.lengths < fewest_lengths) {
         return result;
     }
-    const double of_told = likelihood(law);
-    for (const LengthLaw::Kind kind :
-         {LengthLaw::Kind::uniform, LengthLaw::Kind::normal, LengthLaw::Kind::bimodal}) {
-        const LengthLaw found = likelihood.likeliest(kind);
+    const double of_told = likelihood(prior);
+    for (const LengthPrior::Kind kind :
+         {LengthPrior::Kind::uniform, LengthPrior::Kind::normal, LengthPrior::Kind::bimodal}) {
+        const LengthPrior found = likelihood.likeliest(kind);
         if (const double gain = likelihood(found) - of_told; gain > result.gain) {
             result.gain = gain;
             result.likeliest = found;

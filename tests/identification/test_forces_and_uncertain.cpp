@@ -14,8 +14,8 @@
 #include "identification/simulated_survey.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/identification/identify.hpp"
-#include "taut/identification/survey_prospect.hpp"
-#include "taut/sampling/circumstances.hpp"
+#include "taut/identification/predicted_precision.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 #include "taut/threads.hpp"
 
 namespace {
@@ -23,7 +23,7 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 
-constexpr LengthLaw law{LengthLaw::Kind::uniform, 0.002};
+constexpr LengthPrior prior{LengthPrior::Kind::uniform, 0.002};
 constexpr double noise = 0.5e-3;
 
 CableNet loaded_net() {
@@ -39,57 +39,59 @@ CableNet loaded_net() {
 
 /// A built net that differs from the design in lengths and in what else is unknown.
 struct Built {
-    Circumstances circumstances;
+    ModelPerturbation perturbation;
     SimulatedSurvey simulated;
     Eigen::VectorXd tensions;  ///< m, the truth [N]
 };
 
-Built built(const CableNet& net, const std::vector<Unknown>& unknowns, std::uint64_t seed) {
+Built built(const CableNet& net, const std::vector<UncertainParameter>& uncertain,
+            std::uint64_t seed) {
     Built result;
-    result.circumstances = draw_circumstances(net, unknowns, 5, seed);
-    const CableNet changed = net_under(net, result.circumstances, net.unstressed_lengths());
-    result.simulated = simulate(changed, law, noise, seed);
+    result.perturbation = draw_perturbation(net, uncertain, 5, seed);
+    const CableNet changed = net_under(net, result.perturbation, net.unstressed_lengths());
+    result.simulated = simulate(changed, prior, noise, seed);
     const Eigen::VectorXd lengths = with_length_deviations(changed, result.simulated.deviations);
     result.tensions = tensions(changed, lengths, result.simulated.truth.form);
     return result;
 }
 
-IdentifyOptions options_with(const std::vector<Unknown>& unknowns, int draws = 0) {
+IdentifyOptions options_with(const std::vector<UncertainParameter>& uncertain, int draws = 0) {
     IdentifyOptions options;
     options.method = IdentificationMethod::map;
-    options.law = law;
-    options.unknowns = unknowns;
+    options.prior = prior;
+    options.uncertain = uncertain;
     options.draws = draws;
     return options;
 }
 
 /// Of an unknown's estimate.
-double truth_of(const Circumstances& c, const CableNet& net, const UnknownEstimate& estimate) {
-    switch (estimate.unknown.kind) {
-        case Unknown::Kind::stiffness:
+double truth_of(const ModelPerturbation& c, const CableNet& net,
+                const ParameterEstimate& estimate) {
+    switch (estimate.parameter.kind) {
+        case UncertainParameter::Kind::stiffness:
             return c.stiffness(0);
-        case Unknown::Kind::stiffness_each:
+        case UncertainParameter::Kind::stiffness_each:
             return c.stiffness(estimate.edge);
-        case Unknown::Kind::temperature:
+        case UncertainParameter::Kind::temperature:
             return c.thermal(0) / net.data().expansion(0);
-        case Unknown::Kind::supports:
+        case UncertainParameter::Kind::supports:
             return c.supports(estimate.axis, estimate.node);
-        case Unknown::Kind::adjustable:
+        case UncertainParameter::Kind::adjustable:
             return c.adjustable(estimate.edge);
-        case Unknown::Kind::loads:
+        case UncertainParameter::Kind::loads:
             return c.loads;
-        case Unknown::Kind::loads_each:
+        case UncertainParameter::Kind::loads_each:
             return c.own_loads(estimate.axis, estimate.node);
     }
     return 0.0;
 }
 
-class Unknowns : public testing::TestWithParam<std::vector<const char*>> {
+class UncertainParameters : public testing::TestWithParam<std::vector<const char*>> {
 protected:
-    [[nodiscard]] static std::vector<Unknown> told() {
-        std::vector<Unknown> result;
+    [[nodiscard]] static std::vector<UncertainParameter> told() {
+        std::vector<UncertainParameter> result;
         for (const char* text : GetParam()) {
-            result.push_back(parse_unknown(text));
+            result.push_back(parse_uncertain_parameter(text));
         }
         return result;
     }
@@ -105,17 +107,17 @@ struct Count {
     [[nodiscard]] double part() const { return static_cast<double>(inside) / all; }
 };
 
-TEST_P(Unknowns, AreInTheIntervalsOfLengthsAndTensions) {
+TEST_P(UncertainParameters, AreInTheIntervalsOfLengthsAndTensions) {
     const CableNet net = loaded_net();
-    const std::vector<Unknown> unknowns = told();
+    const std::vector<UncertainParameter> uncertain = told();
     Count lengths;
     Count tensions;
-    std::map<Unknown::Kind, Count> of_unknowns;
+    std::map<UncertainParameter::Kind, Count> of_parameters;
     constexpr int surveys = 16;
     for (int k = 0; k < surveys; ++k) {
-        const Built truth = built(net, unknowns, 100 + k);
+        const Built truth = built(net, uncertain, 100 + k);
         const Identification found =
-            identify(net, truth.simulated.survey, options_with(unknowns, 100));
+            identify(net, truth.simulated.survey, options_with(uncertain, 100));
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         for (size_t i = 0; i < found.edges.size(); ++i) {
             const IdentifiedEdge& edge = found.edges[i];
@@ -127,23 +129,24 @@ TEST_P(Unknowns, AreInTheIntervalsOfLengthsAndTensions) {
             const double tension = truth.tensions(told.edge);
             tensions.add(told.tension.lower <= tension && tension <= told.tension.upper);
         }
-        for (const UnknownEstimate& estimate : found.unknowns) {
+        for (const ParameterEstimate& estimate : found.uncertain) {
             // The mixture over priors may be a little wider than each of its parts.
             EXPECT_LE(estimate.std, 1.001 * estimate.prior_std);
-            of_unknowns[estimate.unknown.kind].add(
-                std::abs(estimate.mean - truth_of(truth.circumstances, net, estimate)) <=
+            of_parameters[estimate.parameter.kind].add(
+                std::abs(estimate.mean - truth_of(truth.perturbation, net, estimate)) <=
                 half_interval_95 * estimate.std);
         }
     }
     EXPECT_NEAR(lengths.part(), 0.95, 0.03);
     EXPECT_NEAR(tensions.part(), 0.95, 0.04);
-    for (const auto& [kind, count] : of_unknowns) {
+    for (const auto& [kind, count] : of_parameters) {
         // 16 of a common one, far more of the others.
-        EXPECT_GE(count.part(), count.all > 100 ? 0.92 : 0.75) << Unknown{.kind = kind}.name();
+        EXPECT_GE(count.part(), count.all > 100 ? 0.92 : 0.75)
+            << UncertainParameter{.kind = kind}.name();
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Map, Unknowns,
+INSTANTIATE_TEST_SUITE_P(Map, UncertainParameters,
                          testing::Values(std::vector{"supports:1mm"},
                                          std::vector{"stiffness-each:3%"},
                                          std::vector{"adjustable:0.5mm"}, std::vector{"loads:20N"},
@@ -152,14 +155,16 @@ INSTANTIATE_TEST_SUITE_P(Map, Unknowns,
                                                      "temperature:15K", "adjustable:0.5mm",
                                                      "loads:20N"}));
 
-TEST(Unknown, ThatIsAsGoodAsKnownChangesNothing) {
+TEST(UncertainParameter, ThatIsAsGoodAsKnownChangesNothing) {
     const CableNet net = loaded_net();
     const Survey survey = built(net, {}, 3).simulated.survey;
     const Identification as_known = identify(net, survey, options_with({}));
-    const Identification found = identify(
-        net, survey,
-        options_with({parse_unknown("supports:0.0001mm"), parse_unknown("stiffness:0.0001%"),
-                      parse_unknown("adjustable:0.0001mm"), parse_unknown("loads:0.0001N")}));
+    const Identification found =
+        identify(net, survey,
+                 options_with({parse_uncertain_parameter("supports:0.0001mm"),
+                               parse_uncertain_parameter("stiffness:0.0001%"),
+                               parse_uncertain_parameter("adjustable:0.0001mm"),
+                               parse_uncertain_parameter("loads:0.0001N")}));
     ASSERT_EQ(found.edges.size(), as_known.edges.size());
     for (size_t i = 0; i < found.edges.size(); ++i) {
         EXPECT_NEAR(found.edges[i].length_deviation, as_known.edges[i].length_deviation,
@@ -170,39 +175,39 @@ TEST(Unknown, ThatIsAsGoodAsKnownChangesNothing) {
 
 // Of a net without loads the form shows no level of all stiffnesses: it is told as not observed,
 // and a load cell shows it.
-TEST(Unknown, IsToldWhereNothingShowsIt) {
+TEST(UncertainParameter, IsToldWhereNothingShowsIt) {
     const CableNet net = hypar(5, 5);
-    const std::vector<Unknown> stiffness{parse_unknown("stiffness:5%")};
+    const std::vector<UncertainParameter> stiffness{parse_uncertain_parameter("stiffness:5%")};
     const Built truth = built(net, stiffness, 4);
     IdentifyOptions options = options_with(stiffness);
     const Identification by_form = identify(net, truth.simulated.survey, options);
-    ASSERT_EQ(by_form.unknowns.size(), 1U);
-    EXPECT_FALSE(by_form.unknowns[0].is_observed());
-    EXPECT_NEAR(by_form.unknowns[0].std, 0.05, 0.001);
+    ASSERT_EQ(by_form.uncertain.size(), 1U);
+    EXPECT_FALSE(by_form.uncertain[0].is_observed());
+    EXPECT_NEAR(by_form.uncertain[0].std, 0.05, 0.001);
     for (int edge = 0; edge < net.edge_count(); edge += 5) {
         const double tension = truth.tensions(edge);
         options.forces.readings.push_back(
             {.edge = edge, .tension = tension, .std = 0.005 * tension});
     }
     const Identification by_cells = identify(net, truth.simulated.survey, options);
-    EXPECT_TRUE(by_cells.unknowns[0].is_observed());
-    EXPECT_NEAR(by_cells.unknowns[0].mean, truth.circumstances.stiffness(0),
-                3.0 * by_cells.unknowns[0].std);
+    EXPECT_TRUE(by_cells.uncertain[0].is_observed());
+    EXPECT_NEAR(by_cells.uncertain[0].mean, truth.perturbation.stiffness(0),
+                3.0 * by_cells.uncertain[0].std);
 }
 
 // Supports three times as far off as told leave too narrow intervals: their own estimates show it.
-TEST(Unknown, ThatIsWiderThanToldShowsInItsSpread) {
+TEST(UncertainParameter, ThatIsWiderThanToldShowsInItsSpread) {
     const CableNet net = loaded_net();
-    const std::vector<Unknown> told{parse_unknown("supports:1mm")};
+    const std::vector<UncertainParameter> told{parse_uncertain_parameter("supports:1mm")};
     for (int seed = 0; seed < 5; ++seed) {
         const auto found_of = [&](const char* truth) {
-            const Built built_net = built(net, {parse_unknown(truth)}, 40 + seed);
+            const Built built_net = built(net, {parse_uncertain_parameter(truth)}, 40 + seed);
             return identify(net, built_net.simulated.survey, options_with(told));
         };
-        EXPECT_NEAR(spread_ratio(found_of("supports:1mm").unknowns), 1.0, 0.4);
+        EXPECT_NEAR(spread_ratio(found_of("supports:1mm").uncertain), 1.0, 0.4);
         // Single ones may be named in place of all.
         const Identification wider = found_of("supports:3mm");
-        EXPECT_TRUE(spread_ratio(wider.unknowns) > 1.5 || !wider.boundary_outliers.empty());
+        EXPECT_TRUE(spread_ratio(wider.uncertain) > 1.5 || !wider.boundary_outliers.empty());
         EXPECT_NE(wider.trust.verdict(), Trust::Verdict::passed);
     }
     EXPECT_EQ(spread_ratio({}), 0.0);
@@ -215,7 +220,7 @@ protected:
         options.forces = forces;
         return identify(m_net, m_truth.simulated.survey, options);
     }
-    [[nodiscard]] ForceReading read(int edge, double part) const {
+    [[nodiscard]] ForceMeasurement read(int edge, double part) const {
         return {
             .edge = edge, .tension = m_truth.tensions(edge), .std = part * m_truth.tensions(edge)};
     }
@@ -231,7 +236,7 @@ TEST_F(Readings, AreBelievedAsFarAsTheyAreTrue) {
     ASSERT_FALSE(with.drawn.tensions.empty());
     EXPECT_EQ(with.readings, 2);
     EXPECT_TRUE(with.reading_outliers.empty());
-    for (const ForceReading& reading : forces.readings) {
+    for (const ForceMeasurement& reading : forces.readings) {
         const DrawnEstimate& before = without.drawn.tensions[reading.edge].tension;
         const DrawnEstimate& after = with.drawn.tensions[reading.edge].tension;
         EXPECT_NEAR(after.mean, reading.tension, 4.0 * reading.std);
@@ -244,20 +249,20 @@ TEST_F(Readings, AreBelievedAsFarAsTheyAreTrue) {
 TEST_F(Readings, PromiseWhatTheyThenTell) {
     Forces forces{
         .readings = {read(3, 0.02), read(30, 0.02), read(50, 0.02)}, .taut = {}, .slack = {}};
-    const SurveyProspect prospect = survey_prospect(m_net, solve_equilibrium(m_net).form,
-                                                    m_truth.simulated.survey, law, forces);
+    const PredictedPrecision precision = predicted_precision(
+        m_net, solve_equilibrium(m_net).form, m_truth.simulated.survey, prior, forces);
     const Identification then = found(forces);
-    EXPECT_NEAR(prospect.mean_tension_std, then.drawn.mean_tension.std,
+    EXPECT_NEAR(precision.mean_tension_std, then.drawn.mean_tension.std,
                 0.25 * then.drawn.mean_tension.std);
     // And the next best edge holds what it promises, at the design.
-    const TensionProspect& best = prospect.readings.front();
+    const TensionPrecision& best = precision.readings.front();
     forces.readings.push_back(
         {.edge = best.edge, .tension = best.tension, .std = 0.02 * best.tension});
-    const SurveyProspect next = survey_prospect(m_net, solve_equilibrium(m_net).form,
-                                                m_truth.simulated.survey, law, forces);
+    const PredictedPrecision next = predicted_precision(m_net, solve_equilibrium(m_net).form,
+                                                        m_truth.simulated.survey, prior, forces);
     EXPECT_NEAR(next.mean_tension_std, best.mean_std_with_reading,
                 1e-6 * best.mean_std_with_reading);
-    EXPECT_LT(next.mean_tension_std, prospect.mean_tension_std);
+    EXPECT_LT(next.mean_tension_std, precision.mean_tension_std);
 }
 
 TEST_F(Readings, ThatContradictAllElseAreLeftOutAndNamed) {
@@ -309,12 +314,12 @@ TEST_F(Readings, AreDrawnTheSameOnAnyNumberOfThreads) {
 
 TEST_F(Readings, AreRefusedByMethodsThatDoNotUseThem) {
     IdentifyOptions options;
-    options.law = law;
+    options.prior = prior;
     options.method = IdentificationMethod::balance;
     options.forces.readings = {read(3, 0.02)};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
     options.forces = {};
-    options.unknowns = {parse_unknown("supports:1mm")};
+    options.uncertain = {parse_uncertain_parameter("supports:1mm")};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
     options.method = IdentificationMethod::map;
     options.forces.readings = {read(3, 0.02), read(3, 0.02)};
@@ -324,7 +329,7 @@ TEST_F(Readings, AreRefusedByMethodsThatDoNotUseThem) {
 // What was seen of a net that stretches by less than its lengths deviate.
 TEST(Seen, TautAndSlackEdgesAreKeptTo) {
     const CableNet net = stiffened(hypar(6, 6), 10.0);
-    const SimulatedSurvey s = simulate(net, law, noise, 8);
+    const SimulatedSurvey s = simulate(net, prior, noise, 8);
     const Eigen::VectorXd tension =
         tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
     IdentifyOptions options = options_with({});
@@ -361,7 +366,7 @@ TEST(Seen, WhatTheSurveyContradictsIsNamedAndNotUsed) {
     survey.form += EquilibriumSolver(net).solve(lengths, truth.simulated.truth.form).form -
                    truth.simulated.truth.form;
     options = options_with({});
-    options.law = LengthLaw{LengthLaw::Kind::normal, 0.01};
+    options.prior = LengthPrior{LengthPrior::Kind::normal, 0.01};
     options.forces.taut = {hanging, net.interior_edges()[3]};
     const Identification taut = identify(net, survey, options);
     EXPECT_THAT(taut.contradicted_taut, testing::ElementsAre(hanging));

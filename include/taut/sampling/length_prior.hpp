@@ -10,10 +10,10 @@
 
 namespace taut {
 
-/// The probability law of the length deviations, independent and the same for every interior edge,
-/// with mean zero.
-struct TAUT_CORE_EXPORT LengthLaw {
-    /// The shape of the law.
+/// The probability prior of the length deviations, independent and the same for every interior
+/// edge, with mean zero.
+struct TAUT_CORE_EXPORT LengthPrior {
+    /// The shape of the prior.
     enum class Kind {
         uniform,  ///< U(-scale, scale), the paper's
         normal,   ///< N(0, scale^2)
@@ -23,7 +23,7 @@ struct TAUT_CORE_EXPORT LengthLaw {
     double scale = 0.005;       ///< [m]
 
     /// Whether the scale is positive and finite; the functions below ask for it and do not check.
-    /// @throws std::invalid_argument naming law and scale
+    /// @throws std::invalid_argument naming prior and scale
     void check() const;
 
     /// Standard deviation [m].
@@ -35,15 +35,15 @@ struct TAUT_CORE_EXPORT LengthLaw {
     /// The deviation that a random number u, uniform in (0, 1), stands for [m].
     [[nodiscard]] double draw(double u) const;
 
-    /// "uniform:5mm"; parse_length_law() reads it back.
+    /// "uniform:5mm"; parse_length_prior() reads it back.
     [[nodiscard]] std::string to_string() const;
 
     /// Kind and scale, to the last bit.
-    friend bool operator==(const LengthLaw&, const LengthLaw&) = default;
+    friend bool operator==(const LengthPrior&, const LengthPrior&) = default;
 };
 
 /// "uniform:5mm", "normal:2mm", "bimodal:5mm".
 /// @throws std::invalid_argument for another name, or a scale that is not a positive length
-[[nodiscard]] TAUT_CORE_EXPORT LengthLaw parse_length_law(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT LengthPrior parse_length_prior(std::string_view text);
 
 }  // namespace taut

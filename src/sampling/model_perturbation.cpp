@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/sampling/circumstances.hpp"
+#include "taut/sampling/model_perturbation.hpp"
 
 #include <fmt/core.h>
 
@@ -31,7 +31,7 @@ void scale_laws(const CableNet& net, const Eigen::VectorXd& stiffness, CableNetD
 
 }  // namespace
 
-Circumstances as_told(const CableNet& net) {
+ModelPerturbation as_told(const CableNet& net) {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(net.edge_count());
     return {.stiffness = zero,
             .thermal = zero,
@@ -41,47 +41,49 @@ Circumstances as_told(const CableNet& net) {
             .own_loads = Points::Zero(3, net.node_count())};
 }
 
-Circumstances draw_circumstances(const CableNet& net, const std::vector<Unknown>& unknowns,
-                                 std::uint64_t seed, std::uint64_t sample) {
-    // Streams of their own: the lengths of a data set stay what they are without unknowns.
+ModelPerturbation draw_perturbation(const CableNet& net,
+                                    const std::vector<UncertainParameter>& uncertain,
+                                    std::uint64_t seed, std::uint64_t sample) {
+    // Streams of their own: the lengths of a data set stay what they are without uncertain.
     constexpr std::uint64_t other_than_lengths = 0x7461757400000000U;
     RandomNumbers random(seed ^ other_than_lengths, static_cast<std::uint32_t>(sample));
-    Circumstances result = as_told(net);
-    for (const Unknown& unknown : unknowns) {
-        switch (unknown.kind) {
-            case Unknown::Kind::stiffness:
-                result.stiffness(edges_of(net, unknown)).array() += unknown.std * random.normal();
+    ModelPerturbation result = as_told(net);
+    for (const UncertainParameter& parameter : uncertain) {
+        switch (parameter.kind) {
+            case UncertainParameter::Kind::stiffness:
+                result.stiffness(edges_of(net, parameter)).array() +=
+                    parameter.std * random.normal();
                 break;
-            case Unknown::Kind::stiffness_each:
-                for (const int edge : edges_of(net, unknown)) {
-                    result.stiffness(edge) += unknown.std * random.normal();
+            case UncertainParameter::Kind::stiffness_each:
+                for (const int edge : edges_of(net, parameter)) {
+                    result.stiffness(edge) += parameter.std * random.normal();
                 }
                 break;
-            case Unknown::Kind::temperature: {
-                const std::vector<int> edges = edges_of(net, unknown);
+            case UncertainParameter::Kind::temperature: {
+                const std::vector<int> edges = edges_of(net, parameter);
                 result.thermal(edges) +=
-                    unknown.std * random.normal() * net.data().expansion(edges);
+                    parameter.std * random.normal() * net.data().expansion(edges);
                 break;
             }
-            case Unknown::Kind::supports:
+            case UncertainParameter::Kind::supports:
                 for (const int node : net.supports()) {
                     for (double& coordinate : result.supports.col(node)) {
-                        coordinate = unknown.std * random.normal();
+                        coordinate = parameter.std * random.normal();
                     }
                 }
                 break;
-            case Unknown::Kind::adjustable:
+            case UncertainParameter::Kind::adjustable:
                 for (const int edge : net.adjustable_edges()) {
-                    result.adjustable(edge) = unknown.std * random.normal();
+                    result.adjustable(edge) = parameter.std * random.normal();
                 }
                 break;
-            case Unknown::Kind::loads:
-                result.loads = unknown.std * random.normal();
+            case UncertainParameter::Kind::loads:
+                result.loads = parameter.std * random.normal();
                 break;
-            case Unknown::Kind::loads_each:
+            case UncertainParameter::Kind::loads_each:
                 for (const int node : net.free_nodes()) {
                     for (double& load : result.own_loads.col(node)) {
-                        load = unknown.std * random.normal();
+                        load = parameter.std * random.normal();
                     }
                 }
                 break;
@@ -90,21 +92,21 @@ Circumstances draw_circumstances(const CableNet& net, const std::vector<Unknown>
     return result;
 }
 
-CableNet net_under(const CableNet& net, const Circumstances& circumstances,
+CableNet net_under(const CableNet& net, const ModelPerturbation& perturbation,
                    const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths) {
     if (unstressed_lengths.size() != net.edge_count()) {
         throw std::invalid_argument(fmt::format("{} unstressed lengths, expected {}",
                                                 unstressed_lengths.size(), net.edge_count()));
     }
     CableNetData data = with_weight_as_load(net);
-    data.nodes += circumstances.supports;
-    data.axial_stiffness.array() *= circumstances.stiffness.array().exp();
+    data.nodes += perturbation.supports;
+    data.axial_stiffness.array() *= perturbation.stiffness.array().exp();
     if (!net.is_linear()) {
-        scale_laws(net, circumstances.stiffness, data);
+        scale_laws(net, perturbation.stiffness, data);
     }
-    data.loads = (1.0 + circumstances.loads) * net.loads() + circumstances.own_loads;
-    data.unstressed_lengths = (unstressed_lengths + circumstances.adjustable)
-                                  .cwiseProduct((1.0 + circumstances.thermal.array()).matrix());
+    data.loads = (1.0 + perturbation.loads) * net.loads() + perturbation.own_loads;
+    data.unstressed_lengths = (unstressed_lengths + perturbation.adjustable)
+                                  .cwiseProduct((1.0 + perturbation.thermal.array()).matrix());
     return CableNet(std::move(data));
 }
 

@@ -13,7 +13,7 @@ namespace taut {
 
 /// What is not known of a net besides its lengths: numbers with independent normal distributions
 /// around what the net tells.
-struct TAUT_CORE_EXPORT Unknown {
+struct TAUT_CORE_EXPORT UncertainParameter {
     /// What the numbers are.
     enum class Kind {
         stiffness,  ///< one factor of EA, or of the tension law, common to edges: its logarithm
@@ -30,50 +30,52 @@ struct TAUT_CORE_EXPORT Unknown {
 
     /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads".
     [[nodiscard]] std::string_view name() const;
-    /// "stiffness:5%@ridge"; parse_unknown() reads it back.
+    /// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
     [[nodiscard]] std::string to_string() const;
 
     /// All fields, to the last bit.
-    friend bool operator==(const Unknown&, const Unknown&) = default;
+    friend bool operator==(const UncertainParameter&, const UncertainParameter&) = default;
 };
 
 /// All, "stiffness:5%, supports:1mm", or "none".
-[[nodiscard]] TAUT_CORE_EXPORT std::string to_string(const std::vector<Unknown>& unknowns);
+[[nodiscard]] TAUT_CORE_EXPORT std::string to_string(
+    const std::vector<UncertainParameter>& uncertain);
 
 /// "stiffness:5%", "stiffness:5%@GROUP", "stiffness-each:3%", "temperature:10K", "supports:1mm",
 /// "adjustable:0.5mm", "loads:20N", "loads:10%".
 /// @throws std::invalid_argument for another name or unit, a width that is not positive and finite,
 ///   a relative one of 30 % or more, and a group where the kind has none
-[[nodiscard]] TAUT_CORE_EXPORT Unknown parse_unknown(std::string_view text);
+[[nodiscard]] TAUT_CORE_EXPORT UncertainParameter parse_uncertain_parameter(std::string_view text);
 
 /// Whether these can be unknown of a net.
 /// @throws std::invalid_argument for two of one name and group (of loads: of one kind), a group
 ///   that the net does not have, a temperature where no edge of it expands, adjustable lengths
 ///   where the net has none, or wider than a third of the shortest, supports wider than a third of
 ///   the shortest edge, common loads where there are none
-TAUT_CORE_EXPORT void check_unknowns(const CableNet& net, const std::vector<Unknown>& unknowns);
+TAUT_CORE_EXPORT void check_uncertain_parameters(const CableNet& net,
+                                                 const std::vector<UncertainParameter>& uncertain);
 
 /// What is uncertain on a site of which nothing else is given: stiffness 5 % in common and 2 % of
 /// each edge; 5 K where edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm;
 /// of lengths and places no more than a tenth of the shortest edge that they are of.
 /// @param given goes before: of what has its name nothing is assumed
 /// @return `given`, then what is assumed
-[[nodiscard]] TAUT_CORE_EXPORT std::vector<Unknown> with_site_assumptions(
-    const CableNet& net, std::vector<Unknown> given);
+[[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(
+    const CableNet& net, std::vector<UncertainParameter> given);
 
 /// The edges that an unknown of stiffness or temperature is about, ascending: those of its group,
 /// or all.
 /// @throws std::out_of_range for a group that the net does not have
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_of(const CableNet& net,
-                                                         const Unknown& unknown);
+                                                         const UncertainParameter& parameter);
 
 /// The standard deviation of one kind; 0 where it is known.
-[[nodiscard]] TAUT_CORE_EXPORT double std_of(const std::vector<Unknown>& unknowns,
-                                             Unknown::Kind kind);
+[[nodiscard]] TAUT_CORE_EXPORT double std_of(const std::vector<UncertainParameter>& uncertain,
+                                             UncertainParameter::Kind kind);
 
 /// Standard deviation of each edge's own stiffness, relative (m); 0 where it is known.
 /// @throws std::out_of_range as edges_of()
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd own_stiffness_stds(
-    const CableNet& net, const std::vector<Unknown>& unknowns);
+    const CableNet& net, const std::vector<UncertainParameter>& uncertain);
 
 }  // namespace taut

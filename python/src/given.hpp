@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// What is given in words, as on the command line: 'uniform:5mm', 'stiffness:5%'.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "taut/net/cable_net.hpp"
+#include "taut/sampling/length_prior.hpp"
+#include "taut/sampling/uncertain_parameter.hpp"
+
+namespace taut::python {
+
+/// But for "none".
+/// @throws std::invalid_argument as parse_uncertain_parameter() and check_uncertain_parameters()
+[[nodiscard]] inline std::vector<UncertainParameter> uncertain_given(
+    const CableNet& net, const std::vector<std::string>& texts) {
+    std::vector<UncertainParameter> uncertain;
+    for (const std::string& text : texts) {
+        if (text != "none") {
+            uncertain.push_back(parse_uncertain_parameter(text));
+        }
+    }
+    check_uncertain_parameters(net, uncertain);
+    return uncertain;
+}
+
+/// Whether what is not given is as on a site: with_site_assumptions().
+[[nodiscard]] inline bool assumes_site(const std::vector<std::string>& texts) {
+    return std::ranges::find(texts, "none") == texts.end();
+}
+
+/// @throws std::invalid_argument as parse_length_prior()
+[[nodiscard]] inline std::optional<LengthPrior> prior_given(
+    const std::optional<std::string>& text) {
+    return text ? std::optional(parse_length_prior(*text)) : std::nullopt;
+}
+
+}  // namespace taut::python

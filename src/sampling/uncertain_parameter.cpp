@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+#include "taut/sampling/uncertain_parameter.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "taut/net/units.hpp"
+
+namespace taut {
+namespace {
+
+using Kind = UncertainParameter::Kind;
+
+struct Named {
+    std::string_view name;
+    Kind kind;
+    bool has_groups;
+};
+
+constexpr std::array parameter_names{Named{"stiffness", Kind::stiffness, true},
+                                     Named{"stiffness-each", Kind::stiffness_each, true},
+                                     Named{"temperature", Kind::temperature, true},
+                                     Named{"supports", Kind::supports, false},
+                                     Named{"adjustable", Kind::adjustable, false},
+                                     Named{"loads", Kind::loads, false},
+                                     Named{"loads", Kind::loads_each, false}};
+
+constexpr std::string_view unknown_examples =
+    "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N "
+    "or loads:10%";
+
+/// @throws std::invalid_argument where the text is not of the kind's unit
+double parse_width(Kind kind, std::string_view text) {
+    switch (kind) {
+        case Kind::stiffness:
+        case Kind::stiffness_each:
+        case Kind::loads:
+            return parse_part(text);
+        case Kind::temperature:
+            return parse_temperature(text);
+        case Kind::supports:
+        case Kind::adjustable:
+            return parse_length(text);
+        case Kind::loads_each:
+            return parse_force(text);
+    }
+    return 0.0;
+}
+
+bool is_relative(Kind kind) {
+    return kind == Kind::stiffness || kind == Kind::stiffness_each || kind == Kind::loads;
+}
+
+std::string width_text(const UncertainParameter& parameter) {
+    switch (parameter.kind) {
+        case Kind::stiffness:
+        case Kind::stiffness_each:
+        case Kind::loads:
+            return fmt::format("{:.12g}%", 1e2 * parameter.std);
+        case Kind::temperature:
+            return fmt::format("{:.12g}K", parameter.std);
+        case Kind::supports:
+        case Kind::adjustable:
+            return format_length(parameter.std);
+        case Kind::loads_each:
+            return fmt::format("{:.12g}N", parameter.std);
+    }
+    return {};
+}
+
+/// @param text as it was told
+/// @throws std::invalid_argument where no width is so
+void check_width(const UncertainParameter& parameter, std::string_view text) {
+    constexpr double widest_part = 0.3;
+    if (!(parameter.std > 0.0) || !std::isfinite(parameter.std)) {
+        throw std::invalid_argument(
+            fmt::format("the uncertain parameter '{}' has no positive width, expected {}", text,
+                        unknown_examples));
+    }
+    if (is_relative(parameter.kind) && parameter.std >= widest_part) {
+        throw std::invalid_argument(fmt::format(
+            "the uncertain parameter '{}' is as wide as 30 % or wider, expected less", text));
+    }
+}
+
+[[noreturn]] void refuse(const UncertainParameter& parameter, std::string_view problem) {
+    throw std::invalid_argument(
+        fmt::format("the uncertain parameter '{}' {}", parameter.to_string(), problem));
+}
+
+void check_one(const CableNet& net, const UncertainParameter& parameter) {
+    constexpr double widest_part = 1.0 / 3.0;
+    check_width(parameter, parameter.to_string());
+    const auto* const named = std::ranges::find(parameter_names, parameter.kind, &Named::kind);
+    if (!parameter.group.empty() && !named->has_groups) {
+        refuse(parameter, "takes no group: only stiffness, stiffness-each and temperature do");
+    }
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    if (!parameter.group.empty() && !net.data().groups.contains(parameter.group)) {
+        std::string groups;
+        for (const auto& [name, edges] : net.data().groups) {
+            groups += groups.empty() ? name : ", " + name;
+        }
+        refuse(parameter,
+               groups.empty()
+                   ? "is of a group, and the net has none"
+                   : fmt::format("is of no group of the net, expected one of {}", groups));
+    }
+    switch (parameter.kind) {
+        case Kind::temperature: {
+            const std::vector<int> edges = edges_of(net, parameter);
+            const Eigen::VectorXd& expansion = net.data().expansion;
+            if (expansion.size() == 0 || (expansion(edges).array() == 0.0).all()) {
+                refuse(parameter, "needs edges that expand, and the net tells no expansion [1/K]");
+            }
+            if (expansion(edges).cwiseAbs().maxCoeff() * parameter.std > 0.01) {
+                refuse(parameter, "strains edges by more than 1 %, expected less");
+            }
+            break;
+        }
+        case Kind::adjustable:
+            if (net.adjustable_edges().empty()) {
+                refuse(parameter, "needs adjustable edges, and the net has none");
+            }
+            if (parameter.std > widest_part * lengths(net.adjustable_edges()).minCoeff()) {
+                refuse(parameter, "is wider than a third of the shortest adjustable edge");
+            }
+            break;
+        case Kind::supports:
+            if (parameter.std > widest_part * lengths.minCoeff()) {
+                refuse(parameter, "is wider than a third of the shortest edge");
+            }
+            break;
+        case Kind::loads:
+            if (net.loads().isZero(0.0)) {
+                refuse(parameter,
+                       "is a part of the loads, and the net has none: loads:20N tells "
+                       "them in newtons");
+            }
+            break;
+        case Kind::loads_each: {
+            // More than any cable bears is no load of this net.
+            const double strongest = net.axial_stiffness().maxCoeff();
+            if (parameter.std > widest_part * strongest) {
+                refuse(parameter, "is wider than a third of the largest axial stiffness");
+            }
+            break;
+        }
+        case Kind::stiffness:
+        case Kind::stiffness_each:
+            break;
+    }
+}
+
+}  // namespace
+
+std::string_view UncertainParameter::name() const {
+    const auto* const found = std::ranges::find(parameter_names, kind, &Named::kind);
+    return found->name;
+}
+
+std::string UncertainParameter::to_string() const {
+    return fmt::format("{}:{}{}{}", name(), width_text(*this), group.empty() ? "" : "@", group);
+}
+
+std::string to_string(const std::vector<UncertainParameter>& uncertain) {
+    std::string text;
+    for (const UncertainParameter& parameter : uncertain) {
+        text += (text.empty() ? "" : ", ") + parameter.to_string();
+    }
+    return text.empty() ? "none" : text;
+}
+
+UncertainParameter parse_uncertain_parameter(std::string_view text) {
+    const size_t colon = text.find(':');
+    const std::string_view name = text.substr(0, colon);
+    const size_t at = text.find('@');
+    const bool has_width =
+        colon != std::string_view::npos && (at == std::string_view::npos || at > colon);
+    const auto* found = std::ranges::find(parameter_names, name, &Named::name);
+    if (found == parameter_names.end() || !has_width) {
+        throw std::invalid_argument(
+            found == parameter_names.end()
+                ? fmt::format("'{}' is no uncertain parameter: expected {}", text, unknown_examples)
+                : fmt::format("'{}' tells no width: expected {}", text, unknown_examples));
+    }
+    const std::string_view width =
+        text.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1);
+    UncertainParameter parameter{.kind = found->kind};
+    if (parameter.kind == Kind::loads && !width.ends_with('%')) {
+        parameter.kind = Kind::loads_each;
+    }
+    try {
+        parameter.std = parse_width(parameter.kind, width);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(
+            fmt::format("the uncertain parameter '{}': {}", text, error.what()));
+    }
+    check_width(parameter, text);
+    if (at != std::string_view::npos) {
+        parameter.group = text.substr(at + 1);
+        if (!found->has_groups || parameter.group.empty()) {
+            throw std::invalid_argument(fmt::format(
+                "the uncertain parameter '{}' {}", text,
+                found->has_groups
+                    ? "names no group behind @"
+                    : "takes no group: only stiffness, stiffness-each and temperature do"));
+        }
+    }
+    return parameter;
+}
+
+void check_uncertain_parameters(const CableNet& net,
+                                const std::vector<UncertainParameter>& uncertain) {
+    for (auto one = uncertain.begin(); one != uncertain.end(); ++one) {
+        check_one(net, *one);
+        const bool is_double =
+            std::any_of(uncertain.begin(), one, [&](const UncertainParameter& other) {
+                return other.kind == one->kind && other.group == one->group;
+            });
+        if (is_double) {
+            refuse(*one, "is told twice");
+        }
+    }
+}
+
+std::vector<UncertainParameter> with_site_assumptions(const CableNet& net,
+                                                      std::vector<UncertainParameter> given) {
+    constexpr double common_stiffness = 0.05;
+    constexpr double stiffness_of_each = 0.02;
+    constexpr double temperature = 5.0;  // [K]
+    constexpr double turned = 0.5e-3;    // [m]
+    constexpr double moved = 1e-3;       // [m]
+    constexpr double most_of_length = 0.1;
+    const std::vector<UncertainParameter> before = given;
+    const auto assume = [&](Kind kind, double std) {
+        const auto is_same = [kind](const UncertainParameter& one) {
+            return UncertainParameter{.kind = kind}.name() == one.name();
+        };
+        if (std > 0.0 && std::ranges::none_of(before, is_same)) {
+            given.push_back({.kind = kind, .std = std});
+        }
+    };
+    const Eigen::VectorXd& lengths = net.unstressed_lengths();
+    assume(Kind::stiffness, common_stiffness);
+    assume(Kind::stiffness_each, stiffness_of_each);
+    const Eigen::VectorXd& expansion = net.data().expansion;
+    assume(Kind::temperature,
+           expansion.size() > 0 && expansion.maxCoeff() > 0.0 ? temperature : 0.0);
+    if (!net.adjustable_edges().empty()) {
+        assume(Kind::adjustable,
+               std::min(turned, most_of_length * lengths(net.adjustable_edges()).minCoeff()));
+    }
+    assume(Kind::supports, std::min(moved, most_of_length * lengths.minCoeff()));
+    return given;
+}
+
+std::vector<int> edges_of(const CableNet& net, const UncertainParameter& parameter) {
+    if (!parameter.group.empty()) {
+        std::vector<int> edges = net.data().groups.at(parameter.group);
+        std::ranges::sort(edges);
+        return edges;
+    }
+    std::vector<int> all(net.edge_count());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+double std_of(const std::vector<UncertainParameter>& uncertain, UncertainParameter::Kind kind) {
+    const auto found = std::ranges::find(uncertain, kind, &UncertainParameter::kind);
+    return found == uncertain.end() ? 0.0 : found->std;
+}
+
+Eigen::VectorXd own_stiffness_stds(const CableNet& net,
+                                   const std::vector<UncertainParameter>& uncertain) {
+    Eigen::VectorXd variances = Eigen::VectorXd::Zero(net.edge_count());
+    for (const UncertainParameter& parameter : uncertain) {
+        if (parameter.kind == Kind::stiffness_each) {
+            variances(edges_of(net, parameter)).array() += parameter.std * parameter.std;
+        }
+    }
+    return variances.cwiseSqrt();
+}
+
+}  // namespace taut

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against draws that follow another prior than the one named: a scale taken for a standard
+// deviation, a bound that draws exceed, a prior that a file does not give back.
+
+#include "taut/sampling/length_prior.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "taut/sampling/data_set.hpp"
+
+namespace {
+
+using taut::LengthPrior;
+using taut::parse_length_prior;
+
+constexpr int draws = 200'000;
+
+double normal_cdf(double z) {
+    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+}
+
+/// P(deviation <= x) as the definitions of the priors say.
+double cdf(const LengthPrior& prior, double x) {
+    const double z = x / prior.scale;
+    switch (prior.kind) {
+        case LengthPrior::Kind::uniform:
+            return std::clamp(0.5 * (z + 1.0), 0.0, 1.0);
+        case LengthPrior::Kind::normal:
+            return normal_cdf(z);
+        case LengthPrior::Kind::bimodal:
+            return 0.5 * (normal_cdf((z + 1.0) / 0.2) + normal_cdf((z - 1.0) / 0.2));
+    }
+    return 0.0;
+}
+
+/// sup |empirical - expected distribution| sqrt(n): above 1.95 in one of a thousand cases.
+double kolmogorov_statistic(const LengthPrior& prior, Eigen::VectorXd deviations) {
+    std::ranges::sort(deviations);
+    const auto n = static_cast<double>(deviations.size());
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < deviations.size(); ++i) {
+        const double expected = cdf(prior, deviations(i));
+        largest = std::max({largest, expected - static_cast<double>(i) / n,
+                            static_cast<double>(i + 1) / n - expected});
+    }
+    return largest * std::sqrt(n);
+}
+
+class EachPrior : public testing::TestWithParam<LengthPrior> {
+protected:
+    const LengthPrior m_prior = GetParam();
+    const Eigen::VectorXd m_deviations = taut::draw_length_deviations(m_prior, 1, 0, draws);
+};
+
+TEST_P(EachPrior, HasTheDistributionItIsNamedAfter) {
+    EXPECT_LT(kolmogorov_statistic(m_prior, m_deviations), 1.95);
+}
+
+TEST_P(EachPrior, HasMeanZero) {
+    EXPECT_LT(std::abs(m_deviations.mean()), 4.0 * m_prior.std() / std::sqrt(draws));
+}
+
+TEST_P(EachPrior, HasTheStandardDeviationItTells) {
+    EXPECT_NEAR(std::sqrt(m_deviations.squaredNorm() / draws), m_prior.std(), 0.01 * m_prior.std());
+}
+
+TEST_P(EachPrior, NeverDrawsBeyondItsReach) {
+    EXPECT_LE(m_deviations.cwiseAbs().maxCoeff(), m_prior.reach());
+    for (const double u : {0x1p-54, 0x1p-53, 0.5, std::nextafter(0.5, 0.0),
+                           std::nextafter(0.5, 1.0), 1.0 - 0x1p-53, 1.0 - 0x1p-52}) {
+        EXPECT_LE(std::abs(m_prior.draw(u)), m_prior.reach()) << "u = " << u;
+    }
+}
+
+TEST_P(EachPrior, ReachesNoFurtherThanItMust) {
+    // What is refused for a reach that no draw comes near would be refused in vain.
+    EXPECT_GT(std::abs(m_prior.draw(0x1p-53)), 0.98 * m_prior.reach());
+}
+
+TEST_P(EachPrior, IsSymmetric) {
+    for (const double u : {1e-6, 0.01, 0.1, 0.2, 0.3, 0.4, 0.49}) {
+        EXPECT_NEAR(m_prior.draw(u), -m_prior.draw(1.0 - u), 1e-9 * m_prior.scale) << "u = " << u;
+    }
+}
+
+TEST_P(EachPrior, ScalesWithItsScale) {
+    const LengthPrior twice{.kind = m_prior.kind, .scale = 2.0 * m_prior.scale};
+    EXPECT_EQ(twice.draw(0.3), 2.0 * m_prior.draw(0.3));
+    EXPECT_DOUBLE_EQ(twice.std(), 2.0 * m_prior.std());
+    EXPECT_DOUBLE_EQ(twice.reach(), 2.0 * m_prior.reach());
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EachPrior,
+                         testing::Values(LengthPrior{LengthPrior::Kind::uniform, 0.005},
+                                         LengthPrior{LengthPrior::Kind::normal, 0.002},
+                                         LengthPrior{LengthPrior::Kind::bimodal, 0.005}),
+                         [](const auto& kind) {
+                             return kind.param.to_string().substr(0,
+                                                                  kind.param.to_string().find(':'));
+                         });
+
+TEST(KolmogorovStatistic, TellsOnePriorFromAnotherOfTheSameStandardDeviation) {
+    // The tests above would be worth nothing if this did not hold.
+    const LengthPrior uniform{LengthPrior::Kind::uniform, 0.005};
+    const LengthPrior normal{LengthPrior::Kind::normal, uniform.std()};
+    EXPECT_GT(kolmogorov_statistic(normal, taut::draw_length_deviations(uniform, 1, 0, draws)),
+              10.0);
+}
+
+TEST(LengthPrior, StandsForTheNumbersOfThePaperByDefault) {
+    EXPECT_EQ(LengthPrior{}, parse_length_prior("uniform:5mm"));
+}
+
+TEST(LengthPrior, IsReadFromItsNameAndItsScale) {
+    EXPECT_EQ(parse_length_prior("uniform:5mm"), (LengthPrior{LengthPrior::Kind::uniform, 0.005}));
+    EXPECT_EQ(parse_length_prior("normal:0.2cm"), (LengthPrior{LengthPrior::Kind::normal, 0.002}));
+    EXPECT_EQ(parse_length_prior("bimodal:0.005"),
+              (LengthPrior{LengthPrior::Kind::bimodal, 0.005}));
+}
+
+TEST(LengthPrior, IsWrittenInMillimetres) {
+    EXPECT_EQ((LengthPrior{LengthPrior::Kind::uniform, 0.005}).to_string(), "uniform:5mm");
+    EXPECT_EQ((LengthPrior{LengthPrior::Kind::normal, 0.0023}).to_string(), "normal:2.3mm");
+    EXPECT_EQ((LengthPrior{LengthPrior::Kind::bimodal, 1.0}).to_string(), "bimodal:1000mm");
+}
+
+RC_GTEST_PROP(LengthPrior, IsReadBackAsWritten, ()) {
+    const LengthPrior prior{
+        .kind = *rc::gen::element(LengthPrior::Kind::uniform, LengthPrior::Kind::normal,
+                                  LengthPrior::Kind::bimodal),
+        .scale = static_cast<double>(*rc::gen::inRange<std::int64_t>(1, 1'000'000'000'000)) / 3e12};
+    RC_ASSERT(parse_length_prior(prior.to_string()) == prior);
+}
+
+std::string refusal(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+TEST(LengthPrior, IsRefusedByNameWhereItsScaleIsNotPositiveAndFinite) {
+    for (const auto& [scale, text] : {std::pair{0.0, "is 0 m"},
+                                      {-0.005, "is -0.005 m"},
+                                      {std::nan(""), "is nan m"},
+                                      {HUGE_VAL, "is inf m"},
+                                      {-HUGE_VAL, "is -inf m"}}) {
+        const LengthPrior prior{LengthPrior::Kind::normal, scale};
+        const std::string told = refusal([&] { prior.check(); });
+        EXPECT_THAT(told,
+                    testing::AllOf(testing::HasSubstr("normal prior"), testing::HasSubstr(text),
+                                   testing::HasSubstr("positive and finite")));
+        EXPECT_EQ(refusal([&] { (void)taut::draw_length_deviations(prior, 1, 0, 3); }), told);
+    }
+    EXPECT_EQ(refusal([] { LengthPrior{LengthPrior::Kind::normal, 1e-9}.check(); }), "not refused");
+}
+
+class BadPrior : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadPrior, IsRefusedWithItsText) {
+    try {
+        const LengthPrior prior = parse_length_prior(GetParam());
+        FAIL() << "'" << GetParam() << "' was read as " << prior.to_string();
+    } catch (const std::invalid_argument& error) {
+        const size_t colon = GetParam().find(':');
+        const std::string scale =
+            colon == std::string::npos ? GetParam() : GetParam().substr(colon + 1);
+        EXPECT_THAT(error.what(), testing::AnyOf(testing::HasSubstr("'" + GetParam() + "'"),
+                                                 testing::HasSubstr("'" + scale + "'")));
+        EXPECT_THAT(error.what(), testing::HasSubstr("expected"));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Texts, BadPrior,
+                         testing::Values("", "uniform", "5mm", ":5mm", "uniform:", "gauss:5mm",
+                                         "Uniform:5mm", " uniform:5mm", "uniform :5mm",
+                                         "uniform:5km", "uniform:5mm:2mm", "uniform:0",
+                                         "uniform:0mm", "normal:-2mm", "bimodal:-5mm",
+                                         "uniform:nan", "uniform:inf", "uniform:1e400mm",
+                                         "uniform,5mm"));
+
+}  // namespace
