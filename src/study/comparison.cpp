@@ -274,9 +274,9 @@ std::string_view to_string(ModelErrors errors) {
         case ModelErrors::none:
             return "none";
         case ModelErrors::untold:
-            return "untold";
+            return "not given";
         case ModelErrors::told:
-            return "told";
+            return "given";
     }
     return "unknown";
 }

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The taut authors
+// SPDX-License-Identifier: MIT
+//
+// Guards against results of version 1 of which a key is lost under its new name.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "taut/files/file.hpp"
+#include "taut/results/result_file.hpp"
+
+namespace {
+
+using namespace taut;
+using nlohmann::json;
+
+/// All keys of a document, those in arrays under "*".
+void add_keys(const json& value, const std::string& path, std::set<std::string>& keys) {
+    if (value.is_array()) {
+        for (const json& entry : value) {
+            add_keys(entry, path + "/*", keys);
+        }
+    } else if (value.is_object()) {
+        for (const auto& [key, member] : value.items()) {
+            keys.insert(path + "/" + key);
+            add_keys(member, path + "/" + key, keys);
+        }
+    }
+}
+
+class OlderResult : public testing::TestWithParam<const char*> {};
+
+TEST_P(OlderResult, IsReadUnderTheKeysOfToday) {
+    const auto folder = std::filesystem::path(TAUT_TEST_DATA_DIR) / "results";
+    const auto keys_of = [](const std::filesystem::path& file) {
+        std::set<std::string> keys;
+        add_keys(json::parse(read_result(file).json), "", keys);
+        return keys;
+    };
+    const std::string name = GetParam();
+    EXPECT_EQ(keys_of(folder / "version_1" / (name + ".json")),
+              keys_of(folder / ("full_" + name + ".json")));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEachKind, OlderResult,
+                         testing::Values("study", "identification", "comparison", "plan",
+                                         "control"),
+                         [](const auto& kind) { return std::string(kind.param); });
+
+}  // namespace
