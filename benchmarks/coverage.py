@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Counts how often the truth lies in the 95 % intervals that `taut identify` tells; prints docs/coverage.md.
+"""Counts how often the truth lies in the 95 % intervals of `taut identify`: the table of docs/validation.md.
 
-Nets are built by code of this file alone: lengths and all else that is unknown are drawn here, and tensions follow
+Nets are built by code of this file alone: lengths and all else that is uncertain are drawn here, and tensions follow
 from EA (l / l_0 - 1), or from the tension law. Only the form of each net is `taut form`'s.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py > docs/coverage.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py --write
 """
 
 import csv
@@ -16,6 +16,7 @@ import tempfile
 import time
 
 import numpy as np
+from page_block import show
 
 UNKNOWNS = ["stiffness:5%", "supports:1mm", "temperature:15K", "adjustable:0.5mm", "loads:20N"]
 UNITS = {"mm": 1e-3, "N": 1.0, "K": 1.0, "%": 1e-2}
@@ -208,20 +209,15 @@ def row(case, folder):
     )
 
 
-def main():
-    print("# How often the truth is in the intervals\n")
-    print("Written by `benchmarks/coverage.py`. Nets are built at random, surveyed with noise and hidden nodes, and")
-    print("identified with the law and the unknowns that they were built with; cells read five taut edges, drawn at")
-    print("random, to 2 %. The columns count, in percent, how many true values lie inside their 95 % interval: the")
-    print("lengths of edges told taut and of those told slack, the tensions of all edges, the places of hidden nodes,")
-    print("the unknowns, and the mean tension with the root mean square of its error. Tensions are told where")
-    print("the draws are not in doubt, see [theory.md](theory.md): the third number behind the surveys.\n")
-    print("| net | law, noise, hidden | unknown | cells | surveys, failed, tensions told | lengths | slack | tensions | places | unknowns | mean tension, error | seconds |")
-    print("|" + "---|" * 12, flush=True)
+def lines():
+    yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py --write`:\n"
+    yield ("| net | prior, noise, hidden | uncertain | cells | surveys, failed, with tensions | lengths | slack | tensions | places "
+           "| parameters | mean tension, error | seconds |")
+    yield "|" + "---|" * 12
     for case in CASES:
         with tempfile.TemporaryDirectory() as folder:
-            print(row(case, pathlib.Path(folder)), flush=True)
+            yield row(case, pathlib.Path(folder))
 
 
 if __name__ == "__main__":
-    main()
+    show("validation.md", "benchmarks/coverage.py", lines())

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""What taut says where an assumption is not true; prints docs/diagnostics.md.
+"""What taut reports where an assumption is not true: a table of docs/diagnostics.md.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py > docs/diagnostics.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py --write [SURVEYS [CASE]]
 """
 
 import json
@@ -13,6 +13,7 @@ from collections import Counter
 
 import numpy as np
 from coverage import Net, quantity, taut
+from page_block import show
 
 SURVEYS = 50
 NET = "hilo-quarter"
@@ -231,7 +232,7 @@ CASES = [
     Case("lengths normal:2.9mm, no prior given", truth="normal:2.9mm"),
     Case("lengths uniform:7mm, no prior given", truth="uniform:7mm"),
     Case("lengths uniform:2mm, no prior given", truth="uniform:2mm"),
-    *[Case(f"{net}: {prior} given, lengths {truth}", truth=truth, told=prior, net=net)
+    *[Case(f"{net}: {prior or 'no prior'} given, lengths {truth}", truth=truth, told=prior, net=net)
       for net, prior, truth in [("hypar:5x5", None, "uniform:2mm"), ("hypar:5x5", None, "uniform:3mm"),
                                 ("hypar:9x9", None, "uniform:3mm"), ("hypar:5x5", "uniform:2mm", "uniform:2.4mm"),
                                 ("hypar:9x9", "uniform:2mm", "uniform:2.4mm"), ("hypar:5x5", "uniform:2mm", "uniform:3mm"),
@@ -376,25 +377,19 @@ def row(case, folder, surveys):
             f"{why.most_common(1)[0][0] if why else ''} |")
 
 
-def main():
-    surveys = int(sys.argv[1]) if len(sys.argv) > 1 else SURVEYS
-    wanted = sys.argv[2] if len(sys.argv) > 2 else ""
-    print("# What taut says where something is not true\n")
-    print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py`: surveys of the built-in net (noise 0.5 mm,")
-    print(f"a tenth hidden, {2 * surveys // 5} a row, {surveys} on a hypar), built otherwise than taut is given. Where nothing else is said, lengths are")
-    print("uniform:5mm and the frame is the net's. Lengths and tensions are *inside* where the truth is in their 95 % intervals."
-          " *said* is the verdict of each result, `trust` of result.json; a suspect is *right* where it is named")
-    print("in `doubt.lengths_beyond_law` or `doubt.boundary` (there by itself or as the rival that cannot be told apart), of those")
-    print("whose ends were seen; *false alarms* are edges and supports named that are as given, and targets left out (but for")
-    print("those that a clamp that slipped is confounded with), of all surveys together. *passed below 85 %* counts the results that are wrong and")
-    print("sure: passed, though less than 85 % of their lengths, or of their tensions, are inside.\n")
-    print("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | said | passed below 85 % | the worst finding, most often |")
-    print("|" + "---|" * 9, flush=True)
+def lines():
+    words = [word for word in sys.argv[1:] if word != "--write"]
+    surveys = int(words[0]) if words else SURVEYS
+    wanted = words[1] if len(words) > 1 else ""
+    yield f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py --write`, {2 * surveys // 5} surveys a row, {surveys} on a hypar:\n"
+    yield ("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | verdict "
+           "| passed below 85 % | the worst finding, most often |")
+    yield "|" + "---|" * 9
     for case in CASES:
         if wanted in case.name:
             with tempfile.TemporaryDirectory() as folder:
-                print(row(case, pathlib.Path(folder), surveys), flush=True)
+                yield row(case, pathlib.Path(folder), surveys)
 
 
 if __name__ == "__main__":
-    main()
+    show("diagnostics.md", "benchmarks/diagnostics.py", lines())

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""What a second survey adds after turning, and what taut says where the turns are not as told; prints docs/epochs.md.
+"""What a second survey adds after turning, and what taut reports where the turns are not as given: tables of
+docs/diagnostics.md.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py > docs/epochs.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py --write
 """
 
 import csv
@@ -14,6 +15,7 @@ from collections import Counter
 
 import numpy as np
 from coverage import Net, drawn, quantity, taut
+from page_block import show
 
 JOBS = 10
 LAW = "uniform:5mm"
@@ -198,9 +200,9 @@ FALSE = [
     ("all turned 20 % too far", wrong_pitch),
     ("all turned the wrong way", wrong_signs),
     ("none turned", none_turned),
-    ("0.7 mm of play, not told", untold_play),
-    ("law told as uniform:2mm", law_told_narrow),
-    ("one survey told twice, rounded to 0.1 mm", one_survey_twice),
+    ("0.7 mm of play, not given", untold_play),
+    ("prior given as uniform:2mm", law_told_narrow),
+    ("one survey given twice, rounded to 0.1 mm", one_survey_twice),
 ]
 
 
@@ -236,32 +238,23 @@ def false_premise(name, alter, net, folder, jobs):
     return f"| {name} | {share} | {f'{named} of {expected}' if expected else '-'} | {innocent} | {verdicts} | {silent} |"
 
 
-def main():
-    jobs = int(sys.argv[1]) if len(sys.argv) > 1 else JOBS
-    print("# Surveys before and after turning\n")
-    print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py`: nets built with lengths uniform:5mm, surveyed,")
-    print(f"turned as `taut plan` says, surveyed again; {jobs} jobs a row. [adjustment.md](adjustment.md) tells how.\n")
-    print("## What a second survey adds\n")
-    print("RMSE of the lengths [mm], and in brackets the part of them inside their 95 % intervals [%]. *Mean of two results*")
-    print("takes the mean of what two surveys of one state tell, each by itself; *mean of two surveys* identifies from the mean")
-    print("places. The others are `taut identify --epoch`.\n")
-    print("| net, noise | one survey | mean of two results | mean of two surveys | both surveys of one state | both, turned in between |")
-    print("|" + "---|" * 6, flush=True)
+def lines():
+    jobs = int(next(iter(word for word in sys.argv[1:] if word.isdigit()), JOBS))
+    yield f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py --write`, {jobs} jobs a row:\n"
+    yield "| net, noise | one survey | mean of two results | mean of two surveys | both surveys of one state | both, turned in between |"
+    yield "|" + "---|" * 6
     for name, noise, hidden in SETTINGS:
         with tempfile.TemporaryDirectory() as folder:
             net = Net(name, 1, pathlib.Path(folder))
-            print(gains(net, noise, hidden, pathlib.Path(folder), jobs), flush=True)
-    print("\n## What it says where something is not as told\n")
-    print("hilo-quarter, noise 0.5 mm, a tenth hidden. A culprit is *named* among the `changes` or the `boundary` of an epoch;")
-    print("*sound ones blamed* are other edges there, and targets left out. *Passed below 85 %* counts results that passed")
-    print("though less than 85 % of their lengths are inside their intervals.\n")
-    print("| what is wrong | lengths inside 95 % [%] | culprits named | sound ones blamed | said | passed below 85 % |")
-    print("|" + "---|" * 6, flush=True)
+            yield gains(net, noise, hidden, pathlib.Path(folder), jobs)
+    yield ""
+    yield "| what is wrong | lengths inside 95 % [%] | suspects right | false alarms | verdict | passed below 85 % |"
+    yield "|" + "---|" * 6
     for name, alter in FALSE:
         with tempfile.TemporaryDirectory() as folder:
             net = Net("hilo-quarter", 1, pathlib.Path(folder))
-            print(false_premise(name, alter, net, pathlib.Path(folder), jobs), flush=True)
+            yield false_premise(name, alter, net, pathlib.Path(folder), jobs)
 
 
 if __name__ == "__main__":
-    main()
+    show("diagnostics.md", "benchmarks/epochs.py", lines())

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Whether the one thing that is wrong is named; prints docs/culprits.md.
+"""Whether the one thing that is wrong is named: a table of docs/diagnostics.md.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/culprits.py > docs/culprits.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/suspects.py --write
 """
 
 import json
@@ -12,6 +12,7 @@ import tempfile
 
 import numpy as np
 from coverage import Net, taut
+from page_block import show
 
 TRIALS = 100
 NOISE = 0.5e-3
@@ -37,7 +38,7 @@ def identified(net, folder, seed, alter, wrong_target=None):
 
 
 def named(result):
-    """All that is blamed, the largest statistic first: sets of names that cannot be told apart."""
+    """All suspects, the largest statistic first: sets of names that are confounded with each other."""
     doubt = result["doubt"]
     blamed = [(entry["statistic"], {("edge", entry["edge"])}) for entry in doubt["lengths_beyond_law"]]
     for entry in doubt["boundary"]:
@@ -82,23 +83,17 @@ def row(kind, net, folder, trials):
     return (f"| {kind} | {1e3 * np.min(sizes):.1f} to {1e3 * np.max(sizes):.1f} | {tried} of {trials} | {first} | {innocent} |")
 
 
-def main():
-    trials = int(sys.argv[1]) if len(sys.argv) > 1 else TRIALS
-    print("# Is the culprit named?\n")
-    print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/culprits.py`: surveys of the built-in net (lengths")
-    print("uniform:5mm, noise 0.5 mm, a tenth hidden), each with one thing that is wrong: a target 10 mm off, or an adjustable edge")
-    print("off by twice its minimal detectable error, that is found with a probability of 80 % (its standard deviation from a")
-    print("survey of the same net with the edge 30 mm off; *tried* counts those that this names, others do not show). *Named first*:")
-    print("it has the largest statistic of all that is blamed, by itself or beside the rival that cannot be told from it; *sound ones*:")
-    print("all else that is blamed, over all surveys.\n")
-    print("| what is wrong | by [mm] | tried | named first | sound ones |")
-    print("|---|---|---|---|---|", flush=True)
+def lines():
+    trials = int(next(iter(word for word in sys.argv[1:] if word.isdigit()), TRIALS))
+    yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/suspects.py --write`:\n"
+    yield "| what is wrong | by [mm] | tried | named first | false alarms |"
+    yield "|---|---|---|---|---|"
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         net = Net("hilo-quarter", 1, folder)
         for kind in ("target", "adjustable edge"):
-            print(row(kind, net, folder, trials), flush=True)
+            yield row(kind, net, folder, trials)
 
 
 if __name__ == "__main__":
-    main()
+    show("diagnostics.md", "benchmarks/suspects.py", lines())
