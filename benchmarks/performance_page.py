@@ -190,7 +190,7 @@ def main():
         works = {
             "form": ("form of `hypar`, symbolic work included", "free nodes"),
             "train": ("536 processes trained, built-in net", "samples"),
-            "identify": ("`map` of `hypar`, 0.5 mm, no draws", "interior edges"),
+            "identify": ("`map` of `hypar`, 0.5 mm, no posterior samples", "interior edges"),
         }
         lines = []
         for work, (title, unit) in works.items():
@@ -292,7 +292,7 @@ outside the training set. The last column is the bound of the loss that `taut tr
 | work | time |
 |---|---|
 | plan, limits held for the estimate | {ms('plan/0/0')} |
-| plan, limits held with 95 % over 200 draws | {ms('plan/200/0')} |
+| plan, limits held with 95 % over 200 posterior samples | {ms('plan/200/0')} |
 | the same in quarter turns of 5 mm | {ms('plan/200/1')} |
 | order for three crews, every step in exact equilibrium | {ms('order_of_plan')} |
 | lengths from two surveys at once | {ms('two_epochs')} |
