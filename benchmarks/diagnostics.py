@@ -381,6 +381,8 @@ def lines():
     words = [word for word in sys.argv[1:] if word != "--write"]
     surveys = int(words[0]) if words else SURVEYS
     wanted = words[1] if len(words) > 1 else ""
+    if wanted and "--write" in sys.argv:
+        sys.exit("--write takes all cases")
     yield f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py --write`, {2 * surveys // 5} surveys a row, {surveys} on a hypar:\n"
     yield ("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | verdict "
            "| passed below 85 % | the worst finding, most often |")
