@@ -76,8 +76,7 @@ fuzz: ## feed the readers damaged files, SECONDS=600 each
 
 hostile: build ## hostile inputs, surroundings and faults, SECONDS=3600 of them, counts into docs/reliability.md
 	scripts/install_dependencies.sh hostile
-	/usr/bin/python3 tests/hostile/run.py --program build/taut --every-fault --keep --seconds $(or $(SECONDS),3600) \
-	    --write docs/reliability.md
+	/usr/bin/python3 tests/hostile/run.py --program build/taut --every-fault --keep --write --seconds $(or $(SECONDS),3600)
 
 nightly: ## what .ci/run leaves out for time; a release needs it
 	scripts/nightly.sh $(SECONDS)

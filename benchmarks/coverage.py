@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Counts how often the truth lies in the 95 % intervals that `taut identify` tells; prints docs/coverage.md.
+"""Counts how often the truth lies in the 95 % intervals of `taut identify`: the table of docs/validation.md.
 
-Nets are built by code of this file alone: lengths and all else that is unknown are drawn here, and tensions follow
+Nets are built by code of this file alone: lengths and all else that is uncertain are drawn here, and tensions follow
 from EA (l / l_0 - 1), or from the tension law. Only the form of each net is `taut form`'s.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py > docs/coverage.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py --write
 """
 
 import csv
@@ -16,11 +16,12 @@ import tempfile
 import time
 
 import numpy as np
+from page_block import show
 
 UNKNOWNS = ["stiffness:5%", "supports:1mm", "temperature:15K", "adjustable:0.5mm", "loads:20N"]
 UNITS = {"mm": 1e-3, "N": 1.0, "K": 1.0, "%": 1e-2}
 
-# net, factor of its stiffness at the same tensions, law, noise, hidden, surveys, uncertain, load cells
+# net, factor of its stiffness at the same tensions, prior, noise, hidden, surveys, uncertain, load cells
 CASES = [
     ("hilo-quarter", 1, "uniform:5mm", "0.5mm", "10%", 50, [], 0),
     ("hypar:9x9", 1, "uniform:2mm", "0.5mm", "10%", 200, [], 0),
@@ -44,9 +45,9 @@ def quantity(text):
     return float(text.removesuffix(unit)) * UNITS[unit]
 
 
-def drawn(law, count, random):
+def drawn(prior, count, random):
     """Deviations of lengths."""
-    kind, scale = law.split(":")
+    kind, scale = prior.split(":")
     if kind == "uniform":
         return quantity(scale) * random.uniform(-1, 1, count)
     if kind == "bimodal":
@@ -55,7 +56,7 @@ def drawn(law, count, random):
 
 
 class Net:
-    """A net of `taut example`; alter(deviations, nodes, random) builds it otherwise than told."""
+    """A net of `taut example`; alter(deviations, nodes, random) builds it otherwise than designed."""
 
     def __init__(self, name, factor, folder, alter=None):
         taut("example", name, "-o", folder / "net.json")
@@ -96,7 +97,7 @@ class Net:
                 result[edge] = factor[edge] * (np.interp(strain[edge], x, y) + beyond)
         return result
 
-    def build(self, law, uncertain, seed):
+    def build(self, prior, uncertain, seed):
         """A net as it might be built: its form, tensions, length deviations and uncertain."""
         random = np.random.default_rng(seed)
         count, nodes = len(self.edges), self.nodes.copy()
@@ -119,7 +120,7 @@ class Net:
                 truth[name] = std * random.normal(size=nodes.shape)
                 loads[self.free] += truth[name][self.free]
         deviations = np.zeros(count)
-        deviations[self.interior] = drawn(law, len(self.interior), random)
+        deviations[self.interior] = drawn(prior, len(self.interior), random)
         self.alter(deviations, nodes, random)
         built = dict(self.data, nodes=nodes.tolist(), loads=loads.tolist(), adjustable=self.adjustable.tolist())
         built["axial_stiffness"] = (self.stiffness * factor).tolist()
@@ -145,22 +146,22 @@ class Count:
         return f"{100 * self.inside / self.all:.1f}" if self.all else "-"
 
 
-def truth_of(unknown, truth):
-    values = truth[unknown["name"]]
-    if "edge" in unknown:
-        return values[unknown["edge"]]
-    if "node" in unknown:
-        return values[unknown["node"]]["xyz".index(unknown["axis"])]
+def truth_of(parameter, truth):
+    values = truth[parameter["name"]]
+    if "edge" in parameter:
+        return values[parameter["edge"]]
+    if "node" in parameter:
+        return values[parameter["node"]]["xyz".index(parameter["axis"])]
     return values
 
 
 def row(case, folder):
-    name, factor, law, noise, hidden, surveys, uncertain, cells = case
+    name, factor, prior, noise, hidden, surveys, uncertain, cells = case
     net = Net(name, factor, folder)
     lengths, slack, tensions, means, places, numbers = (Count() for _ in range(6))
-    errors, told, failed, seconds = [], 0, 0, []
+    errors, given, failed, seconds = [], 0, 0, []
     for seed in range(surveys):
-        form, tension, deviations, truth = net.build(law, uncertain, seed)
+        form, tension, deviations, truth = net.build(prior, uncertain, seed)
         random = np.random.default_rng(10_000 + seed)
         with (folder / "survey.csv").open("w") as out:
             for node in net.free:
@@ -168,9 +169,9 @@ def row(case, folder):
                 if random.random() >= quantity(hidden):
                     out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
         command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", noise, "--frame", "net"]
-        command += ["--prior", law, "--quiet", "-o", folder / "result.json"]
-        for unknown in ["none", *uncertain]:
-            command += ["--uncertain", unknown]
+        command += ["--prior", prior, "--quiet", "-o", folder / "result.json"]
+        for parameter in ["none", *uncertain]:
+            command += ["--uncertain", parameter]
         if cells:
             read = random.choice(np.flatnonzero(tension > 0), cells, replace=False)
             lines = [f"{e},{tension[e] * (1 + CELL_NOISE * random.normal())}\n" for e in read]
@@ -185,12 +186,12 @@ def row(case, folder):
         (folder / "result.json").unlink()
         for edge in result["edges"]:
             (slack if edge["status"] == "slack" else lengths).add(deviations[edge["edge"]], edge)
-        for unknown in result["uncertain"]:
-            value, half = truth_of(unknown, truth), 1.96 * unknown["std"]
-            numbers.add(value, {"lower": unknown["mean"] - half, "upper": unknown["mean"] + half})
+        for parameter in result["uncertain"]:
+            value, half = truth_of(parameter, truth), 1.96 * parameter["std"]
+            numbers.add(value, {"lower": parameter["mean"] - half, "upper": parameter["mean"] + half})
         if not result["mean_tension"]:
             continue
-        told += 1
+        given += 1
         for edge in result["edges"] + result["adjustable_edges"]:
             tensions.add(tension[edge["edge"]], edge, "tension_")
         means.add(tension.mean(), result["mean_tension"])
@@ -201,27 +202,22 @@ def row(case, folder):
                 places.add(form[place["node"]][axis], bounds)
     rms = f"{100 * np.sqrt(np.mean(np.square(errors))):.2f} %" if errors else "-"
     of_net = f"`{name}`" + (f", {factor} times as stiff" if factor != 1 else "")
-    of_parameters = ", ".join(uncertain) or "none"
+    of_uncertain = ", ".join(uncertain) or "none"
     return (
-        f"| {of_net} | {law}, {noise}, {hidden} | {of_parameters} | {cells or 'none'} | {surveys}, {failed}, {told} | {lengths} | "
+        f"| {of_net} | {prior}, {noise}, {hidden} | {of_uncertain} | {cells or 'none'} | {surveys}, {failed}, {given} | {lengths} | "
         f"{slack} | {tensions} | {places} | {numbers} | {means}, {rms} | {np.median(seconds):.2f} |"
     )
 
 
-def main():
-    print("# How often the truth is in the intervals\n")
-    print("Written by `benchmarks/coverage.py`. Nets are built at random, surveyed with noise and hidden nodes, and")
-    print("identified with the law and the uncertain that they were built with; cells read five taut edges, drawn at")
-    print("random, to 2 %. The columns count, in percent, how many true values lie inside their 95 % interval: the")
-    print("lengths of edges told taut and of those told slack, the tensions of all edges, the places of hidden nodes,")
-    print("the uncertain, and the mean tension with the root mean square of its error. Tensions are told where")
-    print("the draws are not in doubt, see [theory.md](theory.md): the third number behind the surveys.\n")
-    print("| net | law, noise, hidden | unknown | cells | surveys, failed, tensions told | lengths | slack | tensions | places | uncertain | mean tension, error | seconds |")
-    print("|" + "---|" * 12, flush=True)
+def lines():
+    yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/coverage.py --write`:\n"
+    yield ("| net | prior, noise, hidden | uncertain | cells | surveys, failed, with tensions | lengths | slack | tensions | places "
+           "| parameters | mean tension, error | seconds |")
+    yield "|" + "---|" * 12
     for case in CASES:
         with tempfile.TemporaryDirectory() as folder:
-            print(row(case, pathlib.Path(folder)), flush=True)
+            yield row(case, pathlib.Path(folder))
 
 
 if __name__ == "__main__":
-    main()
+    show("validation.md", "benchmarks/coverage.py", lines())

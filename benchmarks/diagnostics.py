@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""What taut says where an assumption is not true; prints docs/diagnostics.md.
+"""What taut reports where an assumption is not true: a table of docs/diagnostics.md.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py > docs/diagnostics.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py --write [SURVEYS [CASE]]
 """
 
 import json
@@ -13,6 +13,7 @@ from collections import Counter
 
 import numpy as np
 from coverage import Net, quantity, taut
+from page_block import show
 
 SURVEYS = 50
 NET = "hilo-quarter"
@@ -22,16 +23,16 @@ NOISE = "0.5mm"
 class Case:
     """One false assumption. All that is not named is true.
 
-    uncertain: as --unknown, by which the net is built otherwise, and which taut is not given.
+    uncertain: as --uncertain, by which the net is built otherwise, and which taut is not given.
     """
 
-    def __init__(self, name, truth="uniform:5mm", told=None, alter=None, survey=None, noise=NOISE, told_noise=None,
-                 frame="net", culprits=0, options=(), net=NET, heavy=False, uncertain=(), cells=0):
+    def __init__(self, name, truth="uniform:5mm", given=None, alter=None, survey=None, noise=NOISE, given_noise=None,
+                 frame="net", suspects=0, options=(), net=NET, heavy=False, uncertain=(), cells=0):
         self.cells = cells  # load cells: forces measured to 2 %
         self.uncertain = list(uncertain)
-        self.name, self.truth, self.told, self.alter, self.survey = name, truth, told, alter, survey
-        self.noise, self.told_noise, self.frame = noise, told_noise or noise, frame
-        self.culprits, self.options, self.net, self.heavy = culprits, list(options), net, heavy
+        self.name, self.truth, self.given, self.alter, self.survey = name, truth, given, alter, survey
+        self.noise, self.given_noise, self.frame = noise, given_noise or noise, frame
+        self.suspects, self.options, self.net, self.heavy = suspects, list(options), net, heavy
 
     def error(self, random):
         """Of one surveyed place; heavy: Student's t with three degrees of freedom, of the same variance."""
@@ -40,7 +41,7 @@ class Case:
 
 
 def off(kind, count, by):
-    """So many edges of a kind, "interior" or "adjustable", longer than told; None: all."""
+    """So many edges of a kind, "interior" or "adjustable", longer than given; None: all."""
 
     def alter(net, deviations, nodes, random):
         of_kind = getattr(net, kind)
@@ -209,53 +210,53 @@ def moved(shift=(0, 0, 0), scale=1.0):
 
 CASES = [
     Case("nothing is wrong"),
-    Case("nothing is wrong, the prior given", told="uniform:5mm"),
-    Case("five cables 15 mm too long", alter=off("interior", 5, 0.015), culprits=5),
-    Case("five cables 15 mm too long, the prior given", told="uniform:5mm", alter=off("interior", 5, 0.015), culprits=5),
-    Case("hypar:9x9, uniform:2mm: a cable 15 mm too long", truth="uniform:2mm", told="uniform:2mm",
-         alter=off("interior", 1, 0.015), culprits=1, net="hypar:9x9"),
-    Case("hypar:9x9, uniform:2mm: three cables 15 mm too long", truth="uniform:2mm", told="uniform:2mm",
-         alter=off("interior", 3, 0.015), culprits=3, net="hypar:9x9"),
-    Case("steel-roof, uniform:2mm: nothing is wrong", truth="uniform:2mm", told="uniform:2mm", net="steel-roof"),
-    Case("hypar:9x9, uniform:15mm: nothing is wrong, some edges are slack", truth="uniform:15mm", told="uniform:15mm",
+    Case("nothing is wrong, the prior given", given="uniform:5mm"),
+    Case("five cables 15 mm too long", alter=off("interior", 5, 0.015), suspects=5),
+    Case("five cables 15 mm too long, the prior given", given="uniform:5mm", alter=off("interior", 5, 0.015), suspects=5),
+    Case("hypar:9x9, uniform:2mm: a cable 15 mm too long", truth="uniform:2mm", given="uniform:2mm",
+         alter=off("interior", 1, 0.015), suspects=1, net="hypar:9x9"),
+    Case("hypar:9x9, uniform:2mm: three cables 15 mm too long", truth="uniform:2mm", given="uniform:2mm",
+         alter=off("interior", 3, 0.015), suspects=3, net="hypar:9x9"),
+    Case("steel-roof, uniform:2mm: nothing is wrong", truth="uniform:2mm", given="uniform:2mm", net="steel-roof"),
+    Case("hypar:9x9, uniform:15mm: nothing is wrong, some edges are slack", truth="uniform:15mm", given="uniform:15mm",
          net="hypar:9x9"),
-    Case("steel-roof, uniform:2mm: 30 K warmer", truth="uniform:2mm", told="uniform:2mm", alter=warmer(30.0),
+    Case("steel-roof, uniform:2mm: 30 K warmer", truth="uniform:2mm", given="uniform:2mm", alter=warmer(30.0),
          net="steel-roof"),
-    Case("lengths uniform:7mm", truth="uniform:7mm", told="uniform:5mm"),
-    Case("lengths normal:2.9mm", truth="normal:2.9mm", told="uniform:5mm"),
-    Case("lengths bimodal:4mm", truth="bimodal:4mm", told="uniform:5mm"),
-    Case("lengths 3 mm too long in common", told="uniform:5mm", alter=shifted(0.003)),
-    Case("lengths uniform:5mm given uniform:3.5mm", told="uniform:3.5mm"),
-    Case("lengths uniform:5mm given uniform:2.5mm", told="uniform:2.5mm"),
-    Case("lengths uniform:5mm given uniform:1.67mm", told="uniform:1.67mm"),
+    Case("lengths uniform:7mm", truth="uniform:7mm", given="uniform:5mm"),
+    Case("lengths normal:2.9mm", truth="normal:2.9mm", given="uniform:5mm"),
+    Case("lengths bimodal:4mm", truth="bimodal:4mm", given="uniform:5mm"),
+    Case("lengths 3 mm too long in common", given="uniform:5mm", alter=shifted(0.003)),
+    Case("lengths uniform:5mm given uniform:3.5mm", given="uniform:3.5mm"),
+    Case("lengths uniform:5mm given uniform:2.5mm", given="uniform:2.5mm"),
+    Case("lengths uniform:5mm given uniform:1.67mm", given="uniform:1.67mm"),
     Case("lengths normal:2.9mm, no prior given", truth="normal:2.9mm"),
     Case("lengths uniform:7mm, no prior given", truth="uniform:7mm"),
     Case("lengths uniform:2mm, no prior given", truth="uniform:2mm"),
-    *[Case(f"{net}: {prior} given, lengths {truth}", truth=truth, told=prior, net=net)
+    *[Case(f"{net}: {prior or 'no prior'} given, lengths {truth}", truth=truth, given=prior, net=net)
       for net, prior, truth in [("hypar:5x5", None, "uniform:2mm"), ("hypar:5x5", None, "uniform:3mm"),
                                 ("hypar:9x9", None, "uniform:3mm"), ("hypar:5x5", "uniform:2mm", "uniform:2.4mm"),
                                 ("hypar:9x9", "uniform:2mm", "uniform:2.4mm"), ("hypar:5x5", "uniform:2mm", "uniform:3mm"),
                                 ("hypar:5x5", "uniform:4mm", "uniform:2mm")]],
-    *[Case(f"{text} not given", told="uniform:5mm", uncertain=[text])
+    *[Case(f"{text} not given", given="uniform:5mm", uncertain=[text])
       for text in ["stiffness:10%", "stiffness-each:5%", "temperature:20K", "adjustable:0.5mm", "supports:1mm"]],
-    Case("EA 10 % lower", told="uniform:5mm", alter=softer(0.1)),
-    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", told="uniform:2mm", net="hypar:9x9", alter=alter)
+    Case("EA 10 % lower", given="uniform:5mm", alter=softer(0.1)),
+    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", given="uniform:2mm", net="hypar:9x9", alter=alter)
       for name, alter in [("nothing is wrong", None), ("EA 10 % lower", softer(0.1)), ("20 K warmer", warmer(20.0)),
                           ("all lengths 0.7 mm too long", shifted(0.0007)), ("a scale of 0.5 % of each cable", scaled_runs(0.005))]],
-    Case("hypar:5x5, uniform:2mm: nothing is wrong", truth="uniform:2mm", told="uniform:2mm", net="hypar:5x5"),
-    Case("hypar:5x5: uniform:0.2mm given, lengths uniform:3mm", truth="uniform:3mm", told="uniform:0.2mm", net="hypar:5x5"),
-    Case("a clamp slipped by 10 mm", told="uniform:5mm", alter=slipped(0.01), culprits=2),
-    Case("hypar:9x9, uniform:2mm: a clamp slipped by 10 mm", truth="uniform:2mm", told="uniform:2mm", alter=slipped(0.01),
-         culprits=2, net="hypar:9x9"),
-    Case("two cables swapped", told="uniform:5mm", alter=swapped(), culprits=2),
-    Case("EA of one direction 10 % lower", told="uniform:5mm", alter=softer_group(0.1)),
-    Case("cables bed in", told="uniform:5mm", alter=bedding_in(0.3)),
-    Case("all turnbuckles 1 mm too long", told="uniform:5mm", alter=off("adjustable", None, 0.001)),
-    Case("24 turnbuckles 30 mm too long", told="uniform:5mm", alter=off("adjustable", 24, 0.03), culprits=24),
-    Case("turns that are not given, 5 mm", told="uniform:5mm", alter=turned(0.005)),
-    Case("the frame bends by 1 mm", told="uniform:5mm", alter=moved_frame(lambda x: 0.004 * x * (1 - x))),
-    Case("one side of the frame 2 mm off", told="uniform:5mm", alter=moved_frame(lambda x: 0.002 * (x > 0.9))),
-    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", told="uniform:2mm", net="hypar:9x9", alter=alter, **more)
+    Case("hypar:5x5, uniform:2mm: nothing is wrong", truth="uniform:2mm", given="uniform:2mm", net="hypar:5x5"),
+    Case("hypar:5x5: uniform:0.2mm given, lengths uniform:3mm", truth="uniform:3mm", given="uniform:0.2mm", net="hypar:5x5"),
+    Case("a clamp slipped by 10 mm", given="uniform:5mm", alter=slipped(0.01), suspects=2),
+    Case("hypar:9x9, uniform:2mm: a clamp slipped by 10 mm", truth="uniform:2mm", given="uniform:2mm", alter=slipped(0.01),
+         suspects=2, net="hypar:9x9"),
+    Case("two cables swapped", given="uniform:5mm", alter=swapped(), suspects=2),
+    Case("EA of one direction 10 % lower", given="uniform:5mm", alter=softer_group(0.1)),
+    Case("cables bed in", given="uniform:5mm", alter=bedding_in(0.3)),
+    Case("all turnbuckles 1 mm too long", given="uniform:5mm", alter=off("adjustable", None, 0.001)),
+    Case("24 turnbuckles 30 mm too long", given="uniform:5mm", alter=off("adjustable", 24, 0.03), suspects=24),
+    Case("turns that are not given, 5 mm", given="uniform:5mm", alter=turned(0.005)),
+    Case("the frame bends by 1 mm", given="uniform:5mm", alter=moved_frame(lambda x: 0.004 * x * (1 - x))),
+    Case("one side of the frame 2 mm off", given="uniform:5mm", alter=moved_frame(lambda x: 0.002 * (x > 0.9))),
+    *[Case(f"hypar:9x9, uniform:2mm: {name}", truth="uniform:2mm", given="uniform:2mm", net="hypar:9x9", alter=alter, **more)
       for name, alter, more in [
           ("EA of one direction 10 % lower", softer_group(0.1), {}), ("EA 10 % lower, five load cells", softer(0.1), {"cells": 5}),
           ("cables bed in", bedding_in(0.3), {}), ("all turnbuckles 1 mm too long", off("adjustable", None, 0.001), {}),
@@ -264,27 +265,27 @@ CASES = [
           ("one side of the frame 2 mm off", moved_frame(lambda x: 0.002 * (x > 0.9)), {}),
           ("two stations 0.5 mm apart", None, {"survey": two_stations(0.0005)}),
           ("survey drifts by 0.5 mm in 10 m", None, {"survey": drifting(0.0005)})]],
-    Case("two stations 0.5 mm apart", told="uniform:5mm", survey=two_stations(0.0005)),
-    Case("survey drifts by 0.5 mm in 10 m", told="uniform:5mm", survey=drifting(0.0005)),
-    Case("hypar:8x8, uniform:3mm: x and y exchanged", truth="uniform:3mm", told="uniform:3mm", net="hypar:8x8", frame=None,
+    Case("two stations 0.5 mm apart", given="uniform:5mm", survey=two_stations(0.0005)),
+    Case("survey drifts by 0.5 mm in 10 m", given="uniform:5mm", survey=drifting(0.0005)),
+    Case("hypar:8x8, uniform:3mm: x and y exchanged", truth="uniform:3mm", given="uniform:3mm", net="hypar:8x8", frame=None,
          survey=lambda place, random: place[[1, 0, 2]]),
-    Case("noise given three times too small", told="uniform:5mm", told_noise="0.1667mm"),
-    Case("noise given 1.5 times too small", told="uniform:5mm", told_noise="0.333mm"),
-    Case("noise given two times too large", told="uniform:5mm", told_noise="1mm"),
-    Case("noise not known, --noise estimate", told="uniform:5mm", told_noise="estimate"),
-    Case("noise with heavy tails", told="uniform:5mm", heavy=True),
-    Case("survey 3 mm off as a whole, --frame net", told="uniform:5mm", survey=moved((0.003, 0, 0))),
-    Case("survey 10 mm off as a whole", told="uniform:5mm", survey=moved((0.006, -0.008, 0)), frame=None),
-    Case("survey 3 mm off as a whole", told="uniform:5mm", survey=moved((0.003, 0, 0)), frame=None),
-    Case("a turnbuckle 3 mm off", told="uniform:5mm", alter=off("adjustable", 1, 0.003), culprits=1),
-    Case("a turnbuckle 8 mm off", told="uniform:5mm", alter=off("adjustable", 1, 0.008), culprits=1),
-    Case("30 turnbuckles 3 mm off", told="uniform:5mm", alter=off("adjustable", 30, 0.003), culprits=30),
-    Case("a support 10 mm off", told="uniform:5mm", alter=moved_supports(1, 0.01), culprits=1),
-    Case("all supports 2 mm off", told="uniform:5mm", alter=moved_supports(128, 0.002)),
-    Case("all supports 2 mm off, given", told="uniform:5mm", alter=moved_supports(128, 0.002),
+    Case("noise given three times too small", given="uniform:5mm", given_noise="0.1667mm"),
+    Case("noise given 1.5 times too small", given="uniform:5mm", given_noise="0.333mm"),
+    Case("noise given two times too large", given="uniform:5mm", given_noise="1mm"),
+    Case("noise not known, --noise estimate", given="uniform:5mm", given_noise="estimate"),
+    Case("noise with heavy tails", given="uniform:5mm", heavy=True),
+    Case("survey 3 mm off as a whole, --frame net", given="uniform:5mm", survey=moved((0.003, 0, 0))),
+    Case("survey 10 mm off as a whole", given="uniform:5mm", survey=moved((0.006, -0.008, 0)), frame=None),
+    Case("survey 3 mm off as a whole", given="uniform:5mm", survey=moved((0.003, 0, 0)), frame=None),
+    Case("a turnbuckle 3 mm off", given="uniform:5mm", alter=off("adjustable", 1, 0.003), suspects=1),
+    Case("a turnbuckle 8 mm off", given="uniform:5mm", alter=off("adjustable", 1, 0.008), suspects=1),
+    Case("30 turnbuckles 3 mm off", given="uniform:5mm", alter=off("adjustable", 30, 0.003), suspects=30),
+    Case("a support 10 mm off", given="uniform:5mm", alter=moved_supports(1, 0.01), suspects=1),
+    Case("all supports 2 mm off", given="uniform:5mm", alter=moved_supports(128, 0.002)),
+    Case("all supports 2 mm off, given", given="uniform:5mm", alter=moved_supports(128, 0.002),
          options=["--uncertain", "supports:1.2mm"]),
-    Case("survey scaled by 1.001", told="uniform:5mm", survey=moved(scale=1.001), frame=None),
-    Case("survey scaled by 1.001, --frame net", told="uniform:5mm", survey=moved(scale=1.001)),
+    Case("survey scaled by 1.001", given="uniform:5mm", survey=moved(scale=1.001), frame=None),
+    Case("survey scaled by 1.001, --frame net", given="uniform:5mm", survey=moved(scale=1.001)),
 ]
 
 
@@ -296,11 +297,11 @@ def ends_of(net, culprit):
 
 
 def try_survey(net, case, folder, seed):
-    culprits = set()
+    suspects = set()
 
     def alter(deviations, nodes, random):
         if case.alter:
-            culprits.update(case.alter(net, deviations, nodes, random))
+            suspects.update(case.alter(net, deviations, nodes, random))
 
     net.alter = alter
     form, tension, deviations, _ = net.build(case.truth, case.uncertain, seed)
@@ -314,7 +315,7 @@ def try_survey(net, case, folder, seed):
             if random.random() >= 0.1:
                 seen.add(int(node))
                 out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
-    command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", case.told_noise, *case.options]
+    command = ["identify", folder / "net.json", folder / "survey.csv", "--noise", case.given_noise, *case.options]
     if case.cells:
         rows = [f"{edge},{tension[edge] * (1 + 0.02 * random.normal())}"
                 for edge in random.choice(len(tension), case.cells, replace=False)]
@@ -322,30 +323,30 @@ def try_survey(net, case, folder, seed):
         command += ["--forces", folder / "forces.csv"]
     command += ["--draws", "100", "--quiet", "-o", folder / "result.json"]
     command += ["--frame", case.frame] if case.frame else []
-    command += ["--prior", case.told] if case.told else []
+    command += ["--prior", case.given] if case.given else []
     ended = taut(*command)
     if not (folder / "result.json").exists():
         return {"said": "refused", "why": "refused"}
     result = json.loads((folder / "result.json").read_text())
     (folder / "result.json").unlink()
     inside = [e["lower"] - 1e-9 <= deviations[e["edge"]] <= e["upper"] + 1e-9 for e in result["edges"]]
-    told = [e for e in result["edges"] + result["adjustable_edges"] if e["tension"] is not None]
-    tight = [e["tension_lower"] - 1e-9 <= tension[e["edge"]] <= e["tension_upper"] + 1e-9 for e in told]
+    given = [e for e in result["edges"] + result["adjustable_edges"] if e["tension"] is not None]
+    tight = [e["tension_lower"] - 1e-9 <= tension[e["edge"]] <= e["tension_upper"] + 1e-9 for e in given]
     errors = [e["length_deviation"] - deviations[e["edge"]] for e in result["edges"]]
     found = result["diagnostics"]
     named = {("edge", e["edge"]) for e in found["length_outliers"]}
     confounded = {e["node"] for e in found["length_outliers"]
-                  if e.get("beside_target") and ("edge", e["edge"]) in culprits}
-    innocent = len(named - culprits) + sum(o["id"] not in confounded for o in result["survey"]["outliers"])
+                  if e.get("beside_target") and ("edge", e["edge"]) in suspects}
+    false_alarms = len(named - suspects) + sum(o["id"] not in confounded for o in result["survey"]["outliers"])
     for entry in found["boundary"]:
-        blamed, rival = ("edge", "support") if "edge" in entry else ("support", "edge")
-        either = {(blamed, entry.get("edge", entry.get("node")))}
+        named, rival = ("edge", "support") if "edge" in entry else ("support", "edge")
+        either = {(named, entry.get("edge", entry.get("node")))}
         if entry["confounded_with"] is not None:
             either.add((rival, int(entry["confounded_with"])))
-        innocent += not either & culprits
+        false_alarms += not either & suspects
         named |= either
     known = seen | set(net.data["supports"])
-    shown = {c for c in culprits if ends_of(net, c) <= known}
+    shown = {c for c in suspects if ends_of(net, c) <= known}
     return {
         "said": result["trust"]["verdict"],
         "why": result["findings"][0]["kind"] if result["findings"] else "",
@@ -354,7 +355,7 @@ def try_survey(net, case, folder, seed):
         "squares": np.mean(np.square(errors)),
         "shown": len(shown),
         "named": len(named & shown),
-        "innocent": innocent,
+        "false_alarms": false_alarms,
     }
 
 
@@ -362,39 +363,35 @@ def row(case, folder, surveys):
     net = Net(case.net, 1, folder)
     surveys = surveys if case.net.startswith("hypar") else 2 * surveys // 5  # the others are larger
     tried = [try_survey(net, case, folder, seed) for seed in range(surveys)]
-    told = [one for one in tried if "inside" in one]
+    given = [one for one in tried if "inside" in one]
     said = ", ".join(f"{name} {count}" for name, count in Counter(one["said"] for one in tried).most_common())
-    silent = sum(one["said"] == "passed" and min(one["inside"], one["tight"] or 1.0) < 0.85 for one in told)
+    silent = sum(one["said"] == "passed" and min(one["inside"], one["tight"] or 1.0) < 0.85 for one in given)
     why = Counter(one["why"] for one in tried if one["why"])
-    inside = f"{100 * np.mean([one['inside'] for one in told]):.1f}" if told else "-"
-    tight = [one["tight"] for one in told if one["tight"] is not None]
+    inside = f"{100 * np.mean([one['inside'] for one in given]):.1f}" if given else "-"
+    tight = [one["tight"] for one in given if one["tight"] is not None]
     tensions = f"{100 * np.mean(tight):.1f}" if tight else "-"
-    rms = f"{1e3 * np.sqrt(np.mean([one['squares'] for one in told])):.2f}" if told else "-"
-    named = f"{sum(one['named'] for one in told)} of {sum(one['shown'] for one in told)}" if case.culprits else "-"
-    innocent = sum(one["innocent"] for one in told)
-    return (f"| {case.name} | {inside} | {tensions} | {rms} | {named} | {innocent} | {said} | {silent} | "
+    rms = f"{1e3 * np.sqrt(np.mean([one['squares'] for one in given])):.2f}" if given else "-"
+    named = f"{sum(one['named'] for one in given)} of {sum(one['shown'] for one in given)}" if case.suspects else "-"
+    false_alarms = sum(one["false_alarms"] for one in given)
+    return (f"| {case.name} | {inside} | {tensions} | {rms} | {named} | {false_alarms} | {said} | {silent} | "
             f"{why.most_common(1)[0][0] if why else ''} |")
 
 
-def main():
-    surveys = int(sys.argv[1]) if len(sys.argv) > 1 else SURVEYS
-    wanted = sys.argv[2] if len(sys.argv) > 2 else ""
-    print("# What taut says where something is not true\n")
-    print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py`: surveys of the built-in net (noise 0.5 mm,")
-    print(f"a tenth hidden, {2 * surveys // 5} a row, {surveys} on a hypar), built otherwise than taut is given. Where nothing else is said, lengths are")
-    print("uniform:5mm and the frame is the net's. Lengths and tensions are *inside* where the truth is in their 95 % intervals."
-          " *said* is the verdict of each result, `trust` of result.json; a suspect is *right* where it is named")
-    print("in `diagnostics.length_outliers` or `diagnostics.boundary` (there by itself or confounded with it), of those")
-    print("whose ends were seen; *false alarms* are edges and supports named that are as given, and targets left out (but for")
-    print("those that a clamp that slipped is confounded with), of all surveys together. *passed below 85 %* counts the results that are wrong and")
-    print("sure: passed, though less than 85 % of their lengths, or of their tensions, are inside.\n")
-    print("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | said | passed below 85 % | the worst finding, most often |")
-    print("|" + "---|" * 9, flush=True)
+def lines():
+    words = [word for word in sys.argv[1:] if word != "--write"]
+    surveys = int(words[0]) if words else SURVEYS
+    wanted = words[1] if len(words) > 1 else ""
+    if wanted and "--write" in sys.argv:
+        sys.exit("--write takes all cases")
+    yield f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/diagnostics.py --write`, {2 * surveys // 5} surveys a row, {surveys} on a hypar:\n"
+    yield ("| what is wrong | lengths inside [%] | tensions inside [%] | RMSE [mm] | suspects right | false alarms | verdict "
+           "| passed below 85 % | the worst finding, most often |")
+    yield "|" + "---|" * 9
     for case in CASES:
         if wanted in case.name:
             with tempfile.TemporaryDirectory() as folder:
-                print(row(case, pathlib.Path(folder), surveys), flush=True)
+                yield row(case, pathlib.Path(folder), surveys)
 
 
 if __name__ == "__main__":
-    main()
+    show("diagnostics.md", "benchmarks/diagnostics.py", lines())

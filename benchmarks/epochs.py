@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""What a second survey adds after turning, and what taut says where the turns are not as told; prints docs/epochs.md.
+"""What a second survey adds after turning, and what taut reports where the turns are not as given: tables of
+docs/diagnostics.md.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py > docs/epochs.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py --write
 """
 
 import csv
@@ -14,6 +15,7 @@ from collections import Counter
 
 import numpy as np
 from coverage import Net, drawn, quantity, taut
+from page_block import show
 
 JOBS = 10
 LAW = "uniform:5mm"
@@ -33,12 +35,12 @@ class Job:
         self.identify("first.csv", "--draws", "40")
         taut("plan", folder / "net.json", folder / "result.json", "-o", folder / "plan.json", "--csv",
              folder / "turns.csv", "--tension", "1.5kN..10kN" if net.data["name"] == "hilo-quarter" else "0.1kN..")
-        self.told = {}
+        self.given = {}
         if (folder / "turns.csv").exists():
             ids = net.data.get("edge_ids") or [str(e) for e in range(len(net.edges))]
             for row in csv.DictReader((folder / "turns.csv").open()):
                 edge = ids.index(row["edge"])
-                self.told[edge] = self.told.get(edge, 0.0) + 1e-3 * float(row["stroke_mm"])
+                self.given[edge] = self.given.get(edge, 0.0) + 1e-3 * float(row["stroke_mm"])
 
     def survey(self, name, turned, slipped=None, noise=None):
         data = dict(self.net.data)
@@ -56,8 +58,8 @@ class Job:
                 if self.random.random() >= quantity(self.hidden):
                     out.write(f"{node}," + ",".join(map(repr, map(float, place))) + "\n")
 
-    def tell(self, turned):
-        """Writes what is told of the turns."""
+    def give(self, turned):
+        """Writes what is given of the turns."""
         with (self.folder / "turned.csv").open("w") as out:
             out.write("edge,stroke\n")
             for edge, stroke in turned.items():
@@ -100,9 +102,9 @@ def gains(net, noise, hidden, folder, jobs):
     errors, inside = {}, {}
     for seed in range(jobs):
         job = Job(net, noise, hidden, folder, seed)
-        job.survey("second.csv", job.told)
+        job.survey("second.csv", job.given)
         job.survey("same.csv", {})
-        job.tell(job.told)
+        job.give(job.given)
         average_of_files(job)
         one = job.identify("first.csv", "--draws", "0")
         other = job.identify("same.csv", "--draws", "0")
@@ -122,72 +124,72 @@ def gains(net, noise, hidden, folder, jobs):
 
 
 def turned_the_wrong_way(job):
-    edge = max(job.told, key=lambda e: abs(job.told[e]))
-    return {**job.told, edge: -job.told[edge]}, {}, {edge}
+    edge = max(job.given, key=lambda e: abs(job.given[e]))
+    return {**job.given, edge: -job.given[edge]}, {}, {edge}
 
 
 def forgotten(job):
-    edge = sorted(job.told, key=lambda e: -abs(job.told[e]))[3]
-    return {**job.told, edge: 0.0}, {}, {edge}
+    edge = sorted(job.given, key=lambda e: -abs(job.given[e]))[3]
+    return {**job.given, edge: 0.0}, {}, {edge}
 
 
 def three_off(job):
-    edges = sorted(job.told)[5::20][:3]
-    return {e: s + (4e-3 if e in edges else 0.0) for e, s in job.told.items()}, {}, set(edges)
+    edges = sorted(job.given)[5::20][:3]
+    return {e: s + (4e-3 if e in edges else 0.0) for e, s in job.given.items()}, {}, set(edges)
 
 
 def slipped(job):
     edge = int(job.net.interior[len(job.net.interior) // 3])
-    return job.told, {edge: 5e-3}, {edge}
+    return job.given, {edge: 5e-3}, {edge}
 
 
 def two_slipped(job):
     edges = [int(job.net.interior[len(job.net.interior) * k // 7]) for k in (2, 5)]
-    return job.told, {edge: -5e-3 for edge in edges}, set(edges)
+    return job.given, {edge: -5e-3 for edge in edges}, set(edges)
 
 
 def wrong_pitch(job):
-    return {e: 1.2 * s for e, s in job.told.items()}, {}, set()
+    return {e: 1.2 * s for e, s in job.given.items()}, {}, set()
 
 
 def wrong_signs(job):
-    return {e: -s for e, s in job.told.items()}, {}, set()
+    return {e: -s for e, s in job.given.items()}, {}, set()
 
 
 def none_turned(_):
     return {}, {}, set()
 
 
-def excess_actuator_std(job):
-    return {e: s + 0.7e-3 * job.random.normal() for e, s in job.told.items()}, {}, set()
+def actuator_not_given(job):
+    return {e: s + 0.7e-3 * job.random.normal() for e, s in job.given.items()}, {}, set()
 
 
 def off_from_the_start(job):
     start = {job.net.data["adjustable"][11]: 6e-3}
     job.survey("first.csv", start)
-    return {e: job.told.get(e, 0.0) + start.get(e, 0.0) for e in {**job.told, **start}}, {}, set(start)
+    return {e: job.given.get(e, 0.0) + start.get(e, 0.0) for e in {**job.given, **start}}, {}, set(start)
 
 
 def support_moved(job):
     node = job.net.data["supports"][7]
     job.moved = {node: 8e-3}
     at_it = {e for e, ends in enumerate(job.net.edges) if node in ends}
-    return job.told, {}, at_it
+    return job.given, {}, at_it
 
 
-def prior_told_narrow(job):
+def narrow_prior(job):
     job.options = ["--prior", "uniform:2mm"]
-    return job.told, {}, set()
+    return job.given, {}, set()
 
 
 def one_survey_twice(job):
     job.is_copied = True
-    job.told = {}
+    job.given = {}
     return {}, {}, set()
 
 
 FALSE = [
-    ("nothing", lambda job: (job.told, {}, set())),
+    ("nothing", lambda job: (job.given, {}, set())),
     ("one turned the wrong way", turned_the_wrong_way),
     ("one not turned", forgotten),
     ("three turned 4 mm too far", three_off),
@@ -198,70 +200,61 @@ FALSE = [
     ("all turned 20 % too far", wrong_pitch),
     ("all turned the wrong way", wrong_signs),
     ("none turned", none_turned),
-    ("0.7 mm of play, not told", excess_actuator_std),
-    ("prior told as uniform:2mm", prior_told_narrow),
-    ("one survey told twice, rounded to 0.1 mm", one_survey_twice),
+    ("0.7 mm of play, not given", actuator_not_given),
+    ("prior given as uniform:2mm", narrow_prior),
+    ("one survey given twice, rounded to 0.1 mm", one_survey_twice),
 ]
 
 
 def false_premise(name, alter, net, folder, jobs):
-    said, inside, named, expected, innocent, silent = Counter(), [], 0, 0, 0, 0
+    said, inside, named, expected, false_alarms, silent = Counter(), [], 0, 0, 0, 0
     for seed in range(jobs):
         job = Job(net, "0.5mm", "10%", folder, 100 + seed)
-        done, slip, culprits = alter(job)
+        done, slip, suspects = alter(job)
         if job.is_copied:
             rows = [row.split(",") for row in (folder / "first.csv").read_text().split()]
             (folder / "second.csv").write_text(
                 "".join(f"{node},{float(x):.4f},{float(y):.4f},{float(z):.4f}\n" for node, x, y, z in rows))
         else:
             job.survey("second.csv", done, slip)
-        job.tell(job.told)
+        job.give(job.given)
         # What the last survey saw.
         for edge, change in slip.items():
             job.deviations[edge] += change
-        _, share, result = job.again(turned="turned.csv" if job.told else None)
+        _, share, result = job.again(turned="turned.csv" if job.given else None)
         said[result["trust"]["verdict"]] += 1
         if share is None:
             continue
         inside.append(share)
         silent += result["trust"]["verdict"] == "passed" and share < 0.85
-        blamed = {c["edge"] for epoch in result["epochs"] for c in epoch["changes"]}
-        blamed |= {b["edge"] for epoch in result["epochs"] for b in epoch["boundary"] if "edge" in b}
-        named += len(blamed & culprits)
-        expected += len(culprits)
-        innocent += len(blamed - culprits) if culprits or name == "nothing" else 0
-        innocent += sum(len(epoch["outliers"]) for epoch in result["epochs"])
+        named = {c["edge"] for epoch in result["epochs"] for c in epoch["changes"]}
+        named |= {b["edge"] for epoch in result["epochs"] for b in epoch["boundary"] if "edge" in b}
+        named += len(named & suspects)
+        expected += len(suspects)
+        false_alarms += len(named - suspects) if suspects or name == "nothing" else 0
+        false_alarms += sum(len(epoch["outliers"]) for epoch in result["epochs"])
     verdicts = ", ".join(f"{verdict} {count}" for verdict, count in said.most_common())
     share = f"{100 * np.mean(inside):.1f}" if inside else "-"
-    return f"| {name} | {share} | {f'{named} of {expected}' if expected else '-'} | {innocent} | {verdicts} | {silent} |"
+    return f"| {name} | {share} | {f'{named} of {expected}' if expected else '-'} | {false_alarms} | {verdicts} | {silent} |"
 
 
-def main():
-    jobs = int(sys.argv[1]) if len(sys.argv) > 1 else JOBS
-    print("# Surveys before and after turning\n")
-    print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py`: nets built with lengths uniform:5mm, surveyed,")
-    print(f"turned as `taut plan` says, surveyed again; {jobs} jobs a row. [adjustment.md](adjustment.md) tells how.\n")
-    print("## What a second survey adds\n")
-    print("RMSE of the lengths [mm], and in brackets the part of them inside their 95 % intervals [%]. *Mean of two results*")
-    print("takes the mean of what two surveys of one state tell, each by itself; *mean of two surveys* identifies from the mean")
-    print("places. The others are `taut identify --epoch`.\n")
-    print("| net, noise | one survey | mean of two results | mean of two surveys | both surveys of one state | both, turned in between |")
-    print("|" + "---|" * 6, flush=True)
+def lines():
+    jobs = int(next(iter(word for word in sys.argv[1:] if word.isdigit()), JOBS))
+    yield f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/epochs.py --write`, {jobs} jobs a row:\n"
+    yield "| net, noise | one survey | mean of two results | mean of two surveys | both surveys of one state | both, turned in between |"
+    yield "|" + "---|" * 6
     for name, noise, hidden in SETTINGS:
         with tempfile.TemporaryDirectory() as folder:
             net = Net(name, 1, pathlib.Path(folder))
-            print(gains(net, noise, hidden, pathlib.Path(folder), jobs), flush=True)
-    print("\n## What it says where something is not as told\n")
-    print("hilo-quarter, noise 0.5 mm, a tenth hidden. A culprit is *named* among the `changes` or the `boundary` of an epoch;")
-    print("*sound ones blamed* are other edges there, and targets left out. *Passed below 85 %* counts results that passed")
-    print("though less than 85 % of their lengths are inside their intervals.\n")
-    print("| what is wrong | lengths inside 95 % [%] | culprits named | sound ones blamed | said | passed below 85 % |")
-    print("|" + "---|" * 6, flush=True)
+            yield gains(net, noise, hidden, pathlib.Path(folder), jobs)
+    yield ""
+    yield "| what is wrong | lengths inside 95 % [%] | suspects right | false alarms | verdict | passed below 85 % |"
+    yield "|" + "---|" * 6
     for name, alter in FALSE:
         with tempfile.TemporaryDirectory() as folder:
             net = Net("hilo-quarter", 1, pathlib.Path(folder))
-            print(false_premise(name, alter, net, pathlib.Path(folder), jobs), flush=True)
+            yield false_premise(name, alter, net, pathlib.Path(folder), jobs)
 
 
 if __name__ == "__main__":
-    main()
+    show("diagnostics.md", "benchmarks/epochs.py", lines())

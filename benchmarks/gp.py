@@ -9,7 +9,7 @@ hyperparameters of each output by maximum marginal likelihood; each in a process
 same number of threads. Libraries that are not installed are left out, and named.
 
     pip install '.[gp]' GPy gpytorch
-    python benchmarks/gp.py [--samples 300] [--outputs 64] [--write docs/learner.md]
+    python benchmarks/gp.py [--samples 300] [--outputs 64] [--write]
 """
 
 import argparse
@@ -19,9 +19,9 @@ import resource
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
+from page_block import put
 
 NAMES = ["taut", "scikit-learn", "GPyTorch", "GPy"]
 
@@ -179,7 +179,7 @@ def table(rows, samples, outputs):
         )
     return (
         f"{outputs} outputs, {samples} samples of {900} inputs, {os.cpu_count()} cores, by "
-        f"`python benchmarks/gp.py --samples {samples} --outputs {outputs}`:\n\n" + "\n".join(lines)
+        f"`python benchmarks/gp.py --samples {samples} --outputs {outputs} --write`:\n\n" + "\n".join(lines)
     )
 
 
@@ -187,7 +187,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--samples", type=int, default=300)
     parser.add_argument("--outputs", type=int, default=64)
-    parser.add_argument("--write", type=Path, help="page whose table is replaced")
+    parser.add_argument("--write", action="store_true", help="put the table into docs/performance.md")
     parser.add_argument("--one", choices=NAMES, help=argparse.SUPPRESS)
     told = parser.parse_args()
     if told.one:
@@ -218,12 +218,7 @@ def main():
     made = table(rows, told.samples, told.outputs)
     print(made)
     if told.write:
-        page = told.write.read_text(encoding="utf-8")
-        begin, end = "<!-- by benchmarks/gp.py -->\n", "<!-- end -->"
-        head, rest = page.split(begin)
-        told.write.write_text(
-            head + begin + "\n" + made + "\n\n" + end + rest.split(end)[1], encoding="utf-8"
-        )
+        put("performance.md", "benchmarks/gp.py", made)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Writes docs/performance.md, to standard output, from what scripts/bench.sh left in a folder.
+"""The tables of docs/performance.md that scripts/bench.sh measures, from what it left in a folder.
 
-Usage: /usr/bin/python3 benchmarks/performance_page.py FOLDER
+Usage: /usr/bin/python3 benchmarks/performance_page.py FOLDER [--write]
 """
 
 import datetime
@@ -14,6 +14,8 @@ import re
 import statistics
 import subprocess
 import sys
+
+from page_block import show
 
 
 def medians(file):
@@ -188,7 +190,7 @@ def main():
         works = {
             "form": ("form of `hypar`, symbolic work included", "free nodes"),
             "train": ("536 processes trained, built-in net", "samples"),
-            "identify": ("`map` of `hypar`, 0.5 mm, no draws", "interior edges"),
+            "identify": ("`map` of `hypar`, 0.5 mm, no posterior samples", "interior edges"),
         }
         lines = []
         for work, (title, unit) in works.items():
@@ -235,9 +237,7 @@ def main():
             for net, page in zip(nets, opened, strict=True)
         )
 
-    print(f"""# Performance
-
-Written by `make bench` on {datetime.date.today()}: {cores} cores of {processor()},
+    page = f"""By `make bench` on {datetime.date.today()}: {cores} cores of {processor()},
 {compiler.stdout.splitlines()[0]}, {study['program']}. Medians of three repetitions; the whole
 processes were run once. Times depend on the machine; ratios are taken within one run.
 
@@ -265,11 +265,11 @@ The process that solves `hypar:300x300` holds at most {large['peak_kib'] / 2**20
 
 ## More samples than are decomposed
 
-Beyond {decomposed:,} samples processes are trained by low rank ([theory](theory.md)); below, both ways on the same samples
-(`benchmarks/bench_low_rank.cpp`), with the errors of the lengths of 500 forms that were not trained on, the standard deviations told
-of them, and the bound of what low rank loses that `taut train` tells.
+Beyond {decomposed:,} samples the processes are trained by low rank ([theory](theory.md#processes-on-many-samples)). The table compares
+both ways on the same samples (`benchmarks/bench_low_rank.cpp`). Errors and standard deviations are those of the lengths of 500 forms
+outside the training set. The last column is the bound of the loss that `taut train` reports.
 
-| by | samples | time | mean squared error | standard deviation | told loss |
+| by | samples | time | mean squared error | standard deviation | bound of the loss |
 |---|---|---|---|---|---|
 {low_rank_rows()}
 ## Identification, built-in net, standard deviations included
@@ -292,27 +292,27 @@ of them, and the bound of what low rank loses that `taut train` tells.
 | work | time |
 |---|---|
 | plan, limits held for the estimate | {ms('plan/0/0')} |
-| plan, limits held with 95 % over 200 draws | {ms('plan/200/0')} |
+| plan, limits held with 95 % over 200 posterior samples | {ms('plan/200/0')} |
 | the same in quarter turns of 5 mm | {ms('plan/200/1')} |
-| order for three crews, every moment in exact equilibrium | {ms('order_of_plan')} |
+| order for three crews, every step in exact equilibrium | {ms('order_of_plan')} |
 | lengths from two surveys at once | {ms('two_epochs')} |
 | one job: survey, identification, plan, turns, by all four strategies of `taut control` | {ms('control')} |
 
-The same plan by SciPy {plan_peer['scipy']}'s SLSQP with exact derivatives (`benchmarks/peers/scipy_plan.py`), from the same identified
+SciPy {plan_peer['scipy']}'s SLSQP with exact derivatives (`benchmarks/peers/scipy_plan.py`) makes the same plan from the same identified
 net: {plan_peer['seconds']:.2f} s to a normal RMS of {1e3 * plan_peer['normal_rmse']:.3f} mm; `taut plan`, from file to file and with the order, {plan_process['seconds']:.2f} s to
 {1e3 * planned['form']['planned']['normal_rmse']:.3f} mm: {plan_peer['seconds'] / plan_process['seconds']:.1f} times as fast.
 
-## Threads of one's own
+## A program with threads of its own
 
-Each calls taut for itself, on one thread a call (`with_threads(1, ...)`), on the built-in net. Calls a second of two such
-threads over those of one:
+Each thread calls taut, one thread a call (`with_threads(1, ...)`), on the built-in net (`bench_threads`). The ratio is that of the calls a
+second by two threads and by one:
 
 | work | one thread | two threads | ratio |
 |---|---|---|---|
 {thread_rows()}
 ## Factorisations, one core
 
-`bench_factorisation`, the symbolic work done before. In brackets: times the time of taut.
+`bench_factorisation`, without the symbolic work. In brackets: the time over that of taut.
 
 | work | by | built-in net | `hypar:30x30` | `hypar:100x100` |
 |---|---|---|---|---|
@@ -320,17 +320,16 @@ threads over those of one:
 ## What the machine can
 
 Peaks, measured in the same run: products of large matrices {peak('dgemm/threads:1')} on one core, {peak('dgemm/threads:0')}
-on all; memory (STREAM's triad) {peak('triad/threads:1')} and {peak('triad/threads:0')}. What each part needs at the
-least, however it is done, is counted where `benchmarks/bench_roofline.cpp` tells it; the last column is the share of the peak that it
-reaches. Small nets' columns are too short for dense products, and half of an eigendecomposition is products of a matrix and a vector,
-which memory bounds: there the peak is out of reach.
+on all; memory (STREAM's triad) {peak('triad/threads:1')} and {peak('triad/threads:0')}. `benchmarks/bench_roofline.cpp` counts what each
+part needs at least. The last column is the share of the peak that it reaches. Two parts cannot reach it: columns of small nets are too
+short for dense products, and half of an eigendecomposition is products of a matrix and a vector, which memory bounds.
 
 | part | cores | needs | time | reaches | of the peak |
 |---|---|---|---|---|---|
 {roofline_rows()}
 ## How cost grows
 
-All cores, each run once (`benchmarks/bench_growth.cpp`); the exponent b of time = a size^b is fitted to all sizes of a curve.
+All cores, each run once (`benchmarks/bench_growth.cpp`). The exponent b of time = a size^b is fitted to all sizes of a curve.
 
 ![Time over size, with the fitted powers](images/growth.svg)
 
@@ -339,17 +338,16 @@ All cores, each run once (`benchmarks/bench_growth.cpp`); the exponent b of time
 {growth_rows()}
 ## Memory
 
-The largest resident memory of a command (`benchmarks/memory.py`); those over samples on the built-in net, studies with their default
-numbers of samples. `--memory 8GiB` keeps a command within a limit: where what `sample`, `train`, `reproduce` and `compare` need is more,
-they say so before their work, and where another command asks for more, it ends with a line and leaves its outputs as they were.
+The largest resident memory of each command (`benchmarks/memory.py`). Rows with samples are for the built-in net, studies for their default
+numbers of samples. `--memory 8GiB` sets a limit ([command-line.md](command-line.md#memory)).
 
 | command | memory |
 |---|---|
 {memory_rows()}
 ## Reports
 
-From opening the file in a browser of its own until the page answers, and a frame while the net is orbited:
-Chromium without a graphics card, medians (`viewer/tests/opening.mjs`).
+Time from opening the file in a new browser until the page answers, and time of a frame while the net turns. Medians of Chromium without a
+graphics card (`viewer/tests/opening.mjs`).
 
 | report | size | interactive after | of that, the browser's start of WebGL | a frame |
 |---|---|---|---|---|
@@ -370,8 +368,8 @@ scikit-learn {peer['sklearn']} (constant x RBF + white kernel, one start).
 | taut | {training:.2f} s | {study['net']['interior_edges']} | {1e3 * training / study['net']['interior_edges']:.2f} ms |
 | scikit-learn | {peer['seconds']:.2f} s | 1 | {1e3 * peer['seconds']:.0f} ms |
 
-All {study['net']['interior_edges']} outputs take taut {training / peer['seconds']:.2f} times as long as scikit-learn takes for one:
-{per_output:.0f} times as fast an output.""")
+taut needs {training / peer['seconds']:.2f} times the time of scikit-learn's one output for all {study['net']['interior_edges']}: an output is {per_output:.0f} times as fast."""
+    show("performance.md", "benchmarks/performance_page.py", [page])
 
 
 if __name__ == "__main__":

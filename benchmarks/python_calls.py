@@ -5,7 +5,7 @@
 costs.
 
 python benchmarks/python_calls.py [--peer build/release/benchmarks/identify_points]
-    [--write docs/python.md]
+    [--write]
 """
 
 import argparse
@@ -19,6 +19,7 @@ from pathlib import Path
 
 import numpy as np
 import taut
+from page_block import put
 
 
 def microseconds(call):
@@ -80,7 +81,7 @@ def identification(peer, repetitions=15):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--peer", type=Path, help="program to compare identify() with")
-    parser.add_argument("--write", type=Path, help="page whose table is replaced")
+    parser.add_argument("--write", action="store_true", help="put the table into docs/performance.md")
     told = parser.parse_args()
     if told.write and not told.peer:
         parser.error("--write takes --peer, too")
@@ -107,11 +108,7 @@ def main():
     made = "\n".join(lines)
     print(made)
     if told.write:
-        page = told.write.read_text(encoding="utf-8")
-        begin, end = "<!-- by benchmarks/python_calls.py -->\n", "<!-- end -->"
-        head, rest = page.split(begin)
-        page = head + begin + "\n" + made + "\n\n" + end + rest.split(end, 1)[1]
-        told.write.write_text(page, encoding="utf-8")
+        put("performance.md", "benchmarks/python_calls.py", made)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Draws, as SVG, how many edges are slack against the probability that was told, from the result of `taut trials`.
+"""Draws, as SVG, how many edges are slack over the predicted probability, from the file of the convergence study.
 
     /usr/bin/python3 benchmarks/reliability.py trials/trials.json > docs/images/slack_reliability.svg
 """
@@ -52,7 +52,7 @@ def main():
         if 0.03 < mean < 0.97:
             print(f'<text x="{x + 9:.1f}" y="{y + 5:.1f}" fill="#444">{edges:,} edges</text>')
     middle = MARGIN + SIZE / 2
-    print(f'<text x="{middle}" y="{height - MARGIN / 2:.0f}" text-anchor="middle">told probability of being slack [%]</text>')
+    print(f'<text x="{middle}" y="{height - MARGIN / 2:.0f}" text-anchor="middle">predicted probability of being slack [%]</text>')
     print(f'<text transform="rotate(-90 18 {MARGIN / 2 + SIZE / 2})" x="18" y="{MARGIN / 2 + SIZE / 2}" '
           'text-anchor="middle">edges that are slack [%]</text>')
     print("</svg>")

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""How `taut-mpi sample` scales over processes of one machine; prints two tables in Markdown.
+"""How `taut-mpi sample` scales over processes of one machine: two tables of docs/performance.md.
 
     PATH=$PWD/build/release/apps/taut:$PWD/build/release/apps/taut-mpi:$PATH \
-        /usr/bin/python3 benchmarks/scaling.py [--net hilo-quarter] [--samples 2000] [--repeat 3]
+        /usr/bin/python3 benchmarks/scaling.py [--net hilo-quarter] [--samples 2000] [--repeat 3] [--write]
 
 Strong: the same samples over more processes of one thread. Weak: as many samples for each process. Beside the time
-stands the processor time of all processes, which tells what the sharing itself costs also where the machine is busy
+stands the processor time of all processes, which shows what the sharing itself costs also where the machine is busy
 with other work. Each number is the least of the repetitions, which take turns.
 """
 
@@ -17,6 +17,8 @@ import resource
 import subprocess
 import tempfile
 import time
+
+from page_block import show
 
 PROCESSES = [1, 2, 3, 4]
 OPEN_MPI = {
@@ -54,28 +56,32 @@ def least(runs, repeat, folder):
     return [tuple(map(min, zip(*of_run))) for of_run in zip(*times)]
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--net", default="hilo-quarter")
-    parser.add_argument("--samples", type=int, default=2000)
-    parser.add_argument("--repeat", type=int, default=3)
-    options = parser.parse_args()
+def lines(options):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run(["taut", "example", options.net, "-o", "net.json"], cwd=folder, check=True, capture_output=True)
         runs = [(f"`taut`, {n} thread{'s' * (n > 1)}", by_threads(n, options.samples)) for n in (1, 2)]
         runs += [(f"`taut-mpi`, {n}", by_processes(n, options.samples)) for n in PROCESSES]
         found = least([words for _, words in runs], options.repeat, folder)
-        print(f"{options.samples} samples of `{options.net}` on {os.cpu_count()} cores:\n")
-        print("| processes | time [s] | processor time [s] | of one thread's |\n|---|---|---|---|")
+        yield (f"{options.samples} samples of `{options.net}` on {os.cpu_count()} cores, by `/usr/bin/python3 benchmarks/scaling.py "
+               f"--samples {options.samples} --repeat {options.repeat} --write`:\n")
+        yield "| processes | time [s] | processor time [s] | of one thread's |\n|---|---|---|---|"
         for (label, _), (wall, used) in zip(runs, found):
-            print(f"| {label} | {wall:.2f} | {used:.2f} | {100 * used / found[0][1]:.0f} % |")
+            yield f"| {label} | {wall:.2f} | {used:.2f} | {100 * used / found[0][1]:.0f} % |"
         share = options.samples // 2
         found = least([by_processes(n, n * share) for n in PROCESSES], options.repeat, folder)
-        print(f"\n{share} samples for each process:\n")
-        print("| processes | time [s] | processor time for each process [s] |\n|---|---|---|")
+        yield f"\n| processes, {share} samples each | time [s] | processor time for each process [s] |\n|---|---|---|"
         for n, (wall, used) in zip(PROCESSES, found):
-            print(f"| {n} | {wall:.2f} | {used / n:.2f} |")
+            yield f"| {n} | {wall:.2f} | {used / n:.2f} |"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--net", default="hilo-quarter")
+    parser.add_argument("--samples", type=int, default=2000)
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--write", action="store_true", help="put the tables into docs/performance.md")
+    show("performance.md", "benchmarks/scaling.py", lines(parser.parse_args()))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 
 # Three Debian packages by install component, libtaut<major>.<minor>, libtaut-dev and taut:
-# docs/releasing.md has the commands. Their prefix makes GNUInstallDirs take Debian's folder of libraries; there
+# CONTRIBUTING.md, "Releasing", has the commands. Their prefix makes GNUInstallDirs take Debian's folder of libraries; there
 # nothing needs an RPATH.
 # dpkg-shlibdeps (dpkg-dev) finds what the binaries need.
 include_guard()

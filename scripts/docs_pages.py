@@ -22,11 +22,17 @@ document.addEventListener("DOMContentLoaded", () => renderMathInElement(document
   ],
 }));
 """
+COMMANDS = """# Commands
+
+Which options does a command have? This is what `taut --help` and `taut COMMAND --help` print.
+[On the command line](command-line.md) shows how the commands go together.
+
+"""
 
 
 def help_of(*command):
-    told = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, check=True)
-    return told.stdout.strip()
+    shown = subprocess.run([PROGRAM, *command, "--help"], capture_output=True, text=True, check=True)
+    return shown.stdout.strip()
 
 
 def commands():
@@ -39,15 +45,14 @@ def commands():
     return "\n\n".join(page).replace("```\n\n", "```\n").replace("\n\n```", "\n```") + "\n"
 
 
-def page_of(name, more):
-    """A page of docs/ with what only the site has."""
-    return f"{(ROOT / 'docs' / name).read_text(encoding='utf-8')}\n{more}"
-
-
 def on_files(files, config):
     pages = {
-        "program.md": page_of("program.md", commands()),
-        "cpp.md": page_of("cpp.md", '<a href="cpp/index.html">All headers</a>\n'),
+        "commands.md": COMMANDS + commands(),
+        "linking.md": re.sub(  # the site has the reference of the headers
+            r"`make reference`",
+            '<a href="cpp/index.html">`make reference`</a>',
+            (ROOT / "docs" / "linking.md").read_text(encoding="utf-8"),
+        ),
         "changelog.md": re.sub(
             r"\]\(docs/", "](", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
         ),

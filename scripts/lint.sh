@@ -110,6 +110,7 @@ clang_tidy() {
 step "licence lines" check_licence_lines
 step "rooms" /usr/bin/python3 scripts/check_rooms.py
 step "rooms, self-test" /usr/bin/python3 scripts/check_rooms.py --self-test
+step "picture of the rooms" /usr/bin/python3 scripts/room_picture.py --check
 step "theory" /usr/bin/python3 scripts/check_theory.py
 step "links" /usr/bin/python3 scripts/check_links.py
 step "links, self-test" /usr/bin/python3 scripts/check_links.py --self-test

@@ -4,7 +4,7 @@
 #
 # What .ci/run leaves out for time: every compiler and library that taut promises, all of clang-tidy, each
 # public header and each source by itself, every test with the sanitizers, long fuzz and hostile runs.
-# A release needs it (docs/releasing.md).
+# A release needs it (CONTRIBUTING.md).
 # Usage: scripts/nightly.sh [seconds of fuzzing a reader]
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""How near `map` comes to the posterior mean, whose error no estimate beats; prints docs/posterior-mean.md.
+"""How near `map` comes to the posterior mean, whose error no estimate beats: a table of docs/validation.md.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/reference/posterior_mean.py > docs/posterior-mean.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/reference/posterior_mean.py --write
 
 The posterior mean is taken from Gibbs chains on the truncated normal
 
@@ -16,10 +16,14 @@ largest variances, so that lengths at a hidden node, known by their sum alone, m
 import json
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import numpy as np
 from posterior_chains import Net, r_hat
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from page_block import show
 
 BOUND = 0.005
 CASES = [(noise, hidden) for noise in (1e-4, 5e-4, 2e-3) for hidden in (0.0, 0.1)]
@@ -115,14 +119,11 @@ def try_survey(folder, net, noise, hidden, seed):
     return truth, estimate, draws.mean(axis=(0, 1)), draws.std(axis=(0, 1)), r_hat(draws)
 
 
-def main():
-    print("# How near `map` comes to the posterior mean\n")
-    print("Written by `benchmarks/reference/posterior_mean.py`, which samples the posterior of the built-in net's lengths by")
-    print(f"Gibbs chains of its own ({CHAINS} chains of {SWEEPS} sweeps, {SURVEYS} surveys a row, prior uniform:5mm). *above* is what the")
-    print("mean square error of `map` must lie above that of the posterior mean by: the mean square of their difference over")
-    print("the mean variance of the chains. *off* is their difference in standard deviations of the chains.\n")
-    print("| noise [mm] | hidden | MSE of map [m2] | of the chains' mean [m2] | above [%] | off, RMS | off, largest | R-hat |")
-    print("|" + "---|" * 8, flush=True)
+def lines():
+    yield (f"By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/reference/posterior_mean.py --write`, {CHAINS} chains of {SWEEPS} "
+           f"sweeps, {SURVEYS} surveys a row:\n")
+    yield "| noise [mm] | hidden | MSE of map [m2] | of the chains' mean [m2] | above [%] | off, RMS | off, largest | R-hat |"
+    yield "|" + "---|" * 8
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subprocess.run(["taut", "example", "hilo-quarter", "-o", folder / "net.json"], check=True, capture_output=True)
@@ -131,13 +132,12 @@ def main():
             tried = [try_survey(folder, net, noise, hidden, seed) for seed in range(SURVEYS)]
             truth, estimate, mean, std = (np.array([one[i] for one in tried]) for i in range(4))
             off = (estimate - mean) / std
-            print(
+            yield (
                 f"| {1e3 * noise:g} | {100 * hidden:g} % | {np.mean((estimate - truth) ** 2):.3e} | "
                 f"{np.mean((mean - truth) ** 2):.3e} | {100 * np.mean((estimate - mean) ** 2) / np.mean(std**2):.2f} | "
-                f"{np.sqrt(np.mean(off**2)):.3f} | {np.abs(off).max():.2f} | {max(one[4] for one in tried):.3f} |",
-                flush=True,
+                f"{np.sqrt(np.mean(off**2)):.3f} | {np.abs(off).max():.2f} | {max(one[4] for one in tried):.3f} |"
             )
 
 
 if __name__ == "__main__":
-    main()
+    show("validation.md", "benchmarks/reference/posterior_mean.py", lines())

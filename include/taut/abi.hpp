@@ -17,7 +17,7 @@
 // here. Linking taut::taut, or `pkg-config --cflags taut`, brings the definitions along that fix
 // what Eigen does, whatever the flags. What is different all the same does not link: the symbol
 // below tells in its name what a source was compiled for, and the library has only its own.
-// docs/architecture.md, "The border".
+// docs/linking.md, "What may differ between the program and taut".
 #if defined(_LIBCPP_VERSION)
 #define TAUT_ABI_STANDARD_LIBRARY libcxx
 #elif defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI

@@ -138,7 +138,7 @@ class Taut(ConanFile):
                 component.system_libs = ["m", "pthread"]
             before = name
 
-        # As src/CMakeLists.txt has them: docs/architecture.md, "The border".
+        # As src/CMakeLists.txt has them: docs/linking.md, "What may differ between the program and taut".
         self.cpp_info.components["core"].defines += [
             "EIGEN_MAX_ALIGN_BYTES=16",
             "EIGEN_MAX_STATIC_ALIGN_BYTES=16",

@@ -19,7 +19,9 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
+import page_block
 from areas import AREAS
 from faults import can_inject, every_fault, faults
 from sandbox import Finding, Sandbox
@@ -135,14 +137,12 @@ def make_originals(sandbox: Sandbox, folder: Path):
             (folder / path.name).write_bytes(path.read_bytes())
 
 
-def write_page(page: Path, what: str, rows: list[tuple[str, int, int, int]]):
-    """Puts the counts between the marks of a page."""
-    begin, end = "<!-- by tests/hostile/run.py -->\n", "<!-- end -->"
-    head, rest = page.read_text().split(begin)
+def write_page(what: str, rows: list[tuple[str, int, int, int]]):
+    """Puts the counts into docs/reliability.md."""
     lines = ["| area | cases | runs | found |", "|---|---|---|---|"]
     lines += [f"| {name} | {cases} | {runs} | {bad} |" for name, cases, runs, bad in rows]
-    made = f"\nOn {time.strftime('%Y-%m-%d')}, {what}:\n\n" + "\n".join(lines) + "\n\n"
-    page.write_text(head + begin + made + end + rest.split(end, 1)[1])
+    head = f"On {time.strftime('%Y-%m-%d')}, {what}:\n\n"
+    page_block.put("reliability.md", "tests/hostile/run.py", head + "\n".join(lines))
 
 
 def main() -> int:
@@ -167,7 +167,9 @@ def main() -> int:
     parser.add_argument(
         "--every-fault", action="store_true", help="each call of the system fails in turn, too"
     )
-    parser.add_argument("--write", type=Path, help="page that gets the counts")
+    parser.add_argument(
+        "--write", action="store_true", help="put the counts into docs/reliability.md"
+    )
     parser.add_argument("--keep", action="store_true", help="add what is found to seeds.json")
     arguments = parser.parse_args()
     areas = {**AREAS, "faults": faults}
@@ -220,7 +222,7 @@ def main() -> int:
             rows.append((f"`{area}`", counts[area], runs_of[area], bad))
         what = f"seed {first}, {arguments.seconds:.0f} s"
         if arguments.write:
-            write_page(arguments.write, what, rows)
+            write_page(what, rows)
         if arguments.every_fault and not can_inject():
             for kind, (done, broken) in every_fault(sandbox, originals).items():
                 for one in broken:
@@ -231,7 +233,7 @@ def main() -> int:
                 rows.append((f"{kind}, in turn", done, done, len(broken)))
                 found.extend(("every fault", 0, one) for one in broken)
             if arguments.write:
-                write_page(arguments.write, what, rows)
+                write_page(what, rows)
         print(f"hostile: {sandbox.runs} runs, {len(found)} found")
     if arguments.keep:
         known = json.loads(SEEDS.read_text()) if SEEDS.exists() else []

@@ -90,6 +90,29 @@ def test_every_block_is_run_by_someone_or_says_that_it_is_not(page):
         assert Path(name).name in (ROOT / runner).read_text(), f"{runner} does not run {page}"
 
 
+@pytest.mark.parametrize("page", pages())
+def test_a_measured_block_names_the_script_that_writes_it(page):
+    text = (ROOT / page).read_text(encoding="utf-8")
+    names = re.findall(r"^<!-- by (.*?) -->$", text, re.MULTILINE)
+    assert len(names) == len(set(names)) == text.count("<!-- end -->")
+    for name in names:
+        assert (ROOT / name.split(":")[0]).exists(), f"{page}: {name} is not there"
+
+
+def test_the_figures_of_the_summary_are_those_of_the_pages():
+    page = (ROOT / "docs/validation.md").read_text(encoding="utf-8")
+    head, rest = page.split("\n## ", 1)
+    rows = re.findall(
+        r"^\| (.*?) \| (.*?) \| .*? \| \[\w.*?\]\((.*?)#.*?\) \|$", head, re.MULTILINE
+    )
+    assert len(rows) >= 15
+    for claim, figure, name in rows:
+        text = (ROOT / "docs" / name).read_text(encoding="utf-8") if name else rest
+        for number in re.findall(r"\d+(?:[.,]\d+)*(?:e-?\d+)?", re.sub(r"`.*?`", "", figure)):
+            found = re.search(rf"(?<![\d.]){re.escape(number)}(?!\d)", text)
+            assert found, f"{claim}: {number} is not on {name or 'the page'}"
+
+
 def test_the_page_of_python(tmp_path, monkeypatch, capsys):
     for package in ("compas", "jax", "pandas", "scipy", "sklearn", "matplotlib"):
         pytest.importorskip(package)

@@ -93,7 +93,7 @@ struct TAUT_CORE_EXPORT Trust {
 [[nodiscard]] TAUT_CORE_EXPORT std::optional<Trust::Finding::Kind> finding_kind(
     std::string_view name);
 
-/// What the tests of a result found, docs/theory.md, "Doubt". identify() has called it already.
+/// What the tests of a result found, docs/theory.md, "Diagnostics". identify() has called it already.
 /// @param survey the one that was identified from; that net, survey and result go together is not
 ///   checked
 [[nodiscard]] TAUT_CORE_EXPORT Trust trust_of(const CableNet& net, const Survey& survey,

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Whether the one thing that is wrong is named; prints docs/culprits.md.
+"""Whether the one thing that is wrong is named: a table of docs/diagnostics.md.
 
-    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/culprits.py > docs/culprits.md
+    PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/suspects.py --write
 """
 
 import json
@@ -12,6 +12,7 @@ import tempfile
 
 import numpy as np
 from coverage import Net, taut
+from page_block import show
 
 TRIALS = 100
 NOISE = 0.5e-3
@@ -37,22 +38,22 @@ def identified(net, folder, seed, alter, wrong_target=None):
 
 
 def named(result):
-    """All that is blamed, the largest statistic first: sets of names that cannot be told apart."""
+    """All suspects, the largest statistic first: sets of names that are confounded with each other."""
     found = result["diagnostics"]
-    blamed = [(entry["statistic"], {("edge", entry["edge"])}) for entry in found["length_outliers"]]
+    named = [(entry["statistic"], {("edge", entry["edge"])}) for entry in found["length_outliers"]]
     for entry in found["boundary"]:
         kinds = ("edge", "support") if "edge" in entry else ("support", "edge")
         either = {(kinds[0], entry.get("edge", entry.get("node")))}
         if entry["confounded_with"] is not None:
             either.add((kinds[1], int(entry["confounded_with"])))
-        blamed.append((entry["statistic"], either))
-    blamed += [(o["statistic"], {("target", o["node"])}) for o in result["survey"]["outliers"]]
-    return [names for _, names in sorted(blamed, key=lambda one: -one[0])]
+        named.append((entry["statistic"], either))
+    named += [(o["statistic"], {("target", o["node"])}) for o in result["survey"]["outliers"]]
+    return [names for _, names in sorted(named, key=lambda one: -one[0])]
 
 
 def row(kind, net, folder, trials):
     random = np.random.default_rng(7)
-    tried = first = innocent = 0
+    tried = first = false_alarms = 0
     sizes = []
     for seed in range(trials):
         wrong_target = None
@@ -74,31 +75,25 @@ def row(kind, net, folder, trials):
                 continue
             size = 2 * LEAST * std
             alter = turned(size * random.choice([-1, 1]))
-        blamed = named(identified(net, folder, seed, alter, wrong_target))
+        named = named(identified(net, folder, seed, alter, wrong_target))
         tried += 1
         sizes.append(size)
-        first += bool(blamed) and culprit in blamed[0]
-        innocent += sum(culprit not in names for names in blamed)
-    return (f"| {kind} | {1e3 * np.min(sizes):.1f} to {1e3 * np.max(sizes):.1f} | {tried} of {trials} | {first} | {innocent} |")
+        first += bool(named) and culprit in named[0]
+        false_alarms += sum(culprit not in names for names in named)
+    return (f"| {kind} | {1e3 * np.min(sizes):.1f} to {1e3 * np.max(sizes):.1f} | {tried} of {trials} | {first} | {false_alarms} |")
 
 
-def main():
-    trials = int(sys.argv[1]) if len(sys.argv) > 1 else TRIALS
-    print("# Is the culprit named?\n")
-    print("Written by `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/culprits.py`: surveys of the built-in net (lengths")
-    print("uniform:5mm, noise 0.5 mm, a tenth hidden), each with one thing that is wrong: a target 10 mm off, or an adjustable edge")
-    print("off by twice its minimal detectable error, that is found with a probability of 80 % (its standard deviation from a")
-    print("survey of the same net with the edge 30 mm off; *tried* counts those that this names, others do not show). *Named first*:")
-    print("it has the largest statistic of all that is blamed, by itself or beside the rival that cannot be told from it; *sound ones*:")
-    print("all else that is blamed, over all surveys.\n")
-    print("| what is wrong | by [mm] | tried | named first | sound ones |")
-    print("|---|---|---|---|---|", flush=True)
+def lines():
+    trials = int(next(iter(word for word in sys.argv[1:] if word.isdigit()), TRIALS))
+    yield "By `PATH=$PWD/build:$PATH /usr/bin/python3 benchmarks/suspects.py --write`:\n"
+    yield "| what is wrong | by [mm] | tried | named first | false alarms |"
+    yield "|---|---|---|---|---|"
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         net = Net("hilo-quarter", 1, folder)
         for kind in ("target", "adjustable edge"):
-            print(row(kind, net, folder, trials), flush=True)
+            yield row(kind, net, folder, trials)
 
 
 if __name__ == "__main__":
-    main()
+    show("diagnostics.md", "benchmarks/suspects.py", lines())

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The taut authors
+# SPDX-License-Identifier: MIT
+"""Replaces a block of a page of docs/: what is between `<!-- by NAME -->` and `<!-- end -->`.
+
+NAME is the script that makes the block. The prose around it belongs to the page alone.
+
+Usage: page_block.py PAGE NAME < TEXT
+"""
+
+import re
+import sys
+from pathlib import Path
+
+DOCS = Path(__file__).resolve().parents[1] / "docs"
+
+
+def replaced(text, name, block):
+    """The text of a page with another block, which must be there once."""
+    begin, end = f"<!-- by {name} -->\n", "<!-- end -->"
+    found = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
+    text, count = found.subn(lambda _: f"{begin}\n{block.strip()}\n\n{end}", text)
+    if count != 1:
+        raise ValueError(f"the block '{name}' is there {count} times, expected once")
+    return text
+
+
+def put(page, name, block):
+    """Replaces a block of docs/PAGE."""
+    path = DOCS / page
+    path.write_text(replaced(path.read_text(encoding="utf-8"), name, block), encoding="utf-8")
+
+
+def show(page, name, lines):
+    """Prints the lines of a block as they come. With --write among the arguments of the script,
+    they then replace the block of docs/PAGE."""
+    kept = []
+    for line in lines:
+        print(line, flush=True)
+        kept.append(line)
+    if "--write" in sys.argv:
+        put(page, name, "\n".join(kept))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    put(*sys.argv[1:], sys.stdin.read())
