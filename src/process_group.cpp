@@ -22,7 +22,7 @@ public:
     }
 };
 
-std::atomic<ProcessGroup*>& current() {
+std::atomic<ProcessGroup*>& group_in_use() {
     static SingleProcess single;
     static std::atomic<ProcessGroup*> group{&single};
     return group;
@@ -33,14 +33,14 @@ std::atomic<ProcessGroup*>& current() {
 ProcessGroup::~ProcessGroup() = default;
 
 ProcessGroup& process_group() {
-    return *current();
+    return *group_in_use();
 }
 
 void with_process_group(ProcessGroup& group, const std::function<void()>& work) {
     struct Scope {
         ProcessGroup* before;
-        explicit Scope(ProcessGroup& group) : before(current().exchange(&group)) {}
-        ~Scope() { current() = before; }
+        explicit Scope(ProcessGroup& group) : before(group_in_use().exchange(&group)) {}
+        ~Scope() { group_in_use() = before; }
         Scope(const Scope&) = delete;
         Scope& operator=(const Scope&) = delete;
         Scope(Scope&&) = delete;

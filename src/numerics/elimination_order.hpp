@@ -21,7 +21,7 @@ struct MatrixGraph {
 /// How much time an order may take.
 enum class Ordering {
     quick,     ///< by minimum degree (AMD), a tenth of the time of a factorisation
-    thorough,  ///< by nested dissection (METIS) where that pays: for matrices of many uncertain a
+    thorough,  ///< by nested dissection (METIS) where that pays: for matrices of many unknowns a
                ///< row
 };
 
@@ -30,7 +30,7 @@ enum class Ordering {
 /// Nested dissection (A. George, Nested dissection of a regular finite element mesh, SIAM J. Numer.
 /// Anal. 10 (1973) 345-363; G. Karypis & V. Kumar, A fast and high quality multilevel scheme for
 /// partitioning irregular graphs, SIAM J. Sci. Comput. 20 (1998) 359-392) leaves a quarter less
-/// work than minimum degree on a net of 300 x 300 nodes. For three uncertain a node that is less
+/// work than minimum degree on a net of 300 x 300 nodes. For three unknowns a node that is less
 /// than the order costs; for the six of a saddle-point matrix, whose inverse is wanted, too, it is
 /// more. By `bench_factorisation --benchmark_filter=order`.
 ///

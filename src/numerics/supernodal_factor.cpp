@@ -229,7 +229,7 @@ Eigen::VectorXd SupernodalFactor::solve(const Eigen::Ref<const Eigen::VectorXd>&
     const bool is_definite = m_definiteness == Definiteness::positive_definite;
     Eigen::VectorXd x(b.size());
     x(m_number) = b;
-    Eigen::VectorXd v;  // the uncertain of a front
+    Eigen::VectorXd v;  // the unknowns of a front
     for (const Front& front : m_fronts) {
         const Supernode& supernode = front.supernode;
         const std::vector<int>& panels = front.panels;

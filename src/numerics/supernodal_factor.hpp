@@ -17,12 +17,12 @@
 
 namespace taut {
 
-/// The factor A = L D L' of a sparse symmetric matrix whose uncertain come in blocks, and the
+/// The factor A = L D L' of a sparse symmetric matrix whose unknowns come in blocks, and the
 /// entries of its inverse where the factor has entries.
 ///
 /// The method is multifrontal (I. S. Duff & J. K. Reid, The multifrontal solution of indefinite
 /// sparse symmetric linear equations, ACM TOMS 9 (1983) 302-325; T. A. Davis, Direct Methods for
-/// Sparse Linear Systems, SIAM 2006, section 4.9). A supernode with pivots p and later uncertain q
+/// Sparse Linear Systems, SIAM 2006, section 4.9). A supernode with pivots p and later unknowns q
 /// gathers its entries of A and the updates of its children in a dense matrix F, its front, and
 /// leaves an update for its parent:
 ///
@@ -38,13 +38,13 @@ namespace taut {
 /// benchmarks/bench_factorisation.cpp.
 class SupernodalFactor {
 public:
-    /// @param sizes of the blocks, in the order of elimination; the uncertain are numbered block by
+    /// @param sizes of the blocks, in the order of elimination; the unknowns are numbered block by
     ///   block
     /// @param couplings one list a block: later blocks that it may have entries with, each once
     SupernodalFactor(const std::vector<int>& sizes, const std::vector<std::vector<int>>& couplings,
                      Definiteness definiteness = Definiteness::indefinite);
 
-    [[nodiscard]] int parameter_count() const { return static_cast<int>(m_number.size()); }
+    [[nodiscard]] int unknown_count() const { return static_cast<int>(m_number.size()); }
 
     /// Numbers that the factor stores, zeros included.
     [[nodiscard]] double entry_count() const;
@@ -52,8 +52,8 @@ public:
     /// c being the length of one, diagonal included.
     [[nodiscard]] double operation_count() const;
 
-    /// Where the uncertain of a front stand in its dense matrix: those of its blocks and those of
-    /// later blocks that they are coupled with. UncertainParameters of a block stand side by side,
+    /// Where the unknowns of a front stand in its dense matrix: those of its blocks and those of
+    /// later blocks that they are coupled with. Unknowns of a block stand side by side,
     /// in their order, and later blocks behind earlier ones.
     class Places {
     public:
@@ -78,10 +78,10 @@ public:
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& b) const;
 
     /// Of a definite matrix, after factorize(): D of each unknown for a diagonal L of ones, what is
-    /// left of its entry when all uncertain before it are eliminated.
+    /// left of its entry when all unknowns before it are eliminated.
     [[nodiscard]] Eigen::VectorXd pivots() const;
 
-    /// Takes the inverse over the uncertain of a block's front, both triangles. Is called in
+    /// Takes the inverse over the unknowns of a block's front, both triangles. Is called in
     /// parallel for different fronts.
     using Reader = std::function<void(int block, const Places&, const FrontMatrix& inverse)>;
 
@@ -89,7 +89,7 @@ public:
     /// last front to the first (K. Takahashi, J. Fagan & M.-S. Chin, Formation of a sparse bus
     /// impedance matrix and its application to short circuit study, PICA 1973; A. M. Erisman & W.
     /// F. Tinney, On computing certain elements of the inverse of a sparse matrix, CACM 18 (1975)
-    /// 177-179), for pivots p of a panel and all later uncertain q of the front:
+    /// 177-179), for pivots p of a panel and all later unknowns q of the front:
     ///
     ///   Z_qp = -Z_qq L_qp,   Z_pp = F_pp^-1 - L_qp' Z_qp
     ///

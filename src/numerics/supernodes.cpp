@@ -19,7 +19,7 @@ double tolerated_zeros(int columns) {
 /// A supernode before its rows are known.
 struct Node {
     Supernode supernode;
-    std::int64_t row_count = 0;  ///< uncertain
+    std::int64_t row_count = 0;  ///< unknowns
     std::int64_t nonzeros = 0;   ///< in its columns of the factor's lower triangle
 
     /// As many as are stored.

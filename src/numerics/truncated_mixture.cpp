@@ -61,7 +61,7 @@ double normal_integral(double a, double b) {
     return half * (std::erf(root * b) - std::erf(root * a));
 }
 
-struct Steps {
+struct Moments {
     double mass;
     double mean;
     double variance;
@@ -78,7 +78,7 @@ double mass_below(const TruncatedNormal& part, double x, double log_scale) {
            normal_integral((part.lower - part.mean) / part.std, (upper - part.mean) / part.std);
 }
 
-Steps moments_of(const TruncatedNormal& part, double log_scale) {
+Moments moments_of(const TruncatedNormal& part, double log_scale) {
     const double mass = mass_below(part, part.upper, log_scale);
     if (!std::isfinite(part.std)) {
         const double width = part.upper - part.lower;
@@ -121,13 +121,13 @@ TruncatedMixture::TruncatedMixture(const std::vector<TruncatedNormal>& parts)
 std::pair<double, double> TruncatedMixture::moments() const {
     double first = 0.0;
     for (const TruncatedNormal& part : m_parts) {
-        const Steps m = moments_of(part, m_log_scale);
+        const Moments m = moments_of(part, m_log_scale);
         first += m.mass * m.mean;
     }
     const double mean = first / m_mass;
     double second = 0.0;
     for (const TruncatedNormal& part : m_parts) {
-        const Steps m = moments_of(part, m_log_scale);
+        const Moments m = moments_of(part, m_log_scale);
         second += m.mass * (m.variance + (m.mean - mean) * (m.mean - mean));
     }
     return {mean, second / m_mass};

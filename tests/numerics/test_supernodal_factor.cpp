@@ -32,7 +32,7 @@ struct BlockMatrix {
     std::vector<int> sizes;
     std::vector<int> first;                   ///< unknown of each block
     std::vector<std::vector<int>> couplings;  ///< of each block, later blocks
-    std::vector<std::vector<int>> entries;    ///< of each block, uncertain of these
+    std::vector<std::vector<int>> entries;    ///< of each block, unknowns of these
     Eigen::MatrixXd dense;
 
     void add_block(int size) {
@@ -41,7 +41,7 @@ struct BlockMatrix {
         couplings.emplace_back();
         entries.emplace_back();
     }
-    /// Couples a block with some or all uncertain of a later one.
+    /// Couples a block with some or all unknowns of a later one.
     void couple(Random& random, int block, int later, double share) {
         couplings[block].push_back(later);
         for (int k = 0; k < sizes[later]; ++k) {
@@ -71,19 +71,19 @@ struct BlockMatrix {
         }
     }
 
-    /// Of a block's front, its own uncertain and those that it is coupled with.
-    [[nodiscard]] std::vector<int> parameters_at(int block) const {
-        std::vector<int> uncertain(sizes[block]);
-        std::iota(uncertain.begin(), uncertain.end(), first[block]);
-        uncertain.insert(uncertain.end(), entries[block].begin(), entries[block].end());
-        return uncertain;
+    /// Of a block's front, its own unknowns and those that it is coupled with.
+    [[nodiscard]] std::vector<int> unknowns_at(int block) const {
+        std::vector<int> unknowns(sizes[block]);
+        std::iota(unknowns.begin(), unknowns.end(), first[block]);
+        unknowns.insert(unknowns.end(), entries[block].begin(), entries[block].end());
+        return unknowns;
     }
 
     [[nodiscard]] bool factorize(SupernodalFactor& factor) const {
         return factor.factorize(
             [this](int block, const SupernodalFactor::Places& places, FrontMatrix& front) {
                 for (int b = first[block]; b < first[block] + sizes[block]; ++b) {
-                    for (const int a : parameters_at(block)) {
+                    for (const int a : unknowns_at(block)) {
                         if (a >= b) {
                             front(places.of(a), places.of(b)) += dense(a, b);
                         }
@@ -101,9 +101,9 @@ struct BlockMatrix {
         factor.selected_inverse(
             [&](int block, const SupernodalFactor::Places& places, const FrontMatrix& Z) {
                 ++shown[block];
-                const std::vector<int> uncertain = parameters_at(block);
-                for (const int a : uncertain) {
-                    for (const int b : uncertain) {
+                const std::vector<int> unknowns = unknowns_at(block);
+                for (const int a : unknowns) {
+                    for (const int b : unknowns) {
                         errors[block] = std::max(
                             errors[block], std::abs(Z(places.of(a), places.of(b)) - inverse(a, b)));
                     }
@@ -120,7 +120,7 @@ struct BlockMatrix {
     }
 };
 
-/// Blocks of 1 to 7 uncertain, coupled at random; some matrices fall into parts.
+/// Blocks of 1 to 7 unknowns, coupled at random; some matrices fall into parts.
 BlockMatrix random_matrix(Random& random, Definiteness definiteness) {
     BlockMatrix matrix;
     matrix.definiteness = definiteness;
@@ -140,7 +140,7 @@ BlockMatrix random_matrix(Random& random, Definiteness definiteness) {
     return matrix;
 }
 
-/// Parts of some 100 uncertain that are coupled with one last part alone, of some 150: branches.
+/// Parts of some 100 unknowns that are coupled with one last part alone, of some 150: branches.
 BlockMatrix matrix_of_branches(Random& random, Definiteness definiteness) {
     constexpr int parts = 8;
     BlockMatrix matrix;
@@ -170,7 +170,7 @@ RC_GTEST_PROP(SupernodalFactorOfARandomMatrix, SolvesAndInvertsAsTheDenseMatrix,
     Random random = test::any_random();
     const BlockMatrix matrix = random_matrix(random, Definiteness::indefinite);
     SupernodalFactor factor(matrix.sizes, matrix.couplings);
-    RC_ASSERT(factor.parameter_count() == matrix.dense.rows());
+    RC_ASSERT(factor.unknown_count() == matrix.dense.rows());
     RC_ASSERT(matrix.factorize(factor));
     RC_ASSERT(matrix.error_of_solution(random, factor) < 1e-10);
     RC_ASSERT(matrix.error_of_inverse(factor) < 1e-11);

@@ -16,7 +16,7 @@ namespace {
 
 using namespace taut;
 
-/// A grid of blocks of two and three uncertain by turns, coupled with the next in both directions.
+/// A grid of blocks of two and three unknowns by turns, coupled with the next in both directions.
 class OnAGrid : public testing::Test {
 protected:
     static constexpr int side = 12;
