@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// The pattern of a symmetric matrix: of each row the others that it has entries with.
+/// The pattern of a symmetric matrix: for each row the other rows that it has entries with.
 struct MatrixGraph {
     std::vector<int> starts;      ///< of each row in `neighbours`; one more at the end
     std::vector<int> neighbours;  ///< row by row, without the row itself

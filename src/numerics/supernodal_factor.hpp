@@ -33,9 +33,8 @@ namespace taut {
 /// none between panels: the order of the blocks is the caller's, and must be one in which A can be
 /// eliminated block by block. A positive definite matrix is factorised by Cholesky's method.
 ///
-/// Branches of the tree, and parts of large products, are worked on in parallel; results are the
-/// same for any number of threads. What it is measured against:
-/// benchmarks/bench_factorisation.cpp.
+/// Branches of the tree and parts of large products run in parallel. The results are the same for
+/// any number of threads. benchmarks/bench_factorisation.cpp compares it with other solvers.
 class SupernodalFactor {
 public:
     /// @param sizes of the blocks, in the order of elimination; the unknowns are numbered block by
@@ -97,19 +96,17 @@ public:
     void selected_inverse(const Reader& read) const;
 
 private:
-    /// A supernode, where its panels begin among its pivots (and the end), where its columns of the
-    /// factor begin, how many parents it has, and whether it is the root of a branch.
     struct Front {
         Supernode supernode;
-        std::vector<int> panels;
-        size_t begin = 0;
-        int level = 0;
-        int branch = -1;
+        std::vector<int> panels;  ///< first pivot of each panel, and the number of pivots
+        size_t begin = 0;         ///< of its columns in m_values
+        int level = 0;            ///< number of ancestors
+        int branch = -1;          ///< whose root it is; -1: of none
 
         [[nodiscard]] Eigen::Index size() const { return supernode.size + row_count(); }
         [[nodiscard]] Eigen::Index row_count() const { return std::ssize(supernode.rows); }
     };
-    /// What a row of fronts needs of memory while they are worked on.
+    /// Memory that several fronts need while they are eliminated or inverted.
     struct Needs {
         FrontStacks::Heights heights{};
         size_t scratch = 0;
@@ -149,7 +146,7 @@ private:
     Needs m_trunk_needs;
     Buffer m_values;  ///< the factor, front by front
 
-    // Memory that is kept from one factorisation to the next.
+    // Memory that is reused by the next factorisation.
     std::vector<Buffer> m_branch_updates;  ///< of the roots of the branches
     Workspace m_trunk_workspace;
     tbb::enumerable_thread_specific<Workspace> m_branch_workspaces;

@@ -12,14 +12,14 @@
 namespace taut {
 namespace {
 
-/// A part whose bounds lie further from its mean, in standard deviations, is a spike at the nearer
-/// bound: its mean is moved to there, its height kept at the bound.
+/// A part whose bounds lie further from its mean than this number of standard deviations is a spike
+/// at the nearer bound: its mean is moved to this distance, its height at the bound is kept.
 constexpr double furthest_mean = 30.0;
 
-/// With a standard deviation above this many widths a part is constant to rounding errors.
+/// With a standard deviation above this many widths, a part is constant up to rounding errors.
 constexpr double widest_std = 1e4;
 
-/// Beyond this many standard deviations a normal density holds nothing.
+/// Beyond this many standard deviations a normal density is negligible.
 constexpr double normal_reach = 40.0;
 
 double log_density(const TruncatedNormal& part, double x) {
@@ -32,7 +32,7 @@ double nearest(const TruncatedNormal& part) {
     return std::clamp(part.mean, part.lower, part.upper);
 }
 
-/// The same part with numbers that the formulas below bear.
+/// The same part, with parameters for which the formulas below are accurate.
 TruncatedNormal tame(TruncatedNormal part) {
     if (part.std > widest_std * (part.upper - part.lower)) {
         part.log_height = log_density(part, nearest(part));
@@ -67,7 +67,7 @@ struct Moments {
     double variance;
 };
 
-/// Of a part between its lower bound and x.
+/// Mass of a part between its lower bound and x.
 double mass_below(const TruncatedNormal& part, double x, double log_scale) {
     const double upper = std::clamp(x, part.lower, part.upper);
     const double height = std::exp(part.log_height - log_scale);
@@ -156,7 +156,7 @@ double TruncatedMixture::quantile(double p) const {
         lower = std::min(lower, std::max(part.lower, nearest(part) - normal_reach * part.std));
         upper = std::max(upper, std::min(part.upper, nearest(part) + normal_reach * part.std));
     }
-    // From the lower end, so that a narrow distribution far from zero loses no digits.
+    // Measured from the lower end, so that a narrow distribution far from zero loses no digits.
     constexpr int bits = 40;
     std::uintmax_t evaluations = 100;
     const auto [below, above] = boost::math::tools::toms748_solve(
