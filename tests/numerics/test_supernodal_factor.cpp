@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a solution or entries of the inverse that are not those of the dense matrix: an
-// update that goes astray between fronts, a panel or a branch left out.
+// Guards against solutions or entries of the inverse that are not those of the dense matrix: an
+// update lost between fronts, a panel or a branch left out.
 #include "numerics/supernodal_factor.hpp"
 
 #include <gtest/gtest.h>
@@ -187,7 +187,6 @@ RC_GTEST_PROP(SupernodalFactorOfARandomMatrix, OfADefiniteOneHasItsSolutionsAndI
               1e-10);
 }
 
-// A factor that holds zeros, or that counts them wrong, tells of work that is not done.
 TEST(SupernodalFactor, CountsTheWorkOfADenseMatrix) {
     const SupernodalFactor factor({2, 3, 1}, {{1, 2}, {2}, {}});
     EXPECT_EQ(factor.entry_count(), 36.0);
@@ -223,14 +222,14 @@ TEST_P(OnBranches, SolvesAndInvertsAsTheDenseMatrix) {
     }
 }
 
-TEST_P(OnBranches, AnotherMatrixOfTheSamePatternTakesThePlaceOfTheFirst) {
+TEST_P(OnBranches, AnotherMatrixOfTheSamePatternReplacesTheFirst) {
     ASSERT_TRUE(m_matrix.factorize(m_factor));
     m_matrix.fill(m_random);
     ASSERT_TRUE(m_matrix.factorize(m_factor));
     EXPECT_LT(m_matrix.error_of_solution(m_random, m_factor), 1e-10);
 }
 
-TEST_P(OnBranches, SolutionsAreTheSameForAnyNumberOfThreads) {
+TEST_P(OnBranches, SolutionsDoNotDependOnTheNumberOfThreads) {
     const Eigen::VectorXd b = test::uniform_vector(m_random, m_matrix.dense.rows(), 1.0);
     const auto found = [&](int threads) {
         return with_threads(threads, [&] {
@@ -243,7 +242,7 @@ TEST_P(OnBranches, SolutionsAreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(found(4), expected);
 }
 
-TEST_P(OnBranches, ASingularPivotIsToldInABranchAndInTheTrunk) {
+TEST_P(OnBranches, ASingularPivotIsReportedInABranchAndInTheTrunk) {
     for (const int unknown : {0, static_cast<int>(m_matrix.dense.rows()) - 1}) {
         BlockMatrix matrix = m_matrix;
         matrix.dense.row(unknown).setZero();

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against supernodes that leave out fill, break the order along a branch, or store many
-// zeros.
+// Guards against supernodes that miss fill, break the order along a branch, or store many zeros.
 
 #include "numerics/supernodes.hpp"
 
