@@ -7,14 +7,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "statics/reference_net.hpp"
 #include "support/balance.hpp"
 #include "support/random_nets.hpp"
-#include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/statics/cone_program.hpp"
 #include "taut/statics/duality.hpp"
@@ -195,31 +193,8 @@ void expect_the_cone_program_to_agree_with_newton() {
     const double rounding =
         1e-13 * (std::abs(lowest) + elastic_energy(net, newton.form) +
                  (net.loads().cwiseAbs().array() * newton.form.cwiseAbs().array()).sum());
-    // Each form's forces bound the lowest energy from below.
-    const double newtons_gap = certify(net, lengths, newton.form).duality_gap;
-    const double gap = certify(net, lengths, cone.form, cone.edge_forces).duality_gap;
-    RC_ASSERT(above >= -newtons_gap - rounding);
-    RC_ASSERT(above <= gap + rounding);
+    RC_ASSERT(above >= -certify(net, lengths, newton.form).duality_gap - rounding);
     RC_ASSERT(above <= energy_by_residuals(net, newton.form, cone) + rounding);
-
-    if (newton.status != EquilibriumStatus::converged) {
-        return;
-    }
-    // V rises with its curvature k from the lowest point: k |r - r*|^2 / 2 <= V(r) - V(r*). On the
-    // way tensions change by up to the largest stiffness times the way, and k by that over the
-    // length of an edge, which must be below a tenth. No edge may go slack or taut on the way.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> stiffnesses(
-        Eigen::MatrixXd(stiffness(net, lengths, newton.form)), Eigen::EigenvaluesOnly);
-    const double least = stiffnesses.eigenvalues().minCoeff();
-    const double way = std::sqrt(2.0 * (gap + newtons_gap + rounding) / least);
-    const Eigen::VectorXd length = edge_lengths(net, newton.form);
-    const bool is_regular =
-        stiffnesses.eigenvalues().maxCoeff() * way / length.minCoeff() < 0.1 * least &&
-        (length - lengths).cwiseAbs().minCoeff() > 2.0 * way;
-    RC_CLASSIFY(is_regular, "the energy bounds the distance of the forms");
-    if (is_regular) {
-        RC_ASSERT((cone.form - newton.form).norm() <= 1.1 * way);
-    }
 }
 
 class ConeProgramOfARandomNet : public ConeProgram {};

@@ -121,17 +121,13 @@ TEST(EquilibriumSolver, ReportsItsIterationLimit) {
         EXPECT_NEAR(e.out_of_balance, test::largest_imbalance(net, lengths, e.form), 1e-6);
         EXPECT_GT(e.out_of_balance, 1e-10 * e.mean_tension);
     }
-}
-
-TEST(EquilibriumSolver, KeepsItsIterationLimitAmongInteriorPointSteps) {
-    CableNetData data = hypar(8, 8).data();
-    data.unstressed_lengths *= 1.2;
-    data.loads.row(2).setConstant(-1e-3);
-    const CableNet net(std::move(data));
-    const int needed = solve_equilibrium(net).iterations;
+    CableNetData loose = hypar(8, 8).data();  // needs interior-point steps
+    loose.unstressed_lengths *= 1.2;
+    loose.loads.row(2).setConstant(-1e-3);
+    const int needed = solve_equilibrium(CableNet(loose)).iterations;
     ASSERT_GT(needed, 10);
     for (const int limit : {1, 2, 5, needed / 2}) {
-        const Equilibrium e = solve_equilibrium(net, {.max_iterations = limit});
+        const Equilibrium e = solve_equilibrium(CableNet(loose), {.max_iterations = limit});
         EXPECT_EQ(e.status, EquilibriumStatus::iteration_limit);
         EXPECT_EQ(e.iterations, limit);
     }

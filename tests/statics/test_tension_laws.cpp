@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "statics/interior_point.hpp"
-#include "statics/local_net.hpp"
 #include "support/balance.hpp"
 #include "support/finite_differences.hpp"
 #include "support/random_laws.hpp"
@@ -218,22 +216,6 @@ TEST(TensionLaws, SensitivityIsTheDerivativeOfTheForm) {
     const Eigen::MatrixXd derivative =
         FormSensitivity(net, net.unstressed_lengths(), found.form).columns(test::all_edges(net));
     EXPECT_LT((difference - derivative).norm(), 1e-4 * derivative.norm());
-}
-
-TEST(TensionLaws, InteriorPointsComeNearTheEquilibriumOfASlackNet) {
-    const CableNet net = two_slope_hypar(0.02);
-    const LocalNet local = number_for_elimination(net);
-    Stiffness stiffness(local);
-    NetState state(local);
-    state.set_unstressed_lengths(local, net.unstressed_lengths());
-    local.gather(net.nodes(), state.form());
-    state.update(local);
-    InteriorPoint(local).run(local, stiffness, state, 60);
-    const Points approached = local.scatter(state.form());
-    const Equilibrium found = solve_equilibrium(net);
-    ASSERT_EQ(found.status, EquilibriumStatus::converged);
-    EXPECT_GT(found.slack_edges.size(), 10u);
-    EXPECT_LT(largest_distance(approached, found.form), 1e-4);
 }
 
 }  // namespace
