@@ -44,7 +44,7 @@ void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
 class Cholesky {
 public:
     /// Reads the lower triangle of the matrix.
-    /// @throws std::runtime_error where the matrix is not positive definite
+    /// @throws NumericalError if the matrix is not positive definite
     explicit Cholesky(Eigen::MatrixXd matrix);
 
     /// (L L')^-1 b
@@ -66,7 +66,7 @@ struct SymmetricEigen {
 };
 
 /// All eigenvalues and eigenvectors of a symmetric matrix.
-/// @throws std::runtime_error where LAPACK does not converge (an entry that is not finite, say)
+/// @throws NumericalError if an entry is not finite or LAPACK does not converge
 [[nodiscard]] TAUT_CORE_EXPORT SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix);
 
 }  // namespace taut

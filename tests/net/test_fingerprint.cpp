@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against files made for one net being taken for another, and against old files being
+// Guards against files of one net being accepted for another, and against old files being
 // refused because the fingerprint of the same net has changed.
 #include <gtest/gtest.h>
 

@@ -214,7 +214,7 @@ private:
     std::vector<int> m_starts;         ///< of each node in the next two; one more at the end
     std::vector<int> m_edges_at;       ///< node by node
     std::vector<int> m_neighbours;     ///< the other end of each of these edges
-    std::vector<int> m_nodes_by_name;  ///< in the order of node_ids; none if these are none
+    std::vector<int> m_nodes_by_name;  ///< sorted by node_ids; empty if these are
     std::vector<int> m_edges_by_name;
     std::string m_fingerprint;
 };
