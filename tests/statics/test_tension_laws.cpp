@@ -141,36 +141,27 @@ TEST(TensionLaws, ThatStiffenAHundredfoldHaveAnEquilibrium) {
     }
 }
 
-TEST(TensionLaws, EquilibriumIsCertifiedCloselyExceptForFewNets) {
-    int far = 0;
+// If a law is flat the gap grows with the out-of-balance force, not with its square: up to 3e-4 of
+// the elastic energy in experiments.
+TEST(TensionLaws, EquilibriumIsCertifiedAndCloselyExceptForFewNets) {
+    int loose = 0;
     for (int seed = 0; seed < 2000; ++seed) {
         test::Random random(seed);
         const CableNet net(test::with_random_laws(random, test::random_net_data(random)));
+        const Eigen::VectorXd& lengths = net.unstressed_lengths();
         const Equilibrium found = solve_equilibrium(net);
         ASSERT_TRUE(found.balanced()) << seed;
-        if (!(certify(net, net.unstressed_lengths(), found.form).relative_gap < 1e-5)) {
-            ++far;
-        }
+        const EnergyCertificate proof = certify(net, lengths, found.form);
+        EXPECT_GE(proof.duality_gap, 0.0) << seed;
+        EXPECT_LT(proof.relative_gap, 1e-3) << seed;
+        loose += proof.relative_gap < 1e-5 ? 0 : 1;
+        // Any other form has a higher energy, by at most the gap of its certificate.
+        EXPECT_LE(
+            energy(net, lengths, net.nodes()) - energy(net, lengths, found.form),
+            certify(net, lengths, net.nodes()).duality_gap + 1e-9 * (1.0 + std::abs(proof.energy)))
+            << seed;
     }
-    EXPECT_LE(far, 5);
-}
-
-RC_GTEST_PROP(TensionLaws, EquilibriumIsFoundAndCertified, ()) {
-    test::Random random = test::any_random();
-    const CableNet net(test::with_random_laws(random, test::random_net_data(random)));
-    const Equilibrium found = solve_equilibrium(net);
-    RC_ASSERT(found.balanced());
-    const EnergyCertificate proof = certify(net, net.unstressed_lengths(), found.form);
-    RC_ASSERT(proof.duality_gap >= 0.0);
-    // If a law is flat the gap grows with the out-of-balance force, not with its square: up to 3e-4
-    // in experiments.
-    RC_ASSERT(proof.relative_gap < 1e-3);
-    // Any other form has a higher energy, by at most the gap of its certificate.
-    const Points other = net.nodes();
-    const double above = energy(net, net.unstressed_lengths(), other) -
-                         energy(net, net.unstressed_lengths(), found.form);
-    const EnergyCertificate bound = certify(net, net.unstressed_lengths(), other);
-    RC_ASSERT(above <= bound.duality_gap + 1e-9 * (1.0 + std::abs(proof.energy)));
+    EXPECT_LE(loose, 5);
 }
 
 TEST(TensionLaws, EquilibriumIsThatOfTheConeProgram) {
