@@ -46,8 +46,8 @@ Eigen::MatrixX3d solve(const Eigen::SparseMatrix<double>& laplacian, const Eigen
             throw std::invalid_argument("force densities differ by too many orders of magnitude");
         }
     };
-    // Above this size the supernodal factor pays. Smaller nets keep Eigen's: another one would change
-    // the last digits of their nodes, and so the fingerprints of the built-in nets.
+    // Above this size the supernodal factor pays. Smaller nets keep Eigen's: another one would
+    // change the last digits of their nodes, and so the fingerprints of the built-in nets.
     constexpr Eigen::Index large = 100'000;
     if (laplacian.rows() > large) {
         const SparseCholesky factor(laplacian);
