@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// The two factorisations of taut beside others, one core, the symbolic work done before. Argument:
-// side of a hypar; 0 is the built-in net. The stiffness of side 300 is for runs by hand:
-// scripts/bench.sh leaves it out.
+// The two factorisations of taut and those of other libraries, on one core, without the symbolic
+// work. Argument: side of a hypar; 0 is the built-in net. scripts/bench.sh leaves out the stiffness
+// of side 300, which is for runs by hand.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/OrderingMethods>
@@ -38,7 +38,7 @@ void require(bool factorised) {
     }
 }
 
-/// Of the solution that is all ones.
+/// The right side of a solution of ones.
 Eigen::VectorXd right_side(const SparseMatrix& lower) {
     return lower.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Ones(lower.rows());
 }
@@ -81,7 +81,7 @@ void stiffness_taut(benchmark::State& state) {
     require_balance(problem.sparse, x, problem.b);
 }
 
-/// By each of the two factors that it is made of, whatever the size.
+/// By each of the two factors of StiffnessFactor, whatever the size.
 void stiffness_nodal(benchmark::State& state) {
     const StiffnessProblem problem(net_of(state));
     NodalFactor factor(problem.stiffness.matrix);
@@ -151,7 +151,7 @@ void saddle_point_taut(benchmark::State& state) {
     require_balance(problem.lower, problem.together(x), b);
 }
 
-/// In the order of taut, in which no pivot is zero; in one of its own it meets zeros.
+/// In taut's order, in which no pivot is zero. In Eigen's own order pivots vanish.
 void saddle_point_eigen_ldlt(benchmark::State& state) {
     const SaddlePointProblem problem(net_of(state));
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor;
@@ -181,8 +181,8 @@ void saddle_point_eigen_lu(benchmark::State& state) {
     require_balance(problem.lower, x, b);
 }
 
-// Entries of the inverse, after the factor: the covariances of all places and lengths (taut: of
-// extensions as well).
+// Entries of the inverse, after the factor: the covariances of all places and lengths (by taut also
+// of extensions).
 
 void covariance_taut(benchmark::State& state) {
     SaddlePointProblem problem(net_of(state));
@@ -229,7 +229,7 @@ void covariance_mumps(benchmark::State& state) {
     }
     require(problem.factor.factorize());
     const auto covariance = problem.factor.covariance();
-    // Of each column, the diagonal entry is the last.
+    // The diagonal entry is the last of each column.
     Eigen::VectorXd diagonal(problem.lower.rows());
     size_t end = 0;
     for (size_t j = 0; j < rows.size(); ++j) {
@@ -249,7 +249,7 @@ void covariance_mumps(benchmark::State& state) {
 }
 #endif
 
-/// As its peers, which know no threads.
+/// On one thread, as the other libraries.
 template <void (*run)(benchmark::State&)>
 void on_one_thread(benchmark::State& state) {
     const SerialBlas serial;

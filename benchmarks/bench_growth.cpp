@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// How cost grows, on all cores: forms over nodes, training over samples, identification over edges.
-// The counter "size" is what the time is a curve over.
+// Growth of cost, on all cores: forms over nodes, training over samples, identification over edges.
+// The counter "size" is the independent variable.
 #include <benchmark/benchmark.h>
 
 #include "taut/design/builtin_nets.hpp"

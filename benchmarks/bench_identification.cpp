@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-// From one survey to lengths with standard deviations, by the two ways that need no training.
+// From one survey to lengths with standard deviations, by the two methods without training.
 #include <benchmark/benchmark.h>
 
 #include <random>

@@ -73,7 +73,7 @@ void estimate_lengths_of_one_form(benchmark::State& state) {
 }
 BENCHMARK(estimate_lengths_of_one_form)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// With its noise in the intervals, gross errors looked for, and the predicted form.
+/// With noise in the intervals, the search for gross errors, and the predicted form.
 void identify_by_processes_from_a_noisy_survey(benchmark::State& state) {
     const taut::LengthModel& trained = model();
     const taut::Survey survey{

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 // Training by decompositions and by low rank over the number of samples: seconds, and the error of
-// the lengths of 500 forms that were not trained on.
+// the lengths of 500 other forms.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ const taut::CableNet& net() {
     return built_in;
 }
 
-/// The forms to be tested on come first, so that more samples change nothing of them.
+/// The test forms come first, so that they do not depend on the number of samples.
 const taut::DataSet& data_set() {
     static const taut::DataSet data = [] {
         const taut::Sampler sampler(net(), {}, 1);

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// What the hot parts reach of what the machine can. Each part counts the floating-point operations
-// ("flops") or the bytes of main memory ("bytes") that the work needs at least, however it is done;
-// the machine's peaks are measured here, too: products of large matrices (DGEMM), and the triad of
-// STREAM (J. D. McCalpin, Memory bandwidth and machine balance in current high performance
-// computers, IEEE TCCA Newsletter, 1995), of which the write is counted once. Argument of both, and
-// of parts: number of threads, 0: all.
+// The hot parts compared with the machine's peak. Each part counts the floating-point operations
+// ("flops") or the bytes of main memory ("bytes") that the work needs at least, by any method. The
+// peaks are measured here, too: products of large matrices (DGEMM), and the triad of STREAM (J. D.
+// McCalpin, Memory bandwidth and machine balance in current high performance computers, IEEE TCCA
+// Newsletter, 1995), with the write counted once. Argument: number of threads, 0 for all.
 #include <benchmark/benchmark.h>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -101,7 +100,7 @@ struct AssembledStiffness {
         lower_factor.factorize(stiffness.matrix.to_sparse());
     }
 
-    /// Sum of c^2 over the columns of the factor, as Eigen's tells them, in the same order.
+    /// Sum of c^2 over the columns of Eigen's factor, in the same order.
     [[nodiscard]] double operation_count() const {
         const auto& L = lower_factor.matrixL().nestedExpression();
         double sum = 0.0;
@@ -138,7 +137,7 @@ void stiffness_of_hypar_300(benchmark::State& state) {
     factorise(state, hypar(300, 300));
 }
 
-/// From the linear prediction, lengths within 5 mm: at the least one factorisation and a solution.
+/// From the linear prediction, lengths within 5 mm: at least one factorisation and one solution.
 void form_of_the_builtin_net(benchmark::State& state) {
     const CableNet net = hilo_quarter();
     EquilibriumSolver solver(net);
@@ -171,7 +170,8 @@ void sensitivities_of_the_builtin_net(benchmark::State& state) {
                            static_cast<double>(net.interior_edges().size()));
 }
 
-/// Of the stiffness, taken for indefinite; of each front Z_qq L_qp, twice the work of its factor.
+/// Of the stiffness, as an indefinite matrix; Z_qq L_qp of each front, twice the work of its
+/// factor.
 void selected_inverse_of_hypar_100(benchmark::State& state) {
     const CableNet net = hypar(100, 100);
     const AssembledStiffness assembled(net);
@@ -240,7 +240,7 @@ void squared_distances_of_950_forms(benchmark::State& state) {
     count_flops(state, static_cast<double>(x.rows()) * std::pow(x.cols(), 2));
 }
 
-/// Read and written once; and an exponential each.
+/// Each entry is read and written once, with one exponential.
 void correlations_of_950_forms(benchmark::State& state) {
     const Eigen::MatrixXd distances = gp::squared_distances(inputs());
     for (auto _ : state) {
@@ -249,8 +249,8 @@ void correlations_of_950_forms(benchmark::State& state) {
     count_bytes(state, 2.0 * sizeof(double) * static_cast<double>(distances.size()));
 }
 
-/// To tridiagonal form 4/3 n^3, half of it in products of a matrix and a vector; its vectors 4/3
-/// n^3 by divide and conquer, where nothing deflates; back 2 n^3.
+/// 4/3 n^3 to tridiagonal form, half of it in matrix-vector products; 4/3 n^3 for its vectors by
+/// divide and conquer without deflation; 2 n^3 for the back-transformation.
 void eigendecomposition_of_950(benchmark::State& state) {
     const Eigen::MatrixXd distances = gp::squared_distances(inputs());
     for (auto _ : state) {

@@ -24,10 +24,10 @@ constexpr taut::LengthPrior five_millimetres{.kind = taut::LengthPrior::Kind::un
                                              .scale = 0.005};
 constexpr double spacing = 0.132;  // m, of the built-in nets
 
-Eigen::VectorXd drawn_lengths(const CableNet& net, const taut::LengthPrior& law,
+Eigen::VectorXd drawn_lengths(const CableNet& net, const taut::LengthPrior& prior,
                               std::uint64_t sample) {
     return taut::with_length_deviations(
-        net, taut::draw_length_deviations(law, 1, sample, net.interior_edge_count()));
+        net, taut::draw_length_deviations(prior, 1, sample, net.interior_edge_count()));
 }
 
 void solve_from_nominal_form(benchmark::State& state) {
@@ -64,14 +64,14 @@ void solve_from_linear_prediction(benchmark::State& state) {
 }
 BENCHMARK(solve_from_linear_prediction)->Unit(benchmark::kMillisecond);
 
-/// The real net of the HiLo roof, stiff steel cables under the weight of the concrete, with every
-/// length off by up to 5 mm: far beyond what they stretch, so that hundreds go slack.
+/// The real net of the HiLo roof, stiff steel cables under the weight of the concrete, with length
+/// deviations up to 5 mm: far more than they stretch, so that hundreds go slack.
 void solve_hilo(benchmark::State& state) {
     const char* const folder = std::getenv("TAUT_REAL_DATA");
     const std::filesystem::path file =
         std::filesystem::path(folder != nullptr ? folder : "../shared/data") / "hilo/cablenet.json";
     if (!std::filesystem::exists(file)) {
-        state.SkipWithError("the real file is not there: set TAUT_REAL_DATA to its folder");
+        state.SkipWithError("the real file does not exist: set TAUT_REAL_DATA to its folder");
         return;
     }
     const CableNet net = taut::import_net(taut::parse_compas(taut::read_file(file), file.string()),
@@ -96,7 +96,7 @@ void solve_hilo(benchmark::State& state) {
 }
 BENCHMARK(solve_hilo)->Unit(benchmark::kMillisecond);
 
-/// The same by the paper's cone program, each time from nothing: it knows no start.
+/// The same by the paper's cone program, which takes no start.
 void solve_cone_program(benchmark::State& state, taut::ConeForm form) {
     if (!taut::cone_solver_available()) {
         state.SkipWithError("built without Clarabel");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-// What threads of one's own gain: each calls taut for itself, on one thread a call.
+// Gain by several threads of the caller, each calling taut on one thread.
 #include <benchmark/benchmark.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ using taut::CableNet;
 
 constexpr taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.005};
 
-/// What all threads read.
+/// Read by all threads.
 struct Shared {
     CableNet net = taut::hilo_quarter();
     taut::Survey survey;

@@ -19,7 +19,7 @@ int main() {
     taut::DataSet data = sampler.empty();
     sampler.extend(data, 401);
 
-    // Algorithm 1: one Gaussian process an edge. The last sample is kept: it plays the built net.
+    // Algorithm 1: one Gaussian process an edge. The last sample is left out: it is the built net.
     const taut::LengthModel model = taut::train(net, data, data.converged_in(0, 400));
 
     taut::Survey survey;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-// The paper's whole experiment on a net of one's own making.
+// The paper's experiment on another net.
 #include <iostream>
 
 #include "taut/design/builtin_nets.hpp"

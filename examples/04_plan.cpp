@@ -15,7 +15,7 @@ int main() {
     const taut::CableNet net = taut::hilo_quarter();
     const taut::LengthPrior prior{.kind = taut::LengthPrior::Kind::uniform, .scale = 0.005};  // m
 
-    // The net on site, which nobody knows, and a survey of it.
+    // The net on site, with unknown lengths, and a survey of it.
     const taut::CableNet site = taut::built_net(net, prior, 1);
     const taut::Survey survey = taut::match_to_nodes(
         net, taut::simulate_survey(net, taut::solve_equilibrium(site).form,

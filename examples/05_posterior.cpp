@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-// What one survey leaves open: of each length, of two lengths together, and of the tensions.
+// What one survey leaves uncertain: single lengths, two lengths together, and the tensions.
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -36,9 +36,8 @@ int main() {
     taut::IdentifyOptions options;
     options.prior = prior;
     options.draws = 200;
-    for (const int edge : net.interior_edges()) {
-        const taut::Edge& ends = net.edges()[edge];
-        if ((ends[0] == hidden || ends[1] == hidden) && options.covariance_of.size() < 2) {
+    for (const int edge : net.edges_at(hidden)) {
+        if (net.interior_index(edge) >= 0 && options.covariance_of.size() < 2) {
             options.covariance_of.push_back(edge);
         }
     }
@@ -51,7 +50,7 @@ int main() {
         inside += found.edges[i].lower <= truth && truth <= found.edges[i].upper ? 1 : 0;
     }
     const Eigen::MatrixXd& covariance = found.length_covariance->covariance;
-    // What no interval tells is counted over the draws.
+    // Probabilities of joint events are counted over the posterior samples.
     const Eigen::MatrixXd& drawn = found.draws->length_deviations;
     const auto first = drawn.row(net.interior_index(options.covariance_of[0])).array();
     const auto second = drawn.row(net.interior_index(options.covariance_of[1])).array();

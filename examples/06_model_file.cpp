@@ -17,7 +17,7 @@ int main() {
     const taut::Sampler sampler(net, prior, 1);
     taut::DataSet data = sampler.empty();
     sampler.extend(data, 201);
-    // A fingerprint tells the net: a model is refused for another.
+    // The fingerprint of the net is stored: a model is refused for another net.
     taut::write_model(file, taut::train(net, data, data.converged_in(0, 200)), {.net = net});
 
     const taut::StoredModel stored = taut::read_model(file);
@@ -26,7 +26,7 @@ int main() {
         taut::with_free_coordinates(net, data.nominal_form + data.form_deviations.col(200));
     survey.surveyed = net.free_nodes();
     taut::IdentifyOptions options;
-    options.model = &stored.model;  // read, not copied: it lives as long as the call
+    options.model = &stored.model;  // not copied: it must outlive the call
     const taut::Identification found = taut::identify(net, survey, options);
     std::cout << stored.model.training_count() << " samples; " << found.edges.size()
               << " lengths: " << to_string(found.status) << '\n';

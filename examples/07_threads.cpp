@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-// Threads of one's own, each on one thread of taut: docs/reference/threads.md.
+// Several threads of the caller, each with one thread in taut: docs/reference/threads.md.
 #include <algorithm>
 #include <array>
 #include <iostream>

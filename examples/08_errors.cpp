@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-// What can go wrong, and how each is told: wrong values throw, with field and rule; wrong files
-// with their place; numbers that did not come out are a status; and what the survey contradicts is
-// in `trust`.
+// Errors and how they are reported. Wrong values throw, with field and rule. Wrong files throw,
+// with the place. Numerical failures are a status. Contradictions of the survey are in `trust`.
 #include <iostream>
 #include <utility>
 
@@ -14,7 +13,7 @@
 #include "taut/statics/equilibrium.hpp"
 
 int main() {
-    int told = 0;
+    int reported = 0;
     const taut::CableNet net = taut::hypar(5, 5);
     try {
         taut::CableNetData data = net.data();
@@ -22,16 +21,16 @@ int main() {
         const taut::CableNet broken(std::move(data));
     } catch (const taut::NetError& error) {
         std::cout << "net: " << error.what() << " (field " << error.field() << ")\n";
-        ++told;
+        ++reported;
     }
     try {
         static_cast<void>(taut::parse_net(R"({"format": "taut-net", "version": 1})", "net.json"));
     } catch (const taut::InputError& error) {
         std::cout << "file: " << error.what() << '\n';
-        ++told;
+        ++reported;
     }
 
-    // Noise of 0.01 mm is told, but the places are off by 2 mm.
+    // A noise of 0.01 mm is given, but the points are off by 2 mm.
     taut::Survey survey;
     survey.form =
         taut::solve_equilibrium(net).form + 2e-3 * taut::Points::Random(3, net.node_count());
@@ -43,6 +42,6 @@ int main() {
     for (const taut::Trust::Finding& finding : found.trust.findings) {
         std::cout << "  " << finding.reason << '\n';
     }
-    told += found.trust.verdict() == taut::Trust::Verdict::failed ? 1 : 0;
-    return told == 3 ? 0 : 1;
+    reported += found.trust.verdict() == taut::Trust::Verdict::failed ? 1 : 0;
+    return reported == 3 ? 0 : 1;
 }

@@ -14,11 +14,11 @@
 #include <vector>
 
 /// Values as bytes, as they lie in memory: for processes of one program on machines of one kind,
-/// and for no file. A type that is more than its bytes has
+/// not for files. A type that is more than its bytes has
 ///
 ///     template <typename Packing>
 ///     void pack(Packing& packing, Type& value) {
-///         auto& [first, second] = value;  // all that it has: one more does not compile
+///         auto& [first, second] = value;  // does not compile if a member is missing
 ///         packing(first, second);
 ///     }
 ///
@@ -28,7 +28,7 @@ namespace taut {
 template <typename T>
 concept PlainBytes = std::is_trivially_copyable_v<T>;
 
-/// Puts values one behind the other.
+/// Appends values one after the other.
 class Packer {
 public:
     template <typename... Values>
@@ -78,13 +78,13 @@ private:
     std::string m_bytes;
 };
 
-/// Takes them back in the same order.
+/// Reads values in the order in which they were packed.
 class Unpacker {
 public:
-    /// @param bytes of a Packer, which must outlive this
+    /// @param bytes of a Packer; must outlive this object
     explicit Unpacker(const std::string& bytes) : m_rest(bytes) {}
 
-    /// @throws std::runtime_error where there are no more bytes: programs of two kinds
+    /// @throws std::runtime_error if bytes are missing, as between different programs
     template <typename... Values>
     void operator()(Values&... values) {
         (take(values), ...);
@@ -105,7 +105,7 @@ private:
     }
     template <typename T>
     void take(std::vector<T>& values) {
-        values.resize(take_size(1));  // whatever a value is, it takes a byte
+        values.resize(take_size(1));  // every value takes at least one byte
         for (T& value : values) {
             take(value);
         }
@@ -120,7 +120,7 @@ private:
         take_all(matrix.data(), static_cast<size_t>(matrix.size()));
     }
 
-    /// @param bytes that each of so many takes at least
+    /// @param bytes that each element takes at least
     size_t take_size(size_t bytes) {
         std::uint64_t size = 0;
         take_all(&size, 1);
@@ -142,8 +142,7 @@ private:
     void require(size_t bytes) const {
         if (m_rest.size() < bytes) {
             throw std::runtime_error(
-                "processes do not understand each other: are all of them the "
-                "same program?");
+                "a process sent less data than expected: do all processes run the same program?");
         }
     }
 

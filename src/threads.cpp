@@ -15,7 +15,7 @@ void with_threads(int threads, const std::function<void()>& work) {
     if (threads < 1) {
         throw std::invalid_argument(fmt::format("{} threads, expected at least 1", threads));
     }
-    // An arena takes memory for as many as it is told, and oneTBB fails where these are very many.
+    // An arena allocates memory for each thread, and oneTBB fails for very large numbers.
     tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against work that cannot be stopped, and against a stage made of parts that is told
-// backwards or ends before all parts did.
+// Guards against work that cannot be stopped, and against stages made of parts whose progress goes
+// backwards or ends too early.
 
 #include "taut/progress.hpp"
 
@@ -15,31 +15,31 @@ namespace {
 
 using namespace taut;
 
-TEST(Progress, OfNothingAsksAndTellsNothing) {
+TEST(Progress, WithoutFunctionsDoesNothing) {
     const Progress none;
     EXPECT_FALSE(none.stopped());
     EXPECT_NO_THROW(none("sampling", 1, 2));
     EXPECT_NO_THROW(none.part(1, 2)("sampling", 1, 2));
 }
 
-TEST(Progress, ThrowsInPlaceOfTellingWhereAStopWasRequested) {
-    int told = 0;
+TEST(Progress, ThrowsInsteadOfReportingIfAStopWasRequested) {
+    int reports = 0;
     bool stop = false;
-    const Progress progress{.tell = [&](std::string_view, int, int) { ++told; },
+    const Progress progress{.report = [&](std::string_view, int, int) { ++reports; },
                             .stop_requested = [&] { return stop; }};
     progress("sampling", 1, 2);
     stop = true;
     EXPECT_TRUE(progress.part(0, 2).stopped());
     EXPECT_THROW(progress("sampling", 2, 2), Interrupted);
     EXPECT_THROW(progress.part(0, 2)("sampling", 2, 2), Interrupted);
-    EXPECT_EQ(told, 1);
+    EXPECT_EQ(reports, 1);
 }
 
 TEST(Progress, OfPartsCountsTheStepsOfAll) {
-    std::vector<std::string> told;
-    const Progress whole{.tell = [&](std::string_view stage, int done, int total) {
-        told.push_back(std::string(stage) + " " + std::to_string(done) + " of " +
-                       std::to_string(total));
+    std::vector<std::string> reports;
+    const Progress whole{.report = [&](std::string_view stage, int done, int total) {
+        reports.push_back(std::string(stage) + " " + std::to_string(done) + " of " +
+                          std::to_string(total));
     }};
     for (const int index : {0, 1, 2}) {
         const Progress part = whole.part(index, 3);
@@ -49,7 +49,7 @@ TEST(Progress, OfPartsCountsTheStepsOfAll) {
     const std::vector<std::string> expected{"training 0 of 12", "training 4 of 12",
                                             "training 4 of 12", "training 8 of 12",
                                             "training 8 of 12", "training 12 of 12"};
-    EXPECT_EQ(told, expected);
+    EXPECT_EQ(reports, expected);
 }
 
 }  // namespace

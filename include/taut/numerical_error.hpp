@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// Numbers that are valid have no answer: an equilibrium was not found, the statics are singular.
-/// Trials count it as an outcome. A lack of memory or threads is another exception, and ends them.
+/// Valid numbers have no result: an equilibrium was not found, or the statics are singular. Trials
+/// count it as an outcome. A lack of memory or threads is another exception, and ends them.
 class TAUT_CORE_EXPORT NumericalError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };

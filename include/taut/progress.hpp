@@ -11,51 +11,52 @@
 
 namespace taut {
 
-/// Thrown where a stop was requested before the work was done.
+/// Thrown if a stop was requested before the work was done.
 class TAUT_CORE_EXPORT Interrupted : public std::runtime_error {
 public:
-    /// A message of its own: "interrupted".
+    /// With the message "interrupted".
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// How long work tells of itself, and asks whether to go on. Both may be empty. What they refer to
-/// must live as long as the call that they are given to; no call keeps them.
+/// How long calls report progress, and ask whether to continue. Both functions may be empty. What
+/// they refer to must outlive the call that they are passed to; no call keeps them.
 struct Progress {
-    /// The stage ("sampling", "training", "identification"), steps done and steps in all. Called
-    /// from one thread at a time, not always the one that called taut, and with a lock held: it
-    /// must neither call taut nor wait for oneTBB. Fewer steps than announced may be needed; 0 in
-    /// all where their number is not known. What it throws ends the call, and comes out of it.
-    std::function<void(std::string_view stage, int done, int total)> tell;
-    /// Whether to give up. Called from any thread, from several at once, and often: it should only
-    /// look. What it throws ends the call, too.
+    /// Receives the stage ("sampling", "training", "identification"), the steps done and their
+    /// total number; 0 if this is not known. Fewer steps than announced may suffice. Called from
+    /// one thread at a time, not always the one that called taut, and with a lock held: it must
+    /// neither call taut nor wait for oneTBB. If it throws, the call ends with its exception.
+    std::function<void(std::string_view stage, int done, int total)> report;
+    /// Whether to stop. Called often, from any thread and from several at once: it should only read
+    /// a flag. If it throws, the call ends with its exception.
     std::function<bool()> stop_requested;
 
     /// Whether a stop was requested.
     [[nodiscard]] bool stopped() const { return stop_requested && stop_requested(); }
 
-    /// @throws Interrupted where a stop was requested
+    /// @throws Interrupted if a stop was requested
     void throw_if_stopped() const {
         if (stopped()) {
             throw Interrupted();
         }
     }
 
-    /// Tells of a step, unless a stop was requested.
-    /// @throws Interrupted where it was; and what the two functions throw
+    /// Reports a step, unless a stop was requested.
+    /// @throws Interrupted if a stop was requested; and what the two functions throw
     void operator()(std::string_view stage, int done, int total) const {
         throw_if_stopped();
-        if (tell) {
-            tell(stage, done, total);
+        if (report) {
+            report(stage, done, total);
         }
     }
 
-    /// That of one part of a stage of `count` parts with as many steps each, the `index`th from 0:
-    /// tells of all parts together. Holds copies of the functions, and no reference to this.
+    /// Progress for part `index` (from 0) of a stage with `count` parts of equally many steps. It
+    /// reports the steps of all parts together. It holds copies of the functions, and no reference
+    /// to this object.
     [[nodiscard]] Progress part(int index, int count) const {
         Progress result = *this;
-        if (tell) {
-            result.tell = [whole = tell, index, count](std::string_view stage, int done,
-                                                       int total) {
+        if (report) {
+            result.report = [whole = report, index, count](std::string_view stage, int done,
+                                                           int total) {
                 whole(stage, index * total + done, count * total);
             };
         }

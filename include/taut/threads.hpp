@@ -11,16 +11,16 @@
 
 namespace taut {
 
-/// Does the work while taut uses at most so many threads, the calling one among them, and comes
-/// back when it is done. Nothing of it stays: other threads of the process, and later calls, are
-/// not limited. Within a oneTBB task arena of one's own taut keeps to that, without this function.
-/// @param threads at least 1; more than the machine has are as good as all of them
+/// Does the work with at most this number of threads in taut, the calling one included, and returns
+/// when it is done. Other threads of the process and later calls are not limited. Inside a oneTBB
+/// task arena of the caller, taut uses the threads of that arena, without this function.
+/// @param threads at least 1; more than the machine has mean all of them
 /// @param work called once, in the calling thread; may not be empty
 /// @throws std::invalid_argument for fewer than 1; std::bad_function_call for empty work; and what
 ///   the work throws
 TAUT_CORE_EXPORT void with_threads(int threads, const std::function<void()>& work);
 
-/// The same, and gives what the work gives, which must be a value that can be moved:
+/// The same, returning the result of the work, which must be movable:
 ///
 ///     const auto found = with_threads(1, [&] { return identify(net, survey); });
 ///

@@ -22,7 +22,7 @@ void check_node(Eigen::Index node, Eigen::Index count, const char* where) {
     }
 }
 
-/// Rows that no path through the matrix joins to one of the given rows: -1, or the first of them.
+/// The first row that no path through the matrix joins to one of the given rows, or -1.
 int first_row_not_joined(const Eigen::SparseMatrix<double>& matrix, std::vector<int> joined) {
     std::vector<bool> seen(matrix.rows(), false);
     while (!joined.empty()) {
@@ -46,7 +46,8 @@ Eigen::MatrixX3d solve(const Eigen::SparseMatrix<double>& laplacian, const Eigen
             throw std::invalid_argument("force densities differ by too many orders of magnitude");
         }
     };
-    // A net of so many nodes takes a factor for large ones. Smaller ones keep their last digits.
+    // Above this size the supernodal factor pays. Smaller nets keep Eigen's: another one would
+    // change the last digits of their nodes, and so the fingerprints of the built-in nets.
     constexpr Eigen::Index large = 100'000;
     if (laplacian.rows() > large) {
         const SparseCholesky factor(laplacian);
@@ -94,7 +95,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
 
     // D r_free = p - D_support r_support, with D the Laplacian weighted by force densities.
     Eigen::MatrixX3d rhs = Eigen::MatrixX3d::Zero(free_count, 3);
-    std::vector<int> held_rows;  // of free nodes with an edge to a support
+    std::vector<int> supported_rows;  // of free nodes with an edge to a support
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * edges.size());
     for (size_t e = 0; e < edges.size(); ++e) {
@@ -116,7 +117,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
                 entries.emplace_back(i, j, -q);
             } else {
                 rhs.row(i) += q * nodes.col(to).transpose();
-                held_rows.push_back(i);
+                supported_rows.push_back(i);
             }
         }
     }
@@ -130,7 +131,7 @@ Points form_from_force_densities(const Eigen::Ref<const Points>& nodes,
 
     Eigen::SparseMatrix<double> laplacian(free_count, free_count);
     laplacian.setFromTriplets(entries.begin(), entries.end());
-    if (const int i = first_row_not_joined(laplacian, std::move(held_rows)); i >= 0) {
+    if (const int i = first_row_not_joined(laplacian, std::move(supported_rows)); i >= 0) {
         throw std::invalid_argument(fmt::format("free node {} is joined to no support by edges",
                                                 std::ranges::find(row, i) - row.begin()));
     }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double cable_stiffness = 200e3;  // N
 constexpr double cable_force_density =
-    4e3 / lattice_spacing;  // N/m: 4 kN in an edge as long as that
+    4e3 / lattice_spacing;  // N/m: 4 kN in an edge of this length
 
 }  // namespace
 

@@ -8,11 +8,10 @@
 
 namespace taut {
 
-/// Between neighbouring nodes of the built-in nets, in plan [m].
+/// Distance in plan of neighbouring nodes of the built-in nets [m].
 inline constexpr double lattice_spacing = 0.132;
 
-/// A net of equal axial stiffness and equal force density, those of the built-in nets, in the form
-/// in which it balances.
+/// A net with the axial stiffness and force density of the built-in nets, in its equilibrium form.
 /// @param nodes 3 x n; only the supports' coordinates matter [m]
 [[nodiscard]] CableNet form_found_net(std::string name, const Points& nodes,
                                       const std::vector<int>& supports,

@@ -38,8 +38,8 @@ const std::array<Circle, 5>& circles() {
 }
 
 /// A lattice point in plan: the lattice is turned by 45 degrees about the middle of the rectangle.
-/// Its offset of a quarter of the spacing in both directions is the one that gives the paper's
-/// counts; three quarters in one of them does not.
+/// Its offset is a quarter of the spacing in both directions, which gives the paper's counts; three
+/// quarters in one direction does not.
 Eigen::Vector2d in_plan(LatticePoint p) {
     const Eigen::Vector2d middle(0.5 * roof_length, 0.5 * roof_width);
     const Eigen::Vector2d q = lattice_spacing * Eigen::Vector2d(p[0] + 0.25, p[1] + 0.25);
@@ -53,8 +53,8 @@ bool in_outline(const Eigen::Vector2d& p) {
            });
 }
 
-/// Free nodes: lattice points in the outline, less those with fewer than two neighbours,
-/// repeatedly. Gives each its index.
+/// Free nodes and their indices: lattice points in the outline, after repeated removal of those
+/// with fewer than two neighbours.
 std::map<LatticePoint, int> free_lattice_points() {
     std::map<LatticePoint, int> points;
     const int reach = static_cast<int>(std::ceil((roof_length + roof_width) / lattice_spacing));
@@ -65,13 +65,13 @@ std::map<LatticePoint, int> free_lattice_points() {
             }
         }
     }
-    const auto hangs_loose = [&](const auto& point) {
+    const auto is_loose = [&](const auto& point) {
         const LatticePoint& at = point.first;
         return std::ranges::count_if(directions, [&](LatticePoint d) {
                    return points.contains({at[0] + d[0], at[1] + d[1]});
                }) < 2;
     };
-    while (std::erase_if(points, hangs_loose) > 0) {
+    while (std::erase_if(points, is_loose) > 0) {
     }
     int index = 0;
     for (auto& [point, node] : points) {
@@ -80,8 +80,8 @@ std::map<LatticePoint, int> free_lattice_points() {
     return points;
 }
 
-/// Height of the rigid frame: roof height on the rectangle; along a circle it sinks to the ground
-/// at the middle of its arc, horizontal at both ends of the way.
+/// Height of the rigid frame: roof height on the rectangle. Along a circle it descends to the
+/// ground at the middle of the arc, horizontal there and at roof height.
 double frame_height(const Circle* circle, const Eigen::Vector2d& p) {
     if (circle == nullptr) {
         return roof_height;

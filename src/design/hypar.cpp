@@ -22,7 +22,7 @@ CableNet hypar(int rows, int columns) {
                         "and columns",
                         rows, columns, largest_side));
     }
-    // Grid points (i, j) of a frame one spacing around the free nodes; its corners hold no edge.
+    // Grid points (i, j), with the supports one spacing around the free nodes; no nodes at corners.
     const auto is_free = [&](int i, int j) {
         return i >= 1 && i <= rows && j >= 1 && j <= columns;
     };

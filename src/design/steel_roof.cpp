@@ -30,15 +30,15 @@ struct Family {
 };
 constexpr std::array<Family, 2> families{{{"carrying", 16e3, 0.016}, {"bracing", 5e3, 0.012}}};
 
-/// Of the circle around a strand, what is metal.
+/// Share of a strand's circumscribed circle that is metal.
 constexpr double fill = 0.77;
 
 double area(const Family& family) {
     return fill * std::numbers::pi * family.diameter * family.diameter / 4.0;
 }
 
-/// A strand that beds in: 50 GPa up to 110 MPa, there a constructional stretch of 0.066 %, then
-/// 72.5 GPa.
+/// A strand that beds in: 50 GPa up to 110 MPa, a constructional stretch of 0.066 % there,
+/// then 72.5 GPa.
 TensionLaw law_of(const Family& family) {
     constexpr double bedding_stress = 110e6;
     constexpr double bedding = 0.00066;
@@ -58,7 +58,7 @@ Eigen::Vector2d lattice_place(RoofPoint p) {
     return spacing * Eigen::Vector2d(p[0] + 0.5, p[1] + 0.5);
 }
 
-/// Where the ring is met from a point inside it along an axis [m].
+/// Coordinate along an axis at which the line through a point inside the ring meets the ring [m].
 double ring_ahead(const Eigen::Vector2d& p, int axis) {
     const std::array half{half_length, half_width};
     const double across = p(1 - axis) / half[1 - axis];
@@ -153,7 +153,7 @@ CableNet steel_roof() {
             data.mass(e) = steel_density * area(family);
         }
     }
-    // The self-weight hangs on the form.
+    // The self-weight depends on the lengths, and these on the form: iterate.
     data.unstressed_lengths = Eigen::VectorXd::Constant(m, spacing);
     constexpr int rounds = 10;
     for (int round = 0; round < rounds; ++round) {

@@ -23,8 +23,8 @@ Eigen::VectorXd unstressed_lengths_for(const Eigen::Ref<const Eigen::VectorXd>& 
             !(std::isfinite(tensions(e)) && tensions(e) >= 0.0)) {
             throw std::invalid_argument(
                 fmt::format("edge {} has length {} m, tension {} N and axial stiffness {} N: "
-                            "expected a positive "
-                            "length and stiffness, and a tension that is not negative",
+                            "expected a positive length and stiffness, and a tension that is not "
+                            "negative",
                             e, lengths(e), tensions(e), axial_stiffness(e)));
         }
     }

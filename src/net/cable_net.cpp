@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "net/fingerprint.hpp"
@@ -29,7 +31,7 @@ std::string place_of(const std::string& field, const std::vector<int>& index) {
     return place;
 }
 
-/// Sets EA of the edges with a law, after what that needs is checked.
+/// Checks the tension laws, and sets EA of the edges that have one.
 void take_stiffness_of_laws(CableNetData& data) {
     validate_tension_laws(data);
     if (std::ranges::all_of(data.tension_law, [](int law) { return law < 0; })) {
@@ -42,7 +44,7 @@ void take_stiffness_of_laws(CableNetData& data) {
     }
 }
 
-/// Ascending, each with its thread.
+/// Sorts the adjustable edges, each with its thread.
 void sort_adjustable(CableNetData& data) {
     if (!data.thread.empty()) {
         std::map<int, Thread> thread_of;
@@ -65,6 +67,28 @@ Points with_self_weight(const CableNetData& data) {
         }
     }
     return loads;
+}
+
+/// Indices of the names, sorted by name.
+std::vector<int> sorted_by_name(const std::vector<std::string>& ids) {
+    std::vector<int> order(ids.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](int i) -> std::string_view { return ids[i]; });
+    return order;
+}
+
+/// The index of a name, or -1.
+/// @param order as sorted_by_name(); without names an index is its own name
+int find_name(std::string_view id, const std::vector<std::string>& ids,
+              const std::vector<int>& order, int count) {
+    if (ids.empty()) {
+        int index = -1;
+        std::from_chars(id.data(), id.data() + id.size(), index);
+        return index >= 0 && index < count && std::to_string(index) == id ? index : -1;
+    }
+    const auto found =
+        std::ranges::lower_bound(order, id, {}, [&](int i) -> std::string_view { return ids[i]; });
+    return found != order.end() && ids[*found] == id ? *found : -1;
 }
 
 }  // namespace
@@ -112,7 +136,29 @@ CableNet::CableNet(CableNetData data) : m_data(std::move(data)) {
             m_interior.push_back(edge);
         }
     }
+    list_edges_at_nodes();
+    m_nodes_by_name = sorted_by_name(m_data.node_ids);
+    m_edges_by_name = sorted_by_name(m_data.edge_ids);
     m_fingerprint = compute_fingerprint(m_data);
+}
+
+void CableNet::list_edges_at_nodes() {
+    m_starts.assign(node_count() + 1, 0);
+    for (const auto& [s, t] : m_data.edges) {
+        ++m_starts[s + 1];
+        ++m_starts[t + 1];
+    }
+    std::partial_sum(m_starts.begin(), m_starts.end(), m_starts.begin());
+    m_edges_at.resize(m_starts.back());
+    m_neighbours.resize(m_starts.back());
+    std::vector<int> next(m_starts.begin(), m_starts.end() - 1);
+    for (int edge = 0; edge < edge_count(); ++edge) {
+        const auto [s, t] = m_data.edges[edge];
+        for (const auto [node, other] : {Edge{s, t}, Edge{t, s}}) {
+            m_edges_at[next[node]] = edge;
+            m_neighbours[next[node]++] = other;
+        }
+    }
 }
 
 void CableNet::refuse_index(const char* what, int index, std::size_t count) {
@@ -128,6 +174,16 @@ int CableNet::interior_index(int edge) const {
                : -1;
 }
 
+std::span<const int> CableNet::edges_at(int node) const {
+    check_index("node", node, m_free_index.size());
+    return std::span(m_edges_at).subspan(m_starts[node], m_starts[node + 1] - m_starts[node]);
+}
+
+std::span<const int> CableNet::neighbours(int node) const {
+    check_index("node", node, m_free_index.size());
+    return std::span(m_neighbours).subspan(m_starts[node], m_starts[node + 1] - m_starts[node]);
+}
+
 std::string CableNet::node_id(int node) const {
     check_index("node", node, m_free_index.size());
     return m_data.node_ids.empty() ? std::to_string(node) : m_data.node_ids[node];
@@ -136,6 +192,14 @@ std::string CableNet::node_id(int node) const {
 std::string CableNet::edge_id(int edge) const {
     check_index("edge", edge, m_data.edges.size());
     return m_data.edge_ids.empty() ? std::to_string(edge) : m_data.edge_ids[edge];
+}
+
+int CableNet::find_node(std::string_view id) const {
+    return find_name(id, m_data.node_ids, m_nodes_by_name, node_count());
+}
+
+int CableNet::find_edge(std::string_view id) const {
+    return find_name(id, m_data.edge_ids, m_edges_by_name, edge_count());
 }
 
 Eigen::VectorXd free_coordinates(const CableNet& net, const Eigen::Ref<const Points>& form) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -12,11 +13,11 @@
 namespace taut {
 namespace {
 
-/// Pairs of edges that go straight on through a node.
-std::vector<std::pair<int, int>> straight_pairs(const CableNet& net, int node,
-                                                const std::vector<int>& edges) {
+/// Pairs of edges that continue each other straight through a node.
+std::vector<std::pair<int, int>> straight_pairs(const CableNet& net, int node) {
+    const std::span<const int> edges = net.edges_at(node);
     constexpr double straight = 0.866;  // cosine of 30 degrees
-    constexpr size_t most_edges = 64;   // a hub joins cables, it is none that they pass through
+    constexpr size_t most_edges = 64;   // cables end at a hub, they do not pass through it
     if (edges.size() > most_edges) {
         return {};
     }
@@ -54,15 +55,9 @@ std::vector<std::vector<int>> cable_runs(const CableNet& net) {
         std::ranges::transform(net.data().runs, std::back_inserter(runs), &CableRun::edges);
         return runs;
     }
-    std::vector<std::vector<int>> edges_at(net.node_count());
-    for (int e = 0; e < net.edge_count(); ++e) {
-        for (const int node : net.edges()[e]) {
-            edges_at[node].push_back(e);
-        }
-    }
     UnionFind joined(net.edge_count());
     for (const int node : net.free_nodes()) {
-        for (const auto& [a, b] : straight_pairs(net, node, edges_at[node])) {
+        for (const auto& [a, b] : straight_pairs(net, node)) {
             joined.join(a, b);
         }
     }

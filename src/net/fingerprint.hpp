@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// 16 hexadecimal digits of FNV-1a (64 bit) over what makes a net behave as it does.
+/// CableNet::fingerprint() of the data of a valid net.
 [[nodiscard]] std::string compute_fingerprint(const CableNetData& data);
 
 }  // namespace taut

@@ -11,14 +11,14 @@
 
 namespace taut {
 
-/// To a few digits, for people.
+/// A value rounded to a number of significant digits, for messages.
 [[nodiscard]] inline double to_digits(double value, int digit_count) {
     const std::string digits = fmt::format("{:.{}g}", value, digit_count);
     fast_float::from_chars(digits.data(), digits.data() + digits.size(), value);
     return value;
 }
 
-/// A length that was computed, likewise: "0.5008mm".
+/// A computed length as text, rounded likewise: "0.5008mm".
 [[nodiscard]] inline std::string rounded_length(double metres, int digit_count = 4) {
     return format_length(to_digits(metres, digit_count));
 }

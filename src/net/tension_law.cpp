@@ -14,22 +14,22 @@
 namespace taut {
 namespace {
 
-/// So that no product in the energy overflows.
+/// Small enough that no product in the energy overflows.
 constexpr double largest_entry = 1e15;
 
-/// A slope over less is rounding errors of the strain.
+/// Over a smaller step the slope would be dominated by rounding errors of the strain.
 constexpr double smallest_strain_step = 1e-12;
 
 bool is_magnitude(double value) {
-    return std::abs(value) <= largest_entry;  // not so for what is no number
+    return std::abs(value) <= largest_entry;  // false for NaN
 }
 
 std::string size_problem(const TensionLaw& law) {
-    return fmt::format("has {} strains and {} tensions, expected as many, and two at least",
+    return fmt::format("has {} strains and {} tensions, expected equal numbers, two at least",
                        law.strain.size(), law.tension.size());
 }
 
-/// The rule that the law breaks from its point k - 1 to k.
+/// The rule that the law breaks between its points k - 1 and k, or nothing.
 std::string problem_at(const TensionLaw& law, Eigen::Index k) {
     if (!(law.strain(k) - law.strain(k - 1) > smallest_strain_step)) {
         return fmt::format(
@@ -100,8 +100,9 @@ TensionLaw::Tangent TensionLaw::blurred(double strain_there, double std) const {
     if (!(std > 0.0)) {
         return at(strain_there);
     }
-    // The law is its first line and, from each corner on, what the slope changes by there. The mean
-    // of (x - corner)+ over N(x, s^2) is s (phi(z) + z Phi(z)), its derivative Phi(z).
+    // The law is its first line plus, from each corner on, the change of slope times (x - corner)+.
+    // The mean of (x - corner)+ over N(x, s^2) is s (phi(z) + z Phi(z)), its derivative Phi(z),
+    // with z = (x - corner) / s.
     const auto density = [](double z) {
         return std::exp(-0.5 * z * z) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
     };
@@ -134,7 +135,7 @@ double TensionLaw::strain_at(double tension_there) const {
     while (part + 2 < tension.size() && tension_there > tension(part + 1)) {
         ++part;
     }
-    const double slope = slope_of(part);  // looks at the sizes first
+    const double slope = slope_of(part);  // checks the sizes
     return strain(part) + (tension_there - tension(part)) / slope;
 }
 

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// Disjoint sets of 0 to count - 1, each with a root, by path halving.
+/// Disjoint sets of the numbers 0 to count - 1, each with a root; with path halving.
 class UnionFind {
 public:
     explicit UnionFind(int count) : m_parent(count) {

@@ -13,9 +13,9 @@
 namespace taut {
 namespace {
 
-/// A unit, and how large it is. `per_base` units make a base unit (1000 mm are 1 m), or a unit is
-/// `bases` base units (1 kN is 1000 N), whichever is a whole number: 5 / 1000 is the double next to
-/// 0.005, which 5 * 0.001 is not.
+/// A unit and its size: `per_base` units make a base unit (1000 mm are 1 m), or one unit is `bases`
+/// base units (1 kN is 1000 N). Whichever is a whole number is given, since 5 / 1000 is the double
+/// nearest to 0.005, and 5 * 0.001 is not.
 struct Unit {
     std::string_view name;
     double per_base = 1.0;
@@ -36,10 +36,10 @@ constexpr std::array stresses{Unit{.name = "Pa"},
 constexpr std::array parts{Unit{.name = "%", .per_base = 1e2}};
 constexpr std::array temperatures{Unit{.name = "K"}};
 
-/// Beyond anything that is built, in every unit of SI.
+/// More than anything built has, in every SI unit.
 constexpr double largest_quantity = 1e15;
 
-/// @param is_no what the text is not, and what was expected
+/// @param is_no the kind of quantity, and what was expected, for the message
 template <size_t Count>
 double parse_quantity(std::string_view text, const std::array<Unit, Count>& units,
                       std::string_view is_no) {
@@ -61,9 +61,10 @@ double parse_quantity(std::string_view text, const std::array<Unit, Count>& unit
     throw std::invalid_argument(fmt::format("'{}' is no {}", text, is_no));
 }
 
-/// @param tolerance of the length that is read back, in parts of it
+/// @param tolerance relative error of the length that is read back
 std::string shortest_text(double metres, double tolerance) {
-    // The product is rounded: of 63.7 / 1000 it is 63.70000000000001, and both read back alike.
+    // The product is rounded: for 63.7 / 1000 it is 63.70000000000001. Both are read back as the
+    // same length, so fewer digits are tried first.
     for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
         const std::string text = fmt::format("{:.{}e}", metres * 1000.0, digits - 1);
         double millimetres = 0.0;

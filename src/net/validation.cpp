@@ -18,8 +18,8 @@
 namespace taut {
 namespace {
 
-/// Beyond anything that is built, in every unit of SI; and no product in the energy, EA l^2 / l_0,
-/// overflows.
+/// More than anything built has, in every SI unit, and small enough that no product in the energy,
+/// EA l^2 / l_0, overflows.
 constexpr double largest_magnitude = 1e15;
 
 void check_entry_count(const std::string& field, Eigen::Index size, Eigen::Index expected,
@@ -81,7 +81,8 @@ void check_positive(const std::string& field, const Eigen::VectorXd& values) {
     }
 }
 
-/// Every index of the list lies in [0, count) and stands there once. Gives a mask of length count.
+/// Checks that every index lies in [0, count) and is listed once.
+/// @return whether each of 0 .. count - 1 is listed
 std::vector<bool> check_indices(const std::string& field, const std::vector<int>& indices,
                                 int count, const std::string& of_what) {
     std::vector<bool> listed(count, false);
@@ -161,14 +162,14 @@ void check_connected(const CableNetData& data, const std::vector<bool>& is_suppo
     }
 }
 
-/// Names stand in lists with one a line, and in lines of what is printed: a line break in one would
-/// make two of it. And no text is read behind a zero byte.
+/// Names are written in lists with one name a line, and in lines of output: a line break would make
+/// two of one. Readers stop at a zero byte.
 bool has_line_break(const std::string& name) {
     return name.find_first_of(std::string_view("\r\n\0", 3)) != std::string::npos;
 }
 
 void check_ids(const std::string& field, const std::vector<std::string>& ids) {
-    std::set<std::string> seen;
+    std::set<std::string_view> seen;
     for (int i = 0; i < std::ssize(ids); ++i) {
         if (has_line_break(ids[i])) {
             throw NetError(field, {i},
@@ -231,7 +232,7 @@ void check_runs(const CableNetData& data) {
     }
 }
 
-/// One number an edge, or none.
+/// Checks a field with one number an edge, or none.
 void check_rates(const std::string& field, const Eigen::VectorXd& values, size_t edges,
                  double least) {
     if (values.size() == 0) {

@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// Checks the tension laws, and that `tension_law` and `axial_stiffness` have an entry an edge
-/// where there are any. @throws NetError
+/// Checks the tension laws. If edges refer to them, also checks that `tension_law` and
+/// `axial_stiffness` have one entry an edge. @throws NetError
 void validate_tension_laws(const CableNetData& data);
 
 /// Checks every other rule that CableNet promises. @throws NetError at the first that is broken.

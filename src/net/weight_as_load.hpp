@@ -6,8 +6,8 @@
 
 namespace taut {
 
-/// The data of a net with the self-weight of its edges among the loads. So a net that is made of
-/// it has the weight of this one, whatever lengths it gets: a turned edge is no heavier.
+/// The data of a net with the self-weight of its edges moved to the loads. A net made from it keeps
+/// this weight whatever lengths it gets: turning an edge does not change its mass.
 inline CableNetData with_weight_as_load(const CableNet& net) {
     CableNetData data = net.data();
     data.loads = net.loads();

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-/// What taut uses of BLAS and LAPACK, by the names that every implementation has: matrices by
-/// columns, 32 bit indices. Compilers of Fortran append the length of each text argument: where a
-/// library does not look at it, it does no harm.
+/// The routines of BLAS and LAPACK that taut calls, by the names that every implementation has:
+/// matrices by columns, 32 bit indices. Fortran compilers append the length of each text argument.
+/// A library that ignores these lengths is not disturbed by them.
 // NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 void dgemm_(const char* transpose_a, const char* transpose_b, const int* m, const int* n,

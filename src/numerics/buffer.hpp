@@ -10,8 +10,8 @@
 
 namespace taut {
 
-/// Memory for so many numbers, which hold nothing yet. A large one is in large pages where the
-/// machine has them: the first touch of each page costs as much as thousands of additions.
+/// Uninitialised memory for `count` numbers. Large buffers use large pages if the machine has them:
+/// the first touch of each page costs as much as thousands of additions.
 class Buffer {
 public:
     Buffer() = default;

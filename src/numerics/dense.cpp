@@ -9,6 +9,7 @@
 
 #include "numerics/blas.hpp"
 #include "numerics/parts.hpp"
+#include "numerics/products.hpp"
 #include "numerics/serial_blas.hpp"
 #include "taut/numerical_error.hpp"
 
@@ -28,23 +29,10 @@ int size_of(Eigen::Index index) {
     return static_cast<int>(index);
 }
 
-/// c = beta c + alpha op(a) op(b), by BLAS
-void multiply(double alpha, char transpose_a, const Part& a, char transpose_b, const Part& b,
-              double beta, Eigen::Ref<Eigen::MatrixXd> c) {
-    const int rows = size_of(c.rows());
-    const int columns = size_of(c.cols());
-    const int inner = size_of(transpose_a == transposed ? a.rows() : a.cols());
-    const int lda = size_of(std::max<Eigen::Index>(1, a.outerStride()));
-    const int ldb = size_of(std::max<Eigen::Index>(1, b.outerStride()));
-    const int ldc = size_of(std::max<Eigen::Index>(1, c.outerStride()));
-    dgemm_(&transpose_a, &transpose_b, &rows, &columns, &inner, &alpha, a.data(), &lda, b.data(),
-           &ldb, &beta, c.data(), &ldc, 1, 1);
-}
-
-/// Columns that one task takes of a product or a solution: the same for any number of threads.
+/// Columns of a product or a solution that one task computes: independent of the number of threads.
 constexpr Eigen::Index columns_of_a_task = 64;
 
-/// Calls work(first column, number of columns) for all of so many columns, in parallel, with a
+/// Calls work(first column, number of columns) for parts of 0 .. columns, in parallel, with a
 /// serial BLAS.
 template <class Work>
 void for_columns(Eigen::Index columns, const Work& work) {
@@ -56,19 +44,19 @@ void for_columns(Eigen::Index columns, const Work& work) {
     });
 }
 
-Eigen::MatrixXd multiply(char transpose_a, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    Eigen::MatrixXd c(transpose_a == transposed ? a.cols() : a.rows(), b.cols());
+Eigen::MatrixXd multiply(Op op_a, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    Eigen::MatrixXd c(op_a == Op::transposed ? a.cols() : a.rows(), b.cols());
     if (c.size() == 0 || b.rows() == 0) {
         return c.setZero();
     }
     for_columns(c.cols(), [&](Eigen::Index first, Eigen::Index count) {
-        multiply(1.0, transpose_a, a, as_it_is, b.middleCols(first, count), 0.0,
+        multiply(1.0, a, op_a, b.middleCols(first, count), Op::as_it_is, 0.0,
                  c.middleCols(first, count));
     });
     return c;
 }
 
-/// Fewer multiplications than these are faster without a call to BLAS.
+/// Products of fewer multiplications are faster without BLAS.
 constexpr double small_product = 16384.0;
 
 bool is_small(Eigen::Index rows, Eigen::Index columns, Eigen::Index inner) {
@@ -79,11 +67,11 @@ bool is_small(Eigen::Index rows, Eigen::Index columns, Eigen::Index inner) {
 }  // namespace
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    return multiply(as_it_is, a, b);
+    return multiply(Op::as_it_is, a, b);
 }
 
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    return multiply(transposed, a, b);
+    return multiply(Op::transposed, a, b);
 }
 
 Eigen::MatrixXd gram(const Eigen::MatrixXd& a) {
@@ -93,8 +81,8 @@ Eigen::MatrixXd gram(const Eigen::MatrixXd& a) {
     }
     for_columns(c.cols(), [&](Eigen::Index first, Eigen::Index count) {
         const Eigen::Index rows = c.rows() - first;
-        multiply(1.0, transposed, a.rightCols(rows), as_it_is, a.middleCols(first, count), 0.0,
-                 c.block(first, first, rows, count));
+        multiply(1.0, a.rightCols(rows), Op::transposed, a.middleCols(first, count), Op::as_it_is,
+                 0.0, c.block(first, first, rows, count));
     });
     c.triangularView<Eigen::StrictlyUpper>() = c.transpose();
     return c;
@@ -104,7 +92,7 @@ void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const Part& a, co
     if (is_small(c.rows(), c.cols(), a.cols())) {
         c.noalias() += factor * a * b;
     } else {
-        multiply(factor, as_it_is, a, as_it_is, b, 1.0, c);
+        multiply(factor, a, Op::as_it_is, b, Op::as_it_is, 1.0, c);
     }
 }
 
@@ -113,7 +101,7 @@ void add_product_transposed(Eigen::Ref<Eigen::MatrixXd> c, double factor, const 
     if (is_small(c.rows(), c.cols(), a.cols())) {
         c.noalias() += factor * a * b.transpose();
     } else {
-        multiply(factor, as_it_is, a, transposed, b, 1.0, c);
+        multiply(factor, a, Op::as_it_is, b, Op::transposed, 1.0, c);
     }
 }
 
@@ -122,7 +110,7 @@ void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor, const 
     if (is_small(c.rows(), c.cols(), a.rows())) {
         c.noalias() += factor * a.transpose() * b;
     } else {
-        multiply(factor, transposed, a, as_it_is, b, 1.0, c);
+        multiply(factor, a, Op::transposed, b, Op::as_it_is, 1.0, c);
     }
 }
 
@@ -219,7 +207,7 @@ SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix) {
     const SerialBlas serial;
     dsyevd_("V", &lower, &n, matrix.data(), &lda, result.values.data(), &work_size, &ask,
             &integer_work_size, &ask, &info, 1, 1);
-    // Some versions tell a size that was rounded on its way through a double.
+    // Some versions return a size that was rounded on its way through a double.
     const int size = size_of(static_cast<Eigen::Index>(work_size) + 1);
     Eigen::VectorXd work(size);
     Eigen::VectorXi integer_work(std::max(1, integer_work_size));

@@ -6,9 +6,9 @@
 
 #include "taut/export/core.hpp"
 
-/// The few dense operations that are worth the library of the machine: BLAS and LAPACK. All but
-/// add_product and its kin are parallel by oneTBB over columns, where these are many, each task
-/// with a serial BLAS: their results do not depend on the number of threads.
+/// The dense operations for which taut uses BLAS and LAPACK. All except add_product and the two
+/// like it run in parallel by oneTBB over parts of the columns, each task with a serial BLAS: the
+/// results do not depend on the number of threads.
 namespace taut {
 
 /// a * b
@@ -21,7 +21,7 @@ namespace taut {
 /// a' * a, by half the work of transposed_product(a, a)
 [[nodiscard]] Eigen::MatrixXd gram(const Eigen::MatrixXd& a);
 
-/// c += factor * a * b, as the two below on the calling thread: within a SerialBlas.
+/// c += factor * a * b. This and the next two run on the calling thread, within a SerialBlas.
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
                  const Eigen::Ref<const Eigen::MatrixXd>& a,
                  const Eigen::Ref<const Eigen::MatrixXd>& b);
@@ -44,7 +44,7 @@ void add_transposed_product(Eigen::Ref<Eigen::MatrixXd> c, double factor,
 class Cholesky {
 public:
     /// Reads the lower triangle of the matrix.
-    /// @throws std::runtime_error where the matrix is not positive definite
+    /// @throws NumericalError if the matrix is not positive definite
     explicit Cholesky(Eigen::MatrixXd matrix);
 
     /// (L L')^-1 b
@@ -66,7 +66,7 @@ struct SymmetricEigen {
 };
 
 /// All eigenvalues and eigenvectors of a symmetric matrix.
-/// @throws std::runtime_error where LAPACK does not converge (an entry that is not finite, say)
+/// @throws NumericalError if an entry is not finite or LAPACK does not converge
 [[nodiscard]] TAUT_CORE_EXPORT SymmetricEigen symmetric_eigen(Eigen::MatrixXd matrix);
 
 }  // namespace taut

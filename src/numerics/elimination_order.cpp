@@ -11,7 +11,7 @@
 namespace taut {
 namespace {
 
-/// Below so many rows, minimum degree leaves as little.
+/// Below this number of rows, nested dissection leaves no less work than minimum degree.
 constexpr int smallest_to_dissect = 5000;
 
 std::vector<int> by_minimum_degree(const MatrixGraph& graph) {

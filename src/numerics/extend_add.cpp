@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// Rows that stand side by side in a child's matrix and in its parent's.
+/// Rows that are contiguous in a child's matrix and in its parent's.
 struct Run {
     Eigen::Index begin = 0;  ///< in the child's
     Eigen::Index end = 0;

@@ -9,7 +9,8 @@
 namespace taut {
 namespace {
 
-/// C = beta C - A B', its lower triangle, and no more above it than makes the products larger.
+/// C = beta C - A B', the lower triangle; blocks on the diagonal are computed whole, since larger
+/// products are faster.
 void subtract_from_triangle(const ConstMatrixPart& A, const ConstMatrixPart& B, double beta,
                             MatrixPart C) {
     constexpr Eigen::Index smallest = 32;
@@ -92,7 +93,7 @@ bool eliminate_pivots(Definiteness definiteness, const std::vector<int>& panels,
                          0.0, below);
             }
         });
-        // The other panels now, the rows once all panels are eliminated.
+        // Update the remaining panels now; the rows below follow once all panels are eliminated.
         by_parts(parts, end, p, [&](Eigen::Index from, Eigen::Index columns) {
             subtract_from_columns(L.block(from, begin, size - from, width),
                                   F.block(from, begin, columns, width), 1.0,

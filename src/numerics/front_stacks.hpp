@@ -10,15 +10,15 @@
 
 namespace taut {
 
-/// Two stacks of numbers for the matrices that fronts leave to their parents, or to their children:
-/// each goes onto the stack of its level in the tree, even or odd. So what a front leaves does not
-/// cover what it is made of, and nothing needs to be moved.
+/// Two stacks of numbers for the matrices that fronts pass to their parents, or to their children.
+/// Each matrix goes onto the stack of its level in the tree, even or odd: the result of a front
+/// never overwrites its inputs, and nothing is moved.
 class FrontStacks {
 public:
-    /// How many numbers stood on each at most.
+    /// The largest number of entries that each stack has held.
     using Heights = std::array<size_t, 2>;
 
-    /// Begins anew, with room for so many.
+    /// Empties both stacks and reserves these heights.
     void clear(const Heights& heights) {
         for (Stack& stack : m_stacks) {
             const size_t height = heights[&stack - m_stacks.data()];
@@ -36,11 +36,11 @@ public:
         return stack.top - count;
     }
     size_t pop(int level, size_t count) { return m_stacks[level % 2].top -= count; }
-    /// What was pushed there; stands until the next push where it was popped.
+    /// The entries pushed there. They stay valid after pop() until the next push.
     [[nodiscard]] double* at(int level, size_t place) const {
         return m_stacks[level % 2].room.data() + place;
     }
-    /// Of all since it was made.
+    /// Since construction.
     [[nodiscard]] Heights heights() const { return {m_stacks[0].height, m_stacks[1].height}; }
 
 private:

@@ -13,8 +13,8 @@
 namespace taut {
 namespace {
 
-/// METIS draws by rand(): from a state of its own, so that the program's draws go on as if it had
-/// not been called, and its order is always the same. That one state is the process's.
+/// METIS calls rand(). A state of its own leaves the program's sequence undisturbed, and makes the
+/// order always the same. rand() has one state a process, hence the lock.
 class OwnRandomState {
 public:
     OwnRandomState() : m_before(initstate(1, m_state.data(), m_state.size())) {}
@@ -50,7 +50,7 @@ std::vector<int> nested_dissection(const MatrixGraph& graph) {
         case METIS_ERROR_MEMORY:
             throw std::bad_alloc();
         default:
-            // It catches the signal that asks the process to end, and comes back.
+            // METIS catches SIGTERM, which asks the process to end, and returns: raise it again.
             std::raise(SIGTERM);
             return {};
     }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// TAUT_PACKETS before a function has it compiled twice, and the machine chooses when the program
-/// starts: with AVX, or with what every x86-64 has. Both give the same bits: AVX has no fused
-/// multiplication and addition. Sanitizers do not bear such a choice.
+/// TAUT_PACKETS before a function compiles it twice: with AVX, and for every x86-64. The machine
+/// chooses when the program starts. Both give the same bits, since AVX has no fused multiply-add.
+/// Sanitizers do not support such a choice.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define TAUT_PACKETS
 #elif defined(__has_feature)
@@ -23,9 +23,9 @@
 
 namespace taut {
 
-/// Four numbers that the compiler computes with by instructions as wide as it may use. Taken from
-/// memory, and put there, by std::memcpy: compilers do not agree on how a type of a smaller
-/// alignment is told, and numbers may stand anywhere.
+/// Four numbers that the compiler processes with the widest instructions it may use. Load and store
+/// them by std::memcpy: numbers may have any alignment, and compilers disagree on how to declare a
+/// vector type of smaller alignment.
 using Packet = double __attribute__((vector_size(32)));
 
 }  // namespace taut

@@ -9,11 +9,11 @@
 
 namespace taut {
 
-/// Whether the parts of a large product are made at once or one after the other.
+/// Whether the parts of a large product are computed in parallel or one after the other.
 enum class Parts { parallel, serial };
 
 /// Calls function(begin, size) for parts of first .. end: rows or columns of a large product. The
-/// parts do not depend on the number of threads, nor on whether they are made in parallel.
+/// parts are the same for any number of threads, and for serial work.
 template <typename Function>
 void by_parts(Parts parts, Eigen::Index first, Eigen::Index end, const Function& function) {
     constexpr Eigen::Index part_size = 128;

@@ -7,8 +7,8 @@
 
 #include "numerics/blas.hpp"
 
-/// Products by BLAS on the calling thread, within a SerialBlas. Where beta is 0, what was in the
-/// result does not matter.
+/// Products by BLAS on the calling thread, within a SerialBlas. With beta = 0 the result may hold
+/// anything before the call.
 namespace taut {
 
 enum class Op : char { as_it_is = 'N', transposed = 'T' };
@@ -24,9 +24,10 @@ inline void multiply(double alpha, const ConstMatrixPart& A, Op op_A, const Cons
     const auto rows = static_cast<int>(C.rows());
     const auto columns = static_cast<int>(C.cols());
     const auto inner = static_cast<int>(op_A == Op::as_it_is ? A.cols() : A.rows());
-    const auto stride_of_A = static_cast<int>(A.outerStride());
-    const auto stride_of_B = static_cast<int>(B.outerStride());
-    const auto stride_of_C = static_cast<int>(C.outerStride());
+    const auto stride = [](Eigen::Index outer) { return std::max(1, static_cast<int>(outer)); };
+    const int stride_of_A = stride(A.outerStride());
+    const int stride_of_B = stride(B.outerStride());
+    const int stride_of_C = stride(C.outerStride());
     dgemm_(&transpose_A, &transpose_B, &rows, &columns, &inner, &alpha, A.data(), &stride_of_A,
            B.data(), &stride_of_B, &beta, C.data(), &stride_of_C, 1, 1);
 }

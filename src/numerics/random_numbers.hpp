@@ -9,8 +9,8 @@
 
 namespace taut {
 
-/// The same numbers from a seed wherever the library is built: the standard fixes what the engine
-/// gives, not what its distributions do. One stream a chain or draw.
+/// Random numbers that are the same for a seed on every platform. The standard fixes the output of
+/// the engine and of the seed sequence, but not that of its distributions. One stream a draw.
 class RandomNumbers {
 public:
     RandomNumbers(std::uint64_t seed, std::uint32_t stream) {
@@ -18,7 +18,7 @@ public:
                                static_cast<std::uint32_t>(seed >> 32U), stream};
         m_engine.seed(sequence);
     }
-    /// In (0, 1), at the middle of one of 2^52 cells.
+    /// In (0, 1), at the middle of one of 2^52 cells: with 2^53 the last middle would round to 1.
     double uniform() { return (static_cast<double>(m_engine() >> 12U) + 0.5) * 0x1p-52; }
     /// Standard normal.
     double normal() { return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * uniform()); }

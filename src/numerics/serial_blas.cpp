@@ -9,7 +9,7 @@
 
 #include "platform/platform.hpp"
 
-// The one that CMake found: cmake/dependencies.cmake.
+// The BLAS that CMake found: cmake/dependencies.cmake.
 #if defined(TAUT_BLAS_IS_OPENBLAS)
 extern "C" {
 int openblas_get_num_threads(void);
@@ -24,8 +24,7 @@ namespace taut {
 #if defined(TAUT_BLAS_IS_OPENBLAS)
 namespace {
 
-/// OpenBLAS takes a buffer for each thread that calls it, and where it gets none it tries again for
-/// ever.
+/// OpenBLAS allocates a buffer for each thread that calls it, and retries for ever if it gets none.
 bool has_room_for_buffers() {
     constexpr double buffer = 128.0 * 1024.0 * 1024.0;  // bytes, of builds for x86-64
     return platform::can_map(buffer * oneapi::tbb::this_task_arena::max_concurrency());

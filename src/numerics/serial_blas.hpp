@@ -4,14 +4,13 @@
 
 namespace taut {
 
-/// Keeps BLAS to the calling thread while it lives: taut's parallel work is that of oneTBB, whose
-/// threads a caller can limit, and its results are the same for any number of them. OpenBLAS knows
-/// one number of threads for the whole process: the first of all objects that live sets it, the
-/// last puts back what was there. MKL has one for each thread; other libraries have none that is
-/// known here.
+/// Restricts BLAS to the calling thread during its lifetime. taut parallelises by oneTBB, whose
+/// threads a caller can limit, and its results are the same for any number of them. OpenBLAS has
+/// one number of threads for the whole process: the first living object sets it to 1, the last one
+/// restores it. MKL has one for each thread. For other libraries none is known here.
 class SerialBlas {
 public:
-    /// @throws std::bad_alloc where a limit of the address space leaves OpenBLAS no room
+    /// @throws std::bad_alloc if a limit of the address space leaves no room for OpenBLAS's buffers
     SerialBlas();
     ~SerialBlas();
     SerialBlas(const SerialBlas&) = delete;

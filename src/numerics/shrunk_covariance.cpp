@@ -12,7 +12,7 @@ namespace taut {
 Eigen::MatrixXd shrunk_covariance(const Eigen::MatrixXd& centred) {
     const auto n = static_cast<double>(centred.cols());
     const Eigen::MatrixXd mean_product = gram(centred.transpose()) / n;
-    // Of the products w = e_i e_j: sum (w - mean w)^2 = sum w^2 - n (mean w)^2.
+    // For the products w = x_i x_j: sum (w - mean w)^2 = sum w^2 - n (mean w)^2.
     const Eigen::MatrixXd spread =
         gram(centred.cwiseAbs2().transpose()) - n * mean_product.cwiseAbs2();
     const double unbiased = n / std::max(1.0, n - 1.0);

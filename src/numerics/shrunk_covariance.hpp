@@ -13,10 +13,10 @@ namespace taut {
 /// With the products w_kij = x_ki x_kj of the n centred samples and their means w_ij over k,
 ///
 ///   s_ij = n / (n - 1) w_ij,   Var(s_ij) = n / (n - 1)^3 sum_k (w_kij - w_ij)^2,
-///   a = sum_(i != j) Var(s_ij) / sum_(i != j) s_ij^2, held to [0, 1]:
+///   a = sum_(i != j) Var(s_ij) / sum_(i != j) s_ij^2, clamped to [0, 1]:
 ///
-/// the result is s_ii on the diagonal and (1 - a) s_ij off it: a is the part of the entries off the
-/// diagonal that is chance. Where all of these are zero a is 1.
+/// the result is s_ii on the diagonal and (1 - a) s_ij off it. a is the share of the off-diagonal
+/// entries that is chance; it is 1 if all of them are zero.
 /// @param centred x, one column a sample, the mean of each row zero (d x n)
 /// @return d x d
 [[nodiscard]] Eigen::MatrixXd shrunk_covariance(const Eigen::MatrixXd& centred);

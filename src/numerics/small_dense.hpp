@@ -6,8 +6,8 @@
 
 #include "taut/export/core.hpp"
 
-/// Eigen's decompositions of small dense matrices, each compiled here once: a decomposition of
-/// Eigen takes the compiler 3 to 20 s in every source that names it. Large matrices:
+/// Eigen's decompositions of small dense matrices, each compiled once: a decomposition of Eigen
+/// costs 3 to 20 s of compile time in every source that uses it. For large matrices see
 /// numerics/dense.hpp.
 namespace taut {
 

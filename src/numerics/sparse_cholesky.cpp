@@ -9,7 +9,7 @@
 namespace taut {
 namespace {
 
-/// From so many rows on the supernodes gain more than they cost.
+/// From this number of rows on, supernodes gain more than they cost.
 constexpr Eigen::Index large = 5000;
 
 MatrixGraph pattern_of(const Eigen::SparseMatrix<double>& matrix) {
@@ -35,8 +35,7 @@ SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& matrix) {
     }
 }
 
-/// @return none where the matrix is not positive definite by rounding errors, which the other
-///   factor bears
+/// @return none if rounding errors make a pivot negative, which the row-by-row factor tolerates
 std::optional<SparseCholesky::Supernodal> SparseCholesky::by_supernodes(
     const Eigen::SparseMatrix<double>& matrix) {
     const auto count = static_cast<size_t>(matrix.rows());

@@ -11,8 +11,8 @@
 
 namespace taut {
 
-/// The factor of a sparse, symmetric, positive definite matrix that is solved with a few times:
-/// row by row where it is small, else by supernodes on all cores.
+/// The factor of a sparse, symmetric, positive definite matrix for a few solutions: row by row for
+/// small matrices, by supernodes on all cores for large ones.
 class SparseCholesky {
 public:
     /// @param matrix of which both triangles are given

@@ -17,13 +17,13 @@
 namespace taut {
 namespace {
 
-/// A panel takes blocks until it has so many pivots: as few as products are fast with, where its
-/// pivot is to be inverted.
+/// A panel takes blocks until it has this many pivots. Where pivot blocks are inverted, panels are
+/// as narrow as fast products allow.
 int panel_width(Definiteness definiteness) {
     return definiteness == Definiteness::positive_definite ? 96 : 48;
 }
 
-/// Where the panels of a supernode begin among its pivots, and the end.
+/// The first pivot of each panel of a supernode, and the number of pivots.
 std::vector<int> panels_of(const Supernode& supernode, const std::vector<int>& sizes, int width) {
     std::vector<int> begins{0};
     int end = 0;
@@ -36,7 +36,7 @@ std::vector<int> panels_of(const Supernode& supernode, const std::vector<int>& s
     return begins;
 }
 
-/// The lower triangle, and all rows below it.
+/// Sets the lower triangle and all rows below it to zero.
 void set_zero(FrontMatrix& matrix, Parts parts) {
     by_parts(parts, 0, matrix.cols(), [&](Eigen::Index from, Eigen::Index columns) {
         for (Eigen::Index j = from; j < from + columns; ++j) {
@@ -140,8 +140,8 @@ SupernodalFactor::Needs SupernodalFactor::needs_of(const std::vector<int>& front
     return needs;
 }
 
-/// Gathers a front and eliminates its pivots. The updates of the children go into the columns of
-/// the pivots before, and to the rest of the front afterwards.
+/// Assembles a front and eliminates its pivots. The updates of the children are added to the
+/// columns of the pivots before the elimination, and to the rest of the front after it.
 /// @param U becomes the update for the parent
 bool SupernodalFactor::eliminate(const Front& front, const Assembly& assemble, FrontMatrix& U,
                                  Workspace& workspace, Parts parts) {
@@ -165,7 +165,7 @@ bool SupernodalFactor::eliminate(const Front& front, const Assembly& assemble, F
     return true;
 }
 
-/// A row of fronts, children before parents, with the updates of branches that end at one of them.
+/// Several fronts, children before parents, with the updates of branches that end at one of them.
 bool SupernodalFactor::eliminate(const std::vector<int>& fronts, const Assembly& assemble,
                                  Workspace& workspace, Parts parts) {
     FrontStacks& stacks = workspace.stacks;
@@ -189,7 +189,7 @@ bool SupernodalFactor::eliminate(const std::vector<int>& fronts, const Assembly&
     return true;
 }
 
-/// On one thread; of the updates that of the root is left.
+/// Eliminates a branch on one thread, and keeps the update of its root.
 bool SupernodalFactor::eliminate_branch(int branch, const Assembly& assemble) {
     const std::vector<int>& fronts = m_branches[branch];
     Workspace& workspace = m_branch_workspaces.local();
@@ -209,7 +209,7 @@ bool SupernodalFactor::eliminate_branch(int branch, const Assembly& assemble) {
 bool SupernodalFactor::factorize(const Assembly& assemble) {
     const SerialBlas serial;
     std::atomic<bool> is_regular = true;
-    // Isolated: a thread that waits here must take up nothing that works in the same memory.
+    // Isolated: a thread that waits here must not start other work that uses the same memory.
     tbb::this_task_arena::isolate([&] {
         tbb::parallel_for(0, static_cast<int>(m_branches.size()), [&](int branch) {
             if (is_regular && !eliminate_branch(branch, assemble)) {
@@ -229,7 +229,7 @@ Eigen::VectorXd SupernodalFactor::solve(const Eigen::Ref<const Eigen::VectorXd>&
     const bool is_definite = m_definiteness == Definiteness::positive_definite;
     Eigen::VectorXd x(b.size());
     x(m_number) = b;
-    Eigen::VectorXd v;  // the uncertain of a front
+    Eigen::VectorXd v;  // the unknowns of a front
     for (const Front& front : m_fronts) {
         const Supernode& supernode = front.supernode;
         const std::vector<int>& panels = front.panels;

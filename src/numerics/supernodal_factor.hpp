@@ -17,12 +17,12 @@
 
 namespace taut {
 
-/// The factor A = L D L' of a sparse symmetric matrix whose uncertain come in blocks, and the
+/// The factor A = L D L' of a sparse symmetric matrix whose unknowns come in blocks, and the
 /// entries of its inverse where the factor has entries.
 ///
 /// The method is multifrontal (I. S. Duff & J. K. Reid, The multifrontal solution of indefinite
 /// sparse symmetric linear equations, ACM TOMS 9 (1983) 302-325; T. A. Davis, Direct Methods for
-/// Sparse Linear Systems, SIAM 2006, section 4.9). A supernode with pivots p and later uncertain q
+/// Sparse Linear Systems, SIAM 2006, section 4.9). A supernode with pivots p and later unknowns q
 /// gathers its entries of A and the updates of its children in a dense matrix F, its front, and
 /// leaves an update for its parent:
 ///
@@ -33,18 +33,17 @@ namespace taut {
 /// none between panels: the order of the blocks is the caller's, and must be one in which A can be
 /// eliminated block by block. A positive definite matrix is factorised by Cholesky's method.
 ///
-/// Branches of the tree, and parts of large products, are worked on in parallel; results are the
-/// same for any number of threads. What it is measured against:
-/// benchmarks/bench_factorisation.cpp.
+/// Branches of the tree and parts of large products run in parallel. The results are the same for
+/// any number of threads. benchmarks/bench_factorisation.cpp compares it with other solvers.
 class SupernodalFactor {
 public:
-    /// @param sizes of the blocks, in the order of elimination; the uncertain are numbered block by
+    /// @param sizes of the blocks, in the order of elimination; the unknowns are numbered block by
     ///   block
     /// @param couplings one list a block: later blocks that it may have entries with, each once
     SupernodalFactor(const std::vector<int>& sizes, const std::vector<std::vector<int>>& couplings,
                      Definiteness definiteness = Definiteness::indefinite);
 
-    [[nodiscard]] int parameter_count() const { return static_cast<int>(m_number.size()); }
+    [[nodiscard]] int unknown_count() const { return static_cast<int>(m_number.size()); }
 
     /// Numbers that the factor stores, zeros included.
     [[nodiscard]] double entry_count() const;
@@ -52,8 +51,8 @@ public:
     /// c being the length of one, diagonal included.
     [[nodiscard]] double operation_count() const;
 
-    /// Where the uncertain of a front stand in its dense matrix: those of its blocks and those of
-    /// later blocks that they are coupled with. UncertainParameters of a block stand side by side,
+    /// Where the unknowns of a front stand in its dense matrix: those of its blocks and those of
+    /// later blocks that they are coupled with. Unknowns of a block stand side by side,
     /// in their order, and later blocks behind earlier ones.
     class Places {
     public:
@@ -78,10 +77,10 @@ public:
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& b) const;
 
     /// Of a definite matrix, after factorize(): D of each unknown for a diagonal L of ones, what is
-    /// left of its entry when all uncertain before it are eliminated.
+    /// left of its entry when all unknowns before it are eliminated.
     [[nodiscard]] Eigen::VectorXd pivots() const;
 
-    /// Takes the inverse over the uncertain of a block's front, both triangles. Is called in
+    /// Takes the inverse over the unknowns of a block's front, both triangles. Is called in
     /// parallel for different fronts.
     using Reader = std::function<void(int block, const Places&, const FrontMatrix& inverse)>;
 
@@ -89,7 +88,7 @@ public:
     /// last front to the first (K. Takahashi, J. Fagan & M.-S. Chin, Formation of a sparse bus
     /// impedance matrix and its application to short circuit study, PICA 1973; A. M. Erisman & W.
     /// F. Tinney, On computing certain elements of the inverse of a sparse matrix, CACM 18 (1975)
-    /// 177-179), for pivots p of a panel and all later uncertain q of the front:
+    /// 177-179), for pivots p of a panel and all later unknowns q of the front:
     ///
     ///   Z_qp = -Z_qq L_qp,   Z_pp = F_pp^-1 - L_qp' Z_qp
     ///
@@ -97,19 +96,17 @@ public:
     void selected_inverse(const Reader& read) const;
 
 private:
-    /// A supernode, where its panels begin among its pivots (and the end), where its columns of the
-    /// factor begin, how many parents it has, and whether it is the root of a branch.
     struct Front {
         Supernode supernode;
-        std::vector<int> panels;
-        size_t begin = 0;
-        int level = 0;
-        int branch = -1;
+        std::vector<int> panels;  ///< first pivot of each panel, and the number of pivots
+        size_t begin = 0;         ///< of its columns in m_values
+        int level = 0;            ///< number of ancestors
+        int branch = -1;          ///< whose root it is; -1: of none
 
         [[nodiscard]] Eigen::Index size() const { return supernode.size + row_count(); }
         [[nodiscard]] Eigen::Index row_count() const { return std::ssize(supernode.rows); }
     };
-    /// What a row of fronts needs of memory while they are worked on.
+    /// Memory that several fronts need while they are eliminated or inverted.
     struct Needs {
         FrontStacks::Heights heights{};
         size_t scratch = 0;
@@ -149,7 +146,7 @@ private:
     Needs m_trunk_needs;
     Buffer m_values;  ///< the factor, front by front
 
-    // Memory that is kept from one factorisation to the next.
+    // Memory that is reused by the next factorisation.
     std::vector<Buffer> m_branch_updates;  ///< of the roots of the branches
     Workspace m_trunk_workspace;
     tbb::enumerable_thread_specific<Workspace> m_branch_workspaces;

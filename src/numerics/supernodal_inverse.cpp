@@ -20,7 +20,7 @@ size_t squared_size(const Front& front) {
 
 }  // namespace
 
-/// Finishes the inverse at a front, of which that over its rows is given.
+/// Completes the inverse at a front, given its part over the front's rows.
 void SupernodalFactor::finish_inverse(const Front& front, FrontMatrix& Z, Parts parts) const {
     const FrontMatrix L = factor_of(front);
     const std::vector<int>& panels = front.panels;
@@ -65,8 +65,8 @@ SupernodalFactor::Needs SupernodalFactor::needs_of_inverse(const std::vector<int
     return {.heights = stacks.heights(), .scratch = 0};
 }
 
-/// The fronts of a branch, on one thread. The inverses of the children go onto the stack of their
-/// level.
+/// Inverts the fronts of a branch on one thread. The inverses of the children go onto the stack of
+/// their level.
 void SupernodalFactor::invert_branch(const std::vector<int>& fronts, const Reader& read,
                                      std::vector<Buffer>& inverses, FrontStacks& stacks) const {
     const int root = fronts.back();
@@ -92,7 +92,8 @@ void SupernodalFactor::invert_branch(const std::vector<int>& fronts, const Reade
     }
 }
 
-/// A front of the trunk, of which the parent has left the inverse; leaves those of the children.
+/// Inverts a front of the trunk from the part its parent has left, and leaves parts for its
+/// children.
 void SupernodalFactor::invert(int front, const Reader& read, std::vector<Buffer>& inverses) const {
     const Front& own = m_fronts[front];
     const auto make = [&](int of) {

@@ -11,7 +11,8 @@
 namespace taut {
 namespace {
 
-/// How many of so many columns' entries may be zeros: small products gain much by being larger.
+/// The share of stored zeros tolerated in this number of columns: small products gain much by being
+/// larger.
 double tolerated_zeros(int columns) {
     return columns <= 32 ? 0.3 : columns <= 96 ? 0.15 : 0.05;
 }
@@ -19,17 +20,17 @@ double tolerated_zeros(int columns) {
 /// A supernode before its rows are known.
 struct Node {
     Supernode supernode;
-    std::int64_t row_count = 0;  ///< uncertain
+    std::int64_t row_count = 0;  ///< unknowns
     std::int64_t nonzeros = 0;   ///< in its columns of the factor's lower triangle
 
-    /// As many as are stored.
+    /// Number of stored entries.
     [[nodiscard]] std::int64_t entries() const {
         const auto p = static_cast<std::int64_t>(supernode.size);
         return p * (p + 1) / 2 + p * row_count;
     }
 };
 
-/// Of each block the earlier ones that it has entries with, one after the other.
+/// For each block the earlier blocks that it has entries with, one list after the other.
 struct Earlier {
     std::vector<int> blocks;
     std::vector<size_t> starts;
@@ -78,13 +79,13 @@ std::vector<Node> elimination_tree(const std::vector<int>& sizes,
     return nodes;
 }
 
-/// Merges children into their parents; those that are merged keep no blocks.
+/// Merges children into their parents. Merged children keep no blocks.
 void amalgamate(std::vector<Node>& nodes) {
     for (int j = 0; j < static_cast<int>(nodes.size()); ++j) {
         Node& node = nodes[j];
         node.nonzeros = node.entries();
         Supernode& parent = node.supernode;
-        // Those with the most rows add the fewest zeros.
+        // Children with the most rows add the fewest zeros.
         std::vector<int> candidates = std::exchange(parent.children, {});
         std::ranges::sort(candidates, std::greater{},
                           [&](int child) { return std::pair(nodes[child].row_count, child); });
@@ -112,8 +113,8 @@ void amalgamate(std::vector<Node>& nodes) {
     }
 }
 
-/// Sorts children so that few updates wait: with the most that waits at a time, and what is left,
-/// of each subtree.
+/// Sorts the children of each node by the peak memory of their subtrees less the update that is
+/// left, largest first: this keeps the memory of waiting updates small (Liu 1986).
 void sort_children(std::vector<Node>& nodes) {
     std::vector<std::int64_t> most(nodes.size(), 0);
     std::vector<std::int64_t> update(nodes.size(), 0);
@@ -131,7 +132,7 @@ void sort_children(std::vector<Node>& nodes) {
     }
 }
 
-/// The supernodes that are left, children before parents.
+/// The remaining supernodes, children before parents.
 std::vector<int> depth_first(const std::vector<Node>& nodes) {
     std::vector<int> stack;
     for (int j = static_cast<int>(nodes.size()) - 1; j >= 0; --j) {

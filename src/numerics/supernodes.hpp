@@ -6,12 +6,12 @@
 
 namespace taut {
 
-/// Blocks of uncertain that are eliminated together, as one dense matrix.
+/// Blocks of unknowns that are eliminated together, as one dense matrix.
 struct Supernode {
     std::vector<int> blocks;  ///< ascending
-    int begin = 0;            ///< the pivots are the uncertain begin .. begin + size
+    int begin = 0;            ///< the pivots are the unknowns begin .. begin + size
     int size = 0;
-    std::vector<int> rows;  ///< later uncertain that the pivots are coupled with, ascending
+    std::vector<int> rows;  ///< later unknowns that the pivots are coupled with, ascending
     int parent = -1;
     std::vector<int> children;
     /// Where each of the rows stands in the parent's dense matrix: its pivots, then its rows.
@@ -31,12 +31,12 @@ struct SupernodeTree {
     std::vector<int> number;
 };
 
-/// The elimination tree of a symmetric matrix whose uncertain come in blocks, eliminated block by
+/// The elimination tree of a symmetric matrix whose unknowns come in blocks, eliminated block by
 /// block; children are merged into their parents where this stores few zeros for the larger dense
 /// products (relaxed amalgamation: Ashcraft & Grimes, The influence of relaxed supernode partitions
 /// on the multifrontal method, ACM TOMS 15, 1989). Blocks keep their order along each branch.
 ///
-/// @param sizes of the blocks; uncertain are given as if numbered block by block
+/// @param sizes of the blocks; unknowns are given as if numbered block by block
 /// @param couplings one list a block: later blocks that it has entries with, each named once
 [[nodiscard]] SupernodeTree supernode_tree(const std::vector<int>& sizes,
                                            const std::vector<std::vector<int>>& couplings);

@@ -7,7 +7,7 @@
 namespace taut {
 namespace {
 
-/// A branch takes at most such a part of the work, unless this is but some milliseconds
+/// A branch has at most this share of the work, unless the share is less than some milliseconds
 /// [multiplications].
 constexpr double branch_count = 32.0;
 constexpr double least_work = 2e6;

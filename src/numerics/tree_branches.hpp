@@ -19,9 +19,8 @@ struct TreeBranches {
     std::vector<int> trunk;        ///< all other supernodes, children before parents
 };
 
-/// Takes as branches the largest subtrees that are a small part of the work of elimination each:
-/// enough of them for some cores, none so small that handing it over costs more than its work.
-///
+/// Chooses as branches the largest subtrees that are each a small share of the elimination work:
+/// enough for several cores, none so small that scheduling costs more than the work.
 /// @param supernodes children before parents, depth first
 [[nodiscard]] TreeBranches branches_of(const std::vector<Supernode>& supernodes);
 

@@ -12,14 +12,14 @@
 namespace taut {
 namespace {
 
-/// A part whose bounds lie further from its mean, in standard deviations, is a spike at the nearer
-/// bound: its mean is moved to there, its height kept at the bound.
+/// A part whose bounds lie further from its mean than this number of standard deviations is a spike
+/// at the nearer bound: its mean is moved to this distance, its height at the bound is kept.
 constexpr double furthest_mean = 30.0;
 
-/// With a standard deviation above this many widths a part is constant to rounding errors.
+/// With a standard deviation above this many widths, a part is constant up to rounding errors.
 constexpr double widest_std = 1e4;
 
-/// Beyond this many standard deviations a normal density holds nothing.
+/// Beyond this many standard deviations a normal density is negligible.
 constexpr double normal_reach = 40.0;
 
 double log_density(const TruncatedNormal& part, double x) {
@@ -32,7 +32,7 @@ double nearest(const TruncatedNormal& part) {
     return std::clamp(part.mean, part.lower, part.upper);
 }
 
-/// The same part with numbers that the formulas below bear.
+/// The same part, with parameters for which the formulas below are accurate.
 TruncatedNormal tame(TruncatedNormal part) {
     if (part.std > widest_std * (part.upper - part.lower)) {
         part.log_height = log_density(part, nearest(part));
@@ -61,13 +61,13 @@ double normal_integral(double a, double b) {
     return half * (std::erf(root * b) - std::erf(root * a));
 }
 
-struct Steps {
+struct Moments {
     double mass;
     double mean;
     double variance;
 };
 
-/// Of a part between its lower bound and x.
+/// Mass of a part between its lower bound and x.
 double mass_below(const TruncatedNormal& part, double x, double log_scale) {
     const double upper = std::clamp(x, part.lower, part.upper);
     const double height = std::exp(part.log_height - log_scale);
@@ -78,7 +78,7 @@ double mass_below(const TruncatedNormal& part, double x, double log_scale) {
            normal_integral((part.lower - part.mean) / part.std, (upper - part.mean) / part.std);
 }
 
-Steps moments_of(const TruncatedNormal& part, double log_scale) {
+Moments moments_of(const TruncatedNormal& part, double log_scale) {
     const double mass = mass_below(part, part.upper, log_scale);
     if (!std::isfinite(part.std)) {
         const double width = part.upper - part.lower;
@@ -121,13 +121,13 @@ TruncatedMixture::TruncatedMixture(const std::vector<TruncatedNormal>& parts)
 std::pair<double, double> TruncatedMixture::moments() const {
     double first = 0.0;
     for (const TruncatedNormal& part : m_parts) {
-        const Steps m = moments_of(part, m_log_scale);
+        const Moments m = moments_of(part, m_log_scale);
         first += m.mass * m.mean;
     }
     const double mean = first / m_mass;
     double second = 0.0;
     for (const TruncatedNormal& part : m_parts) {
-        const Steps m = moments_of(part, m_log_scale);
+        const Moments m = moments_of(part, m_log_scale);
         second += m.mass * (m.variance + (m.mean - mean) * (m.mean - mean));
     }
     return {mean, second / m_mass};
@@ -156,7 +156,7 @@ double TruncatedMixture::quantile(double p) const {
         lower = std::min(lower, std::max(part.lower, nearest(part) - normal_reach * part.std));
         upper = std::max(upper, std::min(part.upper, nearest(part) + normal_reach * part.std));
     }
-    // From the lower end, so that a narrow distribution far from zero loses no digits.
+    // Measured from the lower end, so that a narrow distribution far from zero loses no digits.
     constexpr int bits = 40;
     std::uintmax_t evaluations = 100;
     const auto [below, above] = boost::math::tools::toms748_solve(

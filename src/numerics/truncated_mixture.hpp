@@ -21,7 +21,7 @@ struct TruncatedNormal {
 /// A sum of truncated normal densities, normalised.
 class TruncatedMixture {
 public:
-    /// Parts with lower >= upper hold nothing. At least one must hold something.
+    /// Parts with lower >= upper are ignored. At least one part must have lower < upper.
     explicit TruncatedMixture(const std::vector<TruncatedNormal>& parts);
 
     [[nodiscard]] std::pair<double, double> moments() const;  ///< mean and variance

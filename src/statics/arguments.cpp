@@ -38,6 +38,15 @@ void check_form(const char* name, Eigen::Index node_count, const Eigen::Ref<cons
     }
 }
 
+void check_edges(Eigen::Index edge_count, std::span<const int> edges) {
+    for (const int edge : edges) {
+        if (edge < 0 || edge >= edge_count) {
+            throw std::invalid_argument(
+                fmt::format("edges names edge {}, expected one of the {}", edge, edge_count));
+        }
+    }
+}
+
 void check_edge_forces(Eigen::Index edge_count, const Eigen::Ref<const Points>& edge_forces) {
     if (edge_forces.cols() != edge_count) {
         throw std::invalid_argument(

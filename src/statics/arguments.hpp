@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "taut/export/core.hpp"
 #include "taut/net/cable_net.hpp"
@@ -17,6 +18,9 @@ TAUT_CORE_EXPORT void check_unstressed_lengths(
 /// @throws std::invalid_argument unless there is one finite point a node
 TAUT_CORE_EXPORT void check_form(const char* name, Eigen::Index node_count,
                                  const Eigen::Ref<const Points>& form);
+
+/// @throws std::invalid_argument for an edge that is not 0 to edge_count - 1
+TAUT_CORE_EXPORT void check_edges(Eigen::Index edge_count, std::span<const int> edges);
 
 /// @throws std::invalid_argument unless there is one finite force an edge
 TAUT_CORE_EXPORT void check_edge_forces(Eigen::Index edge_count,

@@ -8,7 +8,7 @@
 
 #include "statics/arguments.hpp"
 #include "statics/conic_solver.hpp"
-#include "taut/statics/tensions.hpp"
+#include "taut/statics/imbalance.hpp"
 
 namespace taut {
 namespace {
@@ -20,25 +20,25 @@ struct Units {
 };
 
 Units units_for(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths) {
-    const Eigen::VectorXd tension = tensions(net, unstressed_lengths, net.nodes());
-    const auto taut_count = (tension.array() > 0.0).count();
-    double force = taut_count > 0 ? tension.sum() / static_cast<double>(taut_count)
-                                  : net.loads().colwise().norm().mean();
+    double force = imbalance(net, unstressed_lengths, net.nodes()).mean_tension;
+    if (force == 0.0) {
+        force = net.loads().colwise().norm().mean();
+    }
     if (force == 0.0) {
         force = net.axial_stiffness().mean();
     }
     return {.length = unstressed_lengths.mean(), .force = force};
 }
 
-/// A straight part of an edge's law in units of the program: up to a width w of extension the
-/// tension grows from T_0 with stiffness c. An edge's extension is the sum of those of its parts;
-/// since the tension never falls, least energy takes them in their order.
+/// A straight part of an edge's law in units of the program: over its width the tension grows from
+/// T_0 with stiffness c. The extension of an edge is the sum over its parts. Since the tension
+/// never falls, the least energy fills them in their order.
 struct Part {
     int edge;
     double tension;  ///< T_0 at its start
-    double axial;    ///< c; 0 where the law is flat
+    double axial;    ///< c; 0 if the law is flat
     double width;    ///< infinite for the last one
-    /// Of its variable: sqrt(c), so that its square is twice the energy that c stores.
+    /// Scale of the variable: sqrt(c), so that its square is twice the energy stored by c.
     [[nodiscard]] double scale() const { return axial > 0.0 ? std::sqrt(axial) : 1.0; }
 };
 
@@ -68,7 +68,7 @@ std::vector<Part> parts_of(const CableNet& net,
 
 /// The program of one net. Variables: displacements x of the free nodes from the net's nodes
 /// (3 n_I), w (one a part of an edge's law), and in the paper's form v. Rows: w >= 0; w at most the
-/// width of its part, where that is finite; for each edge the cone (l_0 + sum w / sqrt(c), r_s -
+/// width of its part, if that is finite; for each edge the cone (l_0 + sum w / sqrt(c), r_s -
 /// r_t) with c = EA/l_0 of each part (4 each); in the paper's form the cone (1 + v, 2w, 1 - v).
 class Assembly {
 public:
@@ -93,7 +93,7 @@ public:
     }
 
     [[nodiscard]] const ConicProgram& program() const { return m_program; }
-    /// Where the multiplier of r_s - r_t of an edge stands in z.
+    /// First entry in z of the multiplier of r_s - r_t of an edge.
     [[nodiscard]] int vector_row(int edge) const { return m_first_cone + 4 * edge + 1; }
 
 private:
@@ -162,7 +162,7 @@ private:
         }
     }
 
-    /// Holds the parts that store energy: v >= w'w.
+    /// v >= w'w, over the parts that store energy.
     void add_large_cone() {
         std::vector<int> storing;
         for (int k = 0; k < part_count(); ++k) {
@@ -240,7 +240,7 @@ ConeSolution solve_cone_program(const CableNet& net,
                         .iterations = found.iterations,
                         .primal_residual = found.primal_residual,
                         .dual_residual = found.dual_residual};
-    double work = 0.0;  // of the loads, up to the net's nodes: the program counts from there
+    double work = 0.0;  // of the loads up to the net's nodes, where the program's coordinates start
     for (int i = 0; i < net.free_node_count(); ++i) {
         const int node = net.free_nodes()[i];
         work += net.loads().col(node).dot(net.nodes().col(node));

@@ -17,7 +17,7 @@ struct Cone {
     int dimension;
 };
 
-/// minimise x'Px/2 + q'x subject to Ax + s = b, s in the product of the cones.
+/// Minimise x'Px/2 + q'x subject to Ax + s = b, s in the product of the cones.
 struct ConicProgram {
     Eigen::SparseMatrix<double> P;  ///< upper triangle
     Eigen::VectorXd q;
@@ -37,7 +37,7 @@ struct ConicSolution {
     double dual_residual;
 };
 
-/// Throws std::invalid_argument where this taut was built without a conic solver.
+/// @throws std::invalid_argument if taut was built without a conic solver
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT ConicSolution solve_conic(const ConicProgram& program,
                                                                int max_iterations);
 

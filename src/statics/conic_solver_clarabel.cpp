@@ -9,8 +9,8 @@
 namespace taut {
 namespace {
 
-/// What the form needs to be right to a micrometre, and what double precision still gives: the
-/// solver's residuals stop falling somewhat below 1e-9. The program's numbers are of order one.
+/// Tight enough for forms accurate to a micrometre, and still attainable in double precision: the
+/// solver's residuals stop falling slightly below 1e-9. The program's numbers are of order one.
 constexpr double gap_tolerance = 1e-11;
 constexpr double feasibility_tolerance = 1e-9;
 constexpr double reduced_gap_tolerance = 1e-7;

@@ -12,8 +12,8 @@ bool cone_solver_available() {
 
 ConicSolution solve_conic(const ConicProgram&, int) {
     throw std::invalid_argument(
-        "this taut was built without the conic solver Clarabel, expected a build with "
-        "TAUT_WITH_CLARABEL (it needs a recent cargo), or the solver newton");
+        "taut was built without the conic solver Clarabel: build it with TAUT_WITH_CLARABEL (needs "
+        "a recent cargo), or use the solver newton");
 }
 
 }  // namespace taut

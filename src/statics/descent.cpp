@@ -11,18 +11,18 @@
 namespace taut {
 namespace {
 
-/// Smallest shift that is tried once the stiffness was not positive definite, in axial stiffnesses.
+/// Smallest shift tried if the stiffness is not positive definite, in axial stiffnesses.
 constexpr double smallest_shift = smallest_relative_stiffness;
 
-/// A shift above this makes steps so short that nothing is left of Newton's method.
+/// A larger shift makes steps too short to be of use.
 constexpr double largest_shift = 1e3;
 
-/// A step that the line search cut to less than this.
+/// A step cut by the line search below this length counts as short.
 constexpr double shortest_fair_step = 0.05;
 
-/// Where the last full step left no more than this part of the imbalance, the next is taken with
-/// the same factor, for a fifth of a Newton step's time. A Newton step leaves C e^2 of an error e;
-/// one with the same factor leaves 2 C e times that: twice the part that the last one left.
+/// If the last full step left at most this share of the imbalance, the next step reuses its factor,
+/// for a fifth of a Newton step's time. A Newton step reduces an error e to C e^2; a step with the
+/// old factor reduces that by a factor of 2 C e: twice the share that the last step left.
 constexpr double fast_contraction = 0.02;
 
 }  // namespace
@@ -41,8 +41,7 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
     while (true) {
         const double imbalance = state.imbalance(net, relative_tolerance);
         result.balanced = imbalance <= 1.0;
-        // Balanced, and either far below the tolerance or no longer getting better: rounding
-        // errors.
+        // Balanced, and either far below the tolerance or no longer improving: rounding errors.
         if (result.balanced && (imbalance <= 0.01 || imbalance > 0.5 * previous)) {
             return result;
         }
@@ -57,7 +56,7 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
         }
         const LineSearchStep step = search_line(net, state, m_direction, m_trial);
         if (!step.accepted) {
-            if (keeps_factor) {  // once more with a factor of its own
+            if (keeps_factor) {  // retry with a new factor
                 continue;
             }
             shift = std::max(smallest_shift, 100.0 * shift);
@@ -70,8 +69,8 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
         previous = imbalance;
         ++result.steps;
         energy_decreases.push_back(step.energy_decrease);
-        // A full step shows that the model holds: back towards the pure Newton step. A short one
-        // that the slack edges were not foreseen.
+        // A full step shows that the quadratic model is good: back towards the pure Newton step. A
+        // short one shows that edges went slack or taut on the way.
         is_fast = step.length == 1.0 && shift == 0.0;
         if (step.length == 1.0) {
             shift = shift > 10.0 * smallest_shift ? 0.1 * shift : shift;
@@ -82,7 +81,7 @@ DescentResult Descent::run(const LocalNet& net, Stiffness& stiffness, NetState& 
     }
 }
 
-/// Solves H d = -h with the factor that is there.
+/// Solves H d = -h with the present factor.
 bool Descent::solve(const Stiffness& stiffness, const NetState& state) {
     m_direction = -state.forces();
     stiffness.factor.solve(m_direction);
@@ -106,8 +105,8 @@ bool Descent::find_direction(const LocalNet& net, Stiffness& stiffness, const Ne
 }
 
 bool is_mechanism(const LocalNet& net, Stiffness& stiffness, const NetState& state) {
-    // Where every edge is taut the stiffness is positive definite, since each part of the net hangs
-    // on a support. What is taut by rounding errors alone does not count.
+    // If every edge is taut the stiffness is positive definite, since each part of the net hangs on
+    // a support. Edges that are taut by rounding errors alone do not count.
     const auto clearly_taut = [](const EdgeState& e) { return e.extension > 1e-9 * e.length; };
     if (std::ranges::all_of(state.edges(), clearly_taut)) {
         return false;

@@ -17,24 +17,24 @@ struct DescentResult {
     int steps = 0;
 };
 
-/// When a descent ends though forces do not balance yet.
+/// Limits at which a descent ends before the forces balance.
 struct DescentLimits {
     int max_steps;
-    /// Steps in a row cut by the line search to less than a twentieth: then ever more edges go
-    /// slack or taut, a few a step.
+    /// Consecutive steps that the line search cuts below a twentieth. They show that a few edges
+    /// go slack or taut in each step.
     int max_short_steps = std::numeric_limits<int>::max();
 };
 
-/// Newton's method on the energy of a net, with a line search, and a diagonal shift where slack
-/// edges make the stiffness singular. Where it converges fast, the next steps are taken with the
-/// same factor. run() allocates nothing, but for a large net.
+/// Newton's method on the energy of a net, with a line search, and a diagonal shift if slack edges
+/// make the stiffness singular. While it converges fast, steps reuse the last factor. run() does
+/// not allocate, except for a large net.
 class Descent {
 public:
     explicit Descent(const LocalNet& net);
 
-    /// Steps until forces balance, or a limit is reached. Goes on below the tolerance until
-    /// rounding errors stop it or a hundredth is reached.
-    /// @param energy_decreases takes one entry a step [J]
+    /// Steps until the forces balance or a limit is reached. Continues below the tolerance until
+    /// rounding errors stop it or a hundredth of it is reached.
+    /// @param energy_decreases receives one entry a step [J]
     DescentResult run(const LocalNet& net, Stiffness& stiffness, NetState& state,
                       double relative_tolerance, DescentLimits limits,
                       std::vector<double>& energy_decreases);
@@ -45,12 +45,12 @@ private:
 
     [[nodiscard]] bool solve(const Stiffness& stiffness, const NetState& state);
 
-    NetState m_trial;  ///< at the form that the line search looks at
+    NetState m_trial;  ///< at the form that the line search tries
     Eigen::VectorXd m_direction;
 };
 
-/// Whether slack edges leave nodes of a net in equilibrium loose: its stiffness is singular to
-/// rounding.
+/// Whether slack edges leave nodes of a net in equilibrium loose: its stiffness is singular up to
+/// rounding errors.
 [[nodiscard]] bool is_mechanism(const LocalNet& net, Stiffness& stiffness, const NetState& state);
 
 }  // namespace taut

@@ -13,12 +13,12 @@
 namespace taut {
 namespace {
 
-/// A slack edge's part of its axial stiffness in the correction: a force in it costs energy at
-/// once, T (l_0 - l), so it is to take only what no taut edge can, at a loose node say.
+/// Share of its axial stiffness with which a slack edge takes part in the correction. A force in it
+/// costs T (l_0 - l), so it should take only forces that no taut edge can, as at a loose node.
 constexpr double slack_share = 1e-6;
 
-/// A net whose strains are below this is slack for all that matters. Its elastic energy may be as
-/// small as what rounding errors of some EA 1e-16 cost in slack edges, and so no measure of a gap.
+/// A net with smaller strains is practically slack. Its elastic energy may be as small as the cost
+/// of rounding errors of some EA 1e-16 in slack edges, so it is no scale for the gap.
 constexpr double negligible_strain = 1e-6;
 
 /// sum_(s,t) f - sum_(t,s) f - p_s of the free nodes (n_I x 3) [N].
@@ -32,10 +32,10 @@ Eigen::MatrixX3d imbalance(const CableNet& net, const Points& edge_forces) {
     return forces(Eigen::all, net.free_nodes()).transpose();
 }
 
-/// Brings forces to balance by the correction g that is least in sum |g|^2 / (2 c), c being an
-/// edge's stiffness. With multipliers y at the free nodes (0 at supports), g = -c (y_s - y_t), and
-/// balance asks C y = h with h the imbalance and C the Laplacian of the net weighted by c. C is
-/// positive definite, since every node hangs on a support by some path of edges.
+/// Balances forces by the correction g with the least sum |g|^2 / (2 c), c being an edge's
+/// stiffness. With multipliers y at the free nodes (0 at supports), g = -c (y_s - y_t), and balance
+/// requires C y = h with the imbalance h and the Laplacian C of the net weighted by c. C is
+/// positive definite, since a path of edges joins every node to a support.
 void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge_forces) {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * net.edges().size());
@@ -57,7 +57,7 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
     laplacian.setFromTriplets(entries.begin(), entries.end());
     const SparseCholesky factor(laplacian);
 
-    // The second round takes away what rounding errors left of the first.
+    // The second round removes the imbalance that rounding errors left in the first.
     for (int round = 0; round < 2; ++round) {
         Points multipliers = Points::Zero(3, net.node_count());
         multipliers(Eigen::all, net.free_nodes()) =
@@ -69,9 +69,9 @@ void balance(const CableNet& net, const Eigen::VectorXd& stiffness, Points& edge
     }
 }
 
-/// What phi(e) + phi*(T) exceeds T e by, of an edge whose tension is to be T where its extension is
-/// e and its tension T_e; phi* is the conjugate. With c = EA/l_0 it is (T - T_e)^2 / (2c); of a law
-/// the area between it and T, from e to the extension that it has at T.
+/// phi(e) + phi*(T) - T e of an edge with extension e, of tension T_e, and a force T; phi* is the
+/// conjugate. With c = EA/l_0 it is (T - T_e)^2 / (2c). For a law it is the area between the law
+/// and T, from e to the extension at which the law gives T.
 double misfit_energy(const EdgeState& state, double unstressed_length, const TensionLaw* law,
                      double tension) {
     const double misfit = tension - state.tension;
@@ -84,7 +84,7 @@ double misfit_energy(const EdgeState& state, double unstressed_length, const Ten
                                               law->corner_energy(strain, wanted)));
 }
 
-/// phi*(f) - T l_0 of an edge, T^2 / (2c) where it is linear [J].
+/// phi*(f) - T l_0 of an edge; T^2 / (2c) if it is linear [J].
 double complementary_energy(double tension, double unstressed_length, double axial_stiffness,
                             const TensionLaw* law) {
     if (law == nullptr) {
@@ -105,9 +105,8 @@ double complementary_energy(double tension, double unstressed_length, double axi
 ///
 ///   (T - c e)^2 / (2c)  +  T max(0, l_0 - l)  +  (T l - f . d)
 ///
-/// each term at least 0; with a tension law the first is misfit_energy(). The last one, with the
-/// cross product f x d, is |f x d|^2 / (T l + f . d) where f and d point the same way: no
-/// difference of nearly equal numbers.
+/// each term at least 0; with a tension law the first is misfit_energy(). If f and d point the same
+/// way, the last one is computed as |f x d|^2 / (T l + f . d) to avoid cancellation.
 double gap_of(const EdgeState& state, double unstressed_length, const TensionLaw* law,
               const Eigen::Vector3d& force) {
     const double tension = force.norm();

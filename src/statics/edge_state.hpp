@@ -11,12 +11,12 @@
 
 namespace taut {
 
-/// One edge at given ends: everything that the energy and its derivatives need.
+/// One edge at given ends: what the energy and its derivatives need.
 struct EdgeState {
-    Eigen::Vector3d direction;  ///< u = (r_s - r_t) / l; zero where both ends meet
+    Eigen::Vector3d direction;  ///< u = (r_s - r_t) / l; zero if the ends coincide
     double length;              ///< l [m]
     double extension;           ///< max(0, l - l_0) [m]
-    double axial;               ///< dT/dl, stiffness along the edge, EA / l_0; also if slack [N/m]
+    double axial;               ///< dT/dl, axial stiffness, EA / l_0; also if slack [N/m]
     double tension;             ///< T [N]
 
     [[nodiscard]] bool taut() const { return extension > 0.0; }
@@ -45,8 +45,7 @@ inline EdgeState edge_state(const Eigen::Vector3d& source, const Eigen::Vector3d
     return state;
 }
 
-/// What an edge stores on the way from one extension to another, exact also where they almost
-/// agree [J].
+/// Energy stored between two extensions of an edge, accurate also if they almost agree [J].
 inline double energy_between(const EdgeState& from, const EdgeState& to, double unstressed_length,
                              const TensionLaw* law) {
     if (law == nullptr) {

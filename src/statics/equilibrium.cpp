@@ -15,9 +15,19 @@
 namespace taut {
 namespace {
 
-/// Newton's method alone is given up after this many steps, or so many short ones in a row. Nets
-/// under tension need fewer from a fair start.
+/// Newton's method is interrupted for interior-point steps after this number of steps, or of
+/// consecutive short steps. Tense nets need fewer from a fair start.
 constexpr DescentLimits plain_descent{.max_steps = 30, .max_short_steps = 1};
+
+/// The residual forces may be rounding errors of the coordinates. If these are as large as the
+/// tensions, the tensions are not known. Strains below a billionth do not count as tension.
+bool is_small_beside_tensions(double out_of_balance, const LocalNet& net, double mean_tension) {
+    constexpr double largest_share = 1e-4;
+    constexpr double least_strain = 1e-9;
+    const double loads = net.loads.reshaped(3, net.free_count).colwise().norm().mean();
+    const double scale = std::max({mean_tension, loads, least_strain * net.axial_stiffness.mean()});
+    return out_of_balance <= largest_share * scale;
+}
 
 }  // namespace
 
@@ -32,21 +42,6 @@ std::string_view to_string(EquilibriumStatus status) {
     }
     return "unknown";
 }
-
-namespace {
-
-/// What is left of the forces at the nodes may be rounding errors of the coordinates; where these
-/// are as large as the tensions themselves, nothing is known of these. Tensions below a billionth
-/// of EA are none.
-bool is_small_beside_tensions(double out_of_balance, const LocalNet& net, double mean_tension) {
-    constexpr double largest_share = 1e-4;
-    constexpr double least_strain = 1e-9;
-    const double loads = net.loads.reshaped(3, net.free_count).colwise().norm().mean();
-    const double scale = std::max({mean_tension, loads, least_strain * net.axial_stiffness.mean()});
-    return out_of_balance <= largest_share * scale;
-}
-
-}  // namespace
 
 struct EquilibriumSolver::Workspace {
     EquilibriumSettings settings;
@@ -66,7 +61,8 @@ struct EquilibriumSolver::Workspace {
           state(net),
           before(net) {}
 
-    /// Interior-point steps, all together taken as one step, and only if that lowers the energy.
+    /// Interior-point steps. Together they count as one step, which is taken only if it lowers the
+    /// energy.
     /// @return their number
     int approach(int max_steps, std::vector<double>& energy_decreases) {
         before = state;
@@ -129,8 +125,8 @@ Equilibrium EquilibriumSolver::solve(const Eigen::Ref<const Eigen::VectorXd>& un
 
     result.form = w.net.scatter(state.form());
     if (!w.net.origin.isZero(0.0)) {
-        // The coordinates of a net that lies far from zero are rounded once more: what is told is
-        // of these.
+        // The coordinates of a net far from the origin are rounded once more. Report the forces at
+        // the rounded coordinates.
         w.net.gather(result.form, state.form());
         state.update(w.net);
     }

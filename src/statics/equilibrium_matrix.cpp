@@ -15,13 +15,10 @@ Eigen::SparseMatrix<double> equilibrium_matrix(const CableNet& net,
                                                const Eigen::Ref<const Points>& form,
                                                std::span<const int> edges) {
     check_form("form", net.node_count(), form);
+    check_edges(net.edge_count(), edges);
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(6 * edges.size());
     for (size_t column = 0; column < edges.size(); ++column) {
-        if (edges[column] < 0 || edges[column] >= net.edge_count()) {
-            throw std::invalid_argument(fmt::format("edges names edge {}, expected one of the {}",
-                                                    edges[column], net.edge_count()));
-        }
         const auto [s, t] = net.edges()[edges[column]];
         const Eigen::Vector3d vector = form.col(s) - form.col(t);
         if (vector.isZero(0.0)) {

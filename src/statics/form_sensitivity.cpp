@@ -22,7 +22,7 @@ struct FormSensitivity::Factor {
     explicit Factor(const CableNet& cable_net)
         : net(number_for_elimination(cable_net)), stiffness(net) {}
 
-    /// Adds -dh/dl_0 of an edge, times its change of length, to a right-hand side.
+    /// Adds -dh/dl_0 of an edge times its change of length to a right-hand side.
     void add_force(int edge, double change, Eigen::Ref<Eigen::VectorXd> rhs) const {
         const auto [s, t] = net.edges[edge];
         const Eigen::Vector3d force = change * force_rates.col(edge);
@@ -125,12 +125,9 @@ Eigen::VectorXd FormSensitivity::apply_transposed(
 }
 
 Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
+    check_edges(m_factor->force_rates.cols(), edges);
     Eigen::MatrixXd result(m_factor->net.loads.size(), static_cast<Eigen::Index>(edges.size()));
     for (size_t k = 0; k < edges.size(); ++k) {
-        if (edges[k] < 0 || edges[k] >= m_factor->force_rates.cols()) {
-            throw std::invalid_argument(fmt::format("edges names edge {}, expected one of the {}",
-                                                    edges[k], m_factor->force_rates.cols()));
-        }
         Eigen::VectorXd rhs = Eigen::VectorXd::Zero(result.rows());
         m_factor->add_force(edges[k], 1.0, rhs);
         result.col(static_cast<Eigen::Index>(k)) = m_factor->solve(rhs);
@@ -140,7 +137,7 @@ Eigen::MatrixXd FormSensitivity::columns(std::span<const int> edges) const {
 
 std::vector<EdgeSensitivity> most_sensitive_edges(const FormSensitivity& sensitivity,
                                                   std::span<const int> edges, int count) {
-    constexpr size_t block = 64;  // columns held at a time
+    constexpr size_t block = 64;  // columns in memory at a time
     std::vector<EdgeSensitivity> result;
     result.reserve(edges.size());
     for (size_t begin = 0; begin < edges.size(); begin += block) {

@@ -11,37 +11,37 @@
 namespace taut {
 namespace {
 
-/// Part of its tension and of its play that a step leaves every edge.
+/// Share of its tension and of its play that a step leaves to every edge.
 constexpr double part_kept = 0.01;
 
-/// Bounds of the part of mu that a step aims to leave.
+/// Bounds of the share of mu that a step aims for.
 constexpr double smallest_part = 0.02;
 constexpr double largest_part = 0.8;
 
-/// A step shorter than this has run into the boundary, and who goes so many without a mu below the
-/// lowest goes in circles. Then the path is taken up anew: at a mu that is so much smaller, and the
-/// next time greater.
+/// A shorter step has run into the boundary, and this number of steps without a new lowest mu goes
+/// in circles. Then the path is restarted: first at a mu smaller by `narrower`, the next time at
+/// one larger by `wider`.
 constexpr double shortest_step = 0.03;
 constexpr int most_fruitless_steps = 4;
 constexpr double narrower = 1e-3;
 constexpr double wider = 1e4;
 
-/// Where the path begins, in mean energies of the edges. Nets with stiffening laws were found to
-/// need it below 0.1, and many steps more where it is below 0.001.
+/// mu at the start of the path, in mean energies of the edges. In experiments nets with stiffening
+/// laws need it below 0.1, and many more steps if it is below 0.001.
 constexpr double first_part = 0.01;
 
-/// The path ends where sum T s is this part of sum T e, twice the energy of linear edges (or
-/// where the play, weighted by the tensions, is a rounding error of the coordinates), and the
-/// largest imbalance of the tensions this part of their mean.
+/// The path ends if sum T s is below `smallest_gap` times sum T e, twice the energy of linear edges
+/// (or the play, weighted by the tensions, is a rounding error of the coordinates), and the largest
+/// imbalance of the tensions is below `smallest_imbalance` times their mean.
 constexpr double smallest_gap = 1e-9;
 constexpr double smallest_imbalance = 1e-6;
 
-/// Where the forces by the law of the edges balance so far, in mean tensions, there is nothing left
-/// to do: a net that is slack all over, say.
+/// If the forces by the tension laws balance to this share of the mean tension, nothing is left to
+/// do, for example in a net that is slack everywhere.
 constexpr double balanced = 1e-9;
 
-/// The smallest x > 0 with a x^2 + 2 b x + c = 0, for c < 0; infinity where there is none. For b <
-/// 0 in the form that adds: b + sqrt(b^2 - a c) is all cancelled where c is small.
+/// The smallest x > 0 with a x^2 + 2 b x + c = 0, for c < 0; infinity if there is none. Written
+/// without cancellation: for b < 0 the sum b + sqrt(b^2 - a c) would lose all digits at small c.
 double first_root(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (b < 0.0) {
@@ -57,8 +57,7 @@ double stretch(const NetState& state, size_t edge) {
     return state.edges()[edge].length - state.unstressed_lengths()(static_cast<Eigen::Index>(edge));
 }
 
-/// Mean over the edges of T (l - l_0), slack ones included with the pressure that they would bear
-/// [N m].
+/// Mean over the edges of T (l - l_0); slack edges count with the pressure of a linear edge [N m].
 double mean_stretch_energy(const NetState& state) {
     double sum = 0.0;
     for (size_t e = 0; e < state.edges().size(); ++e) {
@@ -69,7 +68,7 @@ double mean_stretch_energy(const NetState& state) {
     return sum / static_cast<double>(state.edges().size());
 }
 
-/// Adds a force along every edge to its ends: that of the source.
+/// Adds a force along every edge to its ends; the given one acts on the source.
 template <typename ForceOfEdge>
 void add_forces(const LocalNet& net, const NetState& state, ForceOfEdge&& force_of_edge,
                 Eigen::VectorXd& forces) {
@@ -137,7 +136,7 @@ std::span<const PathPart> InteriorPoint::parts_of(size_t edge) const {
                                       m_parts_begin[edge + 1] - m_parts_begin[edge]);
 }
 
-/// On the path at this form: the tension of an edge is that of its law with corners rounded by mu.
+/// Starts on the path at this form: tensions follow from the laws with corners rounded by mu.
 void InteriorPoint::start_on_path(const LocalNet& net, const NetState& state, double mu) {
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const auto edge = static_cast<Eigen::Index>(e);
@@ -197,8 +196,8 @@ void InteriorPoint::aim_at(double mu) {
     aim_parts(m_parts, mu);
 }
 
-/// Takes off what the last direction would change T s by to second order: dT ds, and T times what
-/// the length grows by turning.
+/// Subtracts the second-order change of T s along the last direction: dT ds, and T times the growth
+/// of the length by turning.
 void InteriorPoint::correct(const NetState& state) {
     for (size_t e = 0; e < m_edges.size(); ++e) {
         const EdgeState& at = state.edges()[e];
@@ -215,7 +214,7 @@ void InteriorPoint::correct(const NetState& state) {
 /// of the parts and ds = de - dl, dT = (wanted - T g + T dl) / (s + T F).
 void InteriorPoint::find_direction(const LocalNet& net, const Stiffness& stiffness,
                                    const NetState& state) {
-    for (size_t e = 0; e < m_edges.size(); ++e) {  // as without dl
+    for (size_t e = 0; e < m_edges.size(); ++e) {  // for dl = 0
         PathEdge& edge = m_edges[e];
         const auto [flexibility, drift] = tangent_of(parts_of(e), edge.tension);
         edge.tension_rate =
@@ -243,8 +242,8 @@ void InteriorPoint::find_direction(const LocalNet& net, const Stiffness& stiffne
     }
 }
 
-/// At most 1, and no edge loses more of its tension or play, nor its parts of theirs, than
-/// part_kept leaves. The play along the direction is l_0 + e + a de - |l u + a d|.
+/// The longest step, at most 1, that leaves part_kept of their tension and play to all edges, and
+/// likewise to their parts. The play along the direction is l_0 + e + a de - |l u + a d|.
 double InteriorPoint::longest_step(const NetState& state) const {
     double step = limit_step(m_parts, part_kept, 1.0);
     for (size_t e = 0; e < m_edges.size(); ++e) {
@@ -264,7 +263,7 @@ double InteriorPoint::longest_step(const NetState& state) const {
     return step;
 }
 
-/// mu, a step along the direction, by the slopes at its start.
+/// mu after a step along the direction, by the rates at its start.
 double InteriorPoint::mean_product_after(double step, const NetState& state) const {
     auto [sum, count] = products_after(m_parts, step);
     for (size_t e = 0; e < m_edges.size(); ++e) {
@@ -285,7 +284,7 @@ void InteriorPoint::move(double step, const LocalNet& net, NetState& state) {
         PathEdge& edge = m_edges[e];
         edge.tension += step * edge.tension_rate;
         edge.elongation = elongation(parts_of(e));
-        // where nothing but rounding errors is left of the play, those stand for it
+        // at least the rounding error of the length, so that the play stays positive
         edge.play = std::max(edge.elongation - stretch(state, e),
                              std::numeric_limits<double>::epsilon() * state.edges()[e].length);
     }

@@ -16,21 +16,21 @@ namespace taut {
 ///
 ///   T >= 0,   s = l_0 + e - l(r) >= 0,   T s = 0,   and the forces T balance the loads,
 ///
-/// with the elongation e that the edge's law has at T: T l_0/EA where it is linear, else the sum
-/// of what the straight parts of the law stretch (PathPart).
-/// This follows the path T s = mu of all edges, and likewise of their parts, towards mu = 0 by
-/// predictor and corrector (S. Mehrotra, On the implementation of a primal-dual interior point
-/// method, SIAM J. Optim. 2 (1992) 575-601); the corrector holds the curvature of l(r) in s, too.
-/// Each step solves with the stiffness of the net, in which an edge counts T / (s + T de/dT) along,
-/// and T / l across. How many edges go slack or pass a corner of their law hardly matters here,
-/// while Newton's method on the energy spends steps on each few of them. It comes only as near to
-/// the equilibrium as mu to zero.
+/// with the elongation e of the edge's law at T: T l_0/EA if it is linear, else the sum over the
+/// straight parts of the law (PathPart).
+/// The method follows the path T s = mu of all edges and of their parts towards mu = 0 by predictor
+/// and corrector (S. Mehrotra, On the implementation of a primal-dual interior point method, SIAM
+/// J. Optim. 2 (1992) 575-601). The corrector includes the curvature of l(r) in s. Each step solves
+/// with the stiffness of the net, in which an edge has stiffness T / (s + T de/dT) along it and T /
+/// l across. The number of edges that go slack or pass a corner of their law hardly affects the
+/// number of steps, while Newton's method on the energy needs a step for every few of them. The
+/// result is as near to the equilibrium as mu is to zero.
 class InteriorPoint {
 public:
     explicit InteriorPoint(const LocalNet& net);
 
     /// Moves the state near its equilibrium in at most `max_steps` steps, of one factorisation
-    /// each. Allocates nothing. Does nothing where an edge's ends meet: its direction is none.
+    /// each. Does not allocate. Does nothing if the ends of an edge coincide: it has no direction.
     /// @return steps taken
     int run(const LocalNet& net, Stiffness& stiffness, NetState& state, int max_steps);
 

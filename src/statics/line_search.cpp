@@ -11,8 +11,8 @@ namespace {
 constexpr double armijo = 1e-4;
 constexpr int max_trials = 60;
 
-/// A slope below this part of the energy stored in the edges promises a decrease that drowns in the
-/// rounding errors of the energy.
+/// A slope below this share of the elastic energy predicts a decrease below the rounding errors of
+/// the energy.
 constexpr double drowned_slope = 1e-13;
 
 }  // namespace
@@ -28,16 +28,16 @@ LineSearchStep search_line(const LocalNet& net, const NetState& state,
         trial.update(net);
         const double trial_slope = trial.forces().dot(direction);
         const double decrease = -trial.energy_above(state, net);
-        // V is convex, so it fell all the way to a point where it still falls: this needs no
-        // difference of energies, and so holds when rounding hides the decrease. Where that hides
-        // any, the smaller slope is the better form. Otherwise Armijo.
+        // V is convex: if it still falls at the trial point, it fell all the way. This test needs
+        // no difference of energies, so it works if rounding errors hide the decrease. If they hide
+        // any decrease, the smaller slope is better. Otherwise the Armijo rule decides.
         if (trial_slope <= 0.0 || decrease >= -armijo * length * slope ||
             (drowned && trial_slope <= -slope)) {
             return {.accepted = std::isfinite(trial_slope),
                     .length = length,
                     .energy_decrease = decrease};
         }
-        // Root of the slope by the secant through both ends, kept away from them.
+        // Zero of the slope by the secant through both ends, kept away from them.
         const double root = slope / (slope - trial_slope);
         length *= std::isfinite(root) ? std::clamp(root, 0.01, 0.7) : 0.01;
     }

@@ -9,11 +9,11 @@ namespace taut {
 struct LineSearchStep {
     bool accepted = false;
     double length = 0.0;           ///< alpha, of the direction
-    double energy_decrease = 0.0;  ///< V(r) - V(r + alpha d) >= 0, but for rounding errors [J]
+    double energy_decrease = 0.0;  ///< V(r) - V(r + alpha d) >= 0 up to rounding errors [J]
 };
 
-/// Looks for a step alpha in (0, 1] along a descent direction d (3 n_I) that lowers the energy, and
-/// leaves the net at r + alpha d in `trial`. Allocates nothing.
+/// Finds a step alpha in (0, 1] along a descent direction d (3 n_I) that lowers the energy, and
+/// leaves the net at r + alpha d in `trial`. Does not allocate.
 [[nodiscard]] LineSearchStep search_line(const LocalNet& net, const NetState& state,
                                          const Eigen::VectorXd& direction, NetState& trial);
 

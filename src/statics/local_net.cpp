@@ -5,8 +5,8 @@
 namespace taut {
 namespace {
 
-/// How far from the middle of its supports a net's form can go: tenfold its length in cable, beyond
-/// the farthest support. Cables that are stretched more are no cables.
+/// Largest distance of a node from the middle of the supports: that of the farthest support plus
+/// ten times the net's total length of cable. No cable can be stretched further.
 double reach_of(const CableNet& net, const Eigen::Vector3d& middle) {
     constexpr double stretched = 10.0;
     const double supports =
@@ -14,9 +14,9 @@ double reach_of(const CableNet& net, const Eigen::Vector3d& middle) {
     return supports + stretched * net.unstressed_lengths().sum();
 }
 
-/// The place itself, or the one in its direction that is within reach.
+/// The point itself, or the point in its direction at the distance `reach`.
 Eigen::Vector3d within_reach(const Eigen::Vector3d& from_middle, double reach) {
-    // Not norm() first: the square of a coordinate can be too large.
+    // Not by norm(): the square of a coordinate could overflow.
     const double largest = from_middle.cwiseAbs().maxCoeff();
     if (largest <= reach) {
         return from_middle;
@@ -71,7 +71,7 @@ LocalNet number(const CableNet& net, const std::vector<int>& free_order) {
     return local;
 }
 
-/// Which free nodes an edge connects.
+/// The graph of the free nodes.
 MatrixGraph free_node_graph(const CableNet& net) {
     std::vector<std::array<int, 2>> pairs;
     pairs.reserve(net.edges().size());

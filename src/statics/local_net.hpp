@@ -18,27 +18,28 @@ struct LocalNet {
     std::vector<Edge> edges;          ///< in local indices, order of the net's edges
     Eigen::VectorXd axial_stiffness;  ///< m [N]
     std::vector<TensionLaw> laws;     ///< of the net
-    std::vector<int> law_of_edge;     ///< m indices of laws, -1: linear; none where all are
+    std::vector<int> law_of_edge;     ///< m indices of laws, -1: linear; empty if all are
     Eigen::VectorXd loads;            ///< 3 free_count [N]
-    /// Subtracted from all coordinates: the middle of the supports, where the net lies so far from
-    /// zero (a national grid) that its coordinates' rounding errors would be felt; else zero [m].
+    /// Subtracted from all coordinates. The middle of the supports if the net lies so far from zero
+    /// (as in a national grid) that rounding errors of its coordinates would matter; else zero [m].
     Eigen::Vector3d origin;
-    Eigen::Matrix3Xd nodes;  ///< 3 x n, nominal coordinates less origin, brought near [m]
-    /// No node of the net's form is farther from the origin of the supports: what is, as a nominal
-    /// place or a start, is brought that near, so that rounding errors are of the net's own size.
+    Eigen::Matrix3Xd nodes;  ///< 3 x n, nominal coordinates less origin, within reach [m]
+    /// No node of a form can be farther from the middle of the supports. Nominal nodes and starts
+    /// beyond it are moved to this distance, so that rounding errors are relative to the net's
+    /// size.
     double reach = 0.0;
     Eigen::Vector3d middle;  ///< of the supports, less origin [m]
     Points supports;         ///< 3 x n_B, the net's own coordinates of the supports [m]
 
-    /// Null: linear.
+    /// Null if the edge is linear.
     [[nodiscard]] const TensionLaw* law(size_t edge) const {
         return law_of_edge.empty() || law_of_edge[edge] < 0 ? nullptr : &laws[law_of_edge[edge]];
     }
 
-    /// Coordinates of all nodes from the net's numbering to this one, brought near; supports from
+    /// Copies coordinates from the net's numbering to this one, moved within reach; supports from
     /// the net.
     void gather(const Eigen::Ref<const Points>& form, Eigen::Matrix3Xd& local) const;
-    /// The way back.
+    /// The reverse of gather().
     [[nodiscard]] Points scatter(const Eigen::Matrix3Xd& local) const;
 };
 

@@ -20,9 +20,9 @@ NetState::NetState(const LocalNet& net)
 void NetState::set_unstressed_lengths(const LocalNet& net,
                                       const Eigen::Ref<const Eigen::VectorXd>& lengths) {
     m_unstressed_lengths = lengths;
-    // The last place of a coordinate, here of a metre, times EA/l_0 of all edges at the node. A few
-    // of these, since the neighbours are rounded too: 0.2 to 0.6 is what the solver was seen to
-    // reach.
+    // The last digit of a coordinate of one metre, times EA/l_0 of all edges at the node. The
+    // factor 4 allows for the rounding of the neighbours: the solver reaches 0.2 to 0.6 of this
+    // bound.
     const double last_place = 4.0 * std::numeric_limits<double>::epsilon();
     m_rounding.setZero();
     for (size_t e = 0; e < m_edges.size(); ++e) {
@@ -88,15 +88,15 @@ double NetState::imbalance(const LocalNet& net, double relative_tolerance) const
     const double tension = mean_tension();
     const double scale =
         tension > 0.0 ? tension : net.loads.reshaped(3, net.free_count).colwise().norm().mean();
-    // A form that was found from afar has smaller coordinates than its start; and one that is on
-    // its way to nowhere has larger ones, which excuse nothing.
+    // The smaller of both: nominal coordinates far off must not loosen the bound, nor must a form
+    // that diverges.
     const double coordinate =
         std::min(m_form.cwiseAbs().maxCoeff(), net.nodes.cwiseAbs().maxCoeff());
     double largest = 0.0;
     for (int i = 0; i < net.free_count; ++i) {
         const double force = m_forces.segment<3>(Eigen::Index{3} * i).norm() /
                              (relative_tolerance * scale + coordinate * m_rounding(i));
-        if (!(force <= largest)) {  // also where it is not a number, which is never balanced
+        if (!(force <= largest)) {  // also for NaN, which is never balanced
             largest = force;
         }
         if (!std::isfinite(largest)) {

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// A net at one form: its edges' states and nodal forces. All memory is taken on construction.
+/// A net at one form: its edges' states and nodal forces. All memory is allocated on construction.
 class NetState {
 public:
     explicit NetState(const LocalNet& net);
@@ -29,17 +29,16 @@ public:
     /// Largest norm of the forces h_s over the free nodes [N].
     [[nodiscard]] double largest_force() const;
     [[nodiscard]] std::vector<int> slack_edges() const;
-    /// Over the taut edges; 0 where all are slack [N].
+    /// Over the taut edges; 0 if all are slack [N].
     [[nodiscard]] double mean_tension() const;
-    /// Sum over the edges of 1/2 T (l - l_0), without the loads: what linear edges store [J].
+    /// Sum over the edges of 1/2 T (l - l_0): the elastic energy of linear edges [J].
     [[nodiscard]] double stretch_energy() const;
-    /// Largest force h_s, in units of what counts as balanced at its node: the tolerance times the
-    /// mean tension (where all edges are slack, times the mean load), and what rounding errors of
-    /// the coordinates make of the node's axial stiffness.
+    /// Largest force h_s, in units of the force that counts as balanced at its node: the tolerance
+    /// times the mean tension (the mean load if all edges are slack), plus the rounding error of
+    /// the coordinates times the axial stiffness of the node.
     [[nodiscard]] double imbalance(const LocalNet& net, double relative_tolerance) const;
 
-    /// V(this) - V(other), summed edge by edge so that it stays exact where the two almost agree
-    /// [J].
+    /// V(this) - V(other), summed edge by edge to stay accurate if the two almost agree [J].
     [[nodiscard]] double energy_above(const NetState& other, const LocalNet& net) const;
 
 private:
@@ -47,7 +46,7 @@ private:
     Eigen::Matrix3Xd m_form;
     std::vector<EdgeState> m_edges;
     Eigen::VectorXd m_forces;
-    Eigen::VectorXd m_rounding;  ///< n_I, forces that rounding errors of a metre leave [N/m]
+    Eigen::VectorXd m_rounding;  ///< n_I, force by rounding errors of a coordinate of 1 m [N/m]
     double m_tension_sum = 0.0;
     int m_slack_count = 0;
 };

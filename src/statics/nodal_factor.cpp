@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-/// L and D with L D L' = the matrix, of which the lower triangle is read.
+/// L and D with L D L' = the matrix; reads its lower triangle.
 /// @return whether it is positive definite
 template <typename Diagonal>
 bool factorize_block(const Eigen::Matrix3d& matrix, Diagonal& L,
@@ -41,7 +41,7 @@ void divide_by(const Diagonal& L, Rows& rows) {
 
 }  // namespace
 
-/// rows[i] -= L_ij S of all blocks L_ij of a column: most of the work.
+/// rows[i] -= L_ij S for all blocks L_ij of a column: most of the work.
 TAUT_PACKETS void NodalFactor::subtract_products(const Block* begin, const Block* end,
                                                  const Eigen::Matrix3d& S, Padded* rows) {
     const std::array<double, 9> s = {S(0, 0), S(1, 0), S(2, 0), S(0, 1), S(1, 1),
@@ -72,8 +72,8 @@ NodalFactor::NodalFactor(const StiffnessMatrix& matrix)
       m_row(matrix.node_count(), Padded::Zero()),
       m_pattern(matrix.node_count()),
       m_visited(matrix.node_count(), -1) {
-    // Davis, sections 4.1 and 4.5, but without path compression: every row is walked whole, since
-    // its length counts.
+    // Davis, sections 4.1 and 4.5, but without path compression: the whole row is traversed to
+    // count its entries.
     for (int row = 0; row < matrix.node_count(); ++row) {
         m_visited[row] = row;
         for (const auto& block : matrix.column(row)) {

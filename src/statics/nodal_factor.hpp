@@ -11,7 +11,7 @@ namespace taut {
 
 /// The factors K = L D L' of the stiffness of a small net, L in blocks of 3 x 3, found row by row
 /// (T. A. Davis, Direct Methods for Sparse Linear Systems, SIAM 2006, sections 4.1 to 4.7). Nodes
-/// keep their order. The symbolic work is done on construction; after that nothing is allocated.
+/// keep their order. The symbolic work and all allocation are done on construction.
 class NodalFactor {
 public:
     explicit NodalFactor(const StiffnessMatrix& matrix);
@@ -22,12 +22,11 @@ public:
     /// Overwrites a right-hand side (3 n_I) with K^-1 times it.
     void solve(Eigen::Ref<Eigen::VectorXd> x) const;
 
-    /// D of each free node (3 x n_I): what is left of its stiffness when the nodes before it are
-    /// free to move [N/m].
+    /// D of each free node (3 x n_I): its stiffness with the nodes before it free to move [N/m].
     [[nodiscard]] const Eigen::Matrix3Xd& pivots() const { return m_pivots; }
 
 private:
-    /// 3 x 3 with a row of zeros below: columns of whole packets, of two numbers or four.
+    /// 3 x 3 with a row of zeros below, so that a column is one whole packet.
     using Padded = Eigen::Matrix<double, 4, 3>;
     /// L_jj, below its diagonal of ones, and D_j.
     struct Diagonal {
@@ -52,11 +51,11 @@ private:
     std::vector<Diagonal> m_diagonal;  ///< L_jj and D_j
     Eigen::Matrix3Xd m_pivots;
 
-    // work space of factorize()
-    std::vector<size_t> m_ends;  ///< of the blocks found so far, of each column
-    std::vector<Padded> m_row;   ///< of the row in work, at each column
-    std::vector<int> m_pattern;  ///< columns of the row in work, last ones first
-    std::vector<int> m_visited;  ///< last row that came to each column
+    // workspace of factorize()
+    std::vector<size_t> m_ends;  ///< of the blocks found so far in each column
+    std::vector<Padded> m_row;   ///< entries of the current row, by column
+    std::vector<int> m_pattern;  ///< columns of the current row, filled from the end
+    std::vector<int> m_visited;  ///< last row that visited each column
 };
 
 }  // namespace taut

@@ -15,7 +15,7 @@ double positive_root(double a, double b, double mu) {
     return a > 0.0 ? 2.0 * mu / (root + a) : (root - a) / (2.0 * b);
 }
 
-/// The w in (0, W) with excess - c w + mu / w - mu / (W - w) = 0, of which the left side falls.
+/// The w in (0, W) with excess - c w + mu / w - mu / (W - w) = 0. The left side falls with w.
 double middle_root(double excess, double axial, double width, double mu) {
     constexpr int most_steps = 100;
     double low = 0.0;
@@ -25,7 +25,7 @@ double middle_root(double excess, double axial, double width, double mu) {
         const double room = width - w;
         const double value = excess - axial * w + mu / w - mu / room;
         (value > 0.0 ? low : high) = w;
-        // Newton's method on the value times w (W - w), which has no poles.
+        // Newton's method on value * w (W - w), which has no poles.
         const double scaled = value * w * room;
         const double slope =
             value * (room - w) - (axial + mu / (w * w) + mu / (room * room)) * w * room;
@@ -56,13 +56,13 @@ void set_part(PathPart& part, double width, double tension, double mu) {
     part.high = part.has_high ? mu / part.room : 0.0;
 }
 
-/// What a part has as stiffness: dT/dw.
+/// Stiffness of a part, dT/dw.
 double stiffness_of(const PathPart& part) {
     return part.axial + (part.has_low ? part.low / part.stretch : 0.0) +
            (part.has_high ? part.high / part.room : 0.0);
 }
 
-/// What T would be greater by, were w to stay as it is.
+/// Growth of T at constant w that makes the equations of the part hold.
 double push_of(const PathPart& part, double tension) {
     const double misfit = tension - part.begin - part.axial * part.stretch + part.low - part.high;
     return misfit + (part.has_low ? part.low_wanted / part.stretch : 0.0) -
@@ -98,8 +98,8 @@ double start_parts(const TensionLaw* law, double axial, double unstressed, doubl
             set_part(parts[k], width(k), tension, mu);
         }
     };
-    // The T with T (e(T) - stretch) = mu: by Newton's method, as long as that halves the
-    // difference.
+    // The T with T (e(T) - stretch) = mu, by Newton's method while it halves the difference, else
+    // by bisection.
     constexpr int most_steps = 200;
     double low = 0.0;
     double high = std::numeric_limits<double>::infinity();
@@ -148,7 +148,7 @@ void correct_parts(std::span<PathPart> parts) {
     }
 }
 
-/// dw = (dT + push) / stiffness, with what z and y change by eliminated.
+/// dw = (dT + push) / stiffness, with the changes of z and y eliminated.
 PathTangent tangent_of(std::span<const PathPart> parts, double tension) {
     PathTangent result{.flexibility = 0.0, .drift = 0.0};
     for (const PathPart& part : parts) {

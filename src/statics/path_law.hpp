@@ -9,9 +9,9 @@
 
 namespace taut {
 
-/// A straight part of an edge's tension law on the path of InteriorPoint. Of the edge's elongation
-/// e it takes w, from 0 to a width W, at which the law gives T_k + c w. The edge has one tension,
-/// so that
+/// A straight part of an edge's tension law on the path of InteriorPoint. It takes w of the edge's
+/// elongation e, from 0 to its width W, and there the law gives T_k + c w. All parts of an edge
+/// have its tension T, so that
 ///
 ///   T = T_k + c w - z + y,   z w = mu,   y (W - w) = mu,   z, y >= 0:
 ///
@@ -19,7 +19,7 @@ namespace taut {
 /// part has no z, and the last has neither W nor y; a linear edge is one part with neither.
 struct PathPart {
     double begin;  ///< T_k [N]
-    double axial;  ///< c; 0 where the law is flat [N/m]
+    double axial;  ///< c; 0 if the law is flat [N/m]
     bool has_low;
     bool has_high;
     double stretch;     ///< w [m]
@@ -34,16 +34,16 @@ struct PathPart {
     double high_rate = 0.0;
 };
 
-/// What an edge's parts make of its elongation to first order: de = flexibility dT + drift.
+/// Change of an edge's elongation to first order: de = flexibility dT + drift.
 struct PathTangent {
     double flexibility;  ///< [m/N]
     double drift;        ///< [m]
 };
 
-/// The parts of an edge: of a law as many as it has, else one.
+/// Number of parts of an edge: that of its law, or 1 if it is linear.
 [[nodiscard]] size_t part_count(const TensionLaw* law);
 
-/// Puts the parts where T s = mu, s = e - stretch, at a stretch l - l_0 of the edge.
+/// Sets the parts to the point of the path with T s = mu, s = e - stretch, at a stretch l - l_0.
 /// @param axial of a linear edge, EA / l_0 [N/m]
 /// @return T [N]
 [[nodiscard]] double start_parts(const TensionLaw* law, double axial, double unstressed,
@@ -54,20 +54,21 @@ struct PathTangent {
 
 /// Aims at z w = y (W - w) = mu.
 void aim_parts(std::span<PathPart> parts, double mu);
-/// Takes off what the last direction would change z w and y (W - w) by to second order.
+/// Subtracts the second-order change of z w and y (W - w) along the last direction.
 void correct_parts(std::span<PathPart> parts);
 [[nodiscard]] PathTangent tangent_of(std::span<const PathPart> parts, double tension);
-/// The direction of the parts where that of the tension is known.
+/// Sets the direction of the parts from that of the tension.
 void find_part_rates(std::span<PathPart> parts, double tension, double tension_rate);
-/// The longest step, no longer than this one, that leaves a part of all that is to stay positive.
+/// The longest step, at most `step`, that leaves `part_kept` of all quantities that stay positive.
 [[nodiscard]] double limit_step(std::span<const PathPart> parts, double part_kept, double step);
 void move_parts(std::span<PathPart> parts, double step);
 
-/// The sum of z w and y (W - w) a step along the direction, and of how many they are.
+/// Sum and number of the products z w and y (W - w).
 struct PathProducts {
     double sum;
     int count;
 };
+/// After a step along the direction.
 [[nodiscard]] PathProducts products_after(std::span<const PathPart> parts, double step);
 
 }  // namespace taut

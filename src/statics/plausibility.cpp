@@ -14,14 +14,14 @@ namespace taut {
 namespace {
 
 constexpr double longest_mean_edge = 30.0;  ///< m
-/// Of the taut edges in the mean: steel carries 1.7 MPa there. A cable at 0.2 % whose tension was
-/// told a thousand times too small is at 2e-6.
+/// Mean over the taut edges, at which steel carries 1.7 MPa. A cable at 0.2 % whose tension is
+/// given a thousand times too small is at 2e-6.
 constexpr double least_mean_strain = 8e-6;
-/// No steel cable bears this much; a net of another material may.
+/// More than any steel cable bears. Nets of other materials may.
 constexpr double absurd_strain = 0.05;
 constexpr double largest_imbalance = 0.1;  ///< of the mean tension
 
-/// A factor between lengths and edges that no elongation and no slack explains.
+/// A ratio of unstressed to edge lengths that neither strain nor slack explains.
 constexpr double impossible_ratio = 100.0;
 
 Eigen::ArrayXd strains_of(const CableNet& net) {
@@ -33,17 +33,18 @@ void add_strain_warnings(const CableNet& net, std::vector<std::string>& warnings
     const auto taut_count = static_cast<double>((strains > 0.0).count());
     const double mean = taut_count > 0.0 ? strains.max(0.0).sum() / taut_count : 0.0;
     if (mean > 0.0 && mean < least_mean_strain) {
-        warnings.push_back(
-            fmt::format("strains of {:.2g} % in the mean, hardly any tension: are its forces in kN "
-                        "(taut import --force-unit kN), or is axial_stiffness not in N?",
-                        100.0 * mean));
+        warnings.push_back(fmt::format(
+            "strains of {:.2g} % on average, hardly any tension: are forces in kN instead "
+            "of N, or is axial_stiffness not in N?",
+            100.0 * mean));
     }
     Eigen::Index worst = 0;
     if (strains.maxCoeff(&worst) > absurd_strain) {
-        warnings.push_back(fmt::format(
-            "edge {} has a strain of {:.3g} %, more than a cable of steel bears: are its forces in "
-            "N (taut import --force-unit N), or is axial_stiffness not in N?",
-            net.edge_id(static_cast<int>(worst)), 100.0 * strains(worst)));
+        warnings.push_back(
+            fmt::format("edge {} has a strain of {:.3g} %, more than a steel cable bears: are "
+                        "forces a thousand "
+                        "times too large, or is axial_stiffness not in N?",
+                        net.edge_id(static_cast<int>(worst)), 100.0 * strains(worst)));
     }
 }
 
@@ -52,19 +53,20 @@ void add_strain_warnings(const CableNet& net, std::vector<std::string>& warnings
 std::vector<std::string> unit_warnings(const CableNet& net) {
     std::vector<std::string> warnings;
     if (const double mean = edge_lengths(net, net.nodes()).mean(); mean > longest_mean_edge) {
-        warnings.push_back(
-            fmt::format("edges of {:.4g} m in the mean: are its coordinates in mm? taut takes "
-                        "metres, scale the file by 0.001",
-                        mean));
+        warnings.push_back(fmt::format(
+            "edges of {:.4g} m on average: are its coordinates in mm? taut expects metres: "
+            "scale the file by 0.001",
+            mean));
     }
     add_strain_warnings(net, warnings);
     const Imbalance found = imbalance(net, net.unstressed_lengths(), net.nodes());
     if (found.mean_tension > 0.0 && std::isfinite(found.share()) &&
         found.share() > largest_imbalance) {
-        warnings.push_back(fmt::format(
-            "its nodes are {:.2g} N out of balance ({:.1g} of the mean tension): are loads left "
-            "out (taut import --loads balance), or told in another unit (--force-unit)?",
-            found.largest, found.share()));
+        warnings.push_back(
+            fmt::format("its nodes are {:.2g} N out of balance ({:.1g} of the mean tension): are "
+                        "loads missing, "
+                        "or forces in another unit?",
+                        found.largest, found.share()));
     }
     return warnings;
 }

@@ -31,12 +31,12 @@ SelfStress::SelfStress(const Eigen::SparseMatrix<double>& equilibrium_matrix)
 }
 
 Eigen::MatrixXd SelfStress::basis() const {
-    // Inverse iteration: each round weakens what is not in the null space by its squared singular
-    // value over zero_squared, 1e4 and more.
+    // Inverse iteration: each round reduces components outside the null space by their squared
+    // singular value over zero_squared, 1e4 and more.
     constexpr int rounds = 3;
     Eigen::MatrixXd vectors =
         Eigen::MatrixXd::NullaryExpr(m_columns, m_count, [](Eigen::Index i, Eigen::Index j) {
-            // Numbers without a pattern that a net could share.
+            // Start vectors without a pattern that a net could share.
             return std::sin(12.9898 * static_cast<double>(i + 1) + 78.233 * static_cast<double>(j) +
                             static_cast<double>((i + 1) * (j + 1) % 7919));
         });

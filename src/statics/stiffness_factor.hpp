@@ -13,11 +13,11 @@
 namespace taut {
 
 /// The factors K = L D L' of a stiffness. Nodes keep their order. The symbolic work is done on
-/// construction; after that nothing is allocated, but for a large net.
+/// construction. After that nothing is allocated, except for a large net.
 ///
 /// Nets of some hundred nodes are solved thousands of times, and their columns are too short for
-/// dense products: that is for NodalFactor. Large ones are for SupernodalFactor, whose dense
-/// products run at the machine's speed, on all its cores.
+/// dense products: they use NodalFactor. Large nets use SupernodalFactor, whose dense products run
+/// at the machine's peak, on all cores.
 class StiffnessFactor {
 public:
     explicit StiffnessFactor(const StiffnessMatrix& matrix);
@@ -29,15 +29,14 @@ public:
     /// Overwrites a right-hand side (3 n_I) with K^-1 times it.
     void solve(Eigen::Ref<Eigen::VectorXd> x) const;
 
-    /// D of each free node (3 x n_I): what is left of its stiffness when the nodes before it are
-    /// free to move [N/m].
+    /// D of each free node (3 x n_I): its stiffness with the nodes before it free to move [N/m].
     [[nodiscard]] const Eigen::Matrix3Xd& pivots() const;
 
-    /// From so many free nodes on a net is large.
+    /// A net of at least this number of free nodes is large.
     static constexpr int large = 5000;
 
 private:
-    /// The supernodal factor, and what it takes of the matrix.
+    /// The supernodal factor, and the blocks of the matrix that it assembles.
     struct Large {
         /// A block K_ij of the matrix, i < j.
         struct Entry {
@@ -65,12 +64,11 @@ struct Stiffness {
     explicit Stiffness(const LocalNet& net) : matrix(net), factor(matrix) {}
 
     bool factorize() { return factor.factorize(matrix); }
-    /// Whether the factor tells that some node is loose: the matrix is not positive definite, or
-    /// only by rounding errors.
+    /// Whether some node is loose: the matrix is not positive definite, or only by rounding errors.
     [[nodiscard]] bool has_loose_nodes() const;
 };
 
-/// Below this part of a node's axial stiffness, stiffness is rounding error.
+/// Below this share of a node's axial stiffness, a pivot is rounding error.
 constexpr double smallest_relative_stiffness = 1e-12;
 
 }  // namespace taut

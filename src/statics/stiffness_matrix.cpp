@@ -51,7 +51,7 @@ void StiffnessMatrix::assemble(const LocalNet& net, const std::vector<EdgeState>
         }
         for (const int node : net.edges[e]) {
             if (node < net.free_count) {
-                // where a tension law is flat, T / l is all the stiffness that there is
+                // where a tension law is flat, T / l is the only stiffness
                 m_axial_at_nodes(node) += std::max(state.axial, across);
                 m_diagonal[node] += stiffness;
             }

@@ -12,8 +12,8 @@
 
 namespace taut {
 
-/// The stiffness of a net in blocks of 3 x 3, one a free node and one an edge between free nodes:
-/// the upper triangle, column by column.
+/// The stiffness of a net in blocks of 3 x 3, one for each free node and each edge between free
+/// nodes: the upper triangle, column by column.
 class StiffnessMatrix {
 public:
     /// K_ij of an edge between the free nodes i < j.
@@ -24,7 +24,7 @@ public:
 
     explicit StiffnessMatrix(const LocalNet& net);
 
-    /// Sets all entries from the states of all edges (eq. in statics/energy.hpp).
+    /// Sets all entries from the states of all edges (taut/statics/energy.hpp).
     void assemble(const LocalNet& net, const std::vector<EdgeState>& states);
 
     /// Adds shift times its axial stiffness (the sum of EA/l_0 of its edges) to each node's
@@ -33,12 +33,12 @@ public:
 
     [[nodiscard]] int node_count() const { return static_cast<int>(m_diagonal.size()); }
     [[nodiscard]] const Eigen::Matrix3d& diagonal(int node) const { return m_diagonal[node]; }
-    /// K_ij of a column j for its neighbours i < j, in no order.
+    /// K_ij of a column j for its neighbours i < j, unordered.
     [[nodiscard]] std::span<const Block> column(int node) const {
         const auto j = static_cast<size_t>(node);
         return {m_blocks.data() + m_starts[j], m_blocks.data() + m_starts[j + 1]};
     }
-    /// Those of all columns, one after the other.
+    /// The blocks of all columns, one after the other.
     [[nodiscard]] std::span<const Block> blocks() const { return m_blocks; }
     /// Both triangles (3 n_I x 3 n_I) [N/m].
     [[nodiscard]] Eigen::SparseMatrix<double> to_sparse() const;

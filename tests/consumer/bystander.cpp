@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Dense>
 
-/// Of a matrix that is made, grown and freed here.
+/// The norm of a matrix that is made, grown and freed here.
 double bystander_norm(int size) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
     matrix.conservativeResize(2 * size, 2 * size);

@@ -19,7 +19,7 @@ int main() {
     options.draws = 20;
     const taut::Identification found = taut::identify(net, survey, options);
     std::cout << to_string(found.status) << ", trust: " << to_string(found.trust.verdict()) << '\n';
-    try {  // a class of exceptions is one on both sides
+    try {  // exception classes match on both sides
         survey.surveyed.clear();
         static_cast<void>(taut::identify(net, survey, options));
     } catch (const taut::SurveyError& error) {

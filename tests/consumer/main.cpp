@@ -31,8 +31,8 @@ bool trains_and_solves(const taut::CableNet& net) {
             taut::solve_cone_program(net, net.unstressed_lengths()).solved());
 }
 
-// Matrices and containers made here are freed there and the other way round, grown and assigned
-// across the border, and worked on with whatever instructions this program is compiled for.
+// Matrices and containers made here are freed by taut and the reverse. They are grown and assigned
+// on both sides, with the instructions that this program is compiled for.
 bool identifies(const taut::CableNet& net) {
     taut::CableNetData data = net.data();
     data.unstressed_lengths *= 1.0 + 1e-4;

@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
 
-# What whoever links taut would do. KIND static: against the libraries of TAUT_BINARY_DIR, installed, with the
+# Builds a user's project. KIND static: against the libraries of TAUT_BINARY_DIR, installed, with the
 # compiler that built them. KIND flags: with every compiler of COMPILERS, and with flags that change how
 # Eigen and the standard library lay out memory. KIND shared: taut as a part of the consumer's project,
 # with shared libraries, each source by itself, so that it must include what it uses; then these, installed.
 set(prefix ${CONSUMER_BINARY_DIR}/prefix)
 file(REMOVE_RECURSE ${CONSUMER_BINARY_DIR})
 
-# What the programs of the pages read.
+# Input files of the programs in the documentation.
 set(example ${CONSUMER_BINARY_DIR}/example)
 file(COPY ${TAUT_SOURCE_DIR}/tests/data/released/0.1.0/net.json
     ${TAUT_SOURCE_DIR}/tests/data/released/0.1.0/survey.csv DESTINATION ${example})
@@ -27,7 +27,7 @@ function(configure build compiler flags)
         ${ARGN})
 endfunction()
 
-# What a program loads, and what a plugin shows in which taut is.
+# Libraries that a program loads, and symbols that a plugin with taut exports.
 function(check_loaded build)
     execute_process(COMMAND ldd ${build}/consumer_core OUTPUT_VARIABLE loaded COMMAND_ERROR_IS_FATAL ANY)
     if(loaded MATCHES "hdf5|curl|krb5|ldap|pugixml|clarabel|taut_(adjustment|io|report)")
@@ -58,7 +58,7 @@ function(build_and_run name compiler flags)
     endif()
 endfunction()
 
-# The one line for the compiler that docs/linking.md shows.
+# The compiler command of docs/linking.md.
 function(run_shown_command)
     file(READ ${TAUT_SOURCE_DIR}/docs/linking.md text)
     string(REGEX MATCH "```sh\n([^`]*)```" snippet "${text}")
@@ -104,7 +104,7 @@ foreach(compiler ${COMPILERS})
         build_and_run(avx2 ${compiler} "-mavx2 -mfma")
     endif()
 
-    # A std::vector with checks is another one: that must not link, and the message tell why.
+    # A std::vector with checks has another layout: it must not link, with a message that says why.
     cmake_path(GET compiler FILENAME compiler_name)
     set(build ${CONSUMER_BINARY_DIR}/debug_containers_${compiler_name})
     configure(${build} ${compiler} "-D_GLIBCXX_DEBUG")

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards the runs of cable against one that ends where it goes on, and against the geometry where
-// the net tells them.
+// Guards against runs of cable that end where the cable continues, and against runs found by
+// geometry if the net gives its own.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(CableRuns, OfAGridAreItsLines) {
     EXPECT_EQ(std::ssize(all), net.edge_count());
 }
 
-TEST(CableRuns, AreAsToldWhereTheNetTellsThem) {
+TEST(CableRuns, AreThoseOfTheNetIfItGivesAny) {
     CableNetData data = hypar(3, 3).data();
     data.runs = {{.name = "warp", .edges = {4, 2}}, {.name = "", .edges = {7}}};
     EXPECT_EQ(cable_runs(CableNet(data)), (std::vector<std::vector<int>>{{4, 2}, {7}}));

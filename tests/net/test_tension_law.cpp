@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against tensions, strains and energies of a law that do not belong to each other: the form
-// would then be no equilibrium, and lengths follow from tensions that nobody has.
+// Guards against tensions, strains and energies of a law that do not match: forms are then no
+// equilibrium, and lengths follow from wrong tensions.
 #include "taut/net/tension_law.hpp"
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ TensionLaw law() {
             .tension = Eigen::VectorXd{{0.0, 50.0, 50.0, 150.0}}};
 }
 
-TEST(TensionLaw, IsStraightBetweenItsPointsAndGoesOnBehindThem) {
+TEST(TensionLaw, IsStraightBetweenItsPointsAndContinuedBeyondThem) {
     EXPECT_DOUBLE_EQ(law().at(0.0005).tension, 25.0);
     EXPECT_DOUBLE_EQ(law().at(0.0005).slope, 50e3);
     EXPECT_DOUBLE_EQ(law().at(0.0015).tension, 50.0);
@@ -108,7 +108,7 @@ TEST(TensionLaw, EnergyKeepsItsDigitsWhereStrainsAlmostAgree) {
     EXPECT_GT(difference, 0.0);
 }
 
-TEST(TensionLaw, TellsTheFirstRuleThatItBreaks) {
+TEST(TensionLaw, HasTheProblemOfTheFirstRuleThatItBreaks) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     const auto problem = [](std::initializer_list<double> strain,
                             std::initializer_list<double> tension) {
@@ -156,12 +156,12 @@ TEST(TensionLaw, OfANetIsRefusedWithItsPlace) {
 
 TEST(TensionLaw, GivesItsEdgeTheGreatestSlopeAsAxialStiffness) {
     CableNetData data = test::two_node_net_data();
-    const Eigen::VectorXd told = data.axial_stiffness;
+    const Eigen::VectorXd given = data.axial_stiffness;
     data.tension_laws = {law()};
     data.tension_law = {-1, 0, -1, -1, -1};
     const CableNet net(data);
     EXPECT_NEAR(net.axial_stiffness()(1), 100e3, 1e-6);
-    EXPECT_EQ(net.axial_stiffness()(0), told(0));
+    EXPECT_EQ(net.axial_stiffness()(0), given(0));
     EXPECT_EQ(net.tension_law(0), nullptr);
     ASSERT_NE(net.tension_law(1), nullptr);
     EXPECT_EQ(net.tension_law(1)->name, "strand");
@@ -175,14 +175,15 @@ TEST(TensionLaw, IsPartOfTheFingerprint) {
     data.axial_stiffness.setConstant(100e3);
     const std::string linear = CableNet(data).fingerprint();
     data.tension_laws = {law()};
-    EXPECT_EQ(CableNet(data).fingerprint(), linear) << "a law that no edge has";
+    EXPECT_EQ(CableNet(data).fingerprint(), linear) << "no edge has the law";
     data.tension_law = {0, -1, -1, -1, -1};
     const std::string with_law = CableNet(data).fingerprint();
     EXPECT_NE(with_law, linear);
     data.tension_laws[0].tension(1) = data.tension_laws[0].tension(2) = 40.0;
-    EXPECT_NE(CableNet(data).fingerprint(), with_law);
+    const std::string with_other = CableNet(data).fingerprint();
+    EXPECT_NE(with_other, with_law);
     data.tension_laws[0].name = "another";
-    EXPECT_EQ(CableNet(data).fingerprint().size(), with_law.size());
+    EXPECT_EQ(CableNet(data).fingerprint(), with_other);
 }
 
 TEST(TensionLaw, OfLessThanTwoPointsIsRefused) {
@@ -190,7 +191,6 @@ TEST(TensionLaw, OfLessThanTwoPointsIsRefused) {
     EXPECT_THROW(static_cast<void>(empty.at(0.1)), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(empty.strain_at(0.1)), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(empty.blurred(0.1, 0.01)), std::invalid_argument);
-    EXPECT_THROW(static_cast<void>(empty.energy_between(0.0, 0.1)), std::invalid_argument);
     TensionLaw uneven = law();
     uneven.strain.conservativeResize(uneven.strain.size() - 1);
     EXPECT_THROW(static_cast<void>(uneven.at(0.1)), std::invalid_argument);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a wrong leading dimension, transposition or triangle in the calls of BLAS and
-// LAPACK, which shows only for matrices that are not square or not of one size.
+// Guards against a wrong leading dimension, transposition or triangle in calls of BLAS and LAPACK,
+// which shows only for matrices that are not square, or of several sizes.
 #include "numerics/dense.hpp"
 #include "numerics/serial_blas.hpp"
 
@@ -19,20 +19,12 @@ namespace {
 
 using test::normal_matrix;
 
-TEST(Product, IsTheMatrixProductForUnequalSizes) {
+TEST(Product, IsThatOfTheMatricesForUnequalSizes) {
     const Eigen::MatrixXd a = normal_matrix(5, 3, 1);
     const Eigen::MatrixXd b = normal_matrix(3, 7, 2);
     EXPECT_TRUE(product(a, b).isApprox(a.lazyProduct(b), 1e-14));
-}
-
-TEST(Product, OfTheTransposedIsTheMatrixProductForUnequalSizes) {
-    const Eigen::MatrixXd a = normal_matrix(3, 5, 1);
-    const Eigen::MatrixXd b = normal_matrix(3, 7, 2);
-    EXPECT_TRUE(transposed_product(a, b).isApprox(a.transpose().lazyProduct(b), 1e-14));
-}
-
-TEST(Product, WithoutColumnsIsEmptyAndOverNothingIsZero) {
-    EXPECT_EQ(product(normal_matrix(5, 3, 1), Eigen::MatrixXd(3, 0)).cols(), 0);
+    EXPECT_TRUE(transposed_product(a.transpose(), b).isApprox(a.lazyProduct(b), 1e-14));
+    EXPECT_EQ(product(a, Eigen::MatrixXd(3, 0)).cols(), 0);
     EXPECT_EQ(product(Eigen::MatrixXd(5, 0), Eigen::MatrixXd(0, 2)), Eigen::MatrixXd::Zero(5, 2));
 }
 
@@ -88,13 +80,13 @@ TEST(SymmetricEigen, GivesAscendingValuesAndOrthonormalVectors) {
     EXPECT_TRUE((vectors * values.asDiagonal() * vectors.transpose()).isApprox(symmetric, 1e-13));
 }
 
-TEST(SymmetricEigen, RefusesAMatrixThatHoldsNoNumber) {
+TEST(SymmetricEigen, RefusesAMatrixThatIsNotFinite) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(4, 4);
     matrix(2, 1) = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW((void)symmetric_eigen(matrix), std::runtime_error);
 }
 
-/// Parts of larger matrices, for Eigen (small) and BLAS.
+/// Parts of larger matrices: small products by Eigen, large ones by BLAS.
 TEST(AddedProducts, AreThoseOfPartsOfMatrices) {
     for (const Eigen::Index n : {2, 40}) {
         const Eigen::MatrixXd a = normal_matrix(2 * n + 3, n + 2, 1);
@@ -121,7 +113,7 @@ TEST(AddedProducts, AreThoseOfPartsOfMatrices) {
     }
 }
 
-TEST(SerialBlas, GivesTheThreadsBackWithTheLast) {
+TEST(SerialBlas, RestoresTheThreadsWithTheLastObject) {
     const int before = openblas_get_num_threads();
     {
         const SerialBlas outer;

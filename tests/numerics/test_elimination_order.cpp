@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against an order that leaves out a row, that depends on what the program drew before, or
-// that fills the factor.
+// Guards against orders that miss a row, that depend on the state of rand(), or that fill the
+// factor.
 #include "numerics/elimination_order.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::vector<std::array<int, 2>> grid(int side) {
     return pairs;
 }
 
-/// Operations of the factor of a grid, with that order.
+/// Operations of the factor of a grid in an order.
 double work_of(int side, const std::vector<int>& order) {
     std::vector<int> place(order.size());
     for (size_t k = 0; k < order.size(); ++k) {
@@ -58,7 +58,7 @@ TEST(MatrixGraph, HoldsEachPairAtBothRows) {
     EXPECT_EQ(graph.neighbours, (std::vector{2, 2, 0, 1}));
 }
 
-TEST(EliminationOrder, NamesEachRowOnce) {
+TEST(EliminationOrder, ListsEachRowOnce) {
     for (const int side : {1, 7, 80}) {
         const MatrixGraph graph = graph_of(side * side, grid(side));
         for (const Ordering ordering : {Ordering::quick, Ordering::thorough}) {
@@ -69,7 +69,7 @@ TEST(EliminationOrder, NamesEachRowOnce) {
     }
 }
 
-TEST(EliminationOrder, ThatTakesLongerLeavesLessWork) {
+TEST(EliminationOrder, LeavesLessWorkIfThorough) {
     constexpr int side = 150;
     const MatrixGraph graph = graph_of(side * side, grid(side));
     if (nested_dissection(graph).empty()) {
@@ -81,7 +81,7 @@ TEST(EliminationOrder, ThatTakesLongerLeavesLessWork) {
     EXPECT_LT(quick, 20.0 * side * side * side);
 }
 
-TEST(EliminationOrder, NeitherDependsOnTheProgramsDrawsNorChangesThem) {
+TEST(EliminationOrder, NeitherDependsOnRandNorChangesIt) {
     const MatrixGraph graph = graph_of(6400, grid(80));
     srand(7);
     const int expected_draw = rand();

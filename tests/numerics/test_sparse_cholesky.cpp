@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against solutions in another order than that of the matrix, and against none where
+// Guards against solutions in another order than that of the matrix, and against failure if
 // rounding errors make a pivot negative.
 #include "numerics/sparse_cholesky.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace taut;
 
-/// The Laplacian of a square grid, with so much more on its diagonal; entry by entry other weights.
+/// The Laplacian of a square grid with unequal weights, plus a shift of its diagonal.
 Eigen::SparseMatrix<double> laplacian(int side, double shift) {
     std::vector<Eigen::Triplet<double>> entries;
     const auto join = [&](int a, int b) {
@@ -44,7 +44,7 @@ TEST(SparseCholesky, SolvesForEachColumn) {
     }
 }
 
-TEST(SparseCholesky, BearsAMatrixThatIsIndefiniteByALittle) {
+TEST(SparseCholesky, SolvesAMatrixThatIsSlightlyIndefinite) {
     const Eigen::SparseMatrix<double> matrix = laplacian(80, -1e-5);
     const Eigen::VectorXd expected = Eigen::VectorXd::Random(matrix.rows());
     const Eigen::VectorXd found = SparseCholesky(matrix).solve(matrix * expected);

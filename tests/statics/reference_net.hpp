@@ -11,12 +11,12 @@
 
 #include "taut/net/cable_net.hpp"
 
-/// Nets with the numbers of other programs, in tests/data.
+/// Nets with the results of other programs, in tests/data.
 namespace taut::test {
 
 using Json = nlohmann::json;
 
-/// @throws std::runtime_error where the file has no such net
+/// @throws std::runtime_error if the file has no such net
 inline Json reference_net(const std::string& file, const std::string& name) {
     std::ifstream stream(TAUT_TEST_DATA_DIR "/" + file);
     const Json reference = Json::parse(stream);
@@ -40,6 +40,17 @@ inline Points points_of(const Json& json) {
 inline Eigen::VectorXd vector_of(const Json& json) {
     const auto values = json.get<std::vector<double>>();
     return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
+inline CableNet net_of(const Json& json) {
+    CableNetData data;
+    data.nodes = points_of(json.at("nodes"));
+    data.supports = json.at("supports").get<std::vector<int>>();
+    data.edges = json.at("edges").get<std::vector<Edge>>();
+    data.axial_stiffness = vector_of(json.at("axial_stiffness"));
+    data.unstressed_lengths = vector_of(json.at("unstressed_lengths"));
+    data.loads = points_of(json.at("loads"));
+    return CableNet(std::move(data));
 }
 
 }  // namespace taut::test

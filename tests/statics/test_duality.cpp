@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a certificate that certifies nothing: a bound that is above the lowest energy, a
-// gap that is not the difference of the two energies, or one that does not see a wrong form.
+// Guards against a certificate that proves nothing: a bound above the lowest energy, a gap that is
+// not the difference of the two energies, or one that misses a wrong form.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "support/balance.hpp"
+#include "support/not_finite.hpp"
 #include "support/random_nets.hpp"
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -20,48 +21,10 @@
 namespace taut {
 namespace {
 
-/// D(f) as the header has it, of forces (3 x m) that balance [J].
-double complementary_energy(const CableNet& net, const Points& forces) {
-    Points sums = Points::Zero(3, net.node_count());
-    double result = 0.0;
-    for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[e];
-        sums.col(s) += forces.col(e);
-        sums.col(t) -= forces.col(e);
-        const double tension = forces.col(e).norm();
-        const double length = net.unstressed_lengths()(e);
-        result -= tension * length + tension * tension * length / (2.0 * net.axial_stiffness()(e));
-    }
-    for (const int support : net.supports()) {
-        result += sums.col(support).dot(net.nodes().col(support));
-    }
-    return result;
-}
-
-Points forces_of(const CableNet& net, const Points& form) {
-    const Eigen::VectorXd tension = tensions(net, net.unstressed_lengths(), form);
-    Points forces(3, net.edge_count());
-    for (int e = 0; e < net.edge_count(); ++e) {
-        const auto [s, t] = net.edges()[e];
-        forces.col(e) = tension(e) * (form.col(s) - form.col(t)).normalized();
-    }
-    return forces;
-}
-
-TEST(Certificate, GivesTheEnergiesOfItsFormulas) {
-    const CableNet net(test::two_node_net_data());
-    const Equilibrium e = solve_equilibrium(net);
-    const EnergyCertificate c = certify(net, net.unstressed_lengths(), e.form);
-    EXPECT_EQ(c.energy, energy(net, net.unstressed_lengths(), e.form));
-    EXPECT_NEAR(c.complementary_energy, complementary_energy(net, forces_of(net, e.form)),
-                1e-11 * std::abs(c.energy));
-    EXPECT_LT(c.relative_gap, 1e-15);
-}
-
-TEST(Certificate, OfOneEdgeIsWhatOneCalculatesByHand) {
+TEST(Certificate, OfOneEdgeIsThatComputedByHand) {
     // A node hangs on a support 1 m above by an edge of l_0 = 1 m, c = EA/l_0 = 100 kN/m, with a
-    // weight of 1 kN: it rests 10 mm lower. Held at 1 m + x, the edge's force is the weight after
-    // correction, so V - D = c (x - 10 mm)^2 / 2.
+    // weight of 1 kN: it rests 10 mm lower. At 1 m + x the edge's force after correction is the
+    // weight, so V - D = c (x - 10 mm)^2 / 2.
     CableNetData data;
     data.nodes = Points::Zero(3, 2);
     data.nodes(2, 0) = -1.0;
@@ -106,10 +69,8 @@ TEST(Certificate, RefusesForcesThatDoNotFit) {
     };
     refused(Points::Zero(3, 3));
     Points forces = Points::Zero(3, 4);
-    forces(1, 2) = std::numeric_limits<double>::quiet_NaN();
+    forces(1, 2) = test::nan;
     refused(forces);
-    EXPECT_THROW(static_cast<void>(certify(net, net.unstressed_lengths(), Points::Zero(3, 2))),
-                 std::invalid_argument);
 }
 
 /// Rounding errors of the energies of a form that lies within some metres, and of the forces [J].
@@ -122,7 +83,7 @@ RC_GTEST_PROP(CertificateOfARandomNet, BoundsTheLowestEnergyFromAnyFormAndForces
     const CableNet net = test::random_net(random);
     const Eigen::VectorXd& lengths = net.unstressed_lengths();
     const Equilibrium e = solve_equilibrium(net);
-    // The lowest energy lies between these: they differ by what forces of rounding errors cost.
+    // The lowest energy lies between the two energies of this certificate.
     const EnergyCertificate lowest = certify(net, lengths, e.form);
     const Points form = with_free_coordinates(
         net, free_coordinates(net, e.form) +
@@ -135,60 +96,6 @@ RC_GTEST_PROP(CertificateOfARandomNet, BoundsTheLowestEnergyFromAnyFormAndForces
         RC_ASSERT(c.duality_gap >= 0.0);
         RC_ASSERT(c.complementary_energy <= lowest.energy + rounding);
         RC_ASSERT(c.energy >= lowest.complementary_energy - rounding);
-    }
-}
-
-/// What forces h that are out of balance at a form can make of the gap. The correction g is a flow
-/// that takes them to the supports through a network of conductances: no edge takes more than all
-/// of it, |g| <= H = sum |h|. With tension t an edge's part of the gap is then at most
-///
-///   H^2 / (2c) + l min(2 H, H^2 / (2 (t - H)))   where it is taut,
-///   H^2 / (2c) + H (l_0 + l)                     where it is slack.
-///
-/// The last is more than rounding errors of the elastic energy: a net without tension has a gap of
-/// 1e-11 N over the lengths of its slack edges.
-double gap_by_imbalance(const CableNet& net, const Points& form) {
-    const Eigen::VectorXd& lengths = net.unstressed_lengths();
-    const Eigen::VectorXd tension = tensions(net, lengths, form);
-    const Eigen::VectorXd length = edge_lengths(net, form);
-    const Eigen::VectorXd imbalance = out_of_balance_forces(net, lengths, form);
-    const double rounding = 1e-15 * (tension.sum() + net.loads().cwiseAbs().sum());
-    const double H = imbalance.reshaped(3, net.free_node_count()).colwise().norm().sum() + rounding;
-    double gap = 0.0;
-    for (int e = 0; e < net.edge_count(); ++e) {
-        gap += H * H * lengths(e) / (2.0 * net.axial_stiffness()(e));
-        if (tension(e) == 0.0) {
-            gap += H * (lengths(e) + length(e));
-        } else {
-            const double along = tension(e) > H ? H * H / (2.0 * (tension(e) - H)) : 2.0 * H;
-            gap += length(e) * std::min(2.0 * H, along);
-        }
-    }
-    return gap;
-}
-
-RC_GTEST_PROP(CertificateOfARandomNet, CostsNoMoreThanTheForcesThatAreOutOfBalance, ()) {
-    test::Random random = test::any_random();
-    const CableNet net = test::random_net(random);
-    const Equilibrium e = solve_equilibrium(net);
-    RC_ASSERT(e.balanced());
-    for (const double reach : {0.0, 1e-9, 1e-6, 1e-3}) {
-        const Points form = with_free_coordinates(
-            net, free_coordinates(net, e.form) +
-                     test::uniform_vector(random, 3 * net.free_node_count(), reach));
-        RC_ASSERT(certify(net, net.unstressed_lengths(), form).duality_gap <=
-                  1.001 * gap_by_imbalance(net, form));
-    }
-}
-
-RC_GTEST_PROP(CertificateOfARandomNet, ClosesAtEquilibriumUnderTension, ()) {
-    test::Random random = test::any_random();
-    const CableNet net = test::random_net(random);
-    const Equilibrium e = solve_equilibrium(net);
-    const double strain = e.mean_tension / net.axial_stiffness().mean();
-    RC_CLASSIFY(strain > 1e-6, "under tension");
-    if (strain > 1e-6) {
-        RC_ASSERT(certify(net, net.unstressed_lengths(), e.form).relative_gap < 1e-9);
     }
 }
 

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against forms reported as equilibrium in which forces do not balance, and against the
-// solver failing on nets and lengths as they are built.
+// Guards against forms reported as equilibrium in which forces do not balance, and against failures
+// of the solver on nets and lengths as built.
 #include "taut/statics/equilibrium.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <string>
 
 #include "support/balance.hpp"
+#include "support/not_finite.hpp"
 #include "support/random_nets.hpp"
 #include "support/small_nets.hpp"
 #include "taut/design/builtin_nets.hpp"
@@ -24,12 +23,10 @@ namespace {
 
 using ::testing::Each;
 using ::testing::Ge;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using ::testing::ThrowsMessage;
 
-/// What every result with status converged promises, checked apart from the solver.
+/// What every result with status converged promises.
 void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const Equilibrium& e) {
     ASSERT_EQ(e.status, EquilibriumStatus::converged);
     EXPECT_TRUE(e.balanced());
@@ -40,7 +37,7 @@ void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const
     EXPECT_NEAR(e.mean_tension, tension, 1e-11 * tension);
     EXPECT_EQ(e.slack_edges, slack_edges(net, lengths, e.form));
     EXPECT_THAT(e.energy_decreases, SizeIs(::testing::Le(e.iterations)));
-    // In the last steps what is left to lose is lost in rounding errors.
+    // In the last steps the decrease may be a rounding error.
     const double rounding = 1e-12 * std::abs(energy(net, lengths, e.form));
     EXPECT_THAT(e.energy_decreases, Each(Ge(-rounding)));
     for (const int support : net.supports()) {
@@ -48,8 +45,8 @@ void expect_converged(const CableNet& net, const Eigen::VectorXd& lengths, const
     }
 }
 
-/// Solves a net for random length deviations, several times over. Gives how often an edge was
-/// slack.
+/// Solves a net for random length deviations, several times.
+/// @return how often an edge was slack
 int solve_for_random_lengths(const CableNet& net, double reach, int times, std::uint64_t seed) {
     test::Random random(seed);
     EquilibriumSolver solver(net);
@@ -64,15 +61,9 @@ int solve_for_random_lengths(const CableNet& net, double reach, int times, std::
     return with_slack;
 }
 
-TEST(Equilibrium, IsFoundOfTheHiloQuarterWithin5Millimetres) {
+TEST(Equilibrium, IsFoundForRandomLengthsAndSlackEdges) {
     solve_for_random_lengths(hilo_quarter(), 5e-3, 20, 1);
-}
-
-TEST(Equilibrium, IsFoundOfTheHiloQuarterWithin10MillimetresAndSlackEdges) {
     EXPECT_GT(solve_for_random_lengths(hilo_quarter(), 10e-3, 20, 2), 10);
-}
-
-TEST(Equilibrium, IsFoundOfHyparsOfManySizes) {
     for (const auto& [rows, columns] : {std::pair{1, 1}, {1, 9}, {2, 2}, {12, 7}, {30, 30}}) {
         solve_for_random_lengths(hypar(rows, columns), 3e-3, 3, 3);
     }
@@ -98,14 +89,6 @@ TEST(Equilibrium, OfACrossUnderLoadIsThatComputedByHand) {
     EXPECT_LT((e.form.col(0) - Eigen::Vector3d(0.0, 0.0, -0.75)).norm(), 1e-13);
 }
 
-TEST(Equilibrium, TakesSupportsFromTheNetAndNotFromTheStart) {
-    const CableNet net(test::cross_data(0.02));
-    const Points start = net.nodes().array() + 0.5;
-    const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
-    expect_converged(net, net.unstressed_lengths(), e);
-    EXPECT_LT(e.form.col(0).norm(), 1e-13);
-}
-
 TEST(EquilibriumSolver, GivesTheSameBitsWhateverItSolvedBefore) {
     CableNetData data = hypar(5, 6).data();
     data.loads.row(2).setConstant(-2.0);
@@ -124,7 +107,7 @@ TEST(EquilibriumSolver, GivesTheSameBitsWhateverItSolvedBefore) {
     EXPECT_EQ(EquilibriumSolver(net).solve(loose, net.nodes()).form, hanging.form);
 }
 
-TEST(EquilibriumSolver, TellsThatItReachedItsIterationLimit) {
+TEST(EquilibriumSolver, ReportsItsIterationLimit) {
     const CableNet net = hilo_quarter();
     test::Random random(4);
     const Eigen::VectorXd lengths =
@@ -138,17 +121,13 @@ TEST(EquilibriumSolver, TellsThatItReachedItsIterationLimit) {
         EXPECT_NEAR(e.out_of_balance, test::largest_imbalance(net, lengths, e.form), 1e-6);
         EXPECT_GT(e.out_of_balance, 1e-10 * e.mean_tension);
     }
-}
-
-TEST(EquilibriumSolver, KeepsItsIterationLimitAmongInteriorPointSteps) {
-    CableNetData data = hypar(8, 8).data();
-    data.unstressed_lengths *= 1.2;
-    data.loads.row(2).setConstant(-1e-3);
-    const CableNet net(std::move(data));
-    const int needed = solve_equilibrium(net).iterations;
+    CableNetData loose = hypar(8, 8).data();  // needs interior-point steps
+    loose.unstressed_lengths *= 1.2;
+    loose.loads.row(2).setConstant(-1e-3);
+    const int needed = solve_equilibrium(CableNet(loose)).iterations;
     ASSERT_GT(needed, 10);
     for (const int limit : {1, 2, 5, needed / 2}) {
-        const Equilibrium e = solve_equilibrium(net, {.max_iterations = limit});
+        const Equilibrium e = solve_equilibrium(CableNet(loose), {.max_iterations = limit});
         EXPECT_EQ(e.status, EquilibriumStatus::iteration_limit);
         EXPECT_EQ(e.iterations, limit);
     }
@@ -167,37 +146,9 @@ TEST(EquilibriumSolver, StopsEarlierForACoarserTolerance) {
     EXPECT_LE(coarse.out_of_balance, 1e-2 * coarse.mean_tension);
 }
 
-TEST(EquilibriumSolver, RefusesWrongLengthsAndStarts) {
-    const CableNet net(test::cross_data(0.02));
-    EquilibriumSolver solver(net);
-    const auto refuses = [&](const Eigen::VectorXd& lengths, const Points& start,
-                             const std::string& words) {
-        EXPECT_THAT([&] { (void)solver.solve(lengths, start); },
-                    ThrowsMessage<std::invalid_argument>(HasSubstr(words)));
-    };
-    const Eigen::VectorXd lengths = net.unstressed_lengths();
-    refuses(lengths.head(3), net.nodes(), "unstressed_lengths has 3 entries, expected 4");
-    for (const auto& [value, text] : {std::pair{0.0, "is 0"},
-                                      {-1.0, "is -1"},
-                                      {std::numeric_limits<double>::quiet_NaN(), "is nan"},
-                                      {std::numeric_limits<double>::infinity(), "is inf"}}) {
-        Eigen::VectorXd bad = lengths;
-        bad(1) = value;
-        refuses(bad, net.nodes(), "unstressed length 1 " + std::string(text));
-    }
-    refuses(lengths, net.nodes().leftCols(4), "start has 4 points, expected 5");
-    for (const double value :
-         {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
-        Points bad = net.nodes();
-        bad(2, 0) = value;
-        refuses(lengths, bad, "at node 0, expected finite coordinates");
-    }
-}
-
 TEST(EquilibriumSolver, RefusesSettingsThatEveryFormWouldMeet) {
     const CableNet net = hypar(2, 2);
-    for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
-                                   std::numeric_limits<double>::infinity()}) {
+    for (const double tolerance : {0.0, -1.0, test::nan, test::infinity}) {
         EXPECT_THROW(EquilibriumSolver(net, {.relative_tolerance = tolerance}),
                      std::invalid_argument);
     }
@@ -212,8 +163,8 @@ TEST(EquilibriumSolver, BalancesANetInTheCoordinatesOfANationalGrid) {
     content.nodes.colwise() += grid;
     const Equilibrium far = solve_equilibrium(CableNet(content));
     ASSERT_EQ(far.status, EquilibriumStatus::converged);
-    // The grid's coordinates hold no more than 5e-10 m, which changes the tensions of the four
-    // cables at a node; the form that is told has these coordinates.
+    // The grid's coordinates resolve 5e-10 m, which changes the tensions of the four cables at a
+    // node.
     const double change =
         5e-10 * (content.axial_stiffness.array() / content.unstressed_lengths.array()).maxCoeff();
     EXPECT_LE(far.out_of_balance, 4.0 * change);
@@ -224,8 +175,8 @@ TEST(EquilibriumSolver, BalancesANetInTheCoordinatesOfANationalGrid) {
     EXPECT_LT((far.form.colwise() - grid - near.form).cwiseAbs().maxCoeff(), 1e-8);
 }
 
-TEST(EquilibriumSolver, ClaimsNoBalanceThatTheCoordinatesOfAGridDoNotHold) {
-    // Tensions of some 0.1 N by a stretch of 1e-9: the grid's coordinates hold no such stretch.
+TEST(EquilibriumSolver, ClaimsNoBalanceThatTheCoordinatesOfAGridDoNotResolve) {
+    // Tensions of some 0.1 N by a strain of 1e-9, which the grid's coordinates do not resolve.
     CableNetData content = hypar(5, 5).data();
     const CableNet net(content);
     content.nodes = solve_equilibrium(net).form;
@@ -254,7 +205,7 @@ TEST(EquilibriumSolver, FindsTheFormFromANodeGivenAbsurdlyFarOff) {
         EXPECT_LT((found.form - expected.form).cwiseAbs().maxCoeff(), 1e-9) << far;
         const Imbalance left = imbalance(moved, moved.unstressed_lengths(), found.form);
         EXPECT_LE(left.share(), 1e-8) << far;
-        // And where it is the start that is far off.
+        // Likewise if the start is far off.
         EquilibriumSolver solver(net);
         const Equilibrium from_far = solver.solve(net.unstressed_lengths(), moved.nodes());
         EXPECT_EQ(from_far.status, EquilibriumStatus::converged) << far;
@@ -262,7 +213,7 @@ TEST(EquilibriumSolver, FindsTheFormFromANodeGivenAbsurdlyFarOff) {
     }
 }
 
-TEST(EquilibriumSolver, HasNumbersAtTheEndOfWhatANetMayBe) {
+TEST(EquilibriumSolver, GivesFiniteNumbersAtTheLimitsOfANet) {
     CableNetData content = hypar(2, 2).data();
     content.loads.setConstant(3, content.nodes.cols(), 1e15);
     content.axial_stiffness.setConstant(1e15);
@@ -271,12 +222,6 @@ TEST(EquilibriumSolver, HasNumbersAtTheEndOfWhatANetMayBe) {
     EXPECT_TRUE(e.form.allFinite());
     EXPECT_TRUE(std::isfinite(e.out_of_balance));
     EXPECT_TRUE(std::isfinite(e.mean_tension));
-}
-
-TEST(EquilibriumStatus, HasWords) {
-    EXPECT_EQ(to_string(EquilibriumStatus::converged), "converged");
-    EXPECT_EQ(to_string(EquilibriumStatus::slack_mechanism), "slack mechanism");
-    EXPECT_EQ(to_string(EquilibriumStatus::iteration_limit), "iteration limit");
 }
 
 }  // namespace

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Guards against an error that energy, forces, stiffness and solver share: the forms were found by
-// SciPy from formulas written down apart from these (tests/data/make_statics_reference.py).
+// SciPy from formulas written independently (tests/data/make_statics_reference.py).
 #include <gtest/gtest.h>
-
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "statics/reference_net.hpp"
 #include "taut/statics/energy.hpp"
@@ -23,17 +20,9 @@ using test::vector_of;
 
 class ReferenceNet : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(ReferenceNet, TakesTheFormThatScipyFinds) {
+TEST_P(ReferenceNet, HasTheFormThatScipyFinds) {
     const Json json = reference_net("statics_reference.json", GetParam());
-    CableNetData data;
-    data.nodes = points_of(json.at("nodes"));
-    data.supports = json.at("supports").get<std::vector<int>>();
-    data.edges = json.at("edges").get<std::vector<Edge>>();
-    data.axial_stiffness = vector_of(json.at("axial_stiffness"));
-    data.unstressed_lengths = vector_of(json.at("unstressed_lengths"));
-    data.loads = points_of(json.at("loads"));
-    const CableNet net(std::move(data));
-
+    const CableNet net = test::net_of(json);
     const Equilibrium e = solve_equilibrium(net);
     EXPECT_EQ(e.status, EquilibriumStatus::converged);
     EXPECT_LT((e.form - points_of(json.at("form"))).cwiseAbs().maxCoeff(), 1e-11);

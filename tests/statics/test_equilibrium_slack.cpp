@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against the ways in which slack edges break a solver: a stiffness that is singular or
-// zero, loose nodes reported as a unique form, and slack nets under light loads, where Newton's
-// method creeps.
+// Guards against the effects of slack edges on a solver: a stiffness that is singular or zero,
+// loose nodes reported as a unique form, and slack nets under light loads, where Newton's method is
+// slow.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,17 +31,8 @@ TEST(SlackNet, ThatIsSlackFromTheStartStaysWhereItIs) {
     EXPECT_THAT(e.slack_edges, SizeIs(net.edge_count()));
 }
 
-TEST(SlackNet, GoesSlackFromAStartUnderTension) {
-    const CableNet net(test::cross_data(-0.05));
-    Points start = net.nodes();
-    start.col(0) << 3.0, -2.0, 1.0;
-    const Equilibrium e = EquilibriumSolver(net).solve(net.unstressed_lengths(), start);
-    EXPECT_EQ(e.status, EquilibriumStatus::slack_mechanism);
-    EXPECT_LT(test::largest_imbalance(net, net.unstressed_lengths(), e.form), 1e-8);
-}
-
 TEST(SlackNet, WithAnEdgeAtItsUnstressedLengthIsAMechanism) {
-    // One edge, pulled back from 3 m: it ends at l_0 or, by rounding errors, a little beyond.
+    // One edge, pulled back from 3 m: it ends at l_0 or, by rounding errors, slightly above.
     CableNetData data = test::chain_data(2, 1.0, 0.0);
     data.supports = {0};
     data.nodes(0, 1) = 3.0;
@@ -56,21 +47,14 @@ TEST(SlackNet, WithAnEdgeAtItsUnstressedLengthIsAMechanism) {
 }
 
 TEST(SlackNet, WithOneLooseNodeIsAMechanism) {
-    // Node 5 hangs at node 0 of a tense cross by an edge longer than its distance.
-    CableNetData data = test::cross_data(0.02);
-    data.nodes.conservativeResize(3, 6);
-    data.nodes.col(5) << 0.1, 0.2, 0.3;
-    data.edges.push_back({0, 5});
-    data.axial_stiffness.setConstant(5, 100e3);
-    data.unstressed_lengths.conservativeResize(5);
-    data.unstressed_lengths(4) = 0.5;
+    CableNetData data = test::cross_with_a_loose_node_data();
     const CableNet net(data);
     const Equilibrium e = solve_equilibrium(net);
     EXPECT_EQ(e.status, EquilibriumStatus::slack_mechanism);
     EXPECT_THAT(e.slack_edges, ElementsAre(4));
     EXPECT_LT((e.form.col(5) - data.nodes.col(5)).norm(), 1e-12);
 
-    // A load on it makes it hang straight down: one form again.
+    // A load makes it hang straight down: the form is unique again.
     data.loads = Points::Zero(3, 6);
     data.loads(2, 5) = -1000.0;
     const CableNet loaded(std::move(data));
@@ -81,20 +65,10 @@ TEST(SlackNet, WithOneLooseNodeIsAMechanism) {
     EXPECT_NEAR(hanging.form(2, 0) - hanging.form(2, 5), 0.5 * (1.0 + 1000.0 / 100e3), 1e-9);
 }
 
-TEST(SlackNet, WithSlackEdgesThatLeaveNoNodeLooseConverges) {
-    // The cross pulled aside by edge 1: edges 0, 2 and 3 carry it, or go slack.
-    const CableNet net(test::cross_data(0.02));
-    Eigen::VectorXd lengths = net.unstressed_lengths();
-    lengths(0) = 1.5;
-    const Equilibrium e = EquilibriumSolver(net).solve(lengths, net.nodes());
-    EXPECT_EQ(e.status, EquilibriumStatus::converged);
-    EXPECT_THAT(e.slack_edges, ElementsAre(0));
-}
-
 class HangingChain : public ::testing::TestWithParam<double> {};
 
 TEST_P(HangingChain, FindsItsFormFromASlackStart) {
-    // All edges slack on a straight line: the stiffness is zero, and every load goes downwards.
+    // All edges are slack on a straight line: the stiffness is zero, and every load acts downwards.
     const double weight = GetParam();
     const CableNet net(test::chain_data(12, 9.0, weight));
     const Equilibrium e = solve_equilibrium(net);
@@ -107,7 +81,7 @@ TEST_P(HangingChain, FindsItsFormFromASlackStart) {
     const auto pull = [&](int edge) -> Eigen::Vector3d {
         return tension(edge) / length(edge) * (e.form.col(edge + 1) - e.form.col(edge));
     };
-    // Rounding errors of the coordinates alone make forces of some EA * 1e-15 in edges of 1 m.
+    // Rounding errors of the coordinates alone cause forces of some EA * 1e-15 in edges of 1 m.
     const double tolerance = 1e-9 * scale + 1e-13 * 100e3;
     for (int edge = 1; edge < net.edge_count(); ++edge) {
         EXPECT_NEAR(pull(edge).x(), pull(0).x(), tolerance);

@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against first derivatives that do not tell where the form goes: identification from a
-// survey then turns lengths the wrong way.
-#include "support/all_edges.hpp"
+// Guards against first derivatives that are not those of the form: identification from a survey
+// then changes lengths the wrong way.
 #include "taut/statics/form_sensitivity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <limits>
-#include <numeric>
+#include <algorithm>
+#include <vector>
 
 #include "support/finite_differences.hpp"
 #include "support/random_nets.hpp"
@@ -39,7 +38,7 @@ Eigen::MatrixXd solved_derivative(const CableNet& net, const Eigen::VectorXd& le
         lengths, step);
 }
 
-/// How far the strain of any edge is from going slack, or from coming under tension.
+/// Least distance of an edge from going slack or taut [m].
 double distance_from_the_kink(const CableNet& net, const Eigen::VectorXd& lengths,
                               const Points& form) {
     return (edge_lengths(net, form) - lengths).cwiseAbs().minCoeff();
@@ -57,32 +56,6 @@ TEST(FormSensitivity, OfACrossIsThatComputedByHand) {
     expected(1, 2) = per_metre;
     expected(1, 3) = -per_metre;
     EXPECT_TRUE(sensitivity.columns(all_edges(net)).isApprox(expected, 1e-13));
-}
-
-TEST(FormSensitivity, OfAHyparIsTheSlopeOfTheSolvedForm) {
-    const CableNet net = hypar(6, 5);
-    test::Random random(1);
-    const Eigen::VectorXd lengths =
-        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 1e-3));
-    const Equilibrium e = EquilibriumSolver(net).solve(lengths, net.nodes());
-    const Eigen::MatrixXd columns = FormSensitivity(net, lengths, e.form).columns(all_edges(net));
-    const Eigen::MatrixXd slope = solved_derivative(net, lengths, e.form, 1e-5);
-    EXPECT_LT((columns - slope).cwiseAbs().maxCoeff(), 1e-6);
-}
-
-TEST(FormSensitivity, AppliedToChangesIsTheDifferenceOfSolvedForms) {
-    const CableNet net = hilo_quarter();
-    test::Random random(2);
-    const Eigen::VectorXd lengths =
-        with_length_deviations(net, test::uniform_vector(random, net.interior_edge_count(), 5e-3));
-    EquilibriumSolver solver(net);
-    const Points form = solver.solve(lengths, net.nodes()).form;
-    const FormSensitivity sensitivity(net, lengths, form);
-    const Eigen::VectorXd changes = test::uniform_vector(random, net.edge_count(), 1e-5);
-    const Eigen::VectorXd difference =
-        0.5 * (free_coordinates(net, solver.solve(lengths + changes, form).form) -
-               free_coordinates(net, solver.solve(lengths - changes, form).form));
-    EXPECT_LT((sensitivity.apply(changes) - difference).norm(), 1e-5 * difference.norm());
 }
 
 TEST(FormSensitivity, AppliedIsTheSumOfItsColumns) {
@@ -110,7 +83,7 @@ TEST(FormSensitivity, TransposedIsTheGradientOfAFunctionOfTheForm) {
 
 RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()) {
     test::Random random = test::any_random();
-    // Nets that hang stiffly: their forms change little enough for finite differences.
+    // Stiff nets, whose forms change little enough for finite differences.
     const CableNet net = test::random_net(
         random, {.smallest_strain = -0.1, .largest_strain = 0.3, .largest_load = 3000.0});
     const Equilibrium e = solve_equilibrium(net);
@@ -126,15 +99,7 @@ RC_GTEST_PROP(FormSensitivity, IsTheSlopeOfTheSolvedFormAndZeroForSlackEdges, ()
 }
 
 TEST(FormSensitivity, LeavesLooseNodesWhereTheyAre) {
-    // Node 5 hangs at the cross by a slack edge.
-    CableNetData data = test::cross_data(0.02);
-    data.nodes.conservativeResize(3, 6);
-    data.nodes.col(5) << 0.1, 0.2, 0.3;
-    data.edges.push_back({0, 5});
-    data.axial_stiffness.setConstant(5, 100e3);
-    data.unstressed_lengths.conservativeResize(5);
-    data.unstressed_lengths(4) = 0.5;
-    const CableNet net(std::move(data));
+    const CableNet net(test::cross_with_a_loose_node_data());
     const Equilibrium e = solve_equilibrium(net);
     ASSERT_EQ(e.status, EquilibriumStatus::slack_mechanism);
     const FormSensitivity sensitivity(net, net.unstressed_lengths(), e.form);
@@ -149,7 +114,7 @@ TEST(FormSensitivity, LeavesLooseNodesWhereTheyAre) {
 }
 
 TEST(FormSensitivity, StaysFiniteWhereAnEdgeIsTautByRoundingAlone) {
-    // A node that a single edge has pulled in until it was slack.
+    // Each node was pulled in by a single edge until that was slack.
     CableNetData data = test::chain_data(2, 1.0, 0.0);
     data.supports = {0};
     const CableNet net(std::move(data));
@@ -179,25 +144,12 @@ TEST(MostSensitiveEdges, AreThoseWithTheLargestColumnsInFallingOrder) {
     EXPECT_TRUE(most_sensitive_edges(sensitivity, edges, 0).empty());
 }
 
-TEST(FormSensitivity, RefusesWrongArguments) {
+TEST(FormSensitivity, RefusesWrongChangesAndEdges) {
     const CableNet net(test::cross_data(0.02));
-    const Eigen::VectorXd lengths = net.unstressed_lengths();
     const auto refuses = [](const auto& call, const char* words) {
         EXPECT_THAT(call, ThrowsMessage<std::invalid_argument>(HasSubstr(words)));
     };
-    const auto make = [&](const Eigen::VectorXd& l_0, const Points& form) {
-        return [&net, l_0, form] { (void)FormSensitivity(net, l_0, form); };
-    };
-    refuses(make(lengths.head(3), net.nodes()), "unstressed_lengths has 3 entries, expected 4");
-    refuses(make(lengths, net.nodes().leftCols(4)), "form has 4 points, expected 5");
-    Eigen::VectorXd bad_lengths = lengths;
-    bad_lengths(3) = -1.0;
-    refuses(make(bad_lengths, net.nodes()), "unstressed length 3 is -1");
-    Points bad_form = net.nodes();
-    bad_form(0, 0) = std::numeric_limits<double>::quiet_NaN();
-    refuses(make(lengths, bad_form), "at node 0, expected finite");
-
-    const FormSensitivity sensitivity(net, lengths, net.nodes());
+    const FormSensitivity sensitivity(net, net.unstressed_lengths(), net.nodes());
     refuses([&] { (void)sensitivity.apply(Eigen::VectorXd::Zero(5)); },
             "length_changes has 5 entries, expected 4");
     refuses([&] { (void)sensitivity.columns(std::vector{0, 4}); }, "names edge 4");

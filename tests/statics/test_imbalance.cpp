@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a form whose tensions are taken for a net's though nothing holds its nodes.
+// Guards against tensions at a form whose nodes do not balance.
 #include "taut/statics/imbalance.hpp"
 
 #include <gtest/gtest.h>

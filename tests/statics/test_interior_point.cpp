@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
+//
+// Guards against a path that ends far from the equilibrium, or takes many steps where edges go
+// slack.
 #include "statics/interior_point.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +28,7 @@ struct Approach {
     int steps;
 };
 
-/// Interior-point steps from the nominal form, and nothing else.
+/// Interior-point steps alone, from the nominal form.
 Approach approach(const CableNet& net, const Eigen::VectorXd& lengths, int max_steps = 500) {
     const LocalNet local = number_for_elimination(net);
     Stiffness stiffness(local);
@@ -61,8 +64,8 @@ RC_GTEST_PROP(InteriorPointOnARandomNet, LeavesAGapThatHardlyMatters, ()) {
               1e-6 * (1.0 + std::abs(scale)));
 }
 
-// Edges that turn so fast that they grow taut by that alone, though they slacken to first order:
-// the step to where they run out of play was once taken for endless.
+// Edges may turn so fast that they grow taut, though they slacken to first order. The step at which
+// they run out of play must be found.
 TEST(InteriorPoint, StaysOnItsPathWhereEdgesTurn) {
     for (const std::uint64_t seed : {16749703548055632920ULL, 171420508ULL, 447295527ULL}) {
         test::Random random(seed);

@@ -10,9 +10,8 @@ namespace taut {
 namespace {
 
 /// A node hangs on a support by an edge of l_0 = 1 m and c = EA/l_0 = 100 kN/m with a weight of
-/// 1 kN: at rest it is stretched by 10 mm. Along the edge the energy is c u^2 / 2, with u the way
-/// from there. From u the step D towards rest changes it by (1 - D / (2 u)) times the slope: that
-/// is the part of the decrease that the slope promises.
+/// 1 kN: at rest it is stretched by 10 mm. Along the edge the energy is c u^2 / 2 at a distance u
+/// from rest. A step D towards rest changes it by (1 - D / (2 u)) times what the slope predicts.
 class HangingNode : public ::testing::Test {
 protected:
     static constexpr double stiffness = 100e3;
@@ -25,7 +24,7 @@ protected:
         m_trial.set_unstressed_lengths(m_local, Eigen::VectorXd::Constant(1, 1.0));
     }
 
-    /// With a whole step that keeps such a part of the promised decrease.
+    /// With a whole step that gives this share of the predicted decrease.
     LineSearchStep search(double part) {
         return search_line(m_local, m_state, Eigen::Vector3d(0.0, 0.0, 2.0 * away * (1.0 - part)),
                            m_trial);
@@ -49,7 +48,7 @@ protected:
     NetState m_trial{m_local};
 };
 
-TEST_F(HangingNode, IsTakenAllTheWayWhereTheEnergyFallsByEnough) {
+TEST_F(HangingNode, TakesTheWholeStepIfTheEnergyFallsByEnough) {
     for (const double part : {2e-4, 0.1, 0.5, 0.9}) {
         const LineSearchStep step = search(part);
         EXPECT_TRUE(step.accepted);
@@ -60,7 +59,7 @@ TEST_F(HangingNode, IsTakenAllTheWayWhereTheEnergyFallsByEnough) {
     }
 }
 
-TEST_F(HangingNode, IsNotTakenWhereTheEnergyRisesHoweverLittle) {
+TEST_F(HangingNode, ShortensAStepThatRaisesTheEnergySlightly) {
     for (const double part : {-0.5e-4, -1e-6}) {
         const LineSearchStep step = search(part);
         EXPECT_TRUE(step.accepted);
@@ -71,7 +70,7 @@ TEST_F(HangingNode, IsNotTakenWhereTheEnergyRisesHoweverLittle) {
     }
 }
 
-TEST_F(HangingNode, IsNotTakenWhereTheEnergyFallsByLessThanATenThousandthOfWhatTheSlopePromises) {
+TEST_F(HangingNode, ShortensAStepThatGivesLessThanATenThousandthOfThePredictedDecrease) {
     EXPECT_LT(search(0.5e-4).length, 0.6);
 }
 

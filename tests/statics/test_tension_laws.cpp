@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards the statics of edges with piecewise linear tension laws: derivatives against finite
-// differences, the equilibrium against the cone program and against forces computed by hand.
+// Guards the statics of edges, linear and with piecewise linear tension laws: derivatives against
+// finite differences, the equilibrium against the cone program and against forces computed by hand.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <numeric>
+#include <vector>
 
-#include "statics/interior_point.hpp"
-#include "statics/local_net.hpp"
-#include "support/all_edges.hpp"
 #include "support/balance.hpp"
 #include "support/finite_differences.hpp"
 #include "support/random_laws.hpp"
@@ -30,7 +27,7 @@ namespace {
 using test::largest_distance;
 
 /// The built-in lattice with edges that start at half their stiffness, have a constructional
-/// stretch and then are stiff; lengths are cut for the same tensions.
+/// stretch and are stiffer beyond it; lengths are cut for the same tensions.
 CableNet two_slope_hypar(double length_error) {
     CableNetData data = hypar(6, 7).data();
     const double stiffness = data.axial_stiffness(0);
@@ -50,7 +47,7 @@ CableNet two_slope_hypar(double length_error) {
     return CableNet(std::move(data));
 }
 
-/// How far any strain is from a corner of its law.
+/// Least distance of a strain from a corner of its law.
 double distance_from_corners(const CableNet& net, const Points& form) {
     const Eigen::VectorXd lengths = edge_lengths(net, form);
     double least = 1.0;
@@ -64,7 +61,7 @@ double distance_from_corners(const CableNet& net, const Points& form) {
     return least;
 }
 
-TEST(TensionLaws, OfACrossGiveTheTensionsThatTheyTell) {
+TEST(TensionLaws, OfACrossGiveTheirTensionsAndEnergy) {
     CableNetData data = test::cross_data(0.01);
     data.tension_laws = {{.name = "law",
                           .strain = Eigen::VectorXd{{0.0, 0.005, 0.02}},
@@ -123,31 +120,8 @@ TEST(TensionLaws, OfPointsOnALineAreTheLinearLaw) {
     }
 }
 
-/// The net with its nodes in another order.
-CableNetData renumbered(test::Random& random, CableNetData data) {
-    std::vector<int> from(data.nodes.cols());
-    std::iota(from.begin(), from.end(), 0);
-    std::ranges::shuffle(from, random);
-    std::vector<int> to(from.size());
-    for (size_t i = 0; i < from.size(); ++i) {
-        to[from[i]] = static_cast<int>(i);
-    }
-    data.nodes = Points(data.nodes(Eigen::all, from));
-    if (data.loads.cols() > 0) {
-        data.loads = Points(data.loads(Eigen::all, from));
-    }
-    for (int& support : data.supports) {
-        support = to[support];
-    }
-    for (auto& [s, t] : data.edges) {
-        s = to[s];
-        t = to[t];
-    }
-    return data;
-}
-
-// Laws that stiffen a hundredfold made steps ever shorter, and nets were given up.
-TEST(TensionLaws, ThatStiffenHoweverMuchLeaveNoNetWithoutItsEquilibrium) {
+// Laws that stiffen a hundredfold can make steps ever shorter.
+TEST(TensionLaws, ThatStiffenAHundredfoldHaveAnEquilibrium) {
     const test::RandomNetSettings settings{.most_free_nodes = 12,
                                            .smallest_strain = -0.4,
                                            .largest_strain = 0.06,
@@ -156,7 +130,9 @@ TEST(TensionLaws, ThatStiffenHoweverMuchLeaveNoNetWithoutItsEquilibrium) {
         test::Random random(seed);
         const CableNetData data =
             test::with_random_laws(random, test::random_net_data(random, settings), test::wild_law);
-        for (const CableNet& net : {CableNet(data), CableNet(renumbered(random, data))}) {
+        std::vector<int> from;
+        for (const CableNet& net :
+             {CableNet(data), CableNet(test::renumbered(random, data, from))}) {
             const Equilibrium found = solve_equilibrium(net);
             ASSERT_TRUE(found.balanced()) << seed;
             EXPECT_LT(certify(net, net.unstressed_lengths(), found.form).relative_gap, 1e-3)
@@ -165,36 +141,27 @@ TEST(TensionLaws, ThatStiffenHoweverMuchLeaveNoNetWithoutItsEquilibrium) {
     }
 }
 
-TEST(TensionLaws, EquilibriumIsFoundAndCertifiedCloselyButForFewNets) {
-    int far = 0;
+// If a law is flat the gap grows with the out-of-balance force, not with its square: up to 3e-4 of
+// the elastic energy in experiments.
+TEST(TensionLaws, EquilibriumIsCertifiedAndCloselyExceptForFewNets) {
+    int loose = 0;
     for (int seed = 0; seed < 2000; ++seed) {
         test::Random random(seed);
         const CableNet net(test::with_random_laws(random, test::random_net_data(random)));
+        const Eigen::VectorXd& lengths = net.unstressed_lengths();
         const Equilibrium found = solve_equilibrium(net);
         ASSERT_TRUE(found.balanced()) << seed;
-        if (!(certify(net, net.unstressed_lengths(), found.form).relative_gap < 1e-5)) {
-            ++far;
-        }
+        const EnergyCertificate proof = certify(net, lengths, found.form);
+        EXPECT_GE(proof.duality_gap, 0.0) << seed;
+        EXPECT_LT(proof.relative_gap, 1e-3) << seed;
+        loose += proof.relative_gap < 1e-5 ? 0 : 1;
+        // Any other form has a higher energy, by at most the gap of its certificate.
+        EXPECT_LE(
+            energy(net, lengths, net.nodes()) - energy(net, lengths, found.form),
+            certify(net, lengths, net.nodes()).duality_gap + 1e-9 * (1.0 + std::abs(proof.energy)))
+            << seed;
     }
-    EXPECT_LE(far, 5);
-}
-
-RC_GTEST_PROP(TensionLaws, EquilibriumIsFoundAndCertified, ()) {
-    test::Random random = test::any_random();
-    const CableNet net(test::with_random_laws(random, test::random_net_data(random)));
-    const Equilibrium found = solve_equilibrium(net);
-    RC_ASSERT(found.balanced());
-    const EnergyCertificate proof = certify(net, net.unstressed_lengths(), found.form);
-    RC_ASSERT(proof.duality_gap >= 0.0);
-    // Where a law is flat the gap grows with the force that is out of balance, not with its square:
-    // up to 3e-4 was seen.
-    RC_ASSERT(proof.relative_gap < 1e-3);
-    // Any other form stores more, by no less than its certificate says.
-    const Points other = net.nodes();
-    const double above = energy(net, net.unstressed_lengths(), other) -
-                         energy(net, net.unstressed_lengths(), found.form);
-    const EnergyCertificate bound = certify(net, net.unstressed_lengths(), other);
-    RC_ASSERT(above <= bound.duality_gap + 1e-9 * (1.0 + std::abs(proof.energy)));
+    EXPECT_LE(loose, 5);
 }
 
 TEST(TensionLaws, EquilibriumIsThatOfTheConeProgram) {
@@ -240,22 +207,6 @@ TEST(TensionLaws, SensitivityIsTheDerivativeOfTheForm) {
     const Eigen::MatrixXd derivative =
         FormSensitivity(net, net.unstressed_lengths(), found.form).columns(test::all_edges(net));
     EXPECT_LT((difference - derivative).norm(), 1e-4 * derivative.norm());
-}
-
-TEST(TensionLaws, InteriorPointsComeNearTheEquilibriumOfASlackNet) {
-    const CableNet net = two_slope_hypar(0.02);
-    const LocalNet local = number_for_elimination(net);
-    Stiffness stiffness(local);
-    NetState state(local);
-    state.set_unstressed_lengths(local, net.unstressed_lengths());
-    local.gather(net.nodes(), state.form());
-    state.update(local);
-    InteriorPoint(local).run(local, stiffness, state, 60);
-    const Points approached = local.scatter(state.form());
-    const Equilibrium found = solve_equilibrium(net);
-    ASSERT_EQ(found.status, EquilibriumStatus::converged);
-    EXPECT_GT(found.slack_edges.size(), 10u);
-    EXPECT_LT(largest_distance(approached, found.form), 1e-4);
 }
 
 }  // namespace

@@ -6,14 +6,14 @@
 
 namespace taut::test {
 
-/// A text that is no good, and how it is refused.
+/// An invalid text, and the message of its refusal.
 struct BadText {
     const char* name;
     std::string text;
     std::string message;
 };
 
-/// A change of one value of a good document: at a JSON pointer, what to put there.
+/// A change of one value of a valid document: a JSON pointer, and what to put there.
 struct BadValue {
     const char* name;
     const char* at;

@@ -10,7 +10,7 @@
 
 namespace taut::test {
 
-/// The message of the InputError that the action throws; a test failure where it throws none.
+/// The message of the InputError that the action throws; a test failure if it throws none.
 template <typename Action>
 std::string input_error_of(const Action& action) {
     try {
@@ -23,8 +23,8 @@ std::string input_error_of(const Action& action) {
     return {};
 }
 
-/// Runs the action. True where it gave a result, false where it threw an InputError; any other
-/// exception leaves.
+/// Runs the action. True if it gave a result, false if it threw an InputError. Other exceptions
+/// propagate.
 template <typename Action>
 bool succeeds_or_refuses(const Action& action) {
     try {

@@ -13,7 +13,7 @@
 #include "taut/io/net_json.hpp"
 #include "taut/sampling/sampler.hpp"
 
-/// Small nets, data sets and models, with all that a file has to keep.
+/// Small nets, data sets and models, with everything that a file has to store.
 namespace taut::test {
 
 /// 6 free nodes, 10 supports, 7 interior edges; with loads, names and unknown keys.

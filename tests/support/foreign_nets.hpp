@@ -11,7 +11,7 @@
 namespace taut::test {
 
 /// A square of anchors around one free node, in COMPAS's old layout: four faces, four edges to the
-/// middle, and the four borders, which are no edges. q = 2, E = 210 GPa, r = 1 mm.
+/// middle, and four borders that are not edges. q = 2, E = 210 GPa, r = 1 mm.
 ///
 ///   3 --- 2
 ///   | \ / |
@@ -40,7 +40,7 @@ inline nlohmann::json old_compas_mesh() {
           {"(0, 4)", {{"size", "6"}}}}}};
 }
 
-/// A chain A - B - C as a COMPAS graph of today: text keys in Python's quotes, B free.
+/// A chain A - B - C as a present-day COMPAS graph: text keys in Python's quotes, B free.
 inline nlohmann::json new_compas_graph() {
     return {{"dtype", "compas.datastructures/Graph"},
             {"data",

@@ -24,5 +24,5 @@ inline CableNet hilo_roof() {
 
 }  // namespace taut::test
 
-/// Skips the test where its file is not there.
+/// Skips the test if its file does not exist.
 #define TAUT_NEEDS_HILO_ROOF() TAUT_NEEDS_REAL_FILE("hilo/cablenet.json")

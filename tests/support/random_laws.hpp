@@ -10,7 +10,7 @@
 /// Random piecewise linear tension laws.
 namespace taut::test {
 
-/// Of 2 to 4 straight parts, of which some in the middle may be flat; slopes of 0.2 to 2 times the
+/// A law of 2 to 4 straight parts, some of those in the middle flat; slopes of 0.2 to 2 times the
 /// axial stiffness, corners at strains up to 0.06.
 inline TensionLaw random_law(Random& random, double axial_stiffness) {
     const int parts = uniform_int(random, 2, 4);
@@ -27,8 +27,8 @@ inline TensionLaw random_law(Random& random, double axial_stiffness) {
     return law;
 }
 
-/// Of 2 to 5 straight parts, of which half of those in the middle are flat; slopes of a hundredth
-/// to a hundred times the axial stiffness, corners at strains up to 0.25.
+/// A law of 2 to 5 straight parts, half of those in the middle flat; slopes of a hundredth to a
+/// hundred times the axial stiffness, corners at strains up to 0.25.
 inline TensionLaw wild_law(Random& random, double axial_stiffness) {
     const int parts = uniform_int(random, 2, 5);
     TensionLaw law{.name = "wild",
@@ -45,7 +45,7 @@ inline TensionLaw wild_law(Random& random, double axial_stiffness) {
     return law;
 }
 
-/// The net with a law of its own for most edges.
+/// The net with an individual law for most edges.
 inline CableNetData with_random_laws(Random& random, CableNetData data,
                                      TensionLaw (*law)(Random&, double) = random_law) {
     for (Eigen::Index e = 0; e < data.axial_stiffness.size(); ++e) {
@@ -58,7 +58,7 @@ inline CableNetData with_random_laws(Random& random, CableNetData data,
     return data;
 }
 
-/// The net with laws that say what its axial stiffnesses say, by several points on a line.
+/// The net with tension laws that equal its axial stiffnesses, by several points on a line.
 inline CableNetData with_straight_laws(CableNetData data) {
     for (const double stiffness : data.axial_stiffness) {
         const Eigen::VectorXd strain{{0.0, 0.001, 0.004, 0.01, 0.02}};

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "taut/net/cable_net.hpp"
 
@@ -19,8 +21,8 @@ namespace taut::test {
 
 using Random = std::mt19937_64;
 
-/// For a RapidCheck property: a generator of random numbers, seeded anew in every case. The seed is
-/// shown where the property fails.
+/// A generator for a RapidCheck property, seeded anew in every case. RapidCheck shows the seed if
+/// the property fails.
 inline Random any_random() {
     return Random(
         *rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>())));
@@ -42,7 +44,7 @@ inline Eigen::VectorXd uniform_vector(Random& random, Eigen::Index size, double 
     return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(random, -reach, reach); });
 }
 
-/// What random_net() draws from.
+/// Ranges from which random_net() draws.
 struct RandomNetSettings {
     int most_free_nodes = 10;
     double smallest_strain = -0.03;  ///< of an edge at the nodes' coordinates; below 0 it is slack
@@ -97,6 +99,30 @@ inline CableNetData random_net_data(Random& random, const RandomNetSettings& set
 
 inline CableNet random_net(Random& random, const RandomNetSettings& settings = {}) {
     return CableNet(random_net_data(random, settings));
+}
+
+/// The net with its nodes in a random order.
+/// @param from receives the old number of each node
+inline CableNetData renumbered(Random& random, CableNetData data, std::vector<int>& from) {
+    from.resize(static_cast<size_t>(data.nodes.cols()));
+    std::iota(from.begin(), from.end(), 0);
+    std::ranges::shuffle(from, random);
+    std::vector<int> to(from.size());
+    for (size_t i = 0; i < from.size(); ++i) {
+        to[from[i]] = static_cast<int>(i);
+    }
+    data.nodes = Points(data.nodes(Eigen::all, from));
+    if (data.loads.cols() > 0) {
+        data.loads = Points(data.loads(Eigen::all, from));
+    }
+    for (int& support : data.supports) {
+        support = to[support];
+    }
+    for (auto& [s, t] : data.edges) {
+        s = to[s];
+        t = to[t];
+    }
+    return data;
 }
 
 }  // namespace taut::test

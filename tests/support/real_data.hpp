@@ -10,7 +10,7 @@
 
 namespace taut::test {
 
-/// A file that other people made, which is no part of this repository: under TAUT_REAL_DATA, else
+/// A file made by other people, which is not part of this repository: under TAUT_REAL_DATA, else
 /// beside the repository in shared/data.
 inline std::filesystem::path real_file(const std::string& name) {
     const char* const folder = std::getenv("TAUT_REAL_DATA");
@@ -23,8 +23,8 @@ inline std::filesystem::path real_file(const std::string& name) {
 
 }  // namespace taut::test
 
-/// Skips the test where the file is not there.
-#define TAUT_NEEDS_REAL_FILE(name)                                                           \
-    if (!std::filesystem::exists(taut::test::real_file(name)))                               \
-    GTEST_SKIP() << "the real file " << taut::test::real_file(name) << " is not there; set " \
+/// Skips the test if the file does not exist.
+#define TAUT_NEEDS_REAL_FILE(name)                                                             \
+    if (!std::filesystem::exists(taut::test::real_file(name)))                                 \
+    GTEST_SKIP() << "the real file " << taut::test::real_file(name) << " does not exist; set " \
                  << "TAUT_REAL_DATA to the folder that holds it"

@@ -13,7 +13,7 @@
 
 namespace taut::test {
 
-/// A directory of its own for one test, removed after it.
+/// A directory for one test, removed after it.
 class ScratchDirectory {
 public:
     ScratchDirectory() {

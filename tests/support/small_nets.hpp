@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <numeric>
+#include <vector>
+
 #include "taut/net/cable_net.hpp"
 
 /// Small nets made by hand.
@@ -61,6 +64,18 @@ inline CableNetData cross_data(double strain) {
     return data;
 }
 
+/// The tense cross with a node (5) that hangs at node 0 by an edge longer than its distance.
+inline CableNetData cross_with_a_loose_node_data() {
+    CableNetData data = cross_data(0.02);
+    data.nodes.conservativeResize(3, 6);
+    data.nodes.col(5) << 0.1, 0.2, 0.3;
+    data.edges.push_back({0, 5});
+    data.axial_stiffness.setConstant(5, 100e3);
+    data.unstressed_lengths.conservativeResize(5);
+    data.unstressed_lengths(4) = 0.5;
+    return data;
+}
+
 /// A chain of `edge_count` edges of 1 m between supports at x = 0 and x = `span`, with a weight at
 /// every free node: nodes on a straight line, so that with span < edge_count all edges are slack.
 inline CableNetData chain_data(int edge_count, double span, double weight) {
@@ -78,6 +93,13 @@ inline CableNetData chain_data(int edge_count, double span, double weight) {
     data.loads = Points::Zero(3, edge_count + 1);
     data.loads.row(2).setConstant(-weight);
     return data;
+}
+
+/// 0, 1, ..., m - 1.
+inline std::vector<int> all_edges(const CableNet& net) {
+    std::vector<int> edges(net.edge_count());
+    std::iota(edges.begin(), edges.end(), 0);
+    return edges;
 }
 
 }  // namespace taut::test

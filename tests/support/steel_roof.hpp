@@ -13,8 +13,8 @@
 #include "taut/design/force_density.hpp"
 #include "taut/design/unstressed_lengths.hpp"
 
-/// A roof of steel cables that stands in for the real one of hilo_roof.hpp, which is no part of
-/// this repository: as stiff, under the weight of its concrete, and with dozens of slack edges once
+/// A roof of steel cables that replaces the real one of hilo_roof.hpp, which is not part of this
+/// repository: equally stiff, under the weight of its concrete, and with dozens of slack edges if
 /// its lengths deviate by 5 mm.
 namespace taut::test {
 

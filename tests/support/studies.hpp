@@ -11,12 +11,12 @@
 #include "taut/results/results_json.hpp"
 #include "taut/study/study.hpp"
 
-/// Studies without the work of one.
+/// Results made up without computation.
 namespace taut::test {
 
-/// A study of which no number agrees with another, made up without sampling or training.
-/// @param validation number of validation samples; as many were trained on
-/// @param scale of the identified errors; 0 for lengths and forms that are identified exactly
+/// A study in which all numbers differ, made up without sampling or training.
+/// @param validation number of validation samples, and of training samples
+/// @param scale of the errors; 0 for lengths and forms that are identified exactly
 inline Study made_up_study(const CableNet& net, int validation = 5, double scale = 1.0) {
     const Eigen::Index m = net.interior_edge_count();
     const Eigen::Index n = net.free_node_count();
@@ -69,7 +69,7 @@ inline Study made_up_study(const CableNet& net, int validation = 5, double scale
     return study;
 }
 
-/// The same as it comes back from its file.
+/// The study as read back from its file.
 inline ResultFile saved(const Study& study) {
     return parse_result(study_to_json(study), "results.json");
 }
@@ -107,10 +107,9 @@ inline ResultFile made_up_comparison() {
         "compare.json");
 }
 
-/// Simulated jobs, made up: as built 3 mm from the target along its normal in the first trial and
-/// 0.3 mm more in each later one, a third of that after each round; in the last round of the last
-/// trial no identified lengths could be planned on. Planned on the design, every trial breaks a
-/// limit by 5 %.
+/// Simulated jobs, made up. As built, the first trial is 3 mm from the target along its normal,
+/// each later one 0.3 mm more; each round leaves a third. In the last round of the last trial the
+/// identification fails. Plans on the design break a limit by 5 % in every trial.
 inline ResultFile made_up_control(const CableNet& net, int rounds = 2, int trials = 5) {
     std::vector<ControlRecord> records;
     for (const ControlStrategy strategy : {ControlStrategy::truth, ControlStrategy::identified,
@@ -145,10 +144,10 @@ inline ResultFile made_up_control(const CableNet& net, int rounds = 2, int trial
 }
 
 /// A plan of two crews that turn the first two adjustable edges, one shorter and one longer, made
-/// up without looking for one: every free node is 3 mm above the target and 4 mm beside it as
-/// built, a third of that as planned; tensions grow with the edge's number from 2 kN, and the last
-/// one is beyond its limit.
-/// @param draws 0: nothing is told of how sure it is
+/// up without a search. As built, every free node is 3 mm above the target and 4 mm beside it; the
+/// plan leaves a third of that. Tensions grow with the edge's number from 2 kN, and the last one
+/// exceeds its limit.
+/// @param draws number of posterior samples; 0: the plan has no uncertainty
 inline ResultFile made_up_plan(const CableNet& net, int draws = 200) {
     const int m = net.edge_count();
     const FormTarget target(net, net.nodes());

@@ -11,7 +11,7 @@
 #include "taut/adjustment/target_surface.hpp"
 #include "taut/net/cable_net.hpp"
 
-/// Surfaces to bring nets to.
+/// Target surfaces.
 namespace taut::test {
 
 /// A square at a height [m], twice as large as the net.
@@ -27,18 +27,13 @@ inline std::shared_ptr<const TargetSurface> plane_at(double height, const CableN
         corners, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
 }
 
-/// The least surface of the net's own triangles through a form: each free node with each pair of
-/// its neighbours that follow each other round it, seen from above.
+/// A surface of triangles through a form: each free node with each pair of its neighbours that are
+/// consecutive round it, seen from above.
 inline std::shared_ptr<const TargetSurface> surface_through(const CableNet& net, const Points& form,
                                                             double scale = 1.0) {
-    std::vector<std::vector<int>> neighbours(net.node_count());
-    for (const auto& [s, t] : net.edges()) {
-        neighbours[s].push_back(t);
-        neighbours[t].push_back(s);
-    }
     std::vector<std::array<int, 3>> triangles;
     for (const int node : net.free_nodes()) {
-        std::vector<int>& round = neighbours[node];
+        std::vector<int> round(net.neighbours(node).begin(), net.neighbours(node).end());
         std::ranges::sort(round, {}, [&](int other) {
             const Eigen::Vector3d to = form.col(other) - form.col(node);
             return std::atan2(to.y(), to.x());

@@ -11,8 +11,8 @@
 
 #include "taut/gp/kernel.hpp"
 
-/// A Gaussian process as the textbook writes it, entry by entry and with one dense Cholesky
-/// factorisation: slow, and good for comparison where the covariance is well conditioned.
+/// A Gaussian process by the textbook's formulas, entry by entry and with one dense Cholesky
+/// factorisation: slow, and a reference if the covariance is well conditioned.
 namespace taut::test {
 
 inline Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index cols, std::uint64_t seed) {

@@ -11,8 +11,8 @@ namespace taut {
 
 /// A net with the counts of the paper's prototype (section 5): 300 free nodes, 536 interior and 128
 /// adjustable edges. A square lattice of 132 mm, turned by 45 degrees, in a rectangle of 4.26 m x
-/// 1.96 m from which five circles are cut: the touch-downs, where the net sinks to the ground.
-/// EA = 200 kN; form-found with equal force densities, at a mean strain of some 2 %.
+/// 1.96 m, less five circles: the touch-downs, where the net meets the ground. EA = 200 kN;
+/// form-found with equal force densities, at a mean strain of some 2 %.
 [[nodiscard]] TAUT_CORE_EXPORT CableNet hilo_quarter();
 
 /// A hyperbolic paraboloid of rows x columns free nodes, 132 mm apart in plan, with straight
@@ -21,14 +21,14 @@ namespace taut {
 /// @throws std::invalid_argument outside that range
 [[nodiscard]] TAUT_CORE_EXPORT CableNet hypar(int rows, int columns);
 
-/// A roof of spiral strands on an elliptic ring of 36 m x 24 m in plan, its cables 2 m apart: those
-/// along it carry cladding of 0.3 kN/m2 and their own weight, those across brace them. Strands of
-/// 16 and 12 mm follow two slopes, 50 GPa up to 110 MPa and 72.5 GPa above, with 0.066 % of
-/// constructional stretch between; they stretch by 2 to 9 mm. Groups "carrying" and "bracing".
+/// A roof of spiral strands on an elliptic ring of 36 m x 24 m in plan, with cables 2 m apart.
+/// Those along it carry cladding of 0.3 kN/m2 and the self-weight, those across brace them. Strands
+/// of 16 and 12 mm follow two slopes, 50 GPa up to 110 MPa and 72.5 GPa above, with 0.066 % of
+/// constructional stretch between. They stretch by 2 to 9 mm. Groups "carrying" and "bracing".
 [[nodiscard]] TAUT_CORE_EXPORT CableNet steel_roof();
 
 /// The built-in net of a name: "hilo-quarter", "steel-roof", or "hypar:RxC".
-/// @throws std::invalid_argument that lists the names, for any other
+/// @throws std::invalid_argument listing these names, for any other
 [[nodiscard]] TAUT_CORE_EXPORT CableNet builtin_net(std::string_view name);
 
 }  // namespace taut

@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// l_0 = l / (1 + T/EA): the lengths to which edges are cut so that they carry the tensions T when
+/// l_0 = l / (1 + T/EA): the lengths to cut edges to, so that they carry the tensions T when
 /// stretched to the lengths l. All arguments have one entry an edge; lengths [m], forces [N].
 /// @throws std::invalid_argument for sizes that differ, lengths or stiffnesses that are not
 ///   positive and finite, or tensions that are negative or not finite.

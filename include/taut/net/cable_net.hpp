@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "taut/export/core.hpp"
@@ -23,19 +24,19 @@ using Points = Eigen::Matrix3Xd;
 /// The two nodes (s, t) that an edge connects.
 using Edge = std::array<int, 2>;
 
-/// A rule of a cable net that is broken, and where in CableNetData. what() tells both:
+/// A broken rule of a cable net, and its place in CableNetData. what() holds both:
 /// "edges[3]: connects node 7 to itself".
 class TAUT_CORE_EXPORT NetError : public std::invalid_argument {
 public:
     /// @param index entry, or entry and axis; empty: the field as a whole
     NetError(std::string field, std::vector<int> index, std::string problem);
 
-    /// Of CableNetData: "edges", say.
+    /// Field of CableNetData, for example "edges".
     [[nodiscard]] const std::string& field() const { return m_field; }
-    /// The entry: {3}; a coordinate by entry and axis: {4, 1}; empty where the field as a whole is
+    /// The entry {3}, or entry and axis of a coordinate {4, 1}; empty if the field as a whole is
     /// wrong.
     [[nodiscard]] const std::vector<int>& index() const { return m_index; }
-    /// What is wrong there, and what was expected.
+    /// What is wrong, and what was expected.
     [[nodiscard]] const std::string& problem() const { return m_problem; }
 
 private:
@@ -48,7 +49,7 @@ private:
 /// along the cable, shortens the cable.
 enum class Thread { right, left };
 
-/// Edges that are cut from one cable, and may share what is wrong with their lengths.
+/// Edges cut from one cable: their length deviations may have a common part.
 struct CableRun {
     std::string name;        ///< may be empty
     std::vector<int> edges;  ///< none in another run
@@ -62,8 +63,8 @@ struct CableNetData {
     std::vector<Edge> edges;             ///< m pairs of nodes
     Eigen::VectorXd axial_stiffness;     ///< m, EA > 0; see CableNet::axial_stiffness() [N]
     Eigen::VectorXd unstressed_lengths;  ///< m, l_0 > 0 [m]
-    /// Edges with a turnbuckle: length known and set. None means that no edge has one, and every
-    /// length is uncertain; a net.json that does not tell them has edges_at_supports().
+    /// Edges with a turnbuckle, whose length is known and set. If empty, no edge has one and every
+    /// length is uncertain. A net.json without this list gets edges_at_supports().
     std::vector<int> adjustable;
     Points loads;                          ///< 3 x n external forces [N]; 3 x 0 means none
     std::vector<std::string> node_ids;     ///< n names, or none
@@ -71,51 +72,52 @@ struct CableNetData {
     std::vector<TensionLaw> tension_laws;  ///< of all edges that are not linear; or none
     std::vector<int> tension_law;          ///< m indices of tension_laws, -1: linear by EA; or none
     std::map<std::string, std::vector<int>> groups;  ///< named lists of edges
-    Eigen::VectorXd mass;                            ///< m, of a metre of edge; or none [kg/m]
-    Eigen::VectorXd expansion;      ///< m, thermal strain by temperature; or none [1/K]
+    Eigen::VectorXd mass;                            ///< m, per length; or none [kg/m]
+    Eigen::VectorXd expansion;      ///< m, thermal expansion coefficient; or none [1/K]
     Eigen::VectorXd breaking_load;  ///< m, > 0; or none [N]
-    std::vector<Thread> thread;     ///< one an entry of `adjustable`; or none
+    std::vector<Thread> thread;     ///< one for each entry of `adjustable`; or none
     std::vector<CableRun> runs;     ///< or none: cable_runs() finds them
 };
 
-/// The edges with at least one support as an end: CableNetData::adjustable of most nets.
+/// The edges with a support at one end at least: CableNetData::adjustable of most nets.
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_at_supports(const std::vector<Edge>& edges,
                                                                   const std::vector<int>& supports);
 
 /// A tensioned cable net: the graph G = (V, E) of the paper (section 3.1) with its parameters EA,
 /// l_0 and r_B. Immutable, and valid by construction.
 ///
-/// All that it gives by reference or pointer lives as long as the net, until that is assigned to.
-/// A copy costs memory as CableNetData does. Functions and objects of taut copy what
-/// they need of a net; what refers to it (Method, PlanRecord) says so.
+/// References, spans and pointers that it returns are valid until the net is destroyed or assigned
+/// to. Functions and objects of taut copy what they need of a net; those that refer to it (Method,
+/// PlanRecord) say so.
 class TAUT_CORE_EXPORT CableNet {
 public:
     /// Checks every rule of a net.
-    /// @throws NetError naming the place, the value and the rule: sizes that differ, an index out
+    /// @throws NetError with the place, the value and the rule: sizes that differ, an index out
     ///   of range or listed twice, a self-loop, a duplicate edge, an edge between two supports, a
     ///   free node without edges or in a part of the net without support, a stiffness or unstressed
     ///   length that is not positive and finite, an edge of zero length, a coordinate or load that
     ///   is not finite, no free node, names that are empty or doubled; a tension law that does not
     ///   start at (0, 0), falls, is flat at its start or end, or whose strains do not ascend; a
     ///   group without name or edges; a mass that is negative, an expansion that is not finite, a
-    ///   breaking load that is not positive and finite, other than one thread an adjustable edge, a
-    ///   run without edges or with one that another run has.
+    ///   breaking load that is not positive and finite, a number of threads other than that of the
+    ///   adjustable edges, a run without edges or with one that another run has.
     explicit CableNet(CableNetData data);
-    /// Nets are copied, not moved: what is left behind is a net still.
+    /// Nets are copied, not moved, so that the source stays a valid net.
     CableNet(const CableNet&) = default;
     /// Likewise.
     CableNet& operator=(const CableNet&) = default;
     ~CableNet() = default;
 
-    /// What it is called; may be empty.
+    /// May be empty.
     [[nodiscard]] const std::string& name() const { return m_data.name; }
     /// Nominal form, all nodes in the order of the data (3 x n) [m].
     [[nodiscard]] const Points& nodes() const { return m_data.nodes; }
     /// Both nodes of each edge, in the order of the data (m).
     [[nodiscard]] const std::vector<Edge>& edges() const { return m_data.edges; }
-    /// EA; of an edge with a tension law the greatest slope of that, whatever the data told [N].
+    /// EA; for an edge with a tension law the greatest slope of the law, whatever the data holds
+    /// [N].
     [[nodiscard]] const Eigen::VectorXd& axial_stiffness() const { return m_data.axial_stiffness; }
-    /// The law of an edge; null where its tension is linear, EA (l/l_0 - 1).
+    /// The tension law of an edge; null if its tension is linear, EA (l/l_0 - 1).
     /// @param edge 0 to edge_count() - 1
     /// @throws std::out_of_range for another
     [[nodiscard]] const TensionLaw* tension_law(int edge) const {
@@ -130,11 +132,11 @@ public:
     [[nodiscard]] const Eigen::VectorXd& unstressed_lengths() const {
         return m_data.unstressed_lengths;
     }
-    /// 3 x n; those of the data and, where masses are given, the self-weight of the edges by their
-    /// unstressed lengths, half of it at either end in -z. Other lengths that are solved for leave
-    /// it as it is [N].
+    /// 3 x n; the loads of the data plus the self-weight of edges with a mass. The weight follows
+    /// from the net's unstressed lengths and acts in -z, half of it at either end. It does not
+    /// change if an equilibrium is solved with other lengths [N].
     [[nodiscard]] const Points& loads() const { return m_loads; }
-    /// Everything that the net was made from, defaults filled in.
+    /// The data that the net was made from, defaults filled in.
     [[nodiscard]] const CableNetData& data() const { return m_data; }
 
     /// n, supports included.
@@ -168,18 +170,31 @@ public:
     /// Edges whose unstressed length is known and set, ascending: the order of l_0,B.
     [[nodiscard]] const std::vector<int>& adjustable_edges() const { return m_data.adjustable; }
 
-    /// The node's name, or its index as text where the net names no nodes.
+    /// Edges at a node, ascending.
+    /// @param node 0 to node_count() - 1
+    /// @throws std::out_of_range for another
+    [[nodiscard]] std::span<const int> edges_at(int node) const;
+    /// Nodes that share an edge with a node, in the order of edges_at().
+    /// @param node 0 to node_count() - 1
+    /// @throws std::out_of_range for another
+    [[nodiscard]] std::span<const int> neighbours(int node) const;
+
+    /// The node's name, or its index as text if the net names no nodes.
     /// @param node 0 to node_count() - 1
     /// @throws std::out_of_range for another
     [[nodiscard]] std::string node_id(int node) const;
-    /// The edge's name, or its index as text where the net names no edges.
+    /// The node with node_id(node) == id, or -1.
+    [[nodiscard]] int find_node(std::string_view id) const;
+    /// The edge's name, or its index as text if the net names no edges.
     /// @param edge 0 to edge_count() - 1
     /// @throws std::out_of_range for another
     [[nodiscard]] std::string edge_id(int edge) const;
+    /// The edge with edge_id(edge) == id, or -1.
+    [[nodiscard]] int find_edge(std::string_view id) const;
 
     /// 16 hexadecimal digits (FNV-1a) over nodes, supports, edges, EA, l_0, adjustable edges,
-    /// loads, tension laws and masses: two nets with the same fingerprint behave alike, whatever
-    /// their names.
+    /// loads, tension laws and masses. Nets with the same fingerprint have the same statics,
+    /// whatever their names.
     [[nodiscard]] const std::string& fingerprint() const { return m_fingerprint; }
 
 private:
@@ -189,16 +204,22 @@ private:
         }
     }
     [[noreturn]] static void refuse_index(const char* what, int index, std::size_t count);
+    void list_edges_at_nodes();
 
     CableNetData m_data;
     Points m_loads;
     std::vector<int> m_free_nodes;
     std::vector<int> m_free_index;
     std::vector<int> m_interior;
+    std::vector<int> m_starts;         ///< of each node in the next two; one more at the end
+    std::vector<int> m_edges_at;       ///< node by node
+    std::vector<int> m_neighbours;     ///< the other end of each of these edges
+    std::vector<int> m_nodes_by_name;  ///< sorted by node_ids; empty if these are
+    std::vector<int> m_edges_by_name;
     std::string m_fingerprint;
 };
 
-/// Acceleration by gravity, standard value [m/s2].
+/// Standard acceleration of gravity [m/s2].
 inline constexpr double gravity = 9.80665;
 
 /// r_I, the 3 n_I coordinates x1, y1, z1, x2, ... of the free nodes, out of all nodes' (3 x n) [m].
@@ -206,7 +227,7 @@ inline constexpr double gravity = 9.80665;
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd free_coordinates(
     const CableNet& net, const Eigen::Ref<const Points>& form);
 
-/// All nodes' coordinates (3 x n) from r_I (3 n_I); supports from the net [m].
+/// Coordinates of all nodes (3 x n) from r_I (3 n_I); supports from the net [m].
 /// @throws std::invalid_argument for a wrong size
 [[nodiscard]] TAUT_CORE_EXPORT Points
 with_free_coordinates(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& coordinates);

@@ -9,11 +9,12 @@
 
 namespace taut {
 
-/// Runs of cable: edges that are cut from one cable, one after another, which passes through the
-/// nodes between them. Those of CableNetData::runs; where the net gives none, edges that go
-/// straight on through a free node of the nominal form: of each pair there that turns by less than
-/// 30 degrees, the straightest first, each edge in one pair at a node.
-/// @return as given; or of at least two edges each, in the order of their first. No edge is in two
+/// Runs of cable: edges cut one after another from one cable, which passes through the nodes
+/// between them. These are CableNetData::runs. If the net gives none, edges are joined that
+/// continue each other through a free node of the nominal form with a turn of less than 30 degrees:
+/// the straightest pairs first, each edge in at most one pair at a node.
+/// @return the runs of the net; or runs of at least two edges each, sorted by their first edge. No
+///   edge is in two runs
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<std::vector<int>> cable_runs(const CableNet& net);
 
 }  // namespace taut

@@ -16,12 +16,12 @@ namespace taut {
 /// @throws std::invalid_argument for anything else, naming the text
 [[nodiscard]] TAUT_CORE_EXPORT double parse_length(std::string_view text);
 
-/// "5mm", for people: the shortest number of millimetres that parse_length() reads back to a part
-/// in 10^12, so that rounding errors of a length are not told with it; of metres where there is
-/// none.
+/// A length for people, "5mm": the shortest number of millimetres that parse_length() reads back
+/// with a relative error of at most 1e-12, which hides rounding errors. In metres if millimetres
+/// overflow.
 [[nodiscard]] TAUT_CORE_EXPORT std::string format_length(double metres);
 
-/// The same, but read back to the last bit: for a file that keeps a length as text.
+/// The same, but read back to the last bit: for files that store a length as text.
 [[nodiscard]] TAUT_CORE_EXPORT std::string format_length_exactly(double metres);
 
 /// A force written with its unit, "200kN", "0.2 MN", "50 N", or as a bare number of newtons.
@@ -35,14 +35,14 @@ namespace taut {
 /// @throws std::invalid_argument for anything else, naming the text
 [[nodiscard]] TAUT_CORE_EXPORT double parse_stress(std::string_view text);
 
-/// A part of something, "5%", "0.5 %".
+/// A percentage, "5%", "0.5 %".
 /// @return 0.05 for 5 %
-/// @throws std::invalid_argument for anything else, a bare number too, naming the text
+/// @throws std::invalid_argument for anything else, including a bare number, naming the text
 [[nodiscard]] TAUT_CORE_EXPORT double parse_part(std::string_view text);
 
-/// A difference of temperatures, "10K".
+/// A temperature difference, "10K".
 /// @return [K]
-/// @throws std::invalid_argument for anything else, a bare number too, naming the text
+/// @throws std::invalid_argument for anything else, including a bare number, naming the text
 [[nodiscard]] TAUT_CORE_EXPORT double parse_temperature(std::string_view text);
 
 }  // namespace taut

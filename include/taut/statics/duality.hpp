@@ -19,28 +19,28 @@
 ///
 ///     D(f) = sum_b R_b . r_b  -  sum_(s,t) ( T l_0 + T^2 l_0 / (2 EA) )
 ///
-/// is a lower bound of V at any form, and the two are equal at equilibrium alone. So V(r) - D(f) is
-/// never less than what r is above the lowest energy: a proof that needs no trust in any solver.
-/// (Textbooks take the negative of D for the complementary energy.)
+/// is a lower bound of V at any form. The two are equal at equilibrium only. So V(r) - D(f) bounds
+/// how far V(r) is above the lowest energy: a proof that does not rely on any solver. (Textbooks
+/// call -D the complementary energy.)
 namespace taut {
 
-/// How far the energy of a form is above the lowest one, at most.
+/// Upper bound on how far the energy of a form is above the lowest energy.
 struct EnergyCertificate {
     double energy = 0.0;                ///< V(r) [J]
     double complementary_energy = 0.0;  ///< D(f), of forces that balance [J]
-    /// V(r) - D(f) >= 0 [J]. Summed edge by edge from terms that are never negative, so it is exact
-    /// far below the last place of V.
+    /// V(r) - D(f) >= 0 [J]. Summed edge by edge from nonnegative terms, so it is accurate far
+    /// below the last digit of V.
     double duality_gap = 0.0;
-    /// The gap over the elastic energy: of the form, or of the forces, sum T^2 l_0 / (2 EA), where
-    /// that is more; in a net that is all but slack, over that of strains of 1e-6 [-].
+    /// The gap over an elastic energy: the largest of that of the form, that of the forces, sum T^2
+    /// l_0 / (2 EA), and that of strains of 1e-6, for nets that are almost slack [-].
     double relative_gap = 0.0;
 };
 
-/// The certificate of a form with the tensions that it gives its edges. At a form that a solver
-/// found these balance but for the out-of-balance forces, and D bounds V only where balance holds
-/// to the last; so they are first brought to balance by the smallest correction, in the sense of
-/// the complementary energy, along and across the edges. What that costs is part of the gap; what
-/// rounding errors leave of the imbalance, some 1e-16 of the tensions, is not.
+/// The certificate of a form with the tensions of its edges. D bounds V only for forces in exact
+/// balance. The tensions of a computed form balance except for small residual forces, so they are
+/// first corrected: along and across the edges, by the least correction in the sense of the
+/// complementary energy. Its cost is part of the gap. The imbalance that rounding errors leave,
+/// some 1e-16 of the tensions, is not.
 /// @param unstressed_lengths l_0 of all edges (m) [m]
 /// @param form coordinates of all nodes (3 x n) [m]
 /// @throws std::invalid_argument for wrong sizes, unstressed lengths that are not positive and
@@ -49,7 +49,7 @@ struct EnergyCertificate {
 certify(const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
         const Eigen::Ref<const Points>& form);
 
-/// The same with forces from elsewhere, a conic solver's dual variables say, brought to balance
+/// The same with other forces, for example the dual variables of a conic solver. They are corrected
 /// likewise.
 /// @param edge_forces f of all edges (3 x m) [N]
 /// @throws std::invalid_argument likewise

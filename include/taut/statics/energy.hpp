@@ -18,8 +18,8 @@
 /// V is convex in r, and once continuously differentiable.
 namespace taut {
 
-/// V [J], elastic energy less the work of the loads: half the objective v of the paper's SOCP where
-/// no load acts.
+/// V [J], elastic energy less the work of the loads: half the objective v of the paper's SOCP if no
+/// load acts.
 /// @throws std::invalid_argument for wrong sizes, unstressed lengths that are not positive and
 ///   finite, and coordinates that are not finite
 [[nodiscard]] TAUT_CORE_EXPORT double energy(

@@ -17,13 +17,13 @@ namespace taut {
 ///
 ///     dr_I/dl_0 = -H^-1 dh/dl_0,   dh_s/dl_0(s,t) = -EA (r_s - r_t) / l_0^2   (0 for a slack edge)
 ///
-/// H is factorised once, on construction; each derivative is then a pair of triangular solves.
-/// Holds a copy of what it needs of the net. One object serves several threads at once. Once moved
-/// from, it may only be assigned to or destroyed.
+/// H is factorised once, on construction; each derivative is then a pair of triangular solves. It
+/// holds a copy of what it needs of the net. One object may be used by several threads at once. A
+/// moved-from object may only be assigned to or destroyed.
 class TAUT_CORE_EXPORT FormSensitivity {
 public:
-    /// Where H is singular (a slack mechanism) it is shifted by 1e-12 of the nodes' axial
-    /// stiffness, so that loose nodes stay where they are.
+    /// If H is singular (a slack mechanism) it is shifted by 1e-12 of the nodes' axial stiffness,
+    /// so that loose nodes do not move.
     /// @param unstressed_lengths l_0 of all edges (m) [m]
     /// @param form an equilibrium form for them, which is not checked (3 x n) [m]
     /// @throws std::invalid_argument for wrong sizes, lengths that are not positive and finite,
@@ -32,9 +32,7 @@ public:
                     const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
                     const Eigen::Ref<const Points>& form);
     ~FormSensitivity();
-    /// Leaves the other one without a factor.
     FormSensitivity(FormSensitivity&&) noexcept;
-    /// Leaves the other one without a factor.
     FormSensitivity& operator=(FormSensitivity&&) noexcept;
     FormSensitivity(const FormSensitivity&) = delete;
     FormSensitivity& operator=(const FormSensitivity&) = delete;
@@ -46,7 +44,7 @@ public:
         const Eigen::Ref<const Eigen::VectorXd>& length_changes) const;
 
     /// (dr_I/dl_0)' g: the gradient with respect to all unstressed lengths (m) of a function of the
-    /// form that has the gradient g. One pair of triangular solves. Its unit is that of g.
+    /// form with gradient g. One pair of triangular solves. The unit is that of g.
     /// @param gradient g, in the order of r_I (3 n_I)
     /// @throws std::invalid_argument for a wrong size
     [[nodiscard]] Eigen::VectorXd apply_transposed(
@@ -61,14 +59,14 @@ private:
     std::unique_ptr<Factor> m_factor;
 };
 
-/// How far the length of an edge moves the form.
+/// Sensitivity of the form to the length of one edge.
 struct EdgeSensitivity {
     int edge;     ///< index in the net
     double move;  ///< norm of dr_I/dl_0, over all free coordinates [m/m]
 };
 
-/// Of the given edges the `count` whose lengths move the form most, most first; all where there are
-/// no more.
+/// The `count` of the given edges whose lengths move the form most, in descending order; all of
+/// them if there are fewer.
 /// @throws std::invalid_argument for an edge that the net does not have
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<EdgeSensitivity> most_sensitive_edges(
     const FormSensitivity& sensitivity, std::span<const int> edges, int count);

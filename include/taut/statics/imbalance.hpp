@@ -7,12 +7,12 @@
 
 namespace taut {
 
-/// How far a form is from the equilibrium of its lengths and loads.
+/// Imbalance of a form for given lengths and loads.
 struct TAUT_CORE_EXPORT Imbalance {
     double largest = 0.0;       ///< out-of-balance force at a free node, |h_s| [N]
-    double mean_tension = 0.0;  ///< over the taut edges; 0 where all are slack [N]
+    double mean_tension = 0.0;  ///< over the taut edges; 0 if all are slack [N]
 
-    /// largest / mean_tension; infinite where forces act and no edge is taut.
+    /// largest / mean_tension; infinite if forces act and no edge is taut.
     [[nodiscard]] double share() const;
 };
 

@@ -14,14 +14,14 @@ namespace taut {
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd edge_lengths(const CableNet& net,
                                                             const Eigen::Ref<const Points>& form);
 
-/// Tensions of all edges (m) at a form (3 x n): EA max(0, l / l_0 - 1), or by the edge's law [N].
+/// Tensions of all edges (m) at a form (3 x n): EA max(0, l / l_0 - 1), or the tension law [N].
 /// @throws std::invalid_argument for wrong sizes, unstressed lengths that are not positive and
 ///   finite, and coordinates that are not finite
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd tensions(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,
     const Eigen::Ref<const Points>& form);
 
-/// Edges that are no longer than their unstressed length, and so carry no tension; ascending.
+/// Edges that are not longer than their unstressed length and carry no tension; ascending.
 /// @throws std::invalid_argument as tensions()
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<int> slack_edges(
     const CableNet& net, const Eigen::Ref<const Eigen::VectorXd>& unstressed_lengths,

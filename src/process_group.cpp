@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/team.hpp"
+#include "taut/process_group.hpp"
 
 #include <fmt/core.h>
 
 #include <atomic>
 #include <utility>
 
-#include "team_work.hpp"
+#include "shared_work.hpp"
 
 namespace taut {
 namespace {
 
-class Alone final : public Team {
+class SingleProcess final : public ProcessGroup {
 public:
     [[nodiscard]] int size() const override { return 1; }
     [[nodiscard]] int rank() const override { return 0; }
@@ -22,48 +22,48 @@ public:
     }
 };
 
-std::atomic<Team*>& chosen() {
-    static Alone alone;
-    static std::atomic<Team*> team{&alone};
-    return team;
+std::atomic<ProcessGroup*>& group_in_use() {
+    static SingleProcess single;
+    static std::atomic<ProcessGroup*> group{&single};
+    return group;
 }
 
 }  // namespace
 
-Team::~Team() = default;
+ProcessGroup::~ProcessGroup() = default;
 
-Team& team() {
-    return *chosen();
+ProcessGroup& process_group() {
+    return *group_in_use();
 }
 
-void with_team(Team& team, const std::function<void()>& work) {
-    struct Chosen {
-        Team* before;
-        explicit Chosen(Team& team) : before(chosen().exchange(&team)) {}
-        ~Chosen() { chosen() = before; }
-        Chosen(const Chosen&) = delete;
-        Chosen& operator=(const Chosen&) = delete;
-        Chosen(Chosen&&) = delete;
-        Chosen& operator=(Chosen&&) = delete;
+void with_process_group(ProcessGroup& group, const std::function<void()>& work) {
+    struct Scope {
+        ProcessGroup* before;
+        explicit Scope(ProcessGroup& group) : before(group_in_use().exchange(&group)) {}
+        ~Scope() { group_in_use() = before; }
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+        Scope(Scope&&) = delete;
+        Scope& operator=(Scope&&) = delete;
     };
-    const Chosen during_work(team);
+    const Scope during_work(group);
     work();
 }
 
 std::vector<size_t> share_of(size_t count) {
     std::vector<size_t> indices;
-    const auto size = static_cast<size_t>(team().size());
-    for (auto k = static_cast<size_t>(team().rank()); k < count; k += size) {
+    const auto size = static_cast<size_t>(process_group().size());
+    for (auto k = static_cast<size_t>(process_group().rank()); k < count; k += size) {
         indices.push_back(k);
     }
     return indices;
 }
 
 void require_same(std::string_view what, const std::string& fingerprint) {
-    if (team().size() == 1) {
+    if (process_group().size() == 1) {
         return;
     }
-    const std::vector<std::string> all = team().gather(fingerprint, Receivers::all);
+    const std::vector<std::string> all = process_group().gather(fingerprint, Receivers::all);
     for (size_t rank = 1; rank < all.size(); ++rank) {
         if (all[rank] != all.front()) {
             throw std::runtime_error(fmt::format(
