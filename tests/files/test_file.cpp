@@ -82,13 +82,6 @@ TEST(AtomicFile, ReplacesTheTargetWhenItIsCommitted) {
     EXPECT_THAT(scratch.files(), ElementsAre("out"));
 }
 
-TEST(AtomicFile, GivesTwoWritersOfOneTargetTemporariesOfTheirOwn) {
-    const ScratchDirectory scratch;
-    const AtomicFile one(scratch / "out");
-    const AtomicFile two(scratch / "out");
-    EXPECT_NE(one.temporary(), two.temporary());
-}
-
 TEST(AtomicFile, FollowsALinkToWhatIsNotThereYet) {
     const ScratchDirectory scratch;
     std::filesystem::create_directory(scratch / "inner");
@@ -206,40 +199,15 @@ TEST(AtomicFile, RefusesWhatIsReadOnlyEvenForTheSuperuser) {
     EXPECT_THAT(scratch.files(), ElementsAre("out"));
 }
 
-TEST(AtomicFile, KeepsASymbolicLinkAndReplacesWhatItLeadsTo) {
-    const ScratchDirectory scratch;
-    std::filesystem::create_directory(scratch / "store");
-    put_bytes(scratch / "store/file", "before");
-    std::filesystem::create_symlink("store/file", scratch / "link");
-    write_file(scratch / "link", "after");
-    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "link"));
-    EXPECT_EQ(bytes_of(scratch / "store/file"), "after");
-}
-
-TEST(AtomicFile, RefusesADirectoryThatDoesNotExist) {
+TEST(AtomicFile, RefusesWhatCannotBecomeAFile) {
     const ScratchDirectory scratch;
     const std::string target = (scratch / "nowhere/out").string();
     EXPECT_EQ(output_error_of([&] { AtomicFile file(target); }),
               target + ": cannot be written: No such file or directory");
-}
-
-TEST(AtomicFile, RefusesATargetThatIsADirectory) {
-    const ScratchDirectory scratch;
     EXPECT_EQ(output_error_of([&] { AtomicFile file(scratch.path()); }),
               scratch.path().string() + ": is a directory, expected a file");
-}
-
-TEST(AtomicFile, RefusesADeviceThatARenameWouldReplace) {
     EXPECT_THAT(output_error_of([] { AtomicFile file("/dev/null"); }), HasSubstr("is a device"));
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
-}
-
-TEST(AtomicFile, RefusesADirectoryThatCannotBeWrittenTo) {
-    EXPECT_THAT(output_error_of([] { AtomicFile file("/proc/out"); }),
-                HasSubstr("/proc/out: cannot be written"));
-}
-
-TEST(AtomicFile, RefusesAnEmptyName) {
     EXPECT_THROW(AtomicFile(""), OutputError);
 }
 
@@ -261,28 +229,6 @@ TEST(WriteFiles, WritesAllIntoADirectoryThatItMakes) {
     EXPECT_EQ(bytes_of(scratch / "a/b/one"), "1");
     EXPECT_EQ(bytes_of(scratch / "a/b/two"), "2");
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch / "a/b"), {}), 2);
-}
-
-TEST(WriteFiles, LeavesEveryFileAsItWasWhereTheLastCannotBeWritten) {
-    const ScratchDirectory scratch;
-    put_bytes(scratch / "one", "before");
-    std::filesystem::create_directory(scratch / "two");
-    EXPECT_THROW(write_files(scratch.path(), {{"one", "after"}, {"two", "after"}}), OutputError);
-    EXPECT_EQ(bytes_of(scratch / "one"), "before");
-    EXPECT_THAT(scratch.files(), ElementsAre("one", "two"));
-}
-
-TEST(WriteFiles, LeavesEveryFileAsItWasWhereTheDiskIsFull) {
-    const ScratchDirectory scratch;
-    put_bytes(scratch / "one", "before");
-    {
-        const FullDisk full(100);
-        EXPECT_THROW(
-            write_files(scratch.path(), {{"one", "after"}, {"two", std::string(100'000, 'x')}}),
-            OutputError);
-    }
-    EXPECT_EQ(bytes_of(scratch / "one"), "before");
-    EXPECT_THAT(scratch.files(), ElementsAre("one"));
 }
 
 TEST(WriteFiles, RemovesTheDirectoriesThatItMadeWhereItFails) {
@@ -308,7 +254,8 @@ TEST(WriteFiles, RefusesNamesThatLeadOutOfTheDirectoryOrComeTwice) {
     for (const char* name : {"", ".", "..", "../one", "/tmp/one", "a/one"}) {
         EXPECT_THROW(write_files(scratch.path(), {{name, "1"}}), std::invalid_argument) << name;
     }
-    EXPECT_THROW(write_files(scratch.path(), {{"one", "1"}, {"one", "2"}}), std::invalid_argument);
+    EXPECT_THROW(write_files({{scratch / "one", "1"}, {scratch / "./one", "2"}}),
+                 std::invalid_argument);
     EXPECT_THAT(scratch.files(), IsEmpty());
 }
 
@@ -329,14 +276,6 @@ TEST(WriteFiles, WritesAllPathsOrNone) {
     write_files({{scratch / "one", "after"}, {scratch / "a/two", "after"}});
     EXPECT_EQ(bytes_of(scratch / "one"), "after");
     EXPECT_EQ(bytes_of(scratch / "a/two"), "after");
-}
-
-TEST(WriteFiles, RefusesOnePathByTwoNames) {
-    const ScratchDirectory scratch;
-    std::filesystem::create_directory(scratch / "a");
-    EXPECT_THROW(write_files({{scratch / "one", "1"}, {scratch / "a/../one", "2"}}),
-                 std::invalid_argument);
-    EXPECT_THAT(scratch.files(), ElementsAre("a"));
 }
 
 TEST(IsSameFile, KnowsAFileByAnyNameWhetherItIsThereOrNot) {
@@ -365,12 +304,9 @@ TEST(ReadFile, GivesEveryByte) {
     EXPECT_EQ(read_file(scratch / "in"), bytes);
 }
 
-TEST(ReadFile, RefusesAFileThatIsMissing) {
+TEST(ReadFile, RefusesWhatIsNoFile) {
     EXPECT_EQ(test::input_error_of([] { return read_file("/nowhere/in"); }),
               "/nowhere/in: cannot be read: No such file or directory");
-}
-
-TEST(ReadFile, RefusesADirectory) {
     EXPECT_EQ(test::input_error_of([] { return read_file("/tmp"); }),
               "/tmp: is a directory, expected a file");
 }

@@ -84,7 +84,7 @@ TEST(H5py, FindsEveryNumberOfADataSet) {
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-data-set", 1, 6, net);
+    expect_attributes(*found, "taut-data-set", 2, 6, net);
     expect_numbers(*found, "nominal_form", data.nominal_form, "m");
     expect_numbers(*found, "form_deviation", data.form_deviations, "m");
     expect_numbers(*found, "length_deviation", data.length_deviations, "m");
@@ -113,7 +113,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-model", 3, 9, net);
+    expect_attributes(*found, "taut-model", 4, 9, net);
     EXPECT_EQ((*found)["attributes"]["mean_function"], "zero");
     EXPECT_EQ((*found)["attributes"]["kernel_metric"], "isotropic");
     expect_numbers(*found, "input_scales", model.input_scales, "1");

@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "files/hdf5.hpp"
 #include "support/examples.hpp"
 #include "support/scratch.hpp"
@@ -130,22 +132,12 @@ TEST_F(ModelH5, MakesTheFormPriorOfAFileThatHasNone) {
             }
         }
         ASSERT_GE(H5Adelete(file.get(), "digest"), 0);
+        ASSERT_GE(H5Arename(file.get(), "prior", "law"), 0);
         const hdf5::Handle version(H5Aopen(file.get(), "version", H5P_DEFAULT), H5Aclose);
         const std::uint64_t two = 2;
         ASSERT_GE(H5Awrite(version.get(), H5T_NATIVE_UINT64, &two), 0);
     }
     expect_same(read_model(m_path).model, model);
-}
-
-TEST_F(ModelH5, PredictsAfterReadingAsBeforeToTheLastBit) {
-    const LengthModel model = test::example_model(m_net.net, m_data);
-    write_model(m_path, model, m_net);
-    const LengthEstimates before = estimate_lengths(m_net.net, model, m_data.form_deviations);
-    const LengthEstimates after =
-        estimate_lengths(m_net.net, read_model(m_path).model, m_data.form_deviations);
-    EXPECT_TRUE(same_bits(before.mean, after.mean));
-    EXPECT_TRUE(same_bits(before.std, after.std));
-    EXPECT_GT(before.std.minCoeff(), 0.0);
 }
 
 TEST_F(ModelH5, KeepsSpectraOfLowRankAndTheirErrors) {
@@ -154,41 +146,53 @@ TEST_F(ModelH5, KeepsSpectraOfLowRankAndTheirErrors) {
     ASSERT_GT(model.processes.processes[0].approximation_error, 0.0);
     write_model(m_path, model, m_net);
     expect_same(read_model(m_path).model, model);
+    const LengthModel back = read_model(m_path).model;
     const LengthEstimates before = estimate_lengths(m_net.net, model, m_data.form_deviations);
-    const LengthEstimates after =
-        estimate_lengths(m_net.net, read_model(m_path).model, m_data.form_deviations);
+    const LengthEstimates after = estimate_lengths(m_net.net, back, m_data.form_deviations);
+    EXPECT_TRUE(same_bits(before.mean, after.mean));
     EXPECT_TRUE(same_bits(before.std, after.std));
 }
 
-TEST_F(ModelH5, RefusesToWriteATailThatContradictsItsSpectrum) {
-    LengthModel whole = test::example_model(m_net.net, m_data);
-    whole.processes.spectra[0].tail_largest = 1e-3;
-    expect_refused(whole, "tail_largest is 0.001, expected 0: no direction is left out");
-    LengthModel model = low_rank_model();
-    model.processes.spectra[0].tail_largest = 0.0;
-    expect_refused(model, "tail_largest is 0, expected a positive number");
+TEST_F(ModelH5, RefusesToWriteWhatItCouldNotReadAgain) {
+    const LengthModel whole = test::example_model(m_net.net, m_data);
+    const auto refused = [&](LengthModel model, const auto& change, const std::string& what) {
+        change(model);
+        expect_refused(model, what);
+    };
+    refused(whole, [](auto& m) { m.net_fingerprint = "0123456789abcdef"; }, "0123456789abcdef");
+    refused(
+        whole, [](auto& m) { m.processes.inputs.conservativeResize(17, Eigen::NoChange); },
+        "inputs has 17 x 30 entries, expected 18 x 30");
+    refused(
+        whole, [](auto& m) { m.processes.weights.conservativeResize(29, Eigen::NoChange); },
+        "weights has 29 x 7 entries, expected 30 x 7");
+    refused(whole, [](auto& m) { m.processes.processes.pop_back(); }, "6 processes, expected 7");
+    refused(
+        whole, [](auto& m) { m.processes.spectra[0].eigenvalues.conservativeResize(5); },
+        "eigenvalues has 5 x 1 entries, expected 30 x 1");
+    refused(
+        whole, [](auto& m) { m.processes.processes[3].negative_log_likelihood = std::nan(""); },
+        "negative_log_likelihood holds a number that is not finite");
+    refused(
+        whole, [](auto& m) { m.processes.spectra[0].tail_largest = 1e-3; },
+        "tail_largest is 0.001, expected 0: no direction is left out");
+    refused(
+        whole, [](auto& m) { m.processes.processes[0].approximation_error = 1e-3; },
+        "approximation_error is 0.001, expected 0");
+    refused(
+        low_rank_model(), [](auto& m) { m.processes.spectra[0].tail_largest = 0.0; },
+        "tail_largest is 0, expected a positive number");
 }
 
-TEST_F(ModelH5, RefusesToWriteAnErrorOfAnExactProcess) {
-    LengthModel model = test::example_model(m_net.net, m_data);
-    model.processes.processes[0].approximation_error = 1e-3;
-    expect_refused(model, "approximation_error is 0.001, expected 0");
-}
-
-TEST_F(ModelH5, KeepsAProcessThatCouldNotBeFitted) {
-    m_data.length_deviations.row(2).setConstant(0.001);
-    const LengthModel model = test::example_model(m_net.net, m_data);
-    ASSERT_EQ(model.processes.processes[2].status, gp::FitStatus::constant_output);
-    write_model(m_path, model, m_net);
-    expect_same(read_model(m_path).model, model);
-}
-
-TEST_F(ModelH5, KeepsAModelWithoutAnyFittedProcess) {
-    m_data.length_deviations.setConstant(0.001);
-    const LengthModel model = test::example_model(m_net.net, m_data);
-    ASSERT_TRUE(model.processes.spectra.empty());
-    write_model(m_path, model, m_net);
-    expect_same(read_model(m_path).model, model);
+TEST_F(ModelH5, KeepsProcessesThatCouldNotBeFitted) {
+    for (const bool is_all : {false, true}) {
+        m_data.length_deviations.middleRows(is_all ? 0 : 2, is_all ? 7 : 1).setConstant(0.001);
+        const LengthModel model = test::example_model(m_net.net, m_data);
+        ASSERT_EQ(model.processes.processes[2].status, gp::FitStatus::constant_output);
+        ASSERT_EQ(model.processes.spectra.empty(), is_all);
+        write_model(m_path, model, m_net);
+        expect_same(read_model(m_path).model, model);
+    }
 }
 
 TEST_F(ModelH5, IsTheSameToTheByteWhenWrittenTwice) {
@@ -198,43 +202,6 @@ TEST_F(ModelH5, IsTheSameToTheByteWhenWrittenTwice) {
     write_model(m_path, read_model(m_path).model, m_net);
     EXPECT_TRUE(test::bytes_of(m_path) == bytes);
     EXPECT_THAT(m_scratch.files(), testing::ElementsAre("model.h5"));
-}
-
-TEST_F(ModelH5, RefusesToBeWrittenWithAnotherNetNamingBoth) {
-    LengthModel model = test::example_model(m_net.net, m_data);
-    model.net_fingerprint = "0123456789abcdef";
-    expect_refused(model, "0123456789abcdef");
-    expect_refused(model, m_net.net.fingerprint());
-}
-
-TEST_F(ModelH5, RefusesToWriteInputsOfAnotherDimension) {
-    LengthModel model = test::example_model(m_net.net, m_data);
-    model.processes.inputs.conservativeResize(17, Eigen::NoChange);
-    expect_refused(model, "inputs has 17 x 30 entries, expected 18 x 30");
-}
-
-TEST_F(ModelH5, RefusesToWriteWeightsOfAnotherSize) {
-    LengthModel model = test::example_model(m_net.net, m_data);
-    model.processes.weights.conservativeResize(29, Eigen::NoChange);
-    expect_refused(model, "weights has 29 x 7 entries, expected 30 x 7");
-}
-
-TEST_F(ModelH5, RefusesToWriteFewerProcessesThanEdges) {
-    LengthModel model = test::example_model(m_net.net, m_data);
-    model.processes.processes.pop_back();
-    expect_refused(model, "6 processes, expected 7");
-}
-
-TEST_F(ModelH5, RefusesToWriteASpectrumOfAnotherSize) {
-    LengthModel model = test::example_model(m_net.net, m_data);
-    model.processes.spectra[0].eigenvalues.conservativeResize(5);
-    expect_refused(model, "eigenvalues has 5 x 1 entries, expected 30 x 1");
-}
-
-TEST_F(ModelH5, RefusesToWriteANumberThatItCouldNotReadAgain) {
-    LengthModel model = test::example_model(m_net.net, m_data);
-    model.processes.processes[3].negative_log_likelihood = std::numeric_limits<double>::quiet_NaN();
-    expect_refused(model, "negative_log_likelihood holds a number that is not finite");
 }
 
 }  // namespace
