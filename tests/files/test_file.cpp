@@ -59,27 +59,21 @@ std::string output_error_of(const std::function<void()>& action) {
     return {};
 }
 
-TEST(AtomicFile, LeavesAnExistingTargetAndNoTemporaryWhenItIsNotCommitted) {
+TEST(AtomicFile, ReplacesTheTargetOnlyWhenItIsCommitted) {
     const ScratchDirectory scratch;
     put_bytes(scratch / "out", "before");
-    {
-        const AtomicFile file(scratch / "out");
-        put_bytes(file.temporary(), "after");
-        EXPECT_EQ(bytes_of(scratch / "out"), "before");
+    for (const bool is_committed : {false, true}) {
+        {
+            AtomicFile file(scratch / "out");
+            put_bytes(file.temporary(), "after");
+            EXPECT_EQ(bytes_of(scratch / "out"), "before");
+            if (is_committed) {
+                file.commit();
+            }
+        }
+        EXPECT_EQ(bytes_of(scratch / "out"), is_committed ? "after" : "before");
+        EXPECT_THAT(scratch.files(), ElementsAre("out"));
     }
-    EXPECT_EQ(bytes_of(scratch / "out"), "before");
-    EXPECT_THAT(scratch.files(), ElementsAre("out"));
-}
-
-TEST(AtomicFile, ReplacesTheTargetWhenItIsCommitted) {
-    const ScratchDirectory scratch;
-    put_bytes(scratch / "out", "before");
-    AtomicFile file(scratch / "out");
-    put_bytes(file.temporary(), "after");
-    EXPECT_EQ(bytes_of(scratch / "out"), "before");
-    file.commit();
-    EXPECT_EQ(bytes_of(scratch / "out"), "after");
-    EXPECT_THAT(scratch.files(), ElementsAre("out"));
 }
 
 TEST(AtomicFile, FollowsALinkToWhatIsNotThereYet) {
@@ -104,20 +98,16 @@ TEST(AtomicFile, LeavesALinkThatLeadsNowhere) {
     EXPECT_TRUE(std::filesystem::is_symlink(scratch / "loop"));
 }
 
-TEST(WriteFiles, MakesTheDirectoryThatALinkLeadsTo) {
+TEST(WriteFiles, MakeTheDirectoryThatALinkLeadsToOrLeaveTheLink) {
     const ScratchDirectory scratch;
+    put_bytes(scratch / "file", "");
+    std::filesystem::create_symlink("file/there", scratch / "bad");
+    EXPECT_THROW(write_files(scratch / "bad", {{"a", "content"}}), OutputError);
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "bad"));
     std::filesystem::create_symlink("there", scratch / "out");
     write_files(scratch / "out", {{"a", "content"}});
     EXPECT_TRUE(std::filesystem::is_symlink(scratch / "out"));
     EXPECT_EQ(bytes_of(scratch / "there/a"), "content");
-}
-
-TEST(WriteFiles, LeavesALinkWhoseDirectoryCannotBeMade) {
-    const ScratchDirectory scratch;
-    put_bytes(scratch / "file", "");
-    std::filesystem::create_symlink("file/there", scratch / "out");
-    EXPECT_THROW(write_files(scratch / "out", {{"a", "content"}}), OutputError);
-    EXPECT_TRUE(std::filesystem::is_symlink(scratch / "out"));
 }
 
 TEST(AtomicFile, TemporaryFilesOfProcessesThatAreNoLongerThereAreFound) {
@@ -139,25 +129,17 @@ TEST(AtomicFile, TemporaryFilesOfProcessesThatAreNoLongerThereAreFound) {
     EXPECT_THAT(left_temporary_files(scratch / "nowhere/out.json"), IsEmpty());
 }
 
-TEST(AtomicFile, GivesANewFileTheModeThatAnyNewFileGets) {
-    const ScratchDirectory scratch;
-    write_file(scratch / "ours", "");
-    put_bytes(scratch / "any", "");
-    struct stat ours{};
-    struct stat any{};
-    ASSERT_EQ(stat((scratch / "ours").c_str(), &ours), 0);
-    ASSERT_EQ(stat((scratch / "any").c_str(), &any), 0);
-    EXPECT_EQ(ours.st_mode, any.st_mode);
-}
-
 mode_t mode_of(const std::filesystem::path& path) {
     struct stat status{};
     EXPECT_EQ(stat(path.c_str(), &status), 0);
     return status.st_mode & 07777U;
 }
 
-TEST(AtomicFile, KeepsTheModeOfWhatItReplacesWhileItIsWrittenToo) {
+TEST(AtomicFile, HasTheModeOfWhatItReplacesElseThatOfAnyNewFile) {
     const ScratchDirectory scratch;
+    write_file(scratch / "ours", "");
+    put_bytes(scratch / "any", "");
+    EXPECT_EQ(mode_of(scratch / "ours"), mode_of(scratch / "any"));
     std::filesystem::create_symlink("out", scratch / "link");
     for (const mode_t mode : {0600U, 0640U, 0664U, 0755U, 0200U}) {
         put_bytes(scratch / "out", "before");
@@ -223,15 +205,7 @@ TEST(WriteFile, LeavesAnExistingFileAndNoTemporaryWhereTheDiskIsFull) {
     EXPECT_THAT(scratch.files(), ElementsAre("out"));
 }
 
-TEST(WriteFiles, WritesAllIntoADirectoryThatItMakes) {
-    const ScratchDirectory scratch;
-    write_files(scratch / "a/b", {{"one", "1"}, {"two", "2"}});
-    EXPECT_EQ(bytes_of(scratch / "a/b/one"), "1");
-    EXPECT_EQ(bytes_of(scratch / "a/b/two"), "2");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch / "a/b"), {}), 2);
-}
-
-TEST(WriteFiles, RemovesTheDirectoriesThatItMadeWhereItFails) {
+TEST(WriteFiles, WritesAllIntoADirectoryThatItMakesOrMakesNone) {
     const ScratchDirectory scratch;
     {
         const FullDisk full(100);
@@ -239,14 +213,13 @@ TEST(WriteFiles, RemovesTheDirectoriesThatItMadeWhereItFails) {
                      OutputError);
     }
     EXPECT_THAT(scratch.files(), IsEmpty());
-}
-
-TEST(WriteFiles, RefusesADirectoryThatIsAFile) {
-    const ScratchDirectory scratch;
-    put_bytes(scratch / "a", "before");
-    EXPECT_THAT(output_error_of([&] { write_files(scratch / "a", {{"one", "1"}}); }),
+    write_files(scratch / "a/b", {{"one", "1"}, {"two", "2"}});
+    EXPECT_EQ(bytes_of(scratch / "a/b/one"), "1");
+    EXPECT_EQ(bytes_of(scratch / "a/b/two"), "2");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch / "a/b"), {}), 2);
+    EXPECT_THAT(output_error_of([&] { write_files(scratch / "a/b/one", {{"c", "1"}}); }),
                 HasSubstr("cannot be made as a directory"));
-    EXPECT_EQ(bytes_of(scratch / "a"), "before");
+    EXPECT_EQ(bytes_of(scratch / "a/b/one"), "1");
 }
 
 TEST(WriteFiles, RefusesNamesThatLeadOutOfTheDirectoryOrComeTwice) {

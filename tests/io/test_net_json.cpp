@@ -153,18 +153,6 @@ TEST(NetJson, FillsInWhatIsOptional) {
     EXPECT_EQ(net.axial_stiffness(), Eigen::Vector2d(2e5, 2e5));
 }
 
-TEST(NetJson, ReadsAnAxialStiffnessForEachEdge) {
-    json value = json::parse(smallest);
-    value["axial_stiffness"] = {1e5, 2e5};
-    const CableNet net = parse_net(value.dump(), "net.json").net;
-    EXPECT_EQ(net.axial_stiffness(), Eigen::Vector2d(1e5, 2e5));
-    expect_same(parse_net(net_to_json(net), "net.json").net.data(), net.data());
-}
-
-TEST(NetJson, ReadsAFileWithAByteOrderMark) {
-    EXPECT_EQ(parse_net(std::string("\xEF\xBB\xBF") + smallest, "net.json").net.edge_count(), 2);
-}
-
 TEST(NetJson, NamesANetAfterAFileWhoseNameIsNotUtf8) {
     const CableNet net = parse_net(smallest, "a\xFF.json").net;
     EXPECT_EQ(parse_net(net_to_json(net), "net.json").net.name(), net.name());

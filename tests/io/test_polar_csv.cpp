@@ -77,10 +77,11 @@ TEST(PolarCsv, WritesWhatItReadsBack) {
         const PolarObservation& a = survey.observations[i];
         const PolarObservation& b = again.observations[i];
         EXPECT_EQ(b.station, a.station);
-        EXPECT_NEAR(b.direction, a.direction, 1e-11);
-        EXPECT_NEAR(b.zenith, a.zenith, 1e-11);
-        EXPECT_NEAR(b.distance, a.distance, 1e-11);
-        EXPECT_NEAR(b.target_height, a.target_height, 1e-12);
+        using Observation = PolarObservation;
+        for (const auto member : {&Observation::direction, &Observation::zenith,
+                                  &Observation::distance, &Observation::target_height}) {
+            EXPECT_NEAR(b.*member, a.*member, 1e-11);
+        }
         EXPECT_NEAR(b.angle_std, a.angle_std, 1e-16);
         EXPECT_NEAR(b.distance_std, a.distance_std, 1e-14);
     }

@@ -11,6 +11,7 @@
 #include <rapidcheck/gtest.h>
 #include <Eigen/Geometry>
 
+#include "survey/mean_edge_length.hpp"
 #include "taut/design/builtin_nets.hpp"
 #include "taut/survey/covariance.hpp"
 
@@ -210,10 +211,7 @@ TEST(Moved, TurnsTheCovarianceOfATargetWithIt) {
 
 TEST(InFrameOfNet, HoldsToATenthOfTheMeanEdgeLength) {
     const CableNet net = hypar(3, 3);
-    double mean = 0.0;
-    for (const auto& [s, t] : net.edges()) {
-        mean += (net.nodes().col(s) - net.nodes().col(t)).norm() / net.edge_count();
-    }
+    const double mean = mean_edge_length(net);
     std::vector<ControlPoint> points = control_points(net, {});
     EXPECT_TRUE(in_frame_of_net(net, points));
     points[2].measured.y() += 0.099 * mean;

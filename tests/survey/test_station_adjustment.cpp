@@ -126,8 +126,14 @@ protected:
         .stations = {{1.0, -4.0, 0.5}, {6.0, 1.0, -0.3}, {-2.0, 5.0, 1.0}}};
 };
 
-TEST_F(SimulatedStations, WithoutNoiseGiveTheShapeOfTheNet) {
-    const StationAdjustment found = adjust_stations(survey(1e-6, 3));
+TEST_F(SimulatedStations, WithoutNoiseGiveTheShapeOfTheNetThoughNoneSeesItAll) {
+    PolarSurvey polar = survey(1e-6, 3);
+    const auto seen = [](const PolarObservation& one) {
+        const int target = std::stoi(one.target);
+        return one.station == 0 ? target < 25 : one.station == 1 ? target > 20 : target % 3 == 0;
+    };
+    std::erase_if(polar.observations, [&](const PolarObservation& one) { return !seen(one); });
+    const StationAdjustment found = adjust_stations(polar);
     const Registration fit = fit_of(found);
     EXPECT_LT(root_mean_square(fit.residuals), 1e-8);
     // Levelled: nothing but a rotation about the vertical is left.
@@ -198,17 +204,6 @@ TEST_F(SimulatedStations, AreAsPreciseAsTheObservationsOfTheOnlyOne) {
         EXPECT_NEAR(std::sqrt(up.dot(covariance * up)),
                     observation.distance * observation.angle_std, 1e-9);
     }
-}
-
-TEST_F(SimulatedStations, JoinTargetsThatOnlyOneOfThemSees) {
-    PolarSurvey polar = survey(1e-6, 7);
-    const auto seen = [](const PolarObservation& one) {
-        const int target = std::stoi(one.target);
-        return one.station == 0 ? target < 25 : one.station == 1 ? target > 20 : target % 3 == 0;
-    };
-    std::erase_if(polar.observations, [&](const PolarObservation& one) { return !seen(one); });
-    const StationAdjustment found = adjust_stations(polar);
-    EXPECT_LT(root_mean_square(fit_of(found).residuals), 1e-8);
 }
 
 TEST_F(SimulatedStations, NameTheObservationThatContradictsTheOthersMost) {

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "survey/mean_edge_length.hpp"
 #include "taut/design/builtin_nets.hpp"
 
 namespace {
@@ -30,14 +31,6 @@ std::vector<SurveyPoint> survey_of(const CableNet& net) {
         points.push_back({net.node_id(node), net.nodes().col(node), 10 + node});
     }
     return points;
-}
-
-double mean_edge_length(const CableNet& net) {
-    double sum = 0.0;
-    for (const auto& [s, t] : net.edges()) {
-        sum += (net.nodes().col(s) - net.nodes().col(t)).norm();
-    }
-    return sum / net.edge_count();
 }
 
 /// A net whose nodes have names, none of them the index of a node.
@@ -113,13 +106,6 @@ TEST_F(MatchToNodes, KnowsNodesByTheirNames) {
     // And not by their index.
     EXPECT_THAT(survey_error(net, {{"0", net.nodes().col(0), 3}}).what(),
                 HasSubstr("'0' is no node of the net"));
-}
-
-TEST_F(MatchToNodes, RefusesIndicesThatAreNotWrittenAsTheNetWritesThem) {
-    for (const std::string id : {"-1", "01", "1.0", " 1", "1 ", "+1", "29", "4294967296"}) {
-        EXPECT_EQ(survey_error(m_net, {{id, m_net.nodes().col(1), 5}}).line(), 5)
-            << "'" << id << "'";
-    }
 }
 
 TEST_F(MatchToNodes, RefusesANameThatComesTwice) {
