@@ -92,8 +92,7 @@ void drop_wrong_names(const CableNet& net, const ReadSurveyOptions& options, Sur
         found.contradicted_names = make_names_labels(net, found.points, true);
         found.warnings.push_back(
             fmt::format("its {} points lie on other nodes than those of their names: all are "
-                        "matched by place, and "
-                        "by name only if asked for",
+                        "matched by place, unless matching by name is given",
                         found.contradicted_names));
     }
 }

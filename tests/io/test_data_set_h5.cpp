@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Guards against a data set that comes back from its file as another one, and against outputs that
-// cannot be told apart from a failed run's.
+// cannot be distinguished from a failed run's.
 
 #include "taut/io/data_set_h5.hpp"
 

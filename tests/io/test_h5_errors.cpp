@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Guards against HDF5 files that are foreign, damaged or made to harm: each must give one clear
-// error, and none a crash, an allocation beyond the file's size or an object that breaks its rules.
+// error, and none a crash, an allocation above the file's size or an object that breaks its rules.
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Guards against a bad net file that is taken for a good one, that crashes the reader, or whose
-// message does not tell where and what is wrong.
+// message does not say where and what is wrong.
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Guards against observations that are turned into other places or covariances than least squares
-// gives: held against SciPy's (tests/data/make_station_reference.py), differences and simulation.
+// gives: compared with SciPy's (tests/data/make_station_reference.py), differences and simulation.
 
 #include "taut/survey/station_adjustment.hpp"
 
