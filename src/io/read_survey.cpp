@@ -298,8 +298,7 @@ Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesyst
         if (options.matching == PointMatching::automatic) {
             std::vector<SurveyPoint> labelled = points;
             const int count = make_names_labels(net, labelled, false);
-            // A few unknown names in taut's own CSV are typing errors: match_to_nodes() refuses
-            // them.
+            // A few unknown names in taut's own CSV are slips, which match_to_nodes() refuses.
             if (count > 0 && !(found.is_own && 2 * count < std::ssize(points))) {
                 points = std::move(labelled);
                 found.warnings.push_back(

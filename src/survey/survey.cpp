@@ -138,8 +138,7 @@ void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matc
 }
 
 /// @param named how many points have names of nodes. With any, a point with a label may be
-/// anything,
-///   as the instrument's station; with more than points without a name, these may, too.
+///   anything, as the instrument's station; with more than points without a name, these may, too.
 void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, size_t named,
                  Matching& matching) {
     const bool has_named = named > 0;

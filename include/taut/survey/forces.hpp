@@ -29,9 +29,8 @@ struct Forces {
 };
 
 /// Whether these can be forces of a net.
-/// @throws std::invalid_argument for an edge that is out of range or comes twice, a measurement
-/// that is
-///   negative or not finite, a standard deviation that is not positive and finite, an edge seen
+/// @throws std::invalid_argument for an edge that is out of range or comes twice, a tension that
+///   is negative or not finite, a standard deviation that is not positive and finite, an edge seen
 ///   both taut and slack, and a measurement of an edge seen slack
 TAUT_CORE_EXPORT void check_forces(const CableNet& net, const Forces& forces);
 

@@ -93,9 +93,8 @@ struct StationAdjustment {
 /// matrix, but for what errors of the poses do to all targets alike, docs/theory.md (pose-errors):
 /// the frame counts as unknown. Other correlations between targets are not kept.
 /// @param survey each station with an observation, each observation with its standard deviations
-/// @throws SurveyError with the line, for observations that are not finite or have no positive
-/// distance
-///   and standard deviations, of no station there, a survey without stations or a station without
+/// @throws SurveyError with the line, for observations that are not finite, or without positive
+///   distance and standard deviations, of no station there, a survey without stations or a station without
 ///   observations, a station that shares fewer than two targets with those placed before
 ///   it, or only targets above each other: it has no orientation then; and where the iteration
 ///   does not converge

@@ -180,8 +180,7 @@ std::vector<std::string> parse_survey_columns(std::string_view text) {
     const auto refuse = [&](const std::string& what) {
         throw std::invalid_argument(
             fmt::format("the columns {} {}, expected id, x, y, z, sx, sy, sz, code, each once, and "
-                        "- for one to "
-                        "leave out: \"id,y,x,z,-\"",
+                        "- for one to leave out: \"id,y,x,z,-\"",
                         quote(text), what));
     };
     const auto has = [&](std::string_view name) {
