@@ -245,8 +245,7 @@ TEST(ForeignSurvey, TakesObservationsBesideCoordinatesWhereTheyAreAskedFor) {
         "110001+00000001 21.322+10000000 22.322+09000000 31...0+00012345 81...0+00001000 "
         "82...0+00002000 83...0+00003000\n";
     EXPECT_EQ(read_foreign_survey(text, "a.gsi").points.size(), 1U);
-    const ForeignSurvey observations =
-        read_foreign_survey(text, "a.gsi", {.takes_observations = true});
+    const ForeignSurvey observed = read_foreign_survey(text, "a.gsi", {.takes_observations = true});
     EXPECT_TRUE(observed.points.empty());
     EXPECT_EQ(observed.polar.observations.size(), 1U);
     EXPECT_THAT(input_error_of([] {

@@ -94,10 +94,10 @@ struct StationAdjustment {
 /// the frame counts as unknown. Other correlations between targets are not kept.
 /// @param survey each station with an observation, each observation with its standard deviations
 /// @throws SurveyError with the line, for observations that are not finite, or without positive
-///   distance and standard deviations, of no station there, a survey without stations or a station without
-///   observations, a station that shares fewer than two targets with those placed before
-///   it, or only targets above each other: it has no orientation then; and where the iteration
-///   does not converge
+///   distance and standard deviations, of no station there, a survey without stations or a station
+///   without observations, a station that shares fewer than two targets with those placed before
+///   it, or only targets above each other: it has no orientation then; and where the iteration does
+///   not converge
 [[nodiscard]] TAUT_CORE_EXPORT StationAdjustment adjust_stations(const PolarSurvey& survey);
 
 }  // namespace taut
