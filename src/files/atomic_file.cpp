@@ -67,10 +67,10 @@ long process_of_temporary(std::string_view text) {
 
 /// Makes a file beside the target, of a name that no other process or thread uses, which is removed
 /// with those of remember_temporary().
-/// @param make makes a file of a name, or tells why it cannot
+/// @param make makes a file of a name, or returns why it cannot
 template <class Make>
 std::filesystem::path make_beside(const std::filesystem::path& target,
-                                  const std::filesystem::path& told, const Make& make) {
+                                  const std::filesystem::path& given, const Make& make) {
     static std::atomic<unsigned> counter{0};
     const auto lock = lock_output_places();
     for (;;) {
@@ -83,7 +83,7 @@ std::filesystem::path make_beside(const std::filesystem::path& target,
             return name;
         }
         if (error != std::errc::file_exists) {
-            throw OutputError(told, "cannot be written: " + error.message());
+            throw OutputError(given, "cannot be written: " + error.message());
         }
     }
 }
@@ -104,13 +104,13 @@ struct AtomicFile::State {
 };
 
 AtomicFile::AtomicFile(const std::filesystem::path& target)
-    : m_told(target),
+    : m_given(target),
       m_target(resolve_target(target)),
       m_state(std::make_unique<State>(directory_of(m_target))) {
     if (m_state->nameless.valid()) {
         m_temporary = m_state->nameless.path();
     } else {
-        m_temporary = make_beside(m_target, m_told, platform::make_new_file);
+        m_temporary = make_beside(m_target, m_given, platform::make_new_file);
         m_state->has_name = true;
     }
     // While it is empty: what nobody else may read was never to be read.
@@ -139,7 +139,7 @@ void AtomicFile::remove_temporary() {
 
 void AtomicFile::flush() {
     if (const std::error_code error = platform::flush_file(m_temporary)) {
-        throw OutputError(m_told, "cannot be flushed to the disk: " + error.message());
+        throw OutputError(m_given, "cannot be flushed to the disk: " + error.message());
     }
     m_state->is_flushed = true;
 }
@@ -160,12 +160,12 @@ void AtomicFile::commit() {
             error = platform::flush_directory(directory_of(m_target));
             return;
         }
-        m_temporary = make_beside(m_target, m_told, give);
+        m_temporary = make_beside(m_target, m_given, give);
         m_state->has_name = true;
     }
     std::filesystem::rename(m_temporary, m_target, error);
     if (error) {
-        throw OutputError(m_told, "cannot be put in its place: " + error.message());
+        throw OutputError(m_given, "cannot be put in its place: " + error.message());
     }
     forget_temporary(m_temporary);
     m_state->has_name = false;

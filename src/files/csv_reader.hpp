@@ -15,7 +15,7 @@ struct CsvRecord {
     std::vector<std::string> fields;  ///< unquoted, without blanks around them
 };
 
-/// Splits text into records. The first line with a field tells the separator for all: a semicolon
+/// Splits text into records. The first line with a field determines the separator: a semicolon
 /// where it holds one, else a comma where it holds one, else any number of blanks and tabs. A comma
 /// inside each of several blank separated words ("A 1,5 2,5 3,5") is taken as a decimal sign.
 /// Leaves out empty lines and those that start with #. A field may stand in quotes, "" within them

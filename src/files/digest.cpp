@@ -50,8 +50,7 @@ bool check_digest(const std::filesystem::path& path) {
     }
     if (pending != line_of(hash)) {
         throw InputError(path.string(), "",
-                         "is damaged: its content is not that of which its last line tells the "
-                         "digest");
+                         "is damaged: its content does not match the digest in its last line");
     }
     return true;
 }

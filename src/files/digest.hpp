@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// The line that ends a file and tells the digest of all before it: FNV-1a, 64 bit. Any change of a
+/// The line that ends a file, with the digest of all before it: FNV-1a, 64 bit. Any change of a
 /// single byte gives another digest, any other change all but surely.
 [[nodiscard]] std::string digest_line(std::string_view content);
 

@@ -26,7 +26,7 @@ void write_content(AtomicFile& file, const std::filesystem::path& name, std::str
 }
 
 /// Makes a directory and those above it, and removes again those it made, as far as they are empty,
-/// unless told to keep them.
+/// unless they are to be kept.
 class NewDirectories {
 public:
     explicit NewDirectories(const std::filesystem::path& directory) {

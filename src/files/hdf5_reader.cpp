@@ -143,7 +143,7 @@ int Reader::group_size(const std::string& name) const {
     if (!group.valid() || H5Gget_info(group.get(), &info) < 0) {
         fail(name, "is damaged or no group");
     }
-    // A member takes far more than a byte of the file: a number beyond is damage, or malice.
+    // A member takes far more than a byte of the file: a larger number is damage, or malice.
     if (info.nlinks > std::min<hsize_t>(m_file_size, std::numeric_limits<int>::max())) {
         fail(name, fmt::format("has {} members", info.nlinks));
     }
@@ -200,7 +200,7 @@ Reader::Shape Reader::shape_of(const Handle& dataset, const std::string& name) c
 }
 
 /// That each piece takes the room in the file that it must. HDF5 takes the size that is stored for
-/// granted, and reads and writes beyond its memory by a false one.
+/// granted, and reads and writes outside of its memory by a false one.
 void Reader::require_pieces(const Handle& dataset, const std::string& name,
                             const Shape& shape) const {
     const Handle properties(H5Dget_create_plist(dataset.get()), H5Pclose);

@@ -13,7 +13,7 @@ namespace taut::hdf5 {
 
 /// Makes an HDF5 file in memory. The same calls give the same bytes: no times are stored. Arrays
 /// carry checksums (Fletcher), which every reader of HDF5 looks at, and most metadata (the format
-/// of HDF5 1.8); a line behind the end of what HDF5 reads tells the digest of all before it, which
+/// of HDF5 1.8); a line behind the end of what HDF5 reads holds the digest of all before it, which
 /// Reader looks at. All members throw std::runtime_error where HDF5 fails, which leaves it to
 /// running out of memory.
 class Writer {
@@ -35,7 +35,7 @@ public:
     void matrix(const std::string& name, const Eigen::MatrixXd& values, const std::string& units);
     /// [n]
     void integers(const std::string& name, const std::vector<int>& values);
-    /// [n], one byte each, with an attribute that tells what each code means.
+    /// [n], one byte each, with an attribute that says what each code means.
     void codes(const std::string& name, const std::vector<std::uint8_t>& codes,
                const std::string& meaning);
 

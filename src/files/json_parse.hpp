@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Parses JSON strictly: UTF-8, no key twice in an object, no number beyond the range of a double,
+/// Parses JSON strictly: UTF-8, no key twice in an object, no number too large for a double,
 /// at most 64 levels deep.
 /// @param file_name for messages
 /// @throws InputError at a line and column, or at a JSON pointer

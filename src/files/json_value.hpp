@@ -20,7 +20,7 @@ public:
     /// "is the text 'x', expected a number".
     [[noreturn]] void fail_type(const std::string& expected) const;
     [[nodiscard]] const std::string& pointer() const { return m_pointer; }
-    /// @param pointer to the culprit, from here
+    /// @param pointer to the bad value, from here
     [[noreturn]] void fail_below(const std::string& pointer, const std::string& what) const;
     [[nodiscard]] const std::string& file_name() const { return *m_file_name; }
     [[nodiscard]] const nlohmann::json& json() const { return *m_value; }

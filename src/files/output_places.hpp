@@ -11,7 +11,7 @@ namespace taut {
 /// where it is no link.
 [[nodiscard]] std::filesystem::path follow_links(std::filesystem::path path);
 
-/// Held while outputs take their places: remove_temporary_files() waits for it.
+/// Locked while outputs take their places: remove_temporary_files() waits for it.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> lock_output_places();
 
 /// What remove_temporary_files() is to remove. Under the lock, as its making and its renaming.

@@ -71,7 +71,7 @@ CompasStructure find_compas_structure(const JsonValue& root, const std::string& 
     }
     if (select.empty()) {
         if (all.size() > 1) {
-            root.fail(fmt::format("holds {} meshes or networks ({}): name one with --select",
+            root.fail(fmt::format("holds {} meshes or networks ({}): select one of them",
                                   all.size(), list_keys(all)));
         }
         return all.front();

@@ -8,7 +8,7 @@
 
 namespace taut {
 
-/// What an exporter tells of the edges of a net in a form.
+/// What is exported of the edges of a net in a form.
 struct FormValues {
     Eigen::VectorXd lengths;          ///< [m]
     Eigen::VectorXd tensions;         ///< [N]

@@ -21,7 +21,7 @@ constexpr double consistent_within = 1e-2;
 /// A cable that is stretched further than this is not one, or a unit is wrong.
 constexpr double largest_strain = 0.10;
 
-/// All that the file says of one edge's forces, and l_0 if it is stored.
+/// All that the file says of the edges' forces, and l_0 if it is stored.
 struct Stored {
     Eigen::VectorXd lengths;  ///< in the given form [m]
     ImportedForces forces;
@@ -50,7 +50,7 @@ Eigen::VectorXd tensions_in(const Stored& stored, double force_unit) {
     return force_unit * stored.forces.force_densities.cwiseProduct(stored.lengths);
 }
 
-/// Whether the laws of the edges, EA max(0, l / l_0 - 1) say, give the tensions that q gives.
+/// Whether the tension laws of the edges, as EA max(0, l / l_0 - 1), give the tensions of q.
 bool is_consistent(const Stored& stored, double force_unit) {
     const Eigen::VectorXd expected = tensions_in(stored, force_unit);
     double largest = 0.0;
@@ -81,7 +81,7 @@ double force_unit_of(const Stored& stored, const ImportedStructure& structure,
                      const ImportSettings& settings, ImportReport& report) {
     if (settings.force_unit) {
         report.assumed.push_back(
-            fmt::format("forces of the file are in {}, as told", unit_text(*settings.force_unit)));
+            fmt::format("forces of the file are in {}, as given", unit_text(*settings.force_unit)));
         return *settings.force_unit;
     }
     if (structure.force_unit) {
@@ -105,8 +105,7 @@ double force_unit_of(const Stored& stored, const ImportedStructure& structure,
     if (stored.forces.source.empty() && !stored.stiffness.in_force_unit && !has_loads) {
         return 1.0;
     }
-    report.assumed.emplace_back(
-        "forces of the file are in N, as --force-unit does not say otherwise");
+    report.assumed.emplace_back("forces of the file are in N, as no unit is given");
     return 1.0;
 }
 
@@ -127,7 +126,7 @@ bool takes_stored_lengths(const Stored& stored, double force_unit, ImportReport&
     return false;
 }
 
-/// Refuses strains that no cable has, and tells of slack edges.
+/// Refuses strains that no cable has, and warns of slack edges.
 void check_strains(const ImportedStructure& structure, const Stored& stored,
                    const Eigen::VectorXd& unstressed, ImportReport& report) {
     const Eigen::ArrayXd strains = stored.lengths.array() / unstressed.array() - 1.0;
@@ -138,10 +137,11 @@ void check_strains(const ImportedStructure& structure, const Stored& stored,
     const ImportedEdge& edge = structure.edges[worst];
     // Written so that NaN is refused.
     if (!(largest <= largest_strain)) {
-        fail_at(structure, edge,
-                fmt::format("has a strain of {:.3g} %, expected at most {:.3g} %: check the units "
-                            "(--force-unit, --young, --diameter, --axial-stiffness)",
-                            100.0 * strains(worst), 100.0 * largest_strain));
+        fail_at(
+            structure, edge,
+            fmt::format("has a strain of {:.3g} %, expected at most {:.3g} %: check the units of "
+                        "forces and stiffness",
+                        100.0 * strains(worst), 100.0 * largest_strain));
     }
     if (const auto slack = (strains <= 0.0).count(); slack > 0 && stored.unstressed) {
         report.warnings.push_back(fmt::format("{} edges are slack in the given form", slack));

@@ -17,7 +17,7 @@ struct ImportedLengths {
     double force_unit = 1.0;     ///< [N]
 };
 
-/// Axial stiffnesses, the file's unit of force and unstressed lengths. Tells in the report what was
+/// Axial stiffnesses, the file's unit of force and unstressed lengths. The report says what was
 /// taken from where.
 /// @throws InputError and std::invalid_argument as import_net()
 [[nodiscard]] ImportedLengths import_lengths(const ImportedStructure& structure,

@@ -31,7 +31,7 @@ struct ImportedForces {
     std::string source;  ///< "q", "f", or empty where the file gives neither
 };
 
-/// From q, or f and l. Tells in `warnings` where both are given and disagree.
+/// From q, or f and l. Warns where both are given and disagree.
 /// @param lengths in the form [m]
 /// @throws InputError naming an edge in compression
 [[nodiscard]] ImportedForces forces_of(const ImportedStructure& structure,

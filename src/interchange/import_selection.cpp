@@ -19,7 +19,7 @@ void check(const ImportedStructure& structure) {
     if (std::ranges::none_of(structure.nodes, &ImportedNode::is_support)) {
         throw InputError(structure.file, "",
                          "marks no supports (is_anchor, is_fixed, is_support, or is_free 0): name "
-                         "them with --supports boundary, or --supports and a file of their ids");
+                         "them, or take the boundary");
     }
 }
 

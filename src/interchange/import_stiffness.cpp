@@ -99,7 +99,7 @@ Diameters diameters_by_attribute(const ImportedStructure& structure, const std::
                                   diameters_text(diameters))};
 }
 
-/// By the settings, where they tell one.
+/// The diameter of the settings for all edges, else that of the attribute.
 Diameters diameters_of(const ImportedStructure& structure, const ImportSettings& settings) {
     const auto m = static_cast<Eigen::Index>(structure.edges.size());
     if (settings.diameter) {
@@ -127,8 +127,7 @@ ImportedStiffness from_stress_strain(const ImportedStructure& structure,
         diameters = {.values = 2.0 * *r, .source = "the file's r, taken in m"};
     } else {
         throw InputError(structure.file, "",
-                         "gives no positive radius r of every edge: name its diameter with "
-                         "--diameter");
+                         "gives no positive radius r of every edge: give a diameter");
     }
     const StressStrain& table = *settings.stress_strain;
     ImportedStiffness result{.values = Eigen::VectorXd(diameters.values.size()),
@@ -182,9 +181,10 @@ ImportedStiffness stiffness_of(const ImportedStructure& structure, const ImportS
     const auto E = numbers_of(structure, {"E"});
     const auto r = numbers_of(structure, {"r"});
     if (!E || !r) {
-        throw InputError(structure.file, "",
-                         "gives no axial stiffness (EA, or E and r): name it with "
-                         "--axial-stiffness, or --young and --diameter, or --stress-strain");
+        throw InputError(
+            structure.file, "",
+            "gives no axial stiffness (EA, or E and r): give it, or Young's modulus and a "
+            "diameter, or stress over strain");
     }
     return {.values = stiffness(1e9 * E->array(), r->array()),
             .source = "the file's E and r, taken in GPa and in m"};

@@ -13,7 +13,7 @@ namespace taut {
 
 /// Axial stiffnesses or tension laws of the edges, and how they came about, in words.
 struct ImportedStiffness {
-    Eigen::VectorXd values;  ///< [N], or in the file's unit of force where so told
+    Eigen::VectorXd values;  ///< [N], or in the file's unit of force, see in_force_unit
     bool in_force_unit = false;
     std::string source;
     std::vector<TensionLaw> laws;  ///< one a diameter

@@ -21,7 +21,7 @@
 namespace taut {
 namespace {
 
-/// The net, its broken rules told in the names of the file.
+/// The net. A broken rule is reported in the names of the file.
 CableNet make_net(const ImportedStructure& structure, CableNetData data) {
     try {
         return CableNet(std::move(data));

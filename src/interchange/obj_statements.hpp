@@ -29,7 +29,7 @@ struct ObjStatement {
     [[nodiscard]] int vertex(const std::string& argument, int count) const;
 };
 
-/// Tells each statement that may concern vertices and what they make: v, f, l, p and g. Normals,
+/// Reports each statement that may concern vertices and what they make: v, f, l, p and g. Normals,
 /// textures and materials are passed over.
 /// @throws InputError with the line of a keyword that OBJ does not have
 void for_each_obj_statement(std::string_view text, const std::string& file_name,

@@ -77,7 +77,7 @@ public:
             skip_blanks();
         }
         if (!m_rest.empty()) {
-            fail("goes on behind the last element that its header tells");
+            fail("goes on behind the last element of its header");
         }
         return std::move(m_content);
     }
@@ -274,7 +274,7 @@ private:
             const size_t end = std::min(m_rest.find_first_of(" \t\r\n"), m_rest.size());
             const std::string_view word = m_rest.substr(0, end);
             if (word.empty()) {
-                fail("ends before the elements that its header tells");
+                fail("ends before the elements of its header");
             }
             m_rest.remove_prefix(end);
             const auto value = parse_number(word);
@@ -308,7 +308,7 @@ private:
     T bytes() {
         std::array<char, sizeof(T)> raw{};
         if (m_rest.size() < raw.size()) {
-            fail("ends before the elements that its header tells");
+            fail("ends before the elements of its header");
         }
         std::memcpy(raw.data(), m_rest.data(), raw.size());
         m_rest.remove_prefix(raw.size());

@@ -20,7 +20,7 @@ void write_spectra(hdf5::Writer& writer, const std::vector<gp::KernelSpectrum>& 
 
 /// The same, read.
 /// @param n training inputs
-/// @param are_whole as in files that tell of no tails
+/// @param are_whole as in files that hold no tails
 /// @throws InputError
 [[nodiscard]] std::vector<gp::KernelSpectrum> read_spectra(const hdf5::Reader& reader,
                                                            Eigen::Index n, bool are_whole);

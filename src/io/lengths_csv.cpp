@@ -6,38 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "files/csv_field.hpp"
-#include "files/csv_reader.hpp"
-#include "files/message.hpp"
-#include "files/parse_number.hpp"
-#include "files/plain_text.hpp"
+#include "io/name_column.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut {
 namespace {
 
-const std::vector<std::string> columns{"edge", "nominal", "length_deviation"};
-
 /// A nominal length that another program wrote has lost digits; that of another net differs.
 constexpr double same_length = 1e-6;
-
-[[noreturn]] void fail(const std::string& file_name, const CsvRecord& record,
-                       const std::string& what) {
-    throw InputError(file_name, std::to_string(record.line), what);
-}
-
-double number_in(const CsvRecord& record, size_t column, const std::string& file_name) {
-    const auto value = parse_number(record.fields[column]);
-    if (!value) {
-        fail(file_name, record,
-             fmt::format("{} is {}, expected a finite number [m]", columns[column],
-                         quote(record.fields[column])));
-    }
-    return *value;
-}
 
 }  // namespace
 
@@ -62,53 +41,33 @@ std::string lengths_to_csv(const CableNet& nominal, const CableNet& built) {
 
 Eigen::VectorXd parse_lengths(const CableNet& nominal, std::string_view text,
                               const std::string& file_name) {
-    CsvReader reader(table_text(text, file_name), file_name);
-    const auto head = reader.next();
-    if (!head || head->fields != columns) {
-        throw InputError(file_name, head ? std::to_string(head->line) : "",
-                         "does not start with the header edge,nominal,length_deviation");
-    }
-    std::map<std::string, int> edge_of;
-    for (int edge = 0; edge < nominal.edge_count(); ++edge) {
-        edge_of.emplace(nominal.edge_id(edge), edge);
-    }
+    const CsvTable table(
+        text, file_name,
+        {.names = {"edge", "nominal", "length_deviation"}, .header = CsvColumns::Header::required},
+        "");
+    NameColumn edges = NameColumn::of_edges(table, nominal);
     Eigen::VectorXd lengths = nominal.unstressed_lengths();
-    std::vector<int> line_of(nominal.edge_count(), 0);
-    while (const auto record = reader.next()) {
-        if (record->fields.size() != columns.size()) {
-            fail(file_name, *record,
-                 fmt::format("has {} fields, expected {}", record->fields.size(), columns.size()));
-        }
-        const std::string& id = record->fields[0];
-        const auto found = edge_of.find(id);
-        if (found == edge_of.end()) {
-            fail(file_name, *record,
-                 fmt::format("{} is no edge of the net '{}'", quote(id), nominal.name()));
-        }
-        const int edge = found->second;
-        if (line_of[edge] != 0) {
-            fail(file_name, *record,
-                 fmt::format("gives edge {} a second time, first in line {}", quote(id),
-                             line_of[edge]));
-        }
-        line_of[edge] = record->line;
-        const double told = number_in(*record, 1, file_name);
+    std::vector<bool> is_given(nominal.edge_count(), false);
+    for (const CsvRecord& row : table.rows()) {
+        const int edge = edges.unique_index(row);
+        is_given[edge] = true;
+        const std::string name = quote(table.text(row, 0));
+        const double length = table.number(row, 1);
         const double designed = nominal.unstressed_lengths()(edge);
-        if (std::abs(told - designed) > same_length * designed) {
-            fail(file_name, *record,
-                 fmt::format("the nominal length of edge {} is {} m, expected {} m as in the net "
-                             "'{}': are these its lengths?",
-                             quote(id), told, designed, nominal.name()));
+        if (std::abs(length - designed) > same_length * designed) {
+            table.fail(row,
+                       fmt::format("the nominal length of edge {} is {} m, expected {} m as in "
+                                   "the net '{}': are these its lengths?",
+                                   name, length, designed, nominal.name()));
         }
-        lengths(edge) = designed + number_in(*record, 2, file_name);
+        lengths(edge) = designed + table.number(row, 2);
         if (!(lengths(edge) > 0.0)) {
-            fail(file_name, *record,
-                 fmt::format("edge {} is {} m long, expected a positive length", quote(id),
-                             lengths(edge)));
+            table.fail(row, fmt::format("edge {} is {} m long, expected a positive length", name,
+                                        lengths(edge)));
         }
     }
     for (const int edge : nominal.interior_edges()) {
-        if (line_of[edge] == 0) {
+        if (!is_given[edge]) {
             throw InputError(
                 file_name, "",
                 fmt::format("holds no length of edge {}, expected one for each of the "

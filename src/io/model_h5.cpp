@@ -66,21 +66,21 @@ Setting read_name(const hdf5::Reader& reader, const char* attribute,
     reader.fail(attribute, fmt::format("is {}, which this taut does not know", quote(name)));
 }
 
-/// Files of taut 0.1.0 do not tell: there such a model was known by its mean function and kernel.
+/// Files of taut 0.1.0 do not say so: there the mean function and kernel show it.
 bool read_as_in_paper(const hdf5::Reader& reader, MeanFunction mean, KernelMetric metric) {
     const bool has_settings = mean == MeanFunction::zero && metric == KernelMetric::isotropic;
     if (!reader.has_attribute("as_in_paper")) {
         return has_settings;
     }
-    const std::string told = reader.text_attribute("as_in_paper");
-    if (told == "no") {
+    const std::string as_in_paper = reader.text_attribute("as_in_paper");
+    if (as_in_paper == "no") {
         return false;
     }
-    if (told != "yes" || !has_settings) {
+    if (as_in_paper != "yes" || !has_settings) {
         reader.fail("as_in_paper",
                     fmt::format("is {} of mean function {} and kernel {}, expected \"no\", or "
                                 "\"yes\" of zero and isotropic",
-                                quote(told), to_string(mean), to_string(metric)));
+                                quote(as_in_paper), to_string(mean), to_string(metric)));
     }
     return true;
 }

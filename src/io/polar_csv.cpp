@@ -12,10 +12,11 @@
 #include <vector>
 
 #include "files/csv_field.hpp"
-#include "files/csv_reader.hpp"
+#include "files/csv_table.hpp"
 #include "files/message.hpp"
 #include "files/parse_number.hpp"
 #include "files/plain_text.hpp"
+#include "interchange/surveys/survey_reader.hpp"
 #include "taut/files/input_error.hpp"
 #include "taut/net/units.hpp"
 
@@ -25,7 +26,7 @@ namespace {
 struct AngleUnit {
     std::string_view name;
     double size;  ///< [rad]
-    double full;  ///< of angles that are read [rad]
+    double full;  ///< of observed angles, where a precision has this unit [rad]
 };
 
 constexpr std::array angle_units{
@@ -55,10 +56,7 @@ struct ColumnTitle {
 };
 
 ColumnTitle title_of(const std::string& field) {
-    std::string text = field;
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string text = in_lower_case(field);
     const auto without_blanks = [](std::string part) {
         std::erase(part, ' ');
         return part;
@@ -75,7 +73,7 @@ ColumnTitle title_of(const std::string& field) {
 class PolarHeader {
 public:
     PolarHeader(const CsvRecord& record, const std::string& file_name,
-                std::optional<double> told_unit)
+                std::optional<double> given_unit)
         : m_count(record.fields.size()) {
         const auto fail = [&](const std::string& what) {
             throw InputError(file_name, std::to_string(record.line), what);
@@ -96,11 +94,11 @@ public:
                 fail(fmt::format("has the column {} twice", title.name));
             }
             m_field[index(column)] = static_cast<int>(i);
-            const auto unit = unit_of(column, title.unit, told_unit);
+            const auto unit = unit_of(column, title.unit, given_unit);
             if (!unit) {
                 fail(title.unit.empty()
-                         ? fmt::format("tells no unit of {0}, expected {0} [gon], [deg] or [rad], "
-                                       "or an option that tells it, as --angle 0.3mgon",
+                         ? fmt::format("gives no unit of {0}, expected {0} [gon], [deg] or [rad], "
+                                       "or a standard deviation of angles with a unit, as 0.3mgon",
                                        title.name)
                          : fmt::format("has {} in {}, expected {}", title.name, quote(title.unit),
                                        is_angle(column) ? "gon, mgon, deg, arcsec, rad or mrad"
@@ -123,7 +121,7 @@ public:
 
 private:
     static std::optional<double> unit_of(PolarColumn column, const std::string& name,
-                                         std::optional<double> told_unit) {
+                                         std::optional<double> given_unit) {
         if (column == PolarColumn::station || column == PolarColumn::target) {
             return name.empty() ? std::optional(1.0) : std::nullopt;
         }
@@ -133,7 +131,7 @@ private:
                                                : std::nullopt;
         }
         const auto* const found = std::ranges::find(angle_units, name, &AngleUnit::name);
-        return name.empty()                 ? told_unit
+        return name.empty()                 ? given_unit
                : found == angle_units.end() ? std::nullopt
                                             : std::optional(found->size);
     }
@@ -143,7 +141,7 @@ private:
     std::array<double, polar_columns.size()> m_unit{};
 };
 
-/// One line as a reading.
+/// One line as an observation.
 class PolarLine {
 public:
     PolarLine(const CsvRecord& record, const PolarHeader& header, const std::string& file_name)
@@ -162,7 +160,7 @@ public:
         return text;
     }
 
-    [[nodiscard]] PolarObservation reading() const {
+    [[nodiscard]] PolarObservation observation() const {
         PolarObservation result{.target = name(PolarColumn::target),
                                 .direction = angle(PolarColumn::hz, -1.0),
                                 .zenith = angle(PolarColumn::v, 0.0),
@@ -253,8 +251,8 @@ AngleText parse_angle(std::string_view text) {
 DistancePrecision parse_distance_precision(std::string_view text) {
     const auto fail = [&] {
         throw std::invalid_argument(fmt::format(
-            "'{}' is no precision of distances: expected a length, as 1mm, and what comes to it "
-            "with the distance, as in 1mm+1.5ppm",
+            "'{}' is no precision of distances: expected a length, as 1mm, or a length and a part "
+            "of the distance, as 1mm+1.5ppm",
             text));
     };
     DistancePrecision result{.std = 0.0, .part = 0.0};
@@ -289,60 +287,57 @@ DistancePrecision parse_distance_precision(std::string_view text) {
 
 bool is_polar_csv(std::string_view text) {
     try {
-        const std::string name;
-        CsvReader reader(plain_text(text, name), name);
-        const auto first = reader.next();
+        const std::vector<std::string> first = first_fields(text, "");
         const auto has = [&](std::string_view column) {
-            return std::ranges::any_of(first->fields, [&](const std::string& field) {
-                return title_of(field).name == column;
-            });
+            return std::ranges::any_of(
+                first, [&](const std::string& field) { return title_of(field).name == column; });
         };
-        return first && has("station") && has("target") && has("hz");
+        return has("station") && has("target") && has("hz");
     } catch (const InputError&) {
         return false;
     }
 }
 
 PolarSurvey parse_polar_csv(std::string_view text, const std::string& file_name,
-                            std::optional<double> told_unit) {
+                            std::optional<double> given_unit) {
     CsvReader reader(table_text(text, file_name), file_name);
     const auto first = reader.next();
     if (!first) {
         throw InputError(file_name, "",
-                         "holds no reading, expected lines station,target,hz,v,"
+                         "holds no observation, expected lines station,target,hz,v,"
                          "distance below a header");
     }
-    const PolarHeader header(*first, file_name, told_unit);
+    const PolarHeader header(*first, file_name, given_unit);
     PolarSurvey survey;
     std::map<std::string, int> number_of;
     while (const auto record = reader.next()) {
         const PolarLine line(*record, header, file_name);
-        PolarObservation reading = line.reading();
+        PolarObservation observation = line.observation();
         const std::string name = line.name(PolarColumn::station);
         const auto [found, is_new] =
             number_of.emplace(name, static_cast<int>(survey.stations.size()));
         if (is_new) {
             survey.stations.push_back({.name = name, .line = record->line});
         }
-        reading.station = found->second;
-        survey.readings.push_back(std::move(reading));
+        observation.station = found->second;
+        survey.observations.push_back(std::move(observation));
     }
-    if (survey.readings.empty()) {
-        throw InputError(file_name, "", "holds no reading behind its header");
+    if (survey.observations.empty()) {
+        throw InputError(file_name, "", "holds no observation behind its header");
     }
     return survey;
 }
 
 std::string polar_to_csv(const PolarSurvey& survey) {
     const bool has_height = std::ranges::any_of(
-        survey.readings, [](const PolarObservation& one) { return one.target_height != 0.0; });
-    const bool has_std = std::ranges::all_of(survey.readings, [](const PolarObservation& one) {
+        survey.observations, [](const PolarObservation& one) { return one.target_height != 0.0; });
+    const bool has_std = std::ranges::all_of(survey.observations, [](const PolarObservation& one) {
         return one.angle_std > 0.0 && one.distance_std > 0.0;
     });
     std::string result = "station,target,hz [gon],v [gon],distance [m]";
     result += has_height ? ",target_height [m]" : "";
     result += has_std ? ",angle_std [mgon],distance_std [mm]\n" : "\n";
-    for (const PolarObservation& one : survey.readings) {
+    for (const PolarObservation& one : survey.observations) {
         result += fmt::format("{},{},{:.12g},{:.12g},{:.12g}",
                               csv_field(survey.stations[one.station].name), csv_field(one.target),
                               one.direction / gon, one.zenith / gon, one.distance);

@@ -12,40 +12,41 @@
 
 #include "numerics/small_dense.hpp"
 #include "survey/mean_edge_length.hpp"
+#include "survey/node_names.hpp"
 #include "taut/files/input_error.hpp"
 
 namespace taut {
 namespace {
 
-/// What is told of a precision, and of where it is from.
+/// Precision of angles and distances in words, and whether it was assumed.
 struct PrecisionText {
     std::string angles;
     std::string distances;
     bool is_assumed = false;
 };
 
-/// Standard deviations where the file has none.
-PrecisionText tell_precision(PolarSurvey& survey, const ReadSurveyOptions& options) {
+/// Fills in standard deviations that the file does not give.
+PrecisionText complete_precision(PolarSurvey& survey, const ReadSurveyOptions& options) {
     const double angle_std = options.angle_std.value_or(common_angle_std);
     const DistancePrecision distance = options.distance.value_or(DistancePrecision{});
-    bool is_angle_told = true;
-    bool is_distance_told = true;
-    for (PolarObservation& reading : survey.readings) {
-        if (!(reading.angle_std > 0.0)) {
-            reading.angle_std = angle_std;
-            is_angle_told = false;
+    bool is_angle_given = true;
+    bool is_distance_given = true;
+    for (PolarObservation& observation : survey.observations) {
+        if (!(observation.angle_std > 0.0)) {
+            observation.angle_std = angle_std;
+            is_angle_given = false;
         }
-        if (!(reading.distance_std > 0.0)) {
-            reading.distance_std = distance.std_at(reading.distance);
-            is_distance_told = false;
+        if (!(observation.distance_std > 0.0)) {
+            observation.distance_std = distance.std_at(observation.distance);
+            is_distance_given = false;
         }
     }
-    PrecisionText text{.angles = "as the file tells", .distances = "as the file tells"};
-    if (!is_angle_told) {
+    PrecisionText text{.angles = "as in the file", .distances = "as in the file"};
+    if (!is_angle_given) {
         text.angles = fmt::format("{:.3g} mgon", 1e3 * angle_std / gon);
         text.is_assumed = !options.angle_std;
     }
-    if (!is_distance_told) {
+    if (!is_distance_given) {
         text.distances =
             fmt::format("{:.3g} mm + {:.3g} ppm", 1e3 * distance.std, 1e6 * distance.part);
         text.is_assumed = text.is_assumed || !options.distance;
@@ -53,14 +54,11 @@ PrecisionText tell_precision(PolarSurvey& survey, const ReadSurveyOptions& optio
     return text;
 }
 
-/// How far targets with the names of nodes lie from these after the best rigid motion, root mean
-/// square [m]; nothing for fewer than four.
+/// Root mean square distance of targets with names of nodes from these after the best rigid motion
+/// [m]; nothing for fewer than four.
 std::optional<double> misfit_of_shape(const CableNet& net, const std::vector<SurveyPoint>& points) {
     constexpr Eigen::Index needed = 4;
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     std::vector<std::pair<int, Eigen::Vector3d>> named;
     for (const SurveyPoint& point : points) {
         if (const auto found = node_of.find(point.id); found != node_of.end()) {
@@ -83,16 +81,16 @@ std::optional<double> misfit_of_shape(const CableNet& net, const std::vector<Sur
     return std::sqrt(left.squaredNorm() / static_cast<double>(count));
 }
 
-/// As if the angles, all of the first face, had been read in another unit.
+/// The survey with its angles, all of the first face, in another unit.
 PolarSurvey with_angles_times(PolarSurvey survey, double factor) {
-    for (PolarObservation& reading : survey.readings) {
-        reading.direction *= factor;
-        reading.zenith *= factor;
+    for (PolarObservation& observation : survey.observations) {
+        observation.direction *= factor;
+        observation.zenith *= factor;
     }
     return survey;
 }
 
-std::optional<double> misfit_by_readings(const CableNet& net, const PolarSurvey& survey) {
+std::optional<double> misfit_by_observations(const CableNet& net, const PolarSurvey& survey) {
     try {
         return misfit_of_shape(net, adjust_stations(survey).points);
     } catch (const SurveyError&) {
@@ -100,22 +98,22 @@ std::optional<double> misfit_by_readings(const CableNet& net, const PolarSurvey&
     }
 }
 
-/// "in degrees, where gon was told", where that would bring the targets to the net.
-/// @param misfit as the angles were told, if they gave any places
+/// "in degrees, not in gon", where that would bring the targets to the net.
+/// @param misfit in the given unit, if there were any places
 std::optional<std::string> angle_unit_hint(const CableNet& net, const PolarSurvey& survey,
                                            std::optional<double> misfit) {
     struct Mistake {
         double factor;
         const char* words;
     };
-    const std::array mistakes{Mistake{degree / gon, "in degrees, where gon was told"},
-                              Mistake{gon / degree, "in gon, where degrees were told"},
-                              Mistake{1.0 / gon, "in radians, where gon was told"},
-                              Mistake{1.0 / degree, "in radians, where degrees were told"}};
+    const std::array mistakes{Mistake{degree / gon, "in degrees, not in gon"},
+                              Mistake{gon / degree, "in gon, not in degrees"},
+                              Mistake{1.0 / gon, "in radians, not in gon"},
+                              Mistake{1.0 / degree, "in radians, not in degrees"}};
     constexpr double much_better = 0.25;
     const double near = misfit ? much_better * *misfit : mean_edge_length(net);
     for (const Mistake& mistake : mistakes) {
-        const auto other = misfit_by_readings(net, with_angles_times(survey, mistake.factor));
+        const auto other = misfit_by_observations(net, with_angles_times(survey, mistake.factor));
         if (other && *other < near) {
             return mistake.words;
         }
@@ -123,72 +121,73 @@ std::optional<std::string> angle_unit_hint(const CableNet& net, const PolarSurve
     return std::nullopt;
 }
 
-std::string name_of_reading(const PolarSurvey& survey, int index) {
-    const PolarObservation& reading = survey.readings[index];
-    return fmt::format("target '{}' from station '{}', line {}", reading.target,
-                       survey.stations[reading.station].name, reading.line);
+std::string name_of_observation(const PolarSurvey& survey, int index) {
+    const PolarObservation& observation = survey.observations[index];
+    return fmt::format("target '{}' from station '{}', line {}", observation.target,
+                       survey.stations[observation.station].name, observation.line);
 }
 
-void tell_adjustment(const PolarSurvey& survey, const StationAdjustment& adjusted,
-                     const PrecisionText& precision, SurveyFile& file) {
+void report_adjustment(const PolarSurvey& survey, const StationAdjustment& adjusted,
+                       const PrecisionText& precision, SurveyFile& file) {
     file.notes.push_back(
-        fmt::format("{} readings of {} targets from {} station{}; angles {}, distances {}",
-                    survey.readings.size(), adjusted.points.size(), survey.stations.size(),
+        fmt::format("{} observations of {} targets from {} station{}; angles {}, distances {}",
+                    survey.observations.size(), adjusted.points.size(), survey.stations.size(),
                     survey.stations.size() == 1 ? "" : "s", precision.angles, precision.distances));
     if (adjusted.redundancy > 0) {
-        file.notes.push_back(fmt::format(
-            "targets that were read more than once: residuals {:.2f} times what that precision "
-            "lets expect, the largest {:.1f} standard deviations, {}",
-            adjusted.noise_ratio, adjusted.worst_residual,
-            name_of_reading(survey, adjusted.worst)));
+        file.notes.push_back(
+            fmt::format("variance factor of targets observed more than once: {:.2f} (expected 1); "
+                        "largest residual "
+                        "{:.1f} standard deviations, {}",
+                        adjusted.noise_ratio, adjusted.worst_residual,
+                        name_of_observation(survey, adjusted.worst)));
     }
     if (precision.is_assumed) {
         file.warnings.push_back(
-            fmt::format("tells no precision of its readings: a common total station's is taken, "
-                        "angles {}, distances {} (--angle, --range)",
+            fmt::format("gives no precision of its observations: that of a common total station is "
+                        "assumed, angles {}, distances {}",
                         precision.angles, precision.distances));
     }
     constexpr double largest_by_chance = 6.0;
     if (adjusted.worst_residual > largest_by_chance) {
-        file.warnings.push_back(
-            fmt::format("readings contradict each other by up to {:.1f} standard deviations: {}",
-                        adjusted.worst_residual, name_of_reading(survey, adjusted.worst)));
+        file.warnings.push_back(fmt::format(
+            "observations contradict each other by up to {:.1f} standard deviations: {}",
+            adjusted.worst_residual, name_of_observation(survey, adjusted.worst)));
     }
 }
 
 }  // namespace
 
-SurveyFile targets_of_readings(const CableNet& net, PolarSurvey readings,
-                               const ReadSurveyOptions& options, const std::string& format,
-                               const std::string& file_name) {
-    const PrecisionText precision = tell_precision(readings, options);
+SurveyFile targets_of_observations(const CableNet& net, PolarSurvey observations,
+                                   const ReadSurveyOptions& options, const std::string& format,
+                                   const std::string& file_name) {
+    const PrecisionText precision = complete_precision(observations, options);
     const auto fail = [&](int line, const std::string& what) {
         throw InputError(file_name, line > 0 ? std::to_string(line) : "", what);
     };
     const auto refuse_other_unit = [&](std::optional<double> misfit) {
-        if (const auto hint = angle_unit_hint(net, readings, misfit)) {
-            fail(readings.readings.front().line,
-                 fmt::format("its angles are most likely {}: read so, the targets have the shape "
-                             "of the net",
-                             *hint));
+        if (const auto hint = angle_unit_hint(net, observations, misfit)) {
+            fail(observations.observations.front().line,
+                 fmt::format(
+                     "its angles are most likely {}: then the targets have the shape of the net",
+                     *hint));
         }
     };
     StationAdjustment adjusted;
     try {
-        adjusted = adjust_stations(readings);
+        adjusted = adjust_stations(observations);
     } catch (const SurveyError& error) {
         refuse_other_unit(std::nullopt);
         fail(error.line(), error.what());
     }
     const auto misfit = misfit_of_shape(net, adjusted.points);
-    constexpr double suspicious = 0.1;  // mean edge lengths: beyond any built net's deviations
+    constexpr double suspicious = 0.1;  // mean edge lengths: more than any built net deviates
     if (misfit && *misfit > suspicious * mean_edge_length(net)) {
         refuse_other_unit(misfit);
     }
     SurveyFile file{
-        .points = adjusted.points, .is_of_readings = true, .scale_std = adjusted.scale_std};
+        .points = adjusted.points, .is_of_observations = true, .scale_std = adjusted.scale_std};
     file.notes.push_back(fmt::format("read as {}", format));
-    tell_adjustment(readings, adjusted, precision, file);
+    report_adjustment(observations, adjusted, precision, file);
     return file;
 }
 

@@ -9,15 +9,14 @@
 
 namespace taut {
 
-/// Targets out of readings, in a frame of their own, by adjust_stations(), with the precision that
-/// the readings tell, else that of the options, else that of a common total station, which is
-/// warned of.
+/// Targets from observations, in a frame of their own, by adjust_stations(). The precision is that
+/// of the file, else of the options, else of a common total station, with a warning.
 /// @param format of the file, in words
 /// @throws InputError with the line, as adjust_stations(), and where the angles do not give the
-///   shape of the net in the unit that was told, but do in another
-[[nodiscard]] SurveyFile targets_of_readings(const CableNet& net, PolarSurvey readings,
-                                             const ReadSurveyOptions& options,
-                                             const std::string& format,
-                                             const std::string& file_name);
+///   shape of the net in their unit, but do in another
+[[nodiscard]] SurveyFile targets_of_observations(const CableNet& net, PolarSurvey observations,
+                                                 const ReadSurveyOptions& options,
+                                                 const std::string& format,
+                                                 const std::string& file_name);
 
 }  // namespace taut

@@ -16,6 +16,7 @@
 #include "net/rounded_length.hpp"
 #include "survey/mean_edge_length.hpp"
 #include "survey/misfit_hint.hpp"
+#include "survey/node_names.hpp"
 #include "survey/point_names.hpp"
 #include "survey/repeated_points.hpp"
 #include "survey/rounding.hpp"
@@ -33,9 +34,9 @@
 namespace taut {
 namespace {
 
-/// Does something with the points of a file; rules of surveys that are broken are told with its
+/// Runs an action on the points of a file. A SurveyError becomes an InputError with the file's
 /// name.
-/// @param hint gives what is to be told with them
+/// @param hint gives what is added to its message
 template <class Action>
 auto with_points_of(
     const std::filesystem::path& file, const Action& action,
@@ -44,14 +45,14 @@ auto with_points_of(
         return action();
     } catch (const SurveyError& error) {
         std::string what = error.what();
-        const std::string told = hint();
+        const std::string added = hint();
         // A question that the hint answers.
         if (const size_t question = what.find(": is the survey of this net");
-            !told.empty() && question != std::string::npos) {
+            !added.empty() && question != std::string::npos) {
             what.erase(question);
         }
         throw InputError(file.string(), error.line() > 0 ? std::to_string(error.line()) : "",
-                         what + told);
+                         what + added);
     }
 }
 
@@ -82,34 +83,29 @@ bool is_frame_fitted(const CableNet& net, const std::vector<ControlPoint>& contr
             !in_frame_of_net(net, control));
 }
 
-/// Turns all names into labels where the options tell to, or the places contradict the names.
-void name_by_place_where_told(const CableNet& net, const ReadSurveyOptions& options,
-                              SurveyFile& found) {
+/// Turns all names into labels where the options ask for it, or the places contradict the names.
+void drop_wrong_names(const CableNet& net, const ReadSurveyOptions& options, SurveyFile& found) {
     if (options.matching == PointMatching::place) {
         make_names_labels(net, found.points, true);
     } else if (options.matching == PointMatching::automatic &&
                names_contradict_places(net, found.points)) {
         found.contradicted_names = make_names_labels(net, found.points, true);
-        found.warnings.push_back(fmt::format(
-            "its {} points lie on other nodes than those of their names: all are "
-            "matched by their place (--match name takes the names, --names writes which "
-            "is where)",
-            found.contradicted_names));
+        found.warnings.push_back(
+            fmt::format("its {} points lie on other nodes than those of their names: all are "
+                        "matched by place, unless matching by name is given",
+                        found.contradicted_names));
     }
 }
 
-/// Whether named points are on the nominal places of their free nodes, all of them to far more than
-/// a digit: no survey is, but the form of a net whose design is in round numbers.
+/// Whether all named points are on the nominal places of their free nodes to far less than the
+/// rounding: then they are no survey, but the form of a net designed in round numbers.
 bool is_nominal_form(const CableNet& net, const std::vector<SurveyPoint>& points, double step) {
     constexpr double far_below = 1e-3;
-    std::map<std::string, int> node_of;
-    for (const int node : net.free_nodes()) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     bool has_any = false;
     for (const SurveyPoint& point : points) {
         const auto found = node_of.find(point.id);
-        if (found == node_of.end()) {
+        if (found == node_of.end() || net.free_index(found->second) < 0) {
             continue;
         }
         has_any = true;
@@ -123,7 +119,7 @@ bool is_nominal_form(const CableNet& net, const std::vector<SurveyPoint>& points
 
 /// What rounding to the digits of a file adds to its noise.
 struct RoundedNoise {
-    double default_std = 0.0;   ///< of points that do not tell their own [m]
+    double default_std = 0.0;   ///< of points without their own [m]
     double rounding_std = 0.0;  ///< 0 where it adds nothing [m]
 };
 
@@ -142,9 +138,9 @@ std::string lines_text(const std::vector<SurveyPoint*>& points) {
                                   : fmt::format("{} and {} more", text, points.size() - shown);
 }
 
-/// Where some points have standard deviations, one without, or with one of 0, was cut or mistyped,
-/// and would count as exact. It takes the noise that was given beside the file. Where no point has
-/// any above 0, they are as good as none.
+/// Where some points have standard deviations, a point without, or with one of 0, was cut or
+/// mistyped and would count as exact. It takes the noise of the options. Where no point has any
+/// above 0, all count as without.
 /// @throws SurveyError with the first line, where no noise was given
 void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
     const double noise_std = options.noise_std.value_or(0.0);
@@ -168,7 +164,7 @@ void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
             without.size() == 1 ? "" : fmt::format(" ({} in all)", lines_text(without));
         throw SurveyError(
             first, fmt::format("gives no standard deviations above 0{}, as {} of {} points do: "
-                               "expected sx, sy, sz of every point, or --noise for those without",
+                               "expected sx, sy, sz of every point, or a noise for those without",
                                others, found.points.size() - without.size(), found.points.size()));
     }
     for (SurveyPoint* const point : without) {
@@ -182,36 +178,36 @@ void complete_std(const ReadSurveyOptions& options, SurveyFile& found) {
     }
     const std::string noise = format_length(noise_std);
     if (has_any) {
-        found.warnings.push_back(
-            fmt::format("{} of {} points give no standard deviations above 0: --noise {} holds for "
-                        "{}",
-                        without.size(), found.points.size(), noise, lines_text(without)));
+        found.warnings.push_back(fmt::format(
+            "{} of {} points give no standard deviations above 0: the noise of {} holds for "
+            "{}",
+            without.size(), found.points.size(), noise, lines_text(without)));
     } else {
-        found.notes.push_back(
-            fmt::format("{} points tell standard deviations of 0, which no survey has: --noise {} "
-                        "holds for them",
-                        without.size(), noise));
+        found.notes.push_back(fmt::format(
+            "{} points give standard deviations of 0, which no survey has: the noise of "
+            "{} holds for them",
+            without.size(), noise));
     }
 }
 
-/// Takes the rounding of a file's coordinates into their noise, and says so.
+/// Adds the rounding of a file's coordinates to their noise, with a note.
 RoundedNoise with_rounding(const CableNet& net, const ReadSurveyOptions& options,
                            SurveyFile& found) {
     // Coarser digits are those of a sketch, or of numbers that happen to be round.
     constexpr double coarsest_part = 0.02;  // of the mean edge length
-    const double told = options.noise_std.value_or(0.0);
+    const double noise_std = options.noise_std.value_or(0.0);
     const double rounding = rounding_std(found.rounding);
     if (rounding == 0.0 || rounding > coarsest_part * mean_edge_length(net) ||
         is_nominal_form(net, found.points, found.rounding)) {
-        return {.default_std = told};
+        return {.default_std = noise_std};
     }
     bool uses_default = false;
     double before = 0.0;
     double after = 0.0;
-    const auto widened = [&](double noise_std) {
-        const double with = noise_with_rounding(noise_std, rounding);
-        if (with > noise_std && with > after) {
-            before = noise_std;
+    const auto widened = [&](double std) {
+        const double with = noise_with_rounding(std, rounding);
+        if (with > std && with > after) {
+            before = std;
             after = with;
         }
         return with;
@@ -222,25 +218,25 @@ RoundedNoise with_rounding(const CableNet& net, const ReadSurveyOptions& options
             point.noise_std = point.noise_std->unaryExpr(widened);
         }
     }
-    RoundedNoise result{.default_std = uses_default ? widened(told) : told};
+    RoundedNoise result{.default_std = uses_default ? widened(noise_std) : noise_std};
     const std::string step = format_length(found.rounding);
     if (uses_default && !options.noise_std) {
         result = {.default_std = rounding, .rounding_std = rounding};
         found.notes.push_back(
-            fmt::format("coordinates are given to {}: taken with +- {:.2g} mm (--noise tells the "
-                        "instrument's)",
+            fmt::format("coordinates are rounded to {}: taken with +- {:.2g} mm, unless the "
+                        "instrument's noise is given",
                         step, 1e3 * rounding));
     } else if (after > 0.0) {
         result.rounding_std = rounding;
         found.notes.push_back(
-            fmt::format("coordinates are given to {}, which adds {:.2g} mm to their noise: {} "
+            fmt::format("coordinates are rounded to {}, which adds {:.2g} mm to their noise: {} "
                         "becomes {:.3g} mm",
                         step, 1e3 * rounding, rounded_length(before), 1e3 * after));
     }
     return result;
 }
 
-/// Where control points lie in a survey that is in the net's frame as it stands.
+/// Residuals of control points in a survey that is given in the net's frame.
 std::vector<ControlResidual> residuals_of(const std::vector<ControlPoint>& control) {
     std::vector<ControlResidual> residuals;
     residuals.reserve(control.size());
@@ -260,22 +256,23 @@ Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesyst
     bool frame_is_fitted = true;
     const auto of_this = [&](const auto& action) {
         return with_points_of(file, action, [&]() -> std::string {
-            if (found.is_of_readings) {
-                return "; are the prism's constant and heights right, and all distances in one "
-                       "unit?";
+            if (found.is_of_observations) {
+                return "; check the prism's constant and heights, and that all distances are in "
+                       "one "
+                       "unit";
             }
             const std::string hint = misfit_hint(net, as_read, found.unit, frame_is_fitted);
             constexpr double likely = 0.7;  // supports that lie close together match none
             if (hint.empty() && names_contradict_places(net, as_read, likely)) {
-                return "; most points lie on other nodes than those of their names: --match place "
-                       "takes their places";
+                return "; most points lie on other nodes than those of their names: match them by "
+                       "place";
             }
             return hint.empty() ? found.unit_hint : hint;
         });
     };
     of_this([&] {
         if (found.is_own) {
-            return;  // each name once, as match_to_nodes() asks
+            return;  // match_to_nodes() refuses a name that comes twice
         }
         AveragedPoints averaged = average_repeated(std::move(found.points), noise.default_std);
         found.points = std::move(averaged.points);
@@ -284,7 +281,7 @@ Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesyst
         }
     });
     std::vector<SurveyPoint>& points = found.points;
-    name_by_place_where_told(net, options, found);
+    drop_wrong_names(net, options, found);
     const std::vector<ControlPoint> control = with_points_of(options.control, [&] {
         return options.control.empty()
                    ? support_control_points(net, points)
@@ -306,7 +303,7 @@ Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesyst
                 points = std::move(labelled);
                 found.warnings.push_back(
                     fmt::format("{} of its {} names are no node's of the net: those points are "
-                                "matched by their place (--names writes which is where)",
+                                "matched by place",
                                 count, points.size()));
             }
         }
@@ -323,7 +320,7 @@ Survey put_on_nodes(const CableNet& net, SurveyFile&& found, const std::filesyst
         survey.notes.insert(survey.notes.begin(), found.notes.begin(), found.notes.end());
         survey.rounding_std = noise.rounding_std;
         survey.scale_std = found.scale_std;
-        survey.tells_noise = std::ranges::any_of(
+        survey.has_own_noise = std::ranges::any_of(
             as_read, [](const SurveyPoint& point) { return point.noise_std.has_value(); });
         std::ranges::move(scale_warnings(control), std::back_inserter(survey.warnings));
         return survey;

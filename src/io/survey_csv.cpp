@@ -24,7 +24,7 @@ namespace {
 constexpr std::array<std::string_view, 10> survey_columns{"id", "x",  "y",   "z",   "sx",
                                                           "sy", "sz", "rxy", "rxz", "ryz"};
 
-/// What the fields of a line are, told by their number: the columns, and which is the first.
+/// The columns of a line, which follow from their number.
 struct Layout {
     size_t count = 0;  ///< 3, 6 or 9 without ids, 4, 7 or 10 with; 0: not known yet
 
@@ -53,12 +53,6 @@ bool has_decimal_comma(std::string text) {
     }
     text[comma] = '.';
     return parse_number(text).has_value();
-}
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return text;
 }
 
 /// One record as a point, or as the header.
@@ -92,7 +86,7 @@ public:
 
     [[nodiscard]] bool is_header() const {
         for (size_t k = 0; k < m_layout.count; ++k) {
-            if (lower(m_record.fields[k]) != m_layout.name(k)) {
+            if (in_lower_case(m_record.fields[k]) != m_layout.name(k)) {
                 return false;
             }
         }
@@ -185,8 +179,9 @@ std::vector<SurveyPoint> parse_pts_points(std::string_view text, const std::stri
 
 std::vector<SurveyPoint> read_survey_points(const std::filesystem::path& path) {
     const std::string text = read_file(path);
-    return lower(path.extension().string()) == ".pts" ? parse_pts_points(text, path.string())
-                                                      : parse_survey_points(text, path.string());
+    return in_lower_case(path.extension().string()) == ".pts"
+               ? parse_pts_points(text, path.string())
+               : parse_survey_points(text, path.string());
 }
 
 std::string survey_to_csv(const std::vector<SurveyPoint>& points) {

@@ -5,13 +5,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <iterator>
 #include <optional>
 #include <utility>
 
-#include "files/csv_reader.hpp"
-#include "files/plain_text.hpp"
+#include "files/csv_table.hpp"
 #include "io/polar_survey.hpp"
 #include "survey/rounding.hpp"
 #include "survey/unit_guess.hpp"
@@ -23,18 +23,14 @@
 namespace taut {
 namespace {
 
-/// Whether the header is that of taut's own CSV, as taut writes it. What its reader refuses is then
-/// not for one that leaves out lines, averages points of one name and guesses the unit.
+/// Whether the header is that of taut's own CSV, as taut writes it. What the strict reader refuses
+/// must then not go to the lenient one of foreign tables, which leaves out lines and guesses units.
 bool has_own_header(const std::string& text, const std::string& file_name) {
     try {
-        CsvReader reader(plain_text(text, file_name), file_name);
-        const auto first = reader.next();
-        if (!first) {
-            return false;
-        }
-        const std::string header = fmt::format("{}", fmt::join(first->fields, ","));
+        const std::vector<std::string> first = first_fields(text, file_name);
+        const std::string header = fmt::format("{}", fmt::join(first, ","));
         const bool has_commas = text.find(header) != std::string::npos;
-        return std::ranges::find(first->fields, "rxy") != first->fields.end() ||
+        return std::ranges::find(first, "rxy") != first.end() ||
                (has_commas && (header == "id,x,y,z" || header == "id,x,y,z,sx,sy,sz"));
     } catch (const InputError&) {
         return false;
@@ -45,19 +41,15 @@ bool has_own_header(const std::string& text, const std::string& file_name) {
 /// reported in the words of a foreign table.
 bool starts_with_foreign_header(const std::string& text, const std::string& file_name) {
     try {
-        CsvReader reader(plain_text(text, file_name), file_name);
-        const auto first = reader.next();
-        if (!first || first->fields.empty()) {
-            return false;
-        }
+        const std::vector<std::string> first = first_fields(text, file_name);
         const auto may_be_number = [](const std::string& field) {
             const auto is_letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
             return field.find_first_of("0123456789") != std::string::npos &&
                    std::ranges::none_of(field, is_letter);
         };
-        const std::string& name = first->fields.front();
-        return std::ranges::none_of(first->fields, may_be_number) && name != "id" && name != "ID" &&
-               name != "x" && name != "X";
+        constexpr std::array own{"id", "ID", "x", "X"};
+        return !first.empty() && std::ranges::none_of(first, may_be_number) &&
+               std::ranges::find(own, first.front()) == own.end();
     } catch (const InputError&) {
         return true;
     }
@@ -103,16 +95,16 @@ SurveyFile from_own(const CableNet& net, std::vector<SurveyPoint> points,
     if (options.unit) {
         scale_points(file.points, *options.unit, *options.unit);
     } else if (const auto guess = guess_unit(net, file.points); guess && guess->length != 1.0) {
-        file.unit_hint = fmt::format("; its extent fits {0}, which --unit {0} tells", guess->name);
+        file.unit_hint = fmt::format("; its extent fits the unit {}, give it", guess->name);
     }
     return file;
 }
 
 SurveyFile from_foreign(const CableNet& net, ForeignSurvey survey, const std::string& file_name,
                         const ReadSurveyOptions& options) {
-    if (!survey.readings.readings.empty()) {
-        SurveyFile file =
-            targets_of_readings(net, std::move(survey.readings), options, survey.format, file_name);
+    if (!survey.polar.observations.empty()) {
+        SurveyFile file = targets_of_observations(net, std::move(survey.polar), options,
+                                                  survey.format, file_name);
         std::ranges::move(survey.notes, std::back_inserter(file.notes));
         add_left_out(survey.left_out, file.notes);
         return file;
@@ -122,22 +114,23 @@ SurveyFile from_foreign(const CableNet& net, ForeignSurvey survey, const std::st
                     .has_known_points = survey.has_known_points};
     double unit = options.unit.value_or(survey.unit.value_or(0.0));
     file.notes.push_back(fmt::format("read as {}, {}", survey.format,
-                                     options.unit ? fmt::format("in {} as told", unit_text(unit))
+                                     options.unit ? fmt::format("in {} as given", unit_text(unit))
                                      : survey.unit
-                                         ? fmt::format("in {} as the file tells", unit_text(unit))
-                                         : "which tells no unit"));
+                                         ? fmt::format("in {} by the file", unit_text(unit))
+                                         : "without a unit"));
     if (unit == 0.0) {
         const auto guess = guess_unit(net, file.points);
         if (!guess) {
             throw InputError(file_name, "",
-                             fmt::format("tells no unit, and in none of m, mm and ft its points "
-                                         "extend as the net does ({}): --unit tells it",
+                             fmt::format("gives no unit, and in none of m, mm and ft its points "
+                                         "extend as the net does ({}): give the unit",
                                          extents_text(net, file.points)));
         }
         unit = guess->length;
         const std::string text = fmt::format(
-            "the unit is taken as {}: the median point is {:.4g} from their middle, of the net's "
-            "nodes {:.4g} m (--unit)",
+            "the unit is taken as {}: the median distance of points from their middle is {:.4g}, "
+            "of "
+            "the net's nodes {:.4g} m",
             guess->name, guess->points, guess->nodes);
         (unit == 1.0 ? file.notes : file.warnings).push_back(text);
     }
@@ -156,8 +149,8 @@ SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& pa
     const std::string text = read_file(path);
     const std::string name = path.string();
     if (!options.file.format && is_polar_csv(text)) {
-        return targets_of_readings(net, parse_polar_csv(text, name, options.file.angle_unit),
-                                   options, "readings of angles and distances", name);
+        return targets_of_observations(net, parse_polar_csv(text, name, options.file.angle_unit),
+                                       options, "observations of angles and distances", name);
     }
     std::exception_ptr own_error;
     const auto is_table = [&] { return detect_survey_format(text, name) == SurveyFormat::table; };

@@ -16,18 +16,18 @@ struct SurveyFile {
     std::vector<std::string> notes;     ///< how it was understood; empty: it is taut's own CSV
     std::vector<std::string> warnings;  ///< what was guessed
     int contradicted_names = 0;         ///< as Survey has it
-    bool is_own = false;                ///< whether it is taut's own CSV, to be kept to strictly
-    std::string unit_hint;              ///< what to tell where the survey does not fit the net
+    bool is_own = false;                ///< whether it is taut's own CSV, read strictly
+    std::string unit_hint;              ///< added where the survey does not fit the net
     double unit = 1.0;                  ///< that its numbers were taken in [m]
     bool has_known_points = false;      ///< as ForeignSurvey has them
-    bool is_of_readings = false;        ///< of angles and distances, not of coordinates
-    double scale_std = 0.0;  ///< common to all points, of readings from several stations [-]
-    double rounding = 0.0;   ///< the step to which coordinates are written; 0: as doubles are [m]
+    bool is_of_observations = false;    ///< of angles and distances, not of coordinates
+    double scale_std = 0.0;  ///< common to all points, of observations from several stations [-]
+    double rounding = 0.0;   ///< step to which coordinates are rounded; 0: none [m]
 };
 
 /// Reads taut's own CSV as parse_survey_points() does, all else as read_foreign_survey().
-/// The unit is that which is told, else the file's, else of taut's own CSV the metre, else guessed
-/// by the net's extent.
+/// The unit is that of the options, else of the file, else the metre for taut's own CSV, else
+/// guessed by the net's extent.
 /// @throws InputError as these two, and where no unit fits
 [[nodiscard]] SurveyFile read_survey_file(const CableNet& net, const std::filesystem::path& path,
                                           const ReadSurveyOptions& options);

@@ -28,7 +28,7 @@ void mark(const CableNet& net, std::vector<bool>& marked, int edge, const char* 
 void check_forces(const CableNet& net, const Forces& forces) {
     std::vector<bool> taut(net.edge_count(), false);
     std::vector<bool> slack(net.edge_count(), false);
-    std::vector<bool> read(net.edge_count(), false);
+    std::vector<bool> measured(net.edge_count(), false);
     for (const int edge : forces.taut) {
         mark(net, taut, edge, "seen taut is");
     }
@@ -39,22 +39,24 @@ void check_forces(const CableNet& net, const Forces& forces) {
                 fmt::format("edge '{}' is seen both taut and slack", net.edge_id(edge)));
         }
     }
-    for (const ForceMeasurement& reading : forces.readings) {
-        mark(net, read, reading.edge, "the tension is read of");
-        if (!(reading.tension >= 0.0) || !std::isfinite(reading.tension)) {
+    for (const ForceMeasurement& measurement : forces.measurements) {
+        mark(net, measured, measurement.edge, "the tension is measured of");
+        if (!(measurement.tension >= 0.0) || !std::isfinite(measurement.tension)) {
             throw std::invalid_argument(
-                fmt::format("the tension of edge '{}' is read as {} N, expected 0 or more",
-                            net.edge_id(reading.edge), reading.tension));
+                fmt::format("the tension of edge '{}' is measured as {} N, expected 0 or more",
+                            net.edge_id(measurement.edge), measurement.tension));
         }
-        if (!(reading.std > 0.0) || !std::isfinite(reading.std)) {
-            throw std::invalid_argument(fmt::format(
-                "the reading of edge '{}' has the standard deviation {} N, expected a positive one",
-                net.edge_id(reading.edge), reading.std));
-        }
-        if (slack[reading.edge]) {
+        if (!(measurement.std > 0.0) || !std::isfinite(measurement.std)) {
             throw std::invalid_argument(
-                fmt::format("the tension of edge '{}' is read, and it is told slack",
-                            net.edge_id(reading.edge)));
+                fmt::format("the force measurement of edge '{}' has the standard deviation {} N, "
+                            "expected a positive "
+                            "one",
+                            net.edge_id(measurement.edge), measurement.std));
+        }
+        if (slack[measurement.edge]) {
+            throw std::invalid_argument(
+                fmt::format("the tension of edge '{}' is measured, but the edge is given as slack",
+                            net.edge_id(measurement.edge)));
         }
     }
 }

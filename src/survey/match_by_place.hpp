@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// The node that a target's place tells, or why none.
+/// The node that a target lies on, or why none.
 struct PlaceMatch {
     int node = 0;           ///< nearest
     double distance = 0.0;  ///< to its nominal place [m]

@@ -12,14 +12,15 @@ namespace taut {
 namespace {
 
 constexpr double false_alarm = 1e-3;  ///< of the test, in a survey that is right
-/// 1 mm in 10 m: below this a net does not care.
+/// 1 mm in 10 m: a smaller one does not matter to a net.
 constexpr double least_departure = 1e-4;
 
 }  // namespace
 
 bool MeasuredScale::is_significant() const {
-    const boost::math::students_t prior(redundancy);
-    const double limit = boost::math::quantile(boost::math::complement(prior, 0.5 * false_alarm));
+    const boost::math::students_t distribution(redundancy);
+    const double limit =
+        boost::math::quantile(boost::math::complement(distribution, 0.5 * false_alarm));
     return std::abs(scale - 1.0) > limit * std;
 }
 
@@ -57,8 +58,8 @@ std::vector<std::string> scale_warnings(const std::vector<ControlPoint>& points)
     }
     return {fmt::format(
         "its {} supports or control points are measured {:.6g} times as far apart as they are "
-        "(standard error {:.1g}): is it in a map grid, or is the instrument's scale (ppm) set "
-        "wrong? Divide its coordinates by that scale",
+        "(standard error {:.1g}). Check whether it is in a map grid and the instrument's scale "
+        "(ppm), or divide its coordinates by that scale",
         points.size(), found->scale, found->std)};
 }
 

@@ -14,15 +14,17 @@
 #include "numerics/small_dense.hpp"
 #include "survey/match_by_place.hpp"
 #include "survey/mean_edge_length.hpp"
+#include "survey/median.hpp"
+#include "survey/node_names.hpp"
 
 namespace taut {
 namespace {
 
 /// Points that fit: half of them within this part of the mean edge length.
 constexpr double fitting_part = 0.1;
-constexpr double scale_of_unit = 0.01;  ///< to which a scale tells a unit, relative
+constexpr double scale_of_unit = 0.01;  ///< relative tolerance within which a scale is a unit
 
-/// A change of axes that makes a survey of the other hand.
+/// A change of axes that turns a survey into its mirror image.
 struct Mirroring {
     Eigen::Matrix3d matrix;
     const char* words;
@@ -39,8 +41,8 @@ const std::array<Mirroring, 4>& mirrorings() {
         };
         return std::array<Mirroring, 4>{
             {{exchanged,
-              "its x and y are exchanged, as north before east: exchange them, of a table by "
-              "--columns, as id,y,x,z"},
+              "its x and y are exchanged, as north before east: exchange them, in a table by the "
+              "columns id,y,x,z"},
              {negated(0), "its x has the other sign: negate it"},
              {negated(1), "its y has the other sign: negate it"},
              {negated(2), "its z has the other sign, as depths have: negate it"}}};
@@ -55,10 +57,7 @@ struct NamedPlaces {
 };
 
 NamedPlaces named_places(const CableNet& net, const std::vector<SurveyPoint>& points) {
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     NamedPlaces places;
     Eigen::Index count = 0;
     places.measured.resize(3, static_cast<Eigen::Index>(points.size()));
@@ -76,11 +75,7 @@ NamedPlaces named_places(const CableNet& net, const std::vector<SurveyPoint>& po
 }
 
 double median_distance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
-    const Eigen::VectorXd norms = (a - b).colwise().norm();
-    std::vector<double> distances(norms.begin(), norms.end());
-    const auto middle = distances.begin() + std::ssize(distances) / 2;
-    std::ranges::nth_element(distances, middle);
-    return *middle;
+    return median_of((a - b).colwise().norm());
 }
 
 /// A motion with a scale that moves measured places nearest to nominal ones.
@@ -128,12 +123,13 @@ std::optional<KnownUnit> known_unit(double length) {
 std::string scale_words(double scale, double unit) {
     if (const auto right = known_unit(scale * unit)) {
         const auto taken = known_unit(unit);
-        return fmt::format("its coordinates are in {}, not in {}: --unit {} tells it", right->words,
+        return fmt::format("its coordinates are in {}, not in {}: give the unit {}", right->words,
                            taken ? taken->words : "that unit", right->name);
     }
     return fmt::format(
-        "its points are {:.4g} times as far apart as the net's nodes, in all directions alike, "
-        "which no unit explains: is it of this net, and the instrument's scale factor 1?",
+        "its points are {:.4g} times as far apart as the net's nodes, which no unit explains: is "
+        "it "
+        "of this net, and is the instrument's scale factor 1?",
         1.0 / scale);
 }
 
@@ -141,8 +137,8 @@ bool is_another_scale(double scale) {
     return std::abs(scale - 1.0) > scale_of_unit;
 }
 
-/// In the frame of the net one of the mirrorings alone is enough; in another, turned too, they are
-/// all one but for up and down.
+/// In the net's frame exactly one mirroring fits. In a frame turned about the vertical, mirrorings
+/// of x, of y and their exchange differ by a rotation only: there only up and down differ.
 std::string mirrored_words(const NamedPlaces& places, double limit) {
     for (const Mirroring& mirroring : mirrorings()) {
         if (median_distance(mirroring.matrix * places.measured, places.nominal) < limit) {
@@ -182,15 +178,14 @@ std::string misfit_of_named(const CableNet& net, const NamedPlaces& places, doub
     if (!frame_is_fitted &&
         median_distance(places.measured, places.nominal) > 0.5 * mean_edge_length(net)) {
         return fmt::format(
-            "; turned and moved as a whole its points fit the net (half to {:.3g} mm): it is in "
-            "another frame, which three named supports tell (--frame auto), or control points "
-            "(--control)",
+            "; its points fit the net after a rigid motion (half of them to {:.3g} mm): it is in "
+            "another frame. Survey three named supports to fit it to, or give control points",
             1e3 * as_it_is.median);
     }
     return "";
 }
 
-/// Whether 19 of 20 points are on a node beyond doubt where their places are multiplied.
+/// Whether match_by_place() matches 19 of 20 points after a linear map of their places.
 bool fit_by_place(const CableNet& net, std::vector<SurveyPoint> points,
                   const Eigen::Matrix3d& matrix) {
     constexpr double most = 0.95;
@@ -207,7 +202,7 @@ bool fit_by_place(const CableNet& net, std::vector<SurveyPoint> points,
 std::string misfit_by_place(const CableNet& net, const std::vector<SurveyPoint>& points,
                             double unit) {
     if (fit_by_place(net, points, Eigen::Matrix3d::Identity())) {
-        return "";  // a symmetric net fits its mirror image as well
+        return "";  // a symmetric net also fits its mirror image
     }
     for (const Mirroring& mirroring : mirrorings()) {
         if (fit_by_place(net, points, mirroring.matrix)) {
@@ -224,15 +219,12 @@ std::string misfit_by_place(const CableNet& net, const std::vector<SurveyPoint>&
     return "";
 }
 
-/// Lines of two points that are near their nodes as they stand, and in another unit.
+/// Names a point near its node as it stands, and one that is so in another unit only.
 std::string mixed_units(const CableNet& net, const std::vector<SurveyPoint>& points) {
     constexpr double foot = 0.3048;
     constexpr std::array<double, 7> units{1.0,        1e-3,        1e3,       foot,
                                           1.0 / foot, 1e-3 / foot, 1e3 * foot};
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     const double reach = 0.5 * mean_edge_length(net);
     int as_they_stand = 0;
     int in_another = 0;

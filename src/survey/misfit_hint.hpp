@@ -10,11 +10,10 @@
 
 namespace taut {
 
-/// What a survey that does not fit the net is in truth, in words, with what to do: mirrored (x and
-/// y exchanged, an axis negated), in another unit, of another scale, in another frame, or of points
-/// in two units. Found by fitting the points with names of nodes to these, in either hand and at
-/// any scale; of points without names by how many are then on a node beyond doubt
-/// (match_by_place()).
+/// Why a survey does not fit the net, and what to do: it is mirrored (x and y exchanged, an axis
+/// negated), in another unit, of another scale, in another frame, or in two units. Points with
+/// names of nodes are fitted to these, mirrored or not, at any scale; points without names are
+/// counted by match_by_place().
 /// @param points as the file has them [m]
 /// @param unit that their numbers were taken in [m]
 /// @param frame_is_fitted whether their frame may be any

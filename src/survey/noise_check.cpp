@@ -18,8 +18,7 @@ namespace {
 constexpr double plausible_part = 0.02;   ///< of the mean edge length
 constexpr double plausible_noise = 0.05;  ///< [m]
 
-/// What was meant, if millimetres were taken for metres; no instrument measures to less than a
-/// hundredth of one.
+/// Asks for the noise in millimetres where that is at least 0.01 mm: no instrument is better.
 std::string question(double noise_std) {
     constexpr double smallest_meant = 1e-5;
     const double meant = 1e-3 * noise_std;

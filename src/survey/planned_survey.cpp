@@ -4,20 +4,19 @@
 
 #include <map>
 
+#include "survey/node_names.hpp"
+
 namespace taut {
 
 Survey planned_survey(const CableNet& net, const std::vector<PlannedTarget>& targets,
                       double noise_std) {
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     std::vector<SurveyPoint> points;
     for (const PlannedTarget& target : targets) {
         if (target.id.empty()) {
             throw SurveyError(target.line, "names no node, expected one");
         }
-        // A name that is no node's goes on without a place, to be refused as in any survey.
+        // A name that is no node's gets no place: match_to_nodes() refuses it as in any survey.
         const auto found = node_of.find(target.id);
         points.push_back({.id = target.id,
                           .position = found == node_of.end() ? Eigen::Vector3d::Zero().eval()

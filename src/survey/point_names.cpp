@@ -3,20 +3,17 @@
 #include "survey/point_names.hpp"
 
 #include <map>
-#include <set>
 #include <utility>
 
 #include "survey/match_by_place.hpp"
+#include "survey/node_names.hpp"
 
 namespace taut {
 
 bool names_contradict_places(const CableNet& net, const std::vector<SurveyPoint>& points,
                              double matched_part) {
     constexpr double least_alike = 0.5;
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     const std::vector<PlaceMatch> matches = match_by_place(net, points, [](int) { return false; });
     double matched = 0.0;
     double named = 0.0;
@@ -36,13 +33,10 @@ bool names_contradict_places(const CableNet& net, const std::vector<SurveyPoint>
 }
 
 int make_names_labels(const CableNet& net, std::vector<SurveyPoint>& points, bool all) {
-    std::set<std::string> nodes;
-    for (int node = 0; !all && node < net.node_count(); ++node) {
-        nodes.insert(net.node_id(node));
-    }
+    const std::map<std::string, int> nodes = nodes_by_name(net);
     int count = 0;
     for (SurveyPoint& point : points) {
-        if (!point.id.empty() && !nodes.contains(point.id)) {
+        if (!point.id.empty() && (all || !nodes.contains(point.id))) {
             point.label = std::exchange(point.id, "");
             ++count;
         }

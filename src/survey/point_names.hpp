@@ -10,10 +10,10 @@
 
 namespace taut {
 
-/// Whether the names of points are other ones than the net's although they look alike, as the
-/// numbers of a surveyor who counts from 1: a part of the points lies on a node beyond doubt
-/// (match_by_place()), and less than half of these on the node of their name.
-/// @param matched_part at least that part: 0.95 to rely on it, less to guess
+/// Whether points lie on other nodes than those of their names, as where a surveyor counts from 1:
+/// at least a part of the points is matched by match_by_place(), and less than half of these to the
+/// node of their name.
+/// @param matched_part that part: 0.95 to rely on it, less to guess
 [[nodiscard]] TAUT_CORE_EXPORT bool names_contradict_places(const CableNet& net,
                                                             const std::vector<SurveyPoint>& points,
                                                             double matched_part = 0.95);

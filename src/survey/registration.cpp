@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "numerics/small_dense.hpp"
 #include "survey/mean_edge_length.hpp"
+#include "survey/node_names.hpp"
 #include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
 
-/// The second largest spread of points that count as on a line, in parts of the largest: a
+/// Points count as on a line up to this ratio of their second largest to their largest spread: a
 /// rotation about that line would be ill determined.
 constexpr double line_ratio = 1e-3;
 
@@ -24,11 +24,6 @@ constexpr double scale_tolerance = 0.01;
 
 /// How far a point in the frame of the net may lie from its known place, in mean edge lengths.
 constexpr double frame_tolerance = 0.1;
-
-/// Columns less their mean.
-Eigen::Matrix3Xd centred(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& centre) {
-    return points.colwise() - centre;
-}
 
 void check_spread(const Eigen::Matrix3Xd& points, const char* which) {
     const Eigen::Vector3d spread = spread_of(points);
@@ -49,8 +44,8 @@ void check_scale(const Eigen::Matrix3Xd& known, const Eigen::Matrix3Xd& measured
     }
 }
 
-/// Then it is so in every frame, and rounding makes no correlations of it.
-bool is_the_same_all_round(const SurveyPoint& point) {
+/// Isotropic noise stays so in every frame; turning it would add correlations by rounding.
+bool is_isotropic(const SurveyPoint& point) {
     return point.noise_correlations.isZero(0.0) &&
            (point.noise_std->array() == point.noise_std->x()).all();
 }
@@ -82,8 +77,8 @@ Registration register_rigidly(const std::vector<ControlPoint>& points) {
     Registration result;
     result.motion.from = measured.rowwise().mean();
     result.motion.to = known.rowwise().mean();
-    const Eigen::Matrix3Xd a = centred(measured, result.motion.from);
-    const Eigen::Matrix3Xd b = centred(known, result.motion.to);
+    const Eigen::Matrix3Xd a = measured.colwise() - result.motion.from;
+    const Eigen::Matrix3Xd b = known.colwise() - result.motion.to;
     check_spread(b, "known");
     check_spread(a, "measured");
     check_scale(b, a);
@@ -122,10 +117,7 @@ std::vector<ControlPoint> split_off_control_points(const CableNet& net,
             throw SurveyError(point.line, "expected a control point with a name of its own");
         }
     }
-    std::set<std::string> nodes;
-    for (int node = 0; node < net.node_count(); ++node) {
-        nodes.insert(net.node_id(node));
-    }
+    const std::map<std::string, int> nodes = nodes_by_name(net);
     std::vector<ControlPoint> control;
     std::erase_if(points, [&](const SurveyPoint& point) {
         const auto found = place_of.find(point.id);
@@ -151,7 +143,7 @@ bool in_frame_of_net(const CableNet& net, const std::vector<ControlPoint>& point
 std::vector<SurveyPoint> moved(std::vector<SurveyPoint> points, const RigidMotion& motion) {
     for (SurveyPoint& point : points) {
         point.position = motion(point.position);
-        if (point.noise_std && !is_the_same_all_round(point)) {
+        if (point.noise_std && !is_isotropic(point)) {
             const Eigen::Matrix3d covariance =
                 covariance_of({.std = *point.noise_std, .correlations = point.noise_correlations});
             const PlaceNoise noise =

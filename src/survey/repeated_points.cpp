@@ -18,8 +18,8 @@ constexpr double most_deviations = 10.0;
 
 void check_repeat(const SurveyPoint& first, const SurveyPoint& again, double noise_std) {
     const double distance = (again.position - first.position).norm();
-    const double told = again.noise_std ? again.noise_std->maxCoeff() : noise_std;
-    const double limit = std::max(farthest_repeat, most_deviations * told);
+    const double std = again.noise_std ? again.noise_std->maxCoeff() : noise_std;
+    const double limit = std::max(farthest_repeat, most_deviations * std);
     if (distance > limit) {
         throw SurveyError(
             again.line,

@@ -17,9 +17,8 @@ struct AveragedPoints {
 };
 
 /// Replaces points of one name by their mean, at the place of the first. Standard deviations
-/// become those of the mean, sqrt(sum s_i^2) / n; without their own, that of --noise holds for the
-/// mean as for any point.
-/// @param noise_std of points that do not tell their own [m]
+/// become those of the mean, sqrt(sum s_i^2) / n; a mean of points without stays without.
+/// @param noise_std of points without standard deviations of their own [m]
 /// @throws SurveyError with the line of a point farther than 20 mm, and than 10 standard
 ///   deviations, from the first of its name
 [[nodiscard]] TAUT_CORE_EXPORT AveragedPoints average_repeated(std::vector<SurveyPoint> points,

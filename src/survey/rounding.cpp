@@ -9,12 +9,12 @@
 namespace taut {
 namespace {
 
-/// Steps below this are taken for exact: what a form determines is then told to more than that.
+/// Smaller steps count as exact: they are far below what any instrument measures.
 constexpr double least_step = 5e-8;  // m
 
-/// How often a number must be divided by ten steps for a multiple: its decimals.
+/// Decimals of a number, `most` where it has more.
 int decimals_of(double number, int most) {
-    // A number as written is off by half a last bit, and so is its product with a power of ten.
+    // The nearest double is off by half a last bit, and so is its product with a power of ten.
     constexpr double tolerance = 4.0 * std::numeric_limits<double>::epsilon();
     double power = 1.0;
     for (int decimals = 0; decimals < most; ++decimals, power *= 10.0) {

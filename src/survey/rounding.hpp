@@ -23,9 +23,9 @@ namespace taut {
 [[nodiscard]] TAUT_CORE_EXPORT double rounding_std(double step);
 
 /// Of a coordinate that was measured and then rounded: noise and rounding in quadrature. Rounding
-/// that adds less than 6 %, below a third of the noise, is left aside, since what is told of
-/// instruments is no better known; so is any of a coordinate that is told to be exact.
-/// @param noise_std as told [m]
+/// below a third of the noise is neglected: it adds less than 6 %, and an instrument's noise is
+/// known no better. A coordinate given as exact stays exact.
+/// @param noise_std as given [m]
 /// @param rounding its rounding_std() [m]
 [[nodiscard]] TAUT_CORE_EXPORT double noise_with_rounding(double noise_std, double rounding);
 

@@ -92,8 +92,8 @@ void check_stations(const PolarSimulation& simulation) {
 }
 
 /// Of a place in the net's frame by an instrument whose circle is turned by `orientation`.
-PolarObservation reading_of(const Eigen::Vector3d& place, const Eigen::Vector3d& station,
-                            double orientation) {
+PolarObservation observation_of(const Eigen::Vector3d& place, const Eigen::Vector3d& station,
+                                double orientation) {
     const Eigen::Vector3d away = place - station;
     return {.direction = std::atan2(away.x(), away.y()) + orientation,
             .zenith = std::acos(std::clamp(away.z() / away.norm(), -1.0, 1.0)),
@@ -185,17 +185,18 @@ PolarSurvey simulate_polar_survey(const CableNet& net, const Points& form,
                     fmt::format("station {} stands at node '{}', expected it away from all targets",
                                 number + 1, net.node_id(node)));
             }
-            PolarObservation reading = reading_of(form.col(node), station, orientation);
-            reading.station = number;
-            reading.target = name;
-            reading.angle_std = simulation.angle_std;
-            reading.distance_std = simulation.distance.std_at(distance);
+            PolarObservation observation = observation_of(form.col(node), station, orientation);
+            observation.station = number;
+            observation.target = name;
+            observation.angle_std = simulation.angle_std;
+            observation.distance_std = simulation.distance.std_at(distance);
             constexpr double full = 2.0 * std::numbers::pi;
-            reading.direction =
-                std::fmod(reading.direction + reading.angle_std * dice.normal() + 2.0 * full, full);
-            reading.zenith = std::abs(reading.zenith + reading.angle_std * dice.normal());
-            reading.distance += reading.distance_std * dice.normal();
-            survey.readings.push_back(std::move(reading));
+            observation.direction = std::fmod(
+                observation.direction + observation.angle_std * dice.normal() + 2.0 * full, full);
+            observation.zenith =
+                std::abs(observation.zenith + observation.angle_std * dice.normal());
+            observation.distance += observation.distance_std * dice.normal();
+            survey.observations.push_back(std::move(observation));
         }
     }
     return survey;

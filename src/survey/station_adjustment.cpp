@@ -26,51 +26,51 @@ constexpr double small_step_of_poses = 1e-9;  ///< [m], [rad]
 /// Two targets less far apart than this, seen from above, give no orientation [m].
 constexpr double least_spread = 0.01;
 
-void check_polar_observation(const PolarObservation& reading, size_t stations) {
+void check_polar_observation(const PolarObservation& observation, size_t stations) {
     const auto is_positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-    if (reading.station < 0 || reading.station >= static_cast<int>(stations)) {
-        throw SurveyError(reading.line, fmt::format("is of station {}, expected 0 to {}",
-                                                    reading.station, stations - 1));
+    if (observation.station < 0 || observation.station >= static_cast<int>(stations)) {
+        throw SurveyError(observation.line, fmt::format("is of station {}, expected 0 to {}",
+                                                        observation.station, stations - 1));
     }
-    if (!std::isfinite(reading.direction) || !std::isfinite(reading.zenith) ||
-        !std::isfinite(reading.target_height)) {
-        throw SurveyError(reading.line, "has a reading that is not finite");
+    if (!std::isfinite(observation.direction) || !std::isfinite(observation.zenith) ||
+        !std::isfinite(observation.target_height)) {
+        throw SurveyError(observation.line, "has an observation that is not finite");
     }
-    if (!is_positive(reading.distance)) {
-        throw SurveyError(reading.line, fmt::format("has the distance {}, expected more than 0",
-                                                    reading.distance));
+    if (!is_positive(observation.distance)) {
+        throw SurveyError(observation.line, fmt::format("has the distance {}, expected more than 0",
+                                                        observation.distance));
     }
-    if (!is_positive(reading.angle_std) || !is_positive(reading.distance_std)) {
-        throw SurveyError(reading.line,
+    if (!is_positive(observation.angle_std) || !is_positive(observation.distance_std)) {
+        throw SurveyError(observation.line,
                           fmt::format("has the standard deviations {} rad and {} m, expected more "
                                       "than 0",
-                                      reading.angle_std, reading.distance_std));
+                                      observation.angle_std, observation.distance_std));
     }
 }
 
-/// Readings, targets by number, and the poses and places found so far.
+/// Observations, targets by number, and the poses and places found so far.
 class StationBlock {
 public:
     explicit StationBlock(const PolarSurvey& survey)
         : m_stations(survey.stations),
-          m_readings(survey.readings),
+          m_observations(survey.observations),
           m_poses(survey.stations.size()),
           m_seen_from(survey.stations.size()) {
         std::map<std::string, int> number_of;
-        for (const PolarObservation& reading : m_readings) {
-            check_polar_observation(reading, m_stations.size());
+        for (const PolarObservation& observation : m_observations) {
+            check_polar_observation(observation, m_stations.size());
             const auto [found, is_new] =
-                number_of.emplace(reading.target, static_cast<int>(m_first.size()));
+                number_of.emplace(observation.target, static_cast<int>(m_first.size()));
             if (is_new) {
-                m_first.push_back(&reading);
+                m_first.push_back(&observation);
             }
             m_target_of.push_back(found->second);
-            m_seen_from[reading.station].insert(found->second);
+            m_seen_from[observation.station].insert(found->second);
         }
         for (size_t s = 0; s < m_stations.size(); ++s) {
             if (m_seen_from[s].empty()) {
-                throw SurveyError(m_stations[s].line,
-                                  fmt::format("station '{}' has no reading", m_stations[s].name));
+                throw SurveyError(m_stations[s].line, fmt::format("station '{}' has no observation",
+                                                                  m_stations[s].name));
             }
         }
         if (m_stations.empty()) {
@@ -82,7 +82,7 @@ public:
         m_datum = static_cast<int>(most - m_seen_from.begin());
     }
 
-    /// Places stations one after the other, each with the targets that were placed before it.
+    /// Places stations one after the other, each by the targets placed before it.
     void approximate() {
         std::vector<bool> is_placed(m_stations.size(), false);
         std::vector<bool> is_known(target_count(), false);
@@ -105,8 +105,9 @@ public:
             }
         }
         throw SurveyError(0,
-                          "has readings of several stations that no places of these and of the "
-                          "targets explain: do targets have the same name from all of them?");
+                          "has observations of several stations that do not converge to places of "
+                          "stations and targets: does each target have the same name from all "
+                          "stations?");
     }
 
     [[nodiscard]] StationAdjustment result() const;
@@ -122,7 +123,7 @@ private:
     };
 
     [[nodiscard]] int target_count() const { return static_cast<int>(m_first.size()); }
-    /// Where the uncertain of a station stand, or -1 of the datum.
+    /// Index of the first unknown of a station's pose; -1 for the datum.
     [[nodiscard]] Eigen::Index at(int station) const {
         return station == m_datum ? -1 : 4 * (station - (station > m_datum ? 1 : 0));
     }
@@ -138,10 +139,10 @@ private:
     [[nodiscard]] std::pair<Eigen::MatrixXd, Eigen::RowVectorXd> common_modes_by_poses() const;
 
     const std::vector<PolarStation>& m_stations;
-    const std::vector<PolarObservation>& m_readings;
+    const std::vector<PolarObservation>& m_observations;
     std::vector<StationPose> m_poses;
     std::vector<const PolarObservation*> m_first;  ///< of each target
-    std::vector<int> m_target_of;                  ///< of each reading
+    std::vector<int> m_target_of;                  ///< of each observation
     std::vector<std::set<int>> m_seen_from;        ///< targets by station
     Points m_places;                               ///< of the targets
     int m_datum = 0;
@@ -179,11 +180,11 @@ void StationBlock::place_station(int station, const std::vector<bool>& is_known)
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pairs;  // seen, known
     Eigen::Vector3d seen_middle = Eigen::Vector3d::Zero();
     Eigen::Vector3d known_middle = Eigen::Vector3d::Zero();
-    for (size_t i = 0; i < m_readings.size(); ++i) {
-        const PolarObservation& reading = m_readings[i];
-        if (reading.station == station && is_known[m_target_of[i]]) {
-            const Eigen::Vector3d height = reading.target_height * Eigen::Vector3d::UnitZ();
-            pairs.emplace_back(sighted(reading) - height, m_places.col(m_target_of[i]));
+    for (size_t i = 0; i < m_observations.size(); ++i) {
+        const PolarObservation& observation = m_observations[i];
+        if (observation.station == station && is_known[m_target_of[i]]) {
+            const Eigen::Vector3d height = observation.target_height * Eigen::Vector3d::UnitZ();
+            pairs.emplace_back(sighted(observation) - height, m_places.col(m_target_of[i]));
             seen_middle += pairs.back().first;
             known_middle += pairs.back().second;
         }
@@ -214,11 +215,11 @@ void StationBlock::place_station(int station, const std::vector<bool>& is_known)
 
 void StationBlock::place_targets(int station, std::vector<bool>& is_known) {
     const StationPose& pose = m_poses[station];
-    for (size_t i = 0; i < m_readings.size(); ++i) {
-        const PolarObservation& reading = m_readings[i];
-        if (reading.station == station && !is_known[m_target_of[i]]) {
-            m_places.col(m_target_of[i]) = pose.place + rotation_of(pose) * sighted(reading) -
-                                           reading.target_height * Eigen::Vector3d::UnitZ();
+    for (size_t i = 0; i < m_observations.size(); ++i) {
+        const PolarObservation& observation = m_observations[i];
+        if (observation.station == station && !is_known[m_target_of[i]]) {
+            m_places.col(m_target_of[i]) = pose.place + rotation_of(pose) * sighted(observation) -
+                                           observation.target_height * Eigen::Vector3d::UnitZ();
             is_known[m_target_of[i]] = true;
         }
     }
@@ -232,11 +233,11 @@ double StationBlock::step() {
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd right_side = Eigen::VectorXd::Zero(size);
     m_blocks.assign(target_count(), {});
-    for (size_t i = 0; i < m_readings.size(); ++i) {
-        const int station = m_readings[i].station;
+    for (size_t i = 0; i < m_observations.size(); ++i) {
+        const int station = m_observations[i].station;
         const int target = m_target_of[i];
         const PolarResidual e =
-            polar_residual(m_readings[i], m_poses[station], m_places.col(target));
+            polar_residual(m_observations[i], m_poses[station], m_places.col(target));
         TargetBlock& block = m_blocks[target];
         block.N += e.by_target.transpose() * e.by_target;
         block.g -= e.by_target.transpose() * e.value;
@@ -258,9 +259,10 @@ double StationBlock::step() {
     }
     const Eigen::LLT<Eigen::MatrixXd> factor(S);
     if (factor.info() != Eigen::Success) {
-        throw SurveyError(0,
-                          "has stations whose places its readings leave open: they have too few "
-                          "targets in common");
+        throw SurveyError(
+            0,
+            "has stations whose places are not determined: they have too few targets in "
+            "common");
     }
     const Eigen::VectorXd change = factor.solve(right_side);
     m_pose_covariance = factor.solve(Eigen::MatrixXd::Identity(size, size));
@@ -339,13 +341,14 @@ StationAdjustment StationBlock::result() const {
                                  .noise_std = noise.std,
                                  .noise_correlations = noise.correlations});
     }
-    const auto told = 3 * std::ssize(m_readings);
-    result.redundancy = static_cast<int>(told - 3 * target_count() - pose_size());
+    const auto observed = 3 * std::ssize(m_observations);
+    result.redundancy = static_cast<int>(observed - 3 * target_count() - pose_size());
     double squares = 0.0;
-    for (size_t i = 0; i < m_readings.size(); ++i) {
-        const Eigen::Vector3d e = polar_residual(m_readings[i], m_poses[m_readings[i].station],
-                                                 m_places.col(m_target_of[i]))
-                                      .value;
+    for (size_t i = 0; i < m_observations.size(); ++i) {
+        const Eigen::Vector3d e =
+            polar_residual(m_observations[i], m_poses[m_observations[i].station],
+                           m_places.col(m_target_of[i]))
+                .value;
         squares += e.squaredNorm();
         if (const double largest = e.cwiseAbs().maxCoeff(); largest > result.worst_residual) {
             result.worst = static_cast<int>(i);
@@ -358,13 +361,13 @@ StationAdjustment StationBlock::result() const {
 
 }  // namespace
 
-PolarObservation in_first_face(PolarObservation reading) {
-    if (reading.zenith > std::numbers::pi) {
-        reading.zenith = std::max(0.0, 2.0 * std::numbers::pi - reading.zenith);
-        reading.direction +=
-            reading.direction < std::numbers::pi ? std::numbers::pi : -std::numbers::pi;
+PolarObservation in_first_face(PolarObservation observation) {
+    if (observation.zenith > std::numbers::pi) {
+        observation.zenith = std::max(0.0, 2.0 * std::numbers::pi - observation.zenith);
+        observation.direction +=
+            observation.direction < std::numbers::pi ? std::numbers::pi : -std::numbers::pi;
     }
-    return reading;
+    return observation;
 }
 
 StationAdjustment adjust_stations(const PolarSurvey& survey) {

@@ -11,6 +11,7 @@
 
 #include "survey/match_by_place.hpp"
 #include "survey/mean_edge_length.hpp"
+#include "survey/node_names.hpp"
 #include "taut/survey/noise_check.hpp"
 
 namespace taut {
@@ -97,10 +98,7 @@ void mark_swapped(const CableNet& net, std::vector<UnmatchedPoint>& far) {
 }
 
 void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matching& matching) {
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     const double mean_length = mean_edge_length(net);
     std::map<int, int> line_of;
     std::vector<UnmatchedPoint> far;
@@ -139,9 +137,8 @@ void put_named(const CableNet& net, const std::vector<SurveyPoint>& points, Matc
     std::ranges::for_each(far, [&](UnmatchedPoint& p) { matching.leave_out(std::move(p)); });
 }
 
-/// @param named how many points have the names of nodes: with some, one with a label may be
-///   anything else, as the station of the instrument; with more than there are without a name,
-///   these may, too
+/// @param named how many points have names of nodes. With any, a point with a label may be
+///   anything, as the instrument's station; with more than points without a name, these may, too.
 void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, size_t named,
                  Matching& matching) {
     const bool has_named = named > 0;
@@ -166,7 +163,7 @@ void put_unnamed(const CableNet& net, const std::vector<SurveyPoint>& targets, s
     if (expected > named &&
         static_cast<double>(matched) < least_matched_part * static_cast<double>(expected)) {
         throw SurveyError(
-            0, fmt::format("{} of {} targets without a name lie on a node beyond doubt, expected "
+            0, fmt::format("{} of {} targets without a name lie clearly on one node, expected "
                            "at least half: is the survey of this net, in its frame and in metres?",
                            matched, expected));
     }
@@ -185,7 +182,7 @@ std::string_view to_string(UnmatchedReason reason) {
         case UnmatchedReason::node_taken:
             return "node taken";
     }
-    return "unknown";
+    return "";
 }
 
 Survey match_to_nodes(const CableNet& net, const std::vector<SurveyPoint>& points,

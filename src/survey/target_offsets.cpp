@@ -86,8 +86,8 @@ std::vector<int> turned_to_one_side(const NodeNeighbours& neighbours, int start,
     return nodes;
 }
 
-/// Up; of an upright net along y, or x.
-bool is_on_told_side(const Eigen::Vector3d& mean) {
+/// Whether a normal points up; in an upright net along y, or else along x.
+bool is_on_positive_side(const Eigen::Vector3d& mean) {
     constexpr double least_slope = 0.1;
     for (const int axis : {2, 1}) {
         if (std::abs(mean(axis)) > least_slope * mean.norm()) {
@@ -120,24 +120,23 @@ void check_names(const TargetOffsets& offsets, Survey& survey) {
     for (const UnmatchedPoint& point : survey.unmatched) {
         known.insert({point.point.id, point.point.label, point.point.code});
     }
-    std::vector<std::string> unknown;
+    std::vector<std::string> unused;
     for (const auto& [name, offset] : offsets.of) {
         if (!known.contains(name)) {
-            unknown.push_back(name);
+            unused.push_back(name);
         }
     }
-    if (unknown.empty()) {
+    if (unused.empty()) {
         return;
     }
-    if (unknown.size() == offsets.of.size()) {
+    if (unused.size() == offsets.of.size()) {
         throw SurveyError(0, fmt::format("has no target of the name or code '{}', for which an "
-                                         "offset is told",
-                                         unknown.front()));
+                                         "offset is given",
+                                         unused.front()));
     }
     survey.notes.push_back(
-        fmt::format("no target has the name or code {}, for which an offset is "
-                    "told, too",
-                    fmt::join(unknown, ", ")));
+        fmt::format("no target has the name or code {}, for which an offset is given",
+                    fmt::join(unused, ", ")));
 }
 
 }  // namespace
@@ -145,11 +144,10 @@ void check_names(const TargetOffsets& offsets, Survey& survey) {
 void check_target_offset(const TargetOffset& offset) {
     constexpr double largest = 0.5;  // no target stands further off [m]
     if (!(std::abs(offset.offset) <= largest) || !(offset.std >= 0.0) || !(offset.std <= largest)) {
-        throw std::invalid_argument(
-            fmt::format("the offset is {:g} +- {:g} m, expected at most {:g} m, and a standard "
-                        "deviation from 0 "
-                        "to {:g} m: a number without unit is in metres",
-                        offset.offset, offset.std, largest, largest));
+        throw std::invalid_argument(fmt::format(
+            "the offset is {:g} +- {:g} m, expected at most {:g} m, and a standard deviation "
+            "from 0 to {:g} m: a number without unit is in metres",
+            offset.offset, offset.std, largest, largest));
     }
 }
 
@@ -175,7 +173,7 @@ Points node_normals(const CableNet& net, const Points& form) {
             continue;
         }
         const std::vector<int> nodes = turned_to_one_side(neighbours, node, normals, seen);
-        if (!is_on_told_side(normals(Eigen::all, nodes).rowwise().sum())) {
+        if (!is_on_positive_side(normals(Eigen::all, nodes).rowwise().sum())) {
             normals(Eigen::all, nodes) *= -1.0;
         }
     }
@@ -219,7 +217,7 @@ void take_off_offsets(const CableNet& net, const TargetOffsets& offsets, Survey&
         const size_t count = without.size();
         without.resize(std::min(shown, count));
         survey.warnings.push_back(fmt::format(
-            "the net has no normal at {} {} with offsets, whose edges are two or lie in one line "
+            "the net has no normal at {} {} with offsets, which have two edges or all in one line "
             "({}{}): their targets stay where they were measured, and the offset counts as noise",
             count, count == 1 ? "node" : "nodes", fmt::join(without, ", "),
             count > shown ? ", ..." : ""));

@@ -4,37 +4,28 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
+#include "survey/median.hpp"
+#include "survey/node_names.hpp"
+
 namespace taut {
 namespace {
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 /// Of at least one place, a column each.
 double extent_of(const Eigen::Matrix3Xd& places) {
     Eigen::Vector3d middle;
     for (int k = 0; k < 3; ++k) {
-        const Eigen::VectorXd row = places.row(k);
-        middle(k) = median_of({row.begin(), row.end()});
+        middle(k) = median_of(places.row(k));
     }
-    const Eigen::VectorXd distances = (places.colwise() - middle).colwise().norm();
-    return median_of({distances.begin(), distances.end()});
+    return median_of((places.colwise() - middle).colwise().norm());
 }
 
 /// Extents of points and of the nodes that they are of.
 std::pair<double, double> extents_of(const CableNet& net, const std::vector<SurveyPoint>& points) {
-    std::map<std::string, int> node_of;
-    for (int node = 0; node < net.node_count(); ++node) {
-        node_of.emplace(net.node_id(node), node);
-    }
+    const std::map<std::string, int> node_of = nodes_by_name(net);
     std::vector<int> nodes;
     std::vector<Eigen::Index> named;
     for (size_t i = 0; i < points.size(); ++i) {
@@ -57,7 +48,7 @@ std::pair<double, double> extents_of(const CableNet& net, const std::vector<Surv
 }  // namespace
 
 std::optional<UnitGuess> guess_unit(const CableNet& net, const std::vector<SurveyPoint>& points) {
-    // Half way, in logarithms, between the two nearest units, m and ft.
+    // Half way, in logarithms, between the two nearest units, m and ft: sqrt(1 / 0.3048).
     constexpr double farthest = 1.8;
     constexpr std::array<std::pair<const char*, double>, 3> units{
         {{"m", 1.0}, {"mm", 1e-3}, {"ft", 0.3048}}};
@@ -74,8 +65,9 @@ std::optional<UnitGuess> guess_unit(const CableNet& net, const std::vector<Surve
 
 std::string extents_text(const CableNet& net, const std::vector<SurveyPoint>& points) {
     const auto [of_points, of_nodes] = extents_of(net, points);
-    return fmt::format("the median point is {:.4g} from their middle, of the net's nodes {:.4g} m",
-                       of_points, of_nodes);
+    return fmt::format(
+        "the median distance from their middle is {:.4g}, that of the net's nodes {:.4g} m",
+        of_points, of_nodes);
 }
 
 }  // namespace taut

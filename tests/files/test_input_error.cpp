@@ -15,9 +15,6 @@ namespace {
 TEST(InputError, NamesFilePlaceAndWhatIsWrong) {
     EXPECT_STREQ(InputError("net.json", "/edges/3", "is wrong").what(),
                  "net.json:/edges/3: is wrong");
-}
-
-TEST(InputError, LeavesOutAnEmptyPlace) {
     EXPECT_STREQ(InputError("net.json", "", "is empty").what(), "net.json: is empty");
 }
 

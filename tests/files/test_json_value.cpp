@@ -29,7 +29,7 @@ TEST(JsonValue, HasNoEntryOfANumberNorBehindTheLast) {
               "a.json:/list: has 2 entries, expected more than 2");
 }
 
-TEST(ReadJson, TellsTheFileWhereItsReaderTakesAnotherTypeForGranted) {
+TEST(ReadJson, NamesTheFileWhereItsReaderTakesAnotherTypeForGranted) {
     const auto error = input_error_of([] {
         return read_json("[1, 2]", "a.json", [](const JsonValue& root) {
             return root.json().at("key").get<std::string>();

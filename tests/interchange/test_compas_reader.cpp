@@ -70,7 +70,7 @@ TEST(ParseCompas, RefusesTwoNamesOfAnEdgeThatContradictEachOther) {
               "has 2.5");
 }
 
-TEST(ParseCompas, LeavesOutEntriesOfEdgedataThatAreNoEdgesAndTellsSo) {
+TEST(ParseCompas, LeavesOutEntriesOfEdgedataThatAreNoEdgesAndSaysSo) {
     json file = old_compas_mesh();
     file["edgedata"]["(0, 2)"] = {{"q", 1.0}};
     file["edgedata"]["(4, 77)"] = {{"q", 1.0}};
@@ -115,7 +115,7 @@ TEST(ParseCompas, NamesNodesByTheirNamesWhereEachHasOne) {
     EXPECT_THAT(ids_of(compas_net(file).nodes), testing::ElementsAre("left", "middle", "right"));
 }
 
-TEST(ParseCompas, TellsTheProgramByItsDtype) {
+TEST(ParseCompas, KnowsTheProgramByItsDtype) {
     json file = new_compas_graph();
     file["dtype"] = "jax_fdm.datastructures/FDNetwork";
     EXPECT_EQ(compas_net(file).format, "JAX FDM network");
@@ -131,13 +131,13 @@ TEST(ParseCompas, FindsTheOnlyStructureWhereverItStands) {
 TEST(ParseCompas, AsksWhichOneWhereThereAreMore) {
     const json file{{"a", old_compas_mesh()}, {"b", new_compas_graph()}};
     EXPECT_EQ(input_error_of([&] { return compas_net(file); }),
-              "net.json: holds 2 meshes or networks ('a', 'b'): name one with --select");
+              "net.json: holds 2 meshes or networks ('a', 'b'): select one of them");
     EXPECT_EQ(compas_net(file, "b").format, "COMPAS network at the key 'b'");
     EXPECT_EQ(input_error_of([&] { return compas_net(file, "c"); }),
               "net.json: holds no meshes or networks named 'c', expected one of 'a', 'b'");
 }
 
-TEST(ParseCompas, KnowsTheUnitThatTheFileTells) {
+TEST(ParseCompas, KnowsTheUnitOfTheFile) {
     json file = new_compas_graph();
     file["data"]["attributes"]["force_unit"] = "kN";
     EXPECT_EQ(compas_net(file).force_unit, 1000.0);
@@ -157,46 +157,23 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadValue{"Number", "", "3", " is 3, expected an object that holds a mesh or a network"},
         BadValue{"NoStructure", "", R"({"a": 1})", " holds no mesh or network"},
-        BadValue{"EmptyFace", "/face/7", "[]", "/face/7: has 0 vertices, expected at least 3"},
         BadValue{"FaceOfTwo", "/face/7", "[0, 1]", "/face/7: has 2 vertices, expected at least 3"},
-        BadValue{"FaceNull", "/face/7", "null", "/face/7: is null, expected an array of vertices"},
         BadValue{"FaceTwiceTheSame", "/face/7", "[0, 0, 4]",
                  "/face/7/1: names the same vertex as the one before it"},
         BadValue{"FaceUnknownVertex", "/face/7/1", "99",
                  "/face/7/1: names the vertex '99', which is not in the file"},
-        BadValue{"FaceVertexFraction", "/face/7/1", "1.5", "/face/7/1: is 1.5, expected text"},
-        BadValue{"FacesArray", "/face", "[[0, 1, 4]]", "/face: is an array, expected an object"},
         BadValue{"CoordinateText", "/vertex/4/x", R"("1")",
                  "/vertex/4/x: is the text '1', expected a number"},
-        BadValue{"CoordinateNull", "/vertex/4/x", "null",
-                 "/vertex/4/x: is null, expected a number"},
-        BadValue{"VertexNumber", "/vertex/4", "1", "/vertex/4: is 1, expected an object"},
         BadValue{"AnchorText", "/vertex/4/is_anchor", R"("no")",
                  "/vertex/4/is_anchor: is the text 'no', expected true or false"},
-        BadValue{"LoadText", "/vertex/4/pz", R"("-1")",
-                 "/vertex/4/pz: is the text '-1', expected a number"},
         BadValue{"ForceDensityText", "/edgedata/(4, 0)/q", R"("2")",
                  "/edgedata/(4, 0)/q: is the text '2', expected a number"},
-        BadValue{"IsEdgeText", "/edgedata/(4, 0)/is_edge", R"("x")",
-                 "/edgedata/(4, 0)/is_edge: is the text 'x', expected true or false"},
         BadValue{"EdgeKey", "/edgedata/edge", "{}", "/edgedata/edge: is no edge"},
-        BadValue{"EdgeNumber", "/edgedata/(4, 0)", "2",
-                 "/edgedata/(4, 0): is 2, expected an object of attributes"},
         BadValue{"ForceUnit", "/attributes/force_unit", R"("lbf")",
                  "/attributes/force_unit: is no unit of force"},
         BadValue{"LengthUnit", "/attributes/length_unit", R"("mm")",
-                 "/attributes/length_unit: is another unit of length"},
-        BadValue{"Defaults", "/dea", "[]", "/dea: is an array, expected an object"}),
+                 "/attributes/length_unit: is another unit of length"}),
     [](const auto& param) { return param.param.name; });
-
-TEST(ParseCompas, RefusesWhatIsNoJson) {
-    const auto error = [](const std::string& text) {
-        return input_error_of([&] { return parse_compas(text, "net.json"); });
-    };
-    EXPECT_THAT(error(std::string(1'000'000, '[')), HasSubstr("is nested deeper than 64 levels"));
-    EXPECT_THAT(error(R"({"vertex": {"0": {"x": NaN}}})"), HasSubstr("net.json:1:24: is no JSON"));
-    EXPECT_THAT(error(""), HasSubstr("is empty"));
-}
 
 TEST(ParseCompas, RefusesAnEdgeListThatIsWrong) {
     json file = new_compas_graph();

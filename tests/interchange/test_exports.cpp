@@ -89,7 +89,7 @@ TEST(Exports, ToObjComeBackAsFarAsObjGoes) {
     EXPECT_EQ(found.edge_count(), net.edge_count());
 }
 
-TEST(Exports, TellTensionsInTheFormThatIsGivenAndWhichEdgesAreSlack) {
+TEST(Exports, HoldTensionsInTheFormThatIsGivenAndWhichEdgesAreSlack) {
     const CableNet net = net_with_everything();
     Points form = net.nodes();
     form.col(net.free_nodes()[0]).z() += 0.001;
@@ -104,7 +104,7 @@ TEST(Exports, TellTensionsInTheFormThatIsGivenAndWhichEdgesAreSlack) {
     EXPECT_EQ(document["dtype"], "compas.datastructures/Graph");
 }
 
-TEST(Exports, OfATensionLawTellTheStiffnessWithWhichOthersFindItsTension) {
+TEST(Exports, OfATensionLawHoldTheStiffnessWithWhichOthersFindItsTension) {
     const CableNet net = steel_roof();
     const CableNet linear =
         import_net(parse_compas(form_to_compas(net, net.nodes()), "net.json"), {}).net;

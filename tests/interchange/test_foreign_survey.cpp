@@ -24,12 +24,12 @@ using test::input_error_of;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Two points, "P1" at (1.5, -2.25, 0.125) m and "7" at (4, 5, 6) m, and how a file tells them.
+/// Two points, "P1" at (1.5, -2.25, 0.125) m and "7" at (4, 5, 6) m, in a file.
 struct ForeignText {
     const char* name;
     std::string file;
     std::string text;
-    double unit;  ///< that the file tells; 0: none
+    double unit;  ///< of the file; 0: none
 };
 
 const std::string landxml_head =
@@ -55,16 +55,11 @@ INSTANTIATE_TEST_SUITE_P(
     Tables, GoodForeignSurvey,
     testing::Values(
         ForeignText{"German", "a.csv", "Punkt;X;Y;Z\nP1;1,5;-2,25;0,125\n7;4;5;6\n", 0},
-        ForeignText{"EastNorthHeight", "a.csv",
-                    "Name,East,North,Height\nP1,1.5,-2.25,0.125\n7,4,5,6\n", 0},
         ForeignText{"RechtswertHochwertLatin1", "a.txt",
                     "Pkt-Nr;Rechtswert;Hochwert;H\xF6he\nP1;1,5;-2,25;,125\n7;4,0;5,0;6,0\n", 0},
         ForeignText{"BlanksWithStandardDeviations", "a.asc",
                     "id x y z sx sy sz  remark\nP1 1.5 -2.25 0.125 1 2 3 a b c\n7 4 5 6 0 0 0\n",
                     0},
-        ForeignText{"Code", "a.txt", "Point;E;N;H;Code\nP1;1.5;-2.25;0.125;T\n7;4;5;6;\n", 0},
-        ForeignText{"OtherOrderAndNumbers", "a.csv",
-                    "Nr;Z;Name;Y;X\n1;0.125;P1;-2.25;1.5\n2;6;7;5;4\n", 0},
         ForeignText{"MillimetresInTheHeader", "a.csv",
                     "Punkt;X [mm];Y [mm];Z [mm]\nP1;1500;-2250;125\n7;4000;5000;6000\n", 1e-3},
         ForeignText{"UnitsBelowTheHeader", "a.csv",
@@ -83,15 +78,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "d\n// second set\nName East North Height\nP1 1.5 -2.25 0.125\n7 4 5 6\n",
                     0},
         ForeignText{"HeaderInAComment", "a.txt", "// id y x z\nP1 -2.25 1.5 0.125\n7 5 4 6\n", 0},
-        ForeignText{"ByteOrderMarkAndCrLf", "a.csv",
-                    "\xEF\xBB\xBFPoint,Easting,Northing,Elev\r\nP1,1.5,-2.25,0.125\r\n7,4,5,6\r\n",
-                    0},
-        ForeignText{"QuotedDecimalCommas", "a.csv",
-                    "Name,X,Y,Z\n\"P1\",\"1,5\",\"-2,25\",\"0,125\"\n7,4,5,6\n", 0},
         ForeignText{"FooterAndRowsWithoutHeight", "a.csv",
                     "Name;X;Y;Z\nP1;1,5;-2,25;0,125\nB;1,5;2;\n7;4;5;6\nEnde\n", 0},
-        ForeignText{"WithoutHeaderWithCode", "a.txt", "P1;1,5;-2,25;0,125;T\n7;4;5;6;T\n", 0},
-        ForeignText{"WithoutHeaderDecimalCommas", "a.txt", "P1 1,5 -2,25 0,125\n7 4 5 6\n", 0}),
+        ForeignText{"WithoutHeaderWithCode", "a.txt", "P1;1,5;-2,25;0,125;T\n7;4;5;6;T\n", 0}),
     [](const auto& param) { return param.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -141,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
             1e-3}),
     [](const auto& param) { return param.param.name; });
 
-TEST(ForeignSurvey, TellsWhatItUnderstoodOfATable) {
+TEST(ForeignSurvey, SaysHowATableWasUnderstood) {
     const ForeignSurvey survey = read_foreign_survey(
         "Messung\nPkt-Nr;Rechtswert;Hochwert;H\xF6he;Code\nA;1,5;2;3;T\nB;1;;3;T\nEnde\n", "a.csv");
     EXPECT_EQ(survey.format, "text table");
@@ -156,20 +145,19 @@ TEST(ForeignSurvey, TellsWhatItUnderstoodOfATable) {
     EXPECT_TRUE(survey.guesses.empty());
 }
 
-TEST(ForeignSurvey, TellsThatItGuessesColumns) {
+TEST(ForeignSurvey, SaysThatItGuessesColumns) {
     const ForeignSurvey survey =
         read_foreign_survey("1 1.5 2.5 3.5 9.5\n2 1.5 2.5 3.5 9.5\n", "a.txt");
     EXPECT_EQ(survey.points[0].id, "1");
     ASSERT_EQ(survey.guesses.size(), 1U);
-    EXPECT_EQ(survey.guesses[0],
-              "no header was understood: columns taken as id, x, y, z, - (--columns)");
+    EXPECT_EQ(survey.guesses[0], "no header was understood: columns taken as id, x, y, z, -");
 }
 
-TEST(ForeignSurvey, TakesWhatIsToldBeforeWhatItFinds) {
-    const SurveyFileOptions told{
+TEST(ForeignSurvey, TakesTheOptionsBeforeWhatItFinds) {
+    const SurveyFileOptions options{
         .columns = parse_survey_columns("-,y,x,z,sx,sy,sz"), .separator = ';', .decimal = ','};
     const ForeignSurvey survey =
-        read_foreign_survey("Name;X;Y;Z;a;b;c\nA;1,5;2;3;1;2;3\n", "a.csv", told);
+        read_foreign_survey("Name;X;Y;Z;a;b;c\nA;1,5;2;3;1;2;3\n", "a.csv", options);
     EXPECT_EQ(survey.points[0].id, "");
     EXPECT_EQ(survey.points[0].position, Eigen::Vector3d(2, 1.5, 3));
     EXPECT_EQ(*survey.points[0].noise_std, Eigen::Vector3d(1, 2, 3));
@@ -199,8 +187,8 @@ TEST(ForeignSurvey, ReadsXyzWithoutNamesAndLeavesOutColours) {
 }
 
 TEST(ForeignSurvey, ReadsAnglesAndDistancesOfGsiFromEveryStation) {
-    // Words of a station begin a new one, though no reading was made from the first; heights of the
-    // prism hold for their line, or from a line without readings on.
+    // Words of a station begin a new one, though no observation was made from the first; heights of
+    // the prism hold for their line, or from a line without observations on.
     const std::string text =
         "110001+00000901 84...0+00000000 85...0+00000000 86...0+00000000 88...0+00001600\n"
         "110002+00000902 84...0+00001000 85...0+00002000 86...0+00000500 88...0+00001600\n"
@@ -213,12 +201,12 @@ TEST(ForeignSurvey, ReadsAnglesAndDistancesOfGsiFromEveryStation) {
         "110009+00000004 21.322+10000000 22.322+09000000\n";
     const ForeignSurvey found = read_foreign_survey(text, "a.gsi");
     EXPECT_TRUE(found.points.empty());
-    const PolarSurvey& survey = found.readings;
+    const PolarSurvey& survey = found.polar;
     ASSERT_EQ(survey.stations.size(), 2U);
     EXPECT_EQ(survey.stations[0].name, "902");
     EXPECT_EQ(survey.stations[0].line, 2);
     EXPECT_EQ(survey.stations[1].name, "903");
-    ASSERT_EQ(survey.readings.size(), 4U);
+    ASSERT_EQ(survey.observations.size(), 4U);
     const std::array<int, 4> stations{0, 0, 1, 1};
     // The second face reads 310 gon for 90; minutes and seconds 90 deg 0 min 30.0 s; 1600 mil.
     const std::array<double, 4> directions{100 * gon, 100 * gon, 90 * degree,
@@ -227,18 +215,18 @@ TEST(ForeignSurvey, ReadsAnglesAndDistancesOfGsiFromEveryStation) {
     const std::array<double, 4> distances{12.345, 12.3456, 12.345, 3.048};
     const std::array<double, 4> heights{0.0, 0.1, 0.2, 0.2};
     for (size_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(survey.readings[i].station, stations[i]) << i;
-        EXPECT_NEAR(survey.readings[i].direction, directions[i], 1e-12) << i;
-        EXPECT_NEAR(survey.readings[i].zenith, zeniths[i], 1e-12) << i;
-        EXPECT_NEAR(survey.readings[i].distance, distances[i], 1e-12) << i;
-        EXPECT_EQ(survey.readings[i].target_height, heights[i]) << i;
+        EXPECT_EQ(survey.observations[i].station, stations[i]) << i;
+        EXPECT_NEAR(survey.observations[i].direction, directions[i], 1e-12) << i;
+        EXPECT_NEAR(survey.observations[i].zenith, zeniths[i], 1e-12) << i;
+        EXPECT_NEAR(survey.observations[i].distance, distances[i], 1e-12) << i;
+        EXPECT_EQ(survey.observations[i].target_height, heights[i]) << i;
     }
-    EXPECT_EQ(survey.readings[3].line, 8);
+    EXPECT_EQ(survey.observations[3].line, 8);
     ASSERT_EQ(found.left_out.size(), 1U);
     EXPECT_EQ(found.left_out[0].line, 9);
 }
 
-TEST(ForeignSurvey, TakesStationsOfGsiThatEveryLineTells) {
+TEST(ForeignSurvey, TakesStationsOfGsiThatEveryLineRepeats) {
     const auto line = [](int target, const char* east) {
         return fmt::format(
             "11{:04}+{:08} 21.322+10000000 22.322+09000000 31...0+00012345 "
@@ -247,23 +235,24 @@ TEST(ForeignSurvey, TakesStationsOfGsiThatEveryLineTells) {
     };
     const ForeignSurvey found = read_foreign_survey(
         line(1, "00001000") + line(2, "00001000") + line(1, "00002000"), "a.gsi");
-    ASSERT_EQ(found.readings.stations.size(), 2U);
-    EXPECT_EQ(found.readings.readings[1].station, 0);
-    EXPECT_EQ(found.readings.readings[2].station, 1);
+    ASSERT_EQ(found.polar.stations.size(), 2U);
+    EXPECT_EQ(found.polar.observations[1].station, 0);
+    EXPECT_EQ(found.polar.observations[2].station, 1);
 }
 
-TEST(ForeignSurvey, TakesReadingsBesideCoordinatesWhereTheyAreAskedFor) {
+TEST(ForeignSurvey, TakesObservationsBesideCoordinatesWhereTheyAreAskedFor) {
     const std::string text =
         "110001+00000001 21.322+10000000 22.322+09000000 31...0+00012345 81...0+00001000 "
         "82...0+00002000 83...0+00003000\n";
     EXPECT_EQ(read_foreign_survey(text, "a.gsi").points.size(), 1U);
-    const ForeignSurvey readings = read_foreign_survey(text, "a.gsi", {.takes_readings = true});
-    EXPECT_TRUE(readings.points.empty());
-    EXPECT_EQ(readings.readings.readings.size(), 1U);
+    const ForeignSurvey observed = read_foreign_survey(text, "a.gsi", {.takes_observations = true});
+    EXPECT_TRUE(observed.points.empty());
+    EXPECT_EQ(observed.polar.observations.size(), 1U);
     EXPECT_THAT(input_error_of([] {
-                    return read_foreign_survey("A;1.5;2;3\n", "a.csv", {.takes_readings = true});
+                    return read_foreign_survey("A;1.5;2;3\n", "a.csv",
+                                               {.takes_observations = true});
                 }),
-                HasSubstr("a.csv: holds no readings of angles and distances"));
+                HasSubstr("a.csv: holds no observations of angles and distances"));
 }
 
 TEST(ForeignSurvey, TakesTheCovarianceOfEachPointOfGamaFromItsBand) {
@@ -274,7 +263,7 @@ TEST(ForeignSurvey, TakesTheCovarianceOfEachPointOfGamaFromItsBand) {
                "</adjusted>" +
                matrix + "</coordinates></gama-local-adjustment>";
     };
-    // Rows of the upper band of two: 7 uncertain, the fourth of the point with a height only.
+    // Rows of the upper band of two: 7 unknowns, the fourth of the point with a height only.
     const std::string matrix =
         "<cov-mat><dim>7</dim><band>1</band><flt>4</flt><flt>6</flt><flt>16</flt><flt>9</flt>"
         "<flt>25</flt><flt>9</flt><flt>9</flt><flt>9</flt><flt>36</flt><flt>9</flt><flt>49</flt>"
@@ -347,24 +336,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"Empty", "", "a.csv: holds no point"},
         BadText{"ShortLine", "Name;X;Y;Z\nA;1;2;3\nB;1;2\n",
                 "a.csv:3: has 3 fields, expected id, x, y, z: is the file whole?"},
-        BadText{"NotANumber", "Name;X;Y;Z\nA;1;2;3\nB;1;2;3m\n",
-                "a.csv:3: z is '3m', expected a finite number"},
         BadText{"Nan", "Name;X;Y;Z\nA;1;2;nan\n", "a.csv:2: z is 'nan', expected a finite number"},
-        BadText{"TooLarge", "Name;X;Y;Z\nA;1;2;1e999\n",
-                "a.csv:2: z is '1e999', expected a finite"},
         BadText{"EndlessLines", std::string(4'000'001, '\n'), "a.csv: has more than 4000000 lines"},
         BadText{"DecimalSignsMixed", "Name;X;Y;Z\nA;1,5;2;3\nB;1.5;2;3\n",
                 "a.csv:3: x is '1.5', expected a decimal comma as in line 2"},
         BadText{"DecimalCommasBetweenCommas", "Name,X,Y,Z\nA,1,5,2,5,3,5\n",
                 "a.csv:2: has 7 fields, expected 4: id, x, y, z (decimal commas between commas"},
         BadText{"MixedUnits", "Name;X [m];Y [m];Z [mm]\nA;1;2;3\n",
-                "a.csv:1: tells two units of coordinates, expected one for all"},
+                "a.csv:1: gives two units of coordinates, expected one for all"},
         BadText{"NoHeight", "Name;X;Y;Code\nA;1;2;3\n", "a.csv:1: names no column for z"},
         BadText{"TwoEasts", "Name;X;East;Y;Z\nA;1;2;3;4\n", "a.csv:1: names a coordinate twice"},
-        BadText{"NegativeStd", "Name;X;Y;Z;sx;sy;sz\nA;1;2;3;1;-1;1\n", "a.csv:2: sy is '-1'"},
-        BadText{"FourNumbers", "1,5;2,5;3,5;4,5\n", "a.csv:1: has four numbers"},
-        BadText{"PolarWithoutDistance", "110001+00000001 21.322+12345678 22.322+12345678\n",
-                "a.gsi: holds no point with three coordinates"},
         BadText{"PolarUnit", "110001+00000001 21.320+12345678 22.322+12345678 31...0+00012345\n",
                 "a.gsi:1: word 21 has the unit '0', expected one of angles: 2, 3, 4, 5"},
         BadText{"PolarBeyondACircle",
@@ -381,22 +362,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "a.jxl: holds 1 points and no coordinates of any"},
         BadText{"XmlCut", landxml_head + "<CgPoints><CgPoint name=\"A\">1 2 3</CgPo",
                 "a.xml:2: is no XML"},
-        BadText{"XmlNumber", landxml_head + "<CgPoint name=\"A\">1 2 nan</CgPoint></LandXML>",
-                "a.xml:2: elevation is 'nan', expected a finite number"},
-        BadText{"OtherXml", "<kml><Point/></kml>", "a.xml: is XML of the element 'kml'"},
         BadText{"GamaInput", "<gama-local/>", "a.xml: is the input of GNU Gama"},
         BadText{"DxfCut", "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n1\n",
                 "a.dxf:8: ends before the pair 0, EOF"},
-        BadText{"DxfWithoutPoints", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n",
-                "a.dxf: holds no POINT"},
         BadText{"DxfCode", "0\nSECTION\nx\nENTITIES\n", "a.dxf:3: is 'x', expected the number"},
-        BadText{"PtsCount", "3\n1 2 3\n4 5 6\n", "a.pts: holds 2 points, expected 3"},
         BadText{"Spreadsheet", "PK\x03\x04xl/worksheets", "a.xlsx: is a ZIP archive"},
         BadText{"Json", "{\"format\": \"taut-net\"}", "a.json: is JSON, expected a survey"},
         BadText{
             "OtherFormatUnderAName", landxml_head + "</LandXML>",
-            "a.gsi: is a LandXML file, expected a Leica GSI file by the end of its name: --format "
-            "landxml"},
+            "a.gsi: is a LandXML file, expected a Leica GSI file by the end of its name: give the "
+            "format landxml"},
         BadText{"ZeroByte", std::string("Name;X;Y;Z\nA;1;2;3\0\n", 20),
                 "a.csv:2: holds a zero byte"}),
     [](const auto& param) { return param.param.name; });

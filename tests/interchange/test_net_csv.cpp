@@ -39,7 +39,7 @@ TEST(ParseNetCsv, ReadsColumnsByPlaceAndByName) {
     EXPECT_EQ(net.edges[0].numbers.at("f"), 20.0);
 }
 
-TEST(ParseNetCsv, AddsDisplacementsAndTellsSo) {
+TEST(ParseNetCsv, AddsDisplacementsAndSaysSo) {
     const ImportedStructure net = csv_net(node_table, edge_table);
     EXPECT_EQ(net.nodes[1].position, Eigen::Vector3d(1.25, 0, -0.5));
     EXPECT_THAT(net.notes, testing::ElementsAre(testing::HasSubstr("displacements")));

@@ -17,14 +17,10 @@
 #include "taut/interchange/net_csv.hpp"
 #include "taut/interchange/obj.hpp"
 #include "taut/interchange/surface_mesh.hpp"
-#include "taut/io/adjustment_csv.hpp"
 #include "taut/io/forces_csv.hpp"
-#include "taut/io/lengths_csv.hpp"
 #include "taut/io/polar_csv.hpp"
 #include "taut/io/survey_csv.hpp"
 #include "taut/io/target_list.hpp"
-#include "taut/io/target_offsets_csv.hpp"
-#include "taut/io/turned_csv.hpp"
 
 namespace taut {
 namespace {
@@ -78,28 +74,10 @@ INSTANTIATE_TEST_SUITE_P(
               }},
         Table{"Polar", "station,target,hz [gon],v [gon],distance [m]\nS,A,1,99,2.5\nS,B,1,99,2.5\n",
               [](const std::string& text) { (void)parse_polar_csv(text, file_name, {}); }},
-        Table{"Lengths", "edge,nominal,length_deviation\naB,1.45,0.001\nab,0.97,0\nbC,0.99,0.012\n",
-              [](const std::string& text) {
-                  (void)parse_lengths(test::two_node_net(), text, file_name);
-              }},
         Table{"Forces", "edge,tension\naB,1000\nab,20000\n",
               [](const std::string& text) {
                   (void)parse_force_measurements(test::two_node_net(), text, file_name, {});
               }},
-        Table{"EdgeList", "aB\nab\n",
-              [](const std::string& text) {
-                  (void)parse_edge_list(test::two_node_net(), text, file_name);
-              }},
-        Table{"Turned", "edge,stroke\naA,0.01\nbD,0.012\n",
-              [](const std::string& text) {
-                  (void)parse_turned(test::two_node_net(), text, file_name);
-              }},
-        Table{"Loads", "id,x,y,z\na,1,2,3\nb,1,2,33\n",
-              [](const std::string& text) {
-                  (void)parse_loads(test::two_node_net(), text, file_name);
-              }},
-        Table{"Offsets", "target,offset\nA,3mm\nB,33mm\n",
-              [](const std::string& text) { (void)parse_target_offsets(text, file_name); }},
         Table{"Targets", "12\n345\n",
               [](const std::string& text) { (void)parse_target_list(text, file_name); }},
         Table{"CsvNet", "id,x,y,z,is_free\n0,0,0,0,0\n1,1,0,0,1\n2,2,0,0,0\n",

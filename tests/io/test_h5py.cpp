@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -84,7 +85,7 @@ TEST(H5py, FindsEveryNumberOfADataSet) {
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-data-set", 1, 6, net);
+    expect_attributes(*found, "taut-data-set", 2, 6, net);
     expect_numbers(*found, "nominal_form", data.nominal_form, "m");
     expect_numbers(*found, "form_deviation", data.form_deviations, "m");
     expect_numbers(*found, "length_deviation", data.length_deviations, "m");
@@ -113,7 +114,7 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     if (!found) {
         GTEST_SKIP() << "python3-h5py is not installed";
     }
-    expect_attributes(*found, "taut-model", 3, 9, net);
+    expect_attributes(*found, "taut-model", 4, 9, net);
     EXPECT_EQ((*found)["attributes"]["mean_function"], "zero");
     EXPECT_EQ((*found)["attributes"]["kernel_metric"], "isotropic");
     expect_numbers(*found, "input_scales", model.input_scales, "1");
@@ -121,40 +122,32 @@ TEST(H5py, FindsEveryNumberOfAModel) {
     expect_numbers(*found, "nominal_form", model.nominal_form, "m");
     expect_numbers(*found, "training_inputs", model.processes.inputs, "m");
     expect_numbers(*found, "weights", model.processes.weights, "m");
-    const auto column = [&model](auto of) {
-        Eigen::VectorXd values(static_cast<Eigen::Index>(model.processes.processes.size()));
-        for (Eigen::Index j = 0; j < values.size(); ++j) {
-            values(j) = of(model.processes.processes[j]);
-        }
-        return values;
+    const auto column = [&](const std::string& name, const std::string& units, auto of) {
+        Eigen::VectorXd values(std::ssize(model.processes.processes));
+        std::ranges::transform(model.processes.processes, values.begin(), of);
+        expect_numbers(*found, name, values, units);
     };
-    expect_numbers(*found, "inverse_length_scale",
-                   column([](const auto& p) { return p.hyperparameters.inverse_length_scale; }),
-                   "1/m");
-    expect_numbers(*found, "signal_std",
-                   column([](const auto& p) { return p.hyperparameters.signal_std; }), "m");
-    expect_numbers(*found, "noise_std",
-                   column([](const auto& p) { return p.hyperparameters.noise_std; }), "m");
-    expect_numbers(*found, "negative_log_likelihood",
-                   column([](const auto& p) { return p.negative_log_likelihood; }), "1");
-    expect_numbers(*found, "leave_one_out_rmse",
-                   column([](const auto& p) { return p.leave_one_out_rmse; }), "m");
-    expect_numbers(*found, "approximation_error",
-                   column([](const auto& p) { return p.approximation_error; }), "m");
+    using gp::Process;
+    column("inverse_length_scale", "1/m",
+           [](const Process& p) { return p.hyperparameters.inverse_length_scale; });
+    column("signal_std", "m", [](const Process& p) { return p.hyperparameters.signal_std; });
+    column("noise_std", "m", [](const Process& p) { return p.hyperparameters.noise_std; });
+    column("negative_log_likelihood", "1", &Process::negative_log_likelihood);
+    column("leave_one_out_rmse", "m", &Process::leave_one_out_rmse);
+    column("approximation_error", "m", &Process::approximation_error);
     expect_numbers(*found, "form_prior/mean", model.form_prior.mean, "m");
     expect_numbers(*found, "form_prior/variances", model.form_prior.variances, "m2");
     expect_numbers(*found, "form_prior/directions", model.form_prior.directions.transpose(), "1");
     for (size_t k = 0; k < model.processes.spectra.size(); ++k) {
         const std::string group = fmt::format("spectra/{}", k);
         const gp::KernelSpectrum& spectrum = model.processes.spectra[k];
+        const auto number = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };
         expect_numbers(*found, group + "/inverse_length_scale",
-                       Eigen::MatrixXd::Constant(1, 1, spectrum.inverse_length_scale), "1/m");
+                       number(spectrum.inverse_length_scale), "1/m");
         expect_numbers(*found, group + "/eigenvalues", spectrum.eigenvalues, "1");
         expect_numbers(*found, group + "/eigenvectors", spectrum.eigenvectors, "1");
-        expect_numbers(*found, group + "/tail_mean",
-                       Eigen::MatrixXd::Constant(1, 1, spectrum.tail_mean), "1");
-        expect_numbers(*found, group + "/tail_largest",
-                       Eigen::MatrixXd::Constant(1, 1, spectrum.tail_largest), "1");
+        expect_numbers(*found, group + "/tail_mean", number(spectrum.tail_mean), "1");
+        expect_numbers(*found, group + "/tail_largest", number(spectrum.tail_largest), "1");
     }
     const json& datasets = (*found)["datasets"];
     EXPECT_EQ(datasets["training_inputs"]["shape"], json({30, 18}));

@@ -40,21 +40,15 @@ INSTANTIATE_TEST_SUITE_P(
     Written, GoodSurvey,
     testing::Values(
         GoodText{"WithCommas", "A,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
-        GoodText{"WithSemicolons", "A;1.5;-2.25;3e-3\nB 2;4;5;.125\n"},
         GoodText{"WithBlanks", "A 1.5 -2.25 3e-3\n\"B 2\" 4 5 .125\n"},
         GoodText{"WithTabsAndRunsOfBlanks", " A\t1.5   -2.25 \t3e-3 \n\"B 2\"\t4\t5\t.125\t\n"},
         GoodText{"WithBlanksAroundCommas", "A , 1.5,\t-2.25 , 3e-3 \n \"B 2\" , 4, 5, .125\n"},
-        GoodText{"WithHeader", "id,x,y,z\nA,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
         GoodText{"WithUpperCaseHeader", "ID;X;Y;Z\nA;1.5;-2.25;3e-3\nB 2;4;5;.125\n"},
         GoodText{"WithStandardDeviations",
                  "id,x,y,z,sx,sy,sz\nA,1.5,-2.25,3e-3,0,0.001,1\nB 2,4,5,.125,0,0,0\n"},
-        GoodText{"WithStandardDeviationsWithoutHeader",
-                 "A,1.5,-2.25,3e-3,0,0.001,1\nB 2,4,5,.125,0,0,0\n"},
         GoodText{"WithCommentsAndEmptyLines",
                  "# total station, 2026; x,y,z\n\nid,x,y,z\n  # more\nA,1.5,-2.25,3e-3\n \t\n"
                  "B 2,4,5,.125\n#end\n"},
-        GoodText{"WithCrLf", "id,x,y,z\r\nA,1.5,-2.25,3e-3\r\n\r\nB 2,4,5,.125\r\n"},
-        GoodText{"EndingInCr", "A,1.5,-2.25,3e-3\r\nB 2,4,5,.125\r"},
         GoodText{"WithByteOrderMark", "\xEF\xBB\xBFid,x,y,z\nA,1.5,-2.25,3e-3\nB 2,4,5,.125\n"},
         GoodText{
             "AllInQuotes",
@@ -81,12 +75,6 @@ TEST(SurveyCsv, TellsTheLineThatAPointStandsOn) {
     EXPECT_EQ(points[1].line, 6);
 }
 
-TEST(SurveyCsv, ReadsAFile) {
-    const test::ScratchDirectory scratch;
-    test::put_bytes(scratch / "survey.csv", "A,1,2,3\n");
-    EXPECT_EQ(read_survey_points(scratch / "survey.csv").size(), 1U);
-}
-
 TEST(SurveyCsv, TakesLinesWithoutIdsAndEmptyIdsForTargetsWithoutNames) {
     for (const char* text :
          {"x,y,z\n1,2,3\n4,5,6\n", "1 2 3\n4 5 6\n", "id,x,y,z\n,1,2,3\n\"\",4,5,6\n"}) {
@@ -98,17 +86,10 @@ TEST(SurveyCsv, TakesLinesWithoutIdsAndEmptyIdsForTargetsWithoutNames) {
     }
 }
 
-TEST(SurveyCsv, ReadsTheStandardDeviationsOfNamedAndUnnamedTargets) {
-    for (const char* text : {"A,1,2,3,0.1,0.2,0.3\n", "x;y;z;sx;sy;sz\n1;2;3;0.1;0.2;0.3\n"}) {
-        const auto points = parse_survey_points(text, "survey.csv");
-        ASSERT_EQ(points.size(), 1U) << text;
-        ASSERT_TRUE(points[0].noise_std.has_value());
-        EXPECT_EQ(*points[0].noise_std, Eigen::Vector3d(0.1, 0.2, 0.3));
-    }
+TEST(SurveyCsv, ReadsStandardDeviationsAndCorrelations) {
     EXPECT_FALSE(parse_survey_points("A,1,2,3\n", "survey.csv")[0].noise_std.has_value());
-}
-
-TEST(SurveyCsv, ReadsTheCorrelationsBehindThem) {
+    const auto points = parse_survey_points("A,1,2,3,0.1,0.2,0.3\n", "survey.csv");
+    EXPECT_EQ(points[0].noise_std, Eigen::Vector3d(0.1, 0.2, 0.3));
     for (const char* text : {"A,1,2,3,0.1,0.2,0.3,0.5,-0.25,0\n",
                              "id,x,y,z,sx,sy,sz,rxy,rxz,ryz\nA,1,2,3,0.1,0.2,0.3,0.5,-0.25,0\n",
                              "x;y;z;sx;sy;sz;rxy;rxz;ryz\n1;2;3;0.1;0.2;0.3;0.5;-0.25;0\n"}) {
@@ -137,16 +118,6 @@ TEST(SurveyCsv, WritesWhatItReadsBackToTheLastBit) {
     }
 }
 
-TEST(SurveyCsv, WritesNoStandardDeviationsOfAPointThatHasNone) {
-    const std::vector<SurveyPoint> points{
-        {.id = "A", .position = {1, 2, 3}, .noise_std = Eigen::Vector3d(0.1, 0.2, 0.3)},
-        {.id = "B", .position = {4, 5, 6}}};
-    const auto read = parse_survey_points(survey_to_csv(points), "survey.csv");
-    ASSERT_EQ(read.size(), points.size());
-    EXPECT_EQ(read[0].noise_std, points[0].noise_std);
-    EXPECT_FALSE(read[1].noise_std.has_value());
-}
-
 TEST(SurveyCsv, ReadsPtsWithIntensityAndColour) {
     const test::ScratchDirectory scratch;
     test::put_bytes(scratch / "scan.PTS", "2\r\n1.5 2 3 -1200 12 13 14\r\n4 5 6\r\n");
@@ -169,6 +140,14 @@ TEST(SurveyCsv, RefusesAPtsFileThatIsNotWhole) {
     EXPECT_EQ(message("1\n1 2 nan\n"), "scan.pts:2: z is 'nan', expected a finite number");
 }
 
+TEST(SurveyCsv, RefusesWhatIsNoFiniteNumber) {
+    for (const std::string number : {"two", "1m", "", "0x10", "+-1", "nan", "-inf", "1e999"}) {
+        EXPECT_EQ(input_error_of(
+                      [&] { return parse_survey_points("A,1," + number + ",3\n", "survey.csv"); }),
+                  "survey.csv:1: y is '" + number + "', expected a finite number");
+    }
+}
+
 class BadSurvey : public testing::TestWithParam<BadText> {};
 
 TEST_P(BadSurvey, IsRefusedWithItsLine) {
@@ -186,36 +165,14 @@ constexpr const char* wrong_count =
 INSTANTIATE_TEST_SUITE_P(
     Text, BadSurvey,
     testing::Values(
-        BadText{"Empty", "", no_point}, BadText{"CommentsOnly", "# nothing\n\n", no_point},
         BadText{"HeaderOnly", "id,x,y,z\n", no_point},
-        BadText{"ByteOrderMarkOnly", "\xEF\xBB\xBF", no_point},
         BadText{"HeaderInOtherOrder", "id,x,z,y\nA,1,2,3\n", no_header},
-        BadText{"HeaderOfOtherNames", "point,x,y,z\nA,1,2,3\n", no_header},
         BadText{"SecondHeader", "id,x,y,z\nid,x,y,z\n", ":2: x is 'x', expected a finite number"},
-        BadText{"FewFields", "A,1\n", std::string(":1: has 2") + wrong_count},
-        BadText{"NameInThreeFields", "A,1,2\n", ":1: x is 'A', expected a finite number"},
-        BadText{"ManyFields", "A,1,2,3,4\n", std::string(":1: has 5") + wrong_count},
         BadText{"TrailingSeparator", "A,1,2,3,\n", std::string(":1: has 5") + wrong_count},
         BadText{"FewerFieldsLater", "A,1,2,3\nB,1,2\n",
                 ":2: has 3 fields, expected 4 as in the lines before"},
-        BadText{"StandardDeviationsLater", "A,1,2,3\nB,1,2,3,0,0,0\n",
-                ":2: has 7 fields, expected 4 as in the lines before (with a decimal point, not a "
-                "comma)"},
-        BadText{"OtherSeparatorLater", "A,1,2,3\nB;1;2;3\n",
-                ":2: has 1 fields, expected 4 as in the lines before"},
-        BadText{"NoNumber", "A,1,two,3\n", ":1: y is 'two', expected a finite number"},
-        BadText{"NumberWithUnit", "A,1m,2,3\n", ":1: x is '1m', expected a finite number"},
-        BadText{"EmptyNumber", "A,1,,3\n", ":1: y is '', expected a finite number"},
-        BadText{"HexNumber", "A,0x10,2,3\n", ":1: x is '0x10', expected a finite number"},
-        BadText{"TwoSigns", "A,+-1,2,3\n", ":1: x is '+-1', expected a finite number"},
-        BadText{"Nan", "A,1,2,nan\n", ":1: z is 'nan', expected a finite number"},
-        BadText{"Infinite", "A,-inf,2,3\n", ":1: x is '-inf', expected a finite number"},
-        BadText{"TooLarge", "A,1e999,2,3\n", ":1: x is '1e999', expected a finite number"},
         BadText{"NegativeStd", "A,1,2,3,0,-0.1,0\n",
                 ":1: sy is '-0.1', expected a standard deviation of at least 0"},
-        BadText{"StdNoNumber", "A,1,2,3,0,0,?\n", ":1: sz is '?', expected a finite number"},
-        BadText{"CorrelationNoNumber", "A,1,2,3,1,1,1,0,0,?\n",
-                ":1: ryz is '?', expected a finite number"},
         BadText{"ImpossibleCorrelations", "A,1,2,3,1,1,1,0,0,0\nB,1,2,3,1,1,1,.9,.9,-.9\n",
                 ":2: rxy, rxz, ryz are .9, .9, -.9, expected correlations that three coordinates "
                 "can have: their matrix is not positive definite"},
@@ -223,8 +180,6 @@ INSTANTIATE_TEST_SUITE_P(
                 ":1: x is '1,5', expected a number with a decimal point, not a comma"},
         BadText{"DecimalCommaWithBlanks", "A 1,5 2 3\n",
                 ":1: x is '1,5', expected a number with a decimal point, not a comma"},
-        BadText{"DecimalCommaWithBlanksAndHeader", "id x y z\nA 1,5 2,5 -3,5\n",
-                ":2: x is '1,5', expected a number with a decimal point, not a comma"},
         BadText{"DecimalCommaWithCommas", "id,x,y,z\nA,1,5,2,5,3,5\n",
                 ":2: has 7 fields, expected 4 as in the lines before (with a decimal point, not a "
                 "comma)"},
@@ -232,43 +187,9 @@ INSTANTIATE_TEST_SUITE_P(
                 ":2: opens a quote that is never closed"},
         BadText{"TextBehindQuote", "\"A\"b,1,2,3\n",
                 ":1: has text behind a closing quote, expected a separator"},
-        BadText{"TextBehindQuoteAndBlank", "\"A\" 91,2,3\n",
-                ":1: has text behind a closing quote, expected a separator"},
-        BadText{"NumberBehindQuotedNumber", "A,\"4\" 7,2,3\n",
-                ":1: has text behind a closing quote, expected a separator"},
         BadText{"ZeroByte", std::string("A,1,2,3\nB,1,2,\0", 15),
-                ":2: holds a zero byte, expected text"},
-        BadText{"Utf16",
-                std::string("\xFF\xFE"
-                            "A\0,\0",
-                            6),
-                ":1: holds a zero byte, expected text"},
-        BadText{"Json", "{\"format\": \"taut-net\",\n", std::string(":1: has 2") + wrong_count}),
+                ":2: holds a zero byte, expected text"}),
     [](const auto& param) { return param.param.name; });
-
-TEST(SurveyCsv, OfAFileCutShortGivesTheFirstPointsOrAnErrorAndNothingElse) {
-    const std::string text =
-        "\xEF\xBB\xBF# survey\r\nid;x;y;z;sx;sy;sz\r\n\"A;1\";1.25;-2e-3;3;0;0;0.5\r\n"
-        "B;1;2;3;0;0;0\r\n\"C\"\"\";1;2;3;0;0;0\r\n";
-    const auto whole = parse_survey_points(text, "survey.csv");
-    ASSERT_EQ(whole.size(), 3U);
-    int refused = 0;
-    for (size_t length = 0; length < text.size(); ++length) {
-        try {
-            const auto points =
-                parse_survey_points(std::string_view(text).substr(0, length), "survey.csv");
-            ASSERT_LE(points.size(), 3U);
-            for (size_t i = 0; i < points.size(); ++i) {
-                ASSERT_EQ(points[i].id, whole[i].id) << "cut after " << length;
-                ASSERT_EQ(points[i].position, whole[i].position) << "cut after " << length;
-                ASSERT_EQ(points[i].noise_std, whole[i].noise_std) << "cut after " << length;
-            }
-        } catch (const InputError&) {
-            ++refused;
-        }
-    }
-    EXPECT_GT(refused, 50);
-}
 
 TEST(SurveyCsv, OfDamagedOrRandomBytesGivesPointsOrAnErrorAndNothingElse) {
     const std::string text = "id,x,y,z\n\"A,1\",1.25,-2e-3,3\nB,1,2,3\n\"C\"\"\",1,2,3\n";

@@ -13,7 +13,6 @@ namespace taut {
 namespace {
 
 using test::input_error_of;
-using testing::HasSubstr;
 
 TEST(TargetOffsetsCsv, AreReadWithTheirUnits) {
     const auto offsets =
@@ -29,14 +28,11 @@ TEST(TargetOffsetsCsv, RefuseWhatTheyCannotMean) {
     const auto refusal = [](const char* text) {
         return input_error_of([&] { return parse_target_offsets(text, "o.csv"); });
     };
-    EXPECT_EQ(refusal("a\n"), "o.csv:1: has 1 fields, expected target,offset[,std]");
     EXPECT_EQ(refusal("a,3 horses\n"), "o.csv:1: offset is '3 horses', expected a length as 3mm");
     EXPECT_EQ(refusal("a,3mm,-1mm\n"),
               "o.csv:1: the offset is 0.003 +- -0.001 m, expected at most 0.5 m, and a standard "
               "deviation from 0 to 0.5 m: a number without unit is in metres");
-    EXPECT_THAT(refusal("a,1e3\n"), testing::HasSubstr("expected at most 0.5 m"));
-    EXPECT_EQ(refusal("a,3mm\na,4mm\n"), "o.csv:2: tells the offset of 'a' a second time");
-    EXPECT_THAT(refusal("target,offset\n"), HasSubstr("holds no offset"));
+    EXPECT_EQ(refusal("a,3mm\na,4mm\n"), "o.csv:2: gives the offset of 'a' a second time");
 }
 
 }  // namespace

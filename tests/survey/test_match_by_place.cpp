@@ -104,7 +104,7 @@ TEST_F(UnnamedTargets, OfASurveyInAnotherFrameAreRefused) {
         point.position += Eigen::Vector3d(100, 0, 0);
     }
     EXPECT_EQ(matching_refusal(m_net, m_points),
-              "0 of 398 targets without a name lie on a node beyond doubt, expected at least half: "
+              "0 of 398 targets without a name lie clearly on one node, expected at least half: "
               "is the survey of this net, in its frame and in metres?");
 }
 

@@ -54,7 +54,7 @@ TEST(MeasuredScale, IsFoundInAnyFrame) {
     }
 }
 
-TEST(MeasuredScale, TellsAStandardErrorThatItKeeps) {
+TEST(MeasuredScale, HasTheStandardErrorThatItGives) {
     constexpr int surveys = 400;
     double squares = 0.0;
     for (int seed = 0; seed < surveys; ++seed) {
@@ -70,28 +70,25 @@ TEST(MeasuredScale, IsNotThereWhereThePointsDetermineNoFrame) {
     EXPECT_FALSE(measured_scale(control_points(1.5, 0.0)));
 }
 
-TEST(ScaleWarnings, TellOfATwentiethOfAPerCent) {
+TEST(ScaleWarnings, NameATwentiethOfAPerCentAndNoLess) {
     EXPECT_THAT(scale_warnings(control_points(1.0005, 0.5e-3)),
                 ElementsAre(AllOf(HasSubstr("128 supports or control points"),
                                   HasSubstr(" times as far apart"), HasSubstr("map grid"))));
     EXPECT_THAT(scale_warnings(control_points(0.9996, 0.0)),
                 ElementsAre(HasSubstr("measured 0.9996 times as far apart")));
-}
-
-TEST(ScaleWarnings, SayNothingOfAScaleThatANetDoesNotFeel) {
     EXPECT_THAT(scale_warnings(control_points(1.00009, 0.0)), IsEmpty());
 }
 
 TEST(ScaleWarnings, RaiseHardlyAnAlarmWhereTheScaleIsRight) {
-    // Beyond 1e-4 by chance in all of these, with 4 points and 3 mm; significant in one of 1000.
+    // Off by more than 1e-4 in most of these, with 4 points and 3 mm; significant in one of 1000.
     int alarms = 0;
-    int beyond = 0;
+    int off = 0;
     for (unsigned seed = 0; seed < 1000; ++seed) {
         const auto points = control_points(1.0, 3e-3, seed, 4);
         alarms += static_cast<int>(scale_warnings(points).size());
-        beyond += std::abs(measured_scale(points)->scale - 1.0) > 1e-4 ? 1 : 0;
+        off += std::abs(measured_scale(points)->scale - 1.0) > 1e-4 ? 1 : 0;
     }
-    EXPECT_GT(beyond, 800);
+    EXPECT_GT(off, 800);
     EXPECT_LE(alarms, 5);
 }
 

@@ -61,7 +61,7 @@ TEST_F(MisfitHint, NamesTheAxesOfAMirroredSurvey) {
     for (const bool has_names : {true, false}) {
         EXPECT_THAT(misfit_hint(m_net, points(exchanged(), {0, 0, 0}, has_names)),
                     AllOf(HasSubstr("the survey is mirrored: its x and y are exchanged"),
-                          HasSubstr("--columns, as id,y,x,z")));
+                          HasSubstr("in a table by the columns id,y,x,z")));
         EXPECT_THAT(misfit_hint(m_net, points(negated(2), {0, 0, 0}, has_names)),
                     HasSubstr("mirrored: its z has the other sign"));
     }
@@ -75,7 +75,7 @@ TEST_F(MisfitHint, NamesThemInAnyFrame) {
     EXPECT_THAT(misfit_hint(m_net, points(turned() * negated(2), m_far), 1.0, true),
                 HasSubstr("its z has the other sign"));
     EXPECT_THAT(misfit_hint(m_net, points(1e3 * turned() * exchanged(), m_far), 1.0, true),
-                AllOf(HasSubstr("its x and y are exchanged"), HasSubstr("--unit mm tells it")));
+                AllOf(HasSubstr("its x and y are exchanged"), HasSubstr("give the unit mm")));
 }
 
 TEST_F(MisfitHint, NamesTheUnit) {
@@ -87,20 +87,20 @@ TEST_F(MisfitHint, NamesTheUnit) {
     };
     for (const bool has_names : {true, false}) {
         EXPECT_EQ(in(1e-3, 1.0, has_names),
-                  "; its coordinates are in millimetres, not in metres: --unit mm tells it");
+                  "; its coordinates are in millimetres, not in metres: give the unit mm");
         EXPECT_EQ(in(0.3048, 1.0, has_names),
-                  "; its coordinates are in feet, not in metres: --unit ft tells it");
+                  "; its coordinates are in feet, not in metres: give the unit ft");
         EXPECT_EQ(in(0.0254, 1e-3, has_names),
-                  "; its coordinates are in inches, not in millimetres: --unit in tells it");
+                  "; its coordinates are in inches, not in millimetres: give the unit in");
         EXPECT_EQ(in(1.0, 0.3048, has_names),
-                  "; its coordinates are in metres, not in feet: --unit m tells it");
+                  "; its coordinates are in metres, not in feet: give the unit m");
     }
 }
 
 TEST_F(MisfitHint, NamesAScaleThatIsNoUnit) {
     EXPECT_THAT(misfit_hint(m_net, points(1.05 * turned(), m_far), 1.0, true),
                 AllOf(HasSubstr("its points are 1.05 times"), HasSubstr("which no unit explains"),
-                      Not(HasSubstr("--unit"))));
+                      Not(HasSubstr("give the unit"))));
 }
 
 TEST_F(MisfitHint, NamesAnotherFrameWhereNoneIsFitted) {

@@ -24,16 +24,16 @@ TEST(PlannedSurvey, HoldsTheFreeNodesThatItNames) {
 
 TEST(PlannedSurvey, RefusesANameThatIsNoNodesOrComesTwiceWithItsLine) {
     const CableNet net(test::two_node_net_data());
-    for (const auto& [id, told] : {std::pair("c", "'c' is no node of the net 'two nodes'"),
-                                   std::pair("a", "surveys node 'a' a second time"),
-                                   std::pair("", "names no node, expected one")}) {
+    for (const auto& [id, message] : {std::pair("c", "'c' is no node of the net 'two nodes'"),
+                                      std::pair("a", "surveys node 'a' a second time"),
+                                      std::pair("", "names no node, expected one")}) {
         try {
             static_cast<void>(
                 planned_survey(net, {{.id = "a", .line = 3}, {.id = id, .line = 7}}, 0.001));
             ADD_FAILURE() << id << " is not refused";
         } catch (const SurveyError& error) {
             EXPECT_EQ(error.line(), 7);
-            EXPECT_STREQ(error.what(), told);
+            EXPECT_STREQ(error.what(), message);
         }
     }
 }

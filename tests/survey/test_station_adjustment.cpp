@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-// Guards against readings that are turned into other places or covariances than least squares
-// gives: held against SciPy's (tests/data/make_station_reference.py), differences and simulation.
+// Guards against observations that are turned into other places or covariances than least squares
+// gives: compared with SciPy's (tests/data/make_station_reference.py), differences and simulation.
 
 #include "taut/survey/station_adjustment.hpp"
 
@@ -34,14 +34,14 @@ PolarSurvey survey_of(const json& reference) {
         while (std::ssize(survey.stations) <= station) {
             survey.stations.push_back({.name = std::to_string(survey.stations.size())});
         }
-        survey.readings.push_back({.station = station,
-                                   .target = one["target"],
-                                   .direction = one["direction"],
-                                   .zenith = one["zenith"],
-                                   .distance = one["distance"],
-                                   .target_height = one["target_height"],
-                                   .angle_std = one["angle_std"],
-                                   .distance_std = one["distance_std"]});
+        survey.observations.push_back({.station = station,
+                                       .target = one["target"],
+                                       .direction = one["direction"],
+                                       .zenith = one["zenith"],
+                                       .distance = one["distance"],
+                                       .target_height = one["target_height"],
+                                       .angle_std = one["angle_std"],
+                                       .distance_std = one["distance_std"]});
     }
     return survey;
 }
@@ -78,17 +78,17 @@ TEST(StationAdjustment, GivesThePlacesAndCovariancesOfAnIndependentSolver) {
 }
 
 TEST(StationAdjustment, HasTheDerivativesOfItsResiduals) {
-    const PolarObservation reading{.direction = 1.1,
-                                   .zenith = 0.7,
-                                   .distance = 8.0,
-                                   .target_height = 0.1,
-                                   .angle_std = 5e-6,
-                                   .distance_std = 1e-3};
+    const PolarObservation observation{.direction = 1.1,
+                                       .zenith = 0.7,
+                                       .distance = 8.0,
+                                       .target_height = 0.1,
+                                       .angle_std = 5e-6,
+                                       .distance_std = 1e-3};
     Eigen::VectorXd x(7);
     x << 5.0, 1.9, 6.3, 0.4, -0.2, 0.3, 0.25;
     const auto at = [&](const Eigen::VectorXd& u) {
         const StationPose pose{.place = u.segment<3>(3), .orientation = u(6)};
-        return polar_residual(reading, pose, u.head<3>());
+        return polar_residual(observation, pose, u.head<3>());
     };
     const Eigen::MatrixXd expected = test::finite_differences(
         [&](const auto& u) -> Eigen::VectorXd { return at(u).value; }, x, 1e-6);
@@ -99,7 +99,7 @@ TEST(StationAdjustment, HasTheDerivativesOfItsResiduals) {
 
 class SimulatedStations : public testing::Test {
 protected:
-    /// Readings whose noise is that of the precision times a part.
+    /// Observations whose noise is that of the precision times a part.
     [[nodiscard]] PolarSurvey survey(double part, std::uint64_t seed) const {
         PolarSimulation simulation = m_simulation;
         simulation.seed = seed;
@@ -109,25 +109,32 @@ protected:
         return simulate_polar_survey(m_net, m_net.nodes(), simulation);
     }
 
-    /// What the points are off after the best motion, and the places they should have.
-    [[nodiscard]] std::vector<Eigen::Vector3d> errors(const StationAdjustment& found,
-                                                      double yaw_only) const;
+    /// The points beside the nodes of their names, all of the net.
+    [[nodiscard]] Registration fit_of(const StationAdjustment& found) const {
+        std::vector<ControlPoint> pairs;
+        for (const SurveyPoint& point : found.points) {
+            pairs.push_back({.id = point.id,
+                             .known = m_net.nodes().col(std::stoi(point.id)),
+                             .measured = point.position});
+        }
+        EXPECT_EQ(std::ssize(pairs), m_net.node_count());
+        return register_rigidly(pairs);
+    }
 
     const CableNet m_net = hypar(4, 4);
     PolarSimulation m_simulation{
         .stations = {{1.0, -4.0, 0.5}, {6.0, 1.0, -0.3}, {-2.0, 5.0, 1.0}}};
 };
 
-TEST_F(SimulatedStations, WithoutNoiseGiveTheShapeOfTheNet) {
-    const StationAdjustment found = adjust_stations(survey(1e-6, 3));
-    std::vector<ControlPoint> pairs;
-    for (const SurveyPoint& point : found.points) {
-        pairs.push_back({.id = point.id,
-                         .known = m_net.nodes().col(std::stoi(point.id)),
-                         .measured = point.position});
-    }
-    ASSERT_EQ(std::ssize(pairs), m_net.node_count());
-    const Registration fit = register_rigidly(pairs);
+TEST_F(SimulatedStations, WithoutNoiseGiveTheShapeOfTheNetThoughNoneSeesItAll) {
+    PolarSurvey polar = survey(1e-6, 3);
+    const auto seen = [](const PolarObservation& one) {
+        const int target = std::stoi(one.target);
+        return one.station == 0 ? target < 25 : one.station == 1 ? target > 20 : target % 3 == 0;
+    };
+    std::erase_if(polar.observations, [&](const PolarObservation& one) { return !seen(one); });
+    const StationAdjustment found = adjust_stations(polar);
+    const Registration fit = fit_of(found);
     EXPECT_LT(root_mean_square(fit.residuals), 1e-8);
     // Levelled: nothing but a rotation about the vertical is left.
     EXPECT_NEAR(fit.motion.rotation(2, 2), 1.0, 1e-12);
@@ -139,9 +146,9 @@ TEST_F(SimulatedStations, WithoutNoiseGiveTheShapeOfTheNet) {
     }
 }
 
-/// Sum of squared standardised errors, less the motion of all points that makes it smallest.
-double squares_beyond_a_motion(const std::vector<SurveyPoint>& points,
-                               const std::vector<SurveyPoint>& truth) {
+/// Least sum of squared standardised errors over motions of all points.
+double squares_after_a_motion(const std::vector<SurveyPoint>& points,
+                              const std::vector<SurveyPoint>& truth) {
     Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Vector<double, 6> b = Eigen::Vector<double, 6>::Zero();
     double squares = 0.0;
@@ -160,9 +167,9 @@ double squares_beyond_a_motion(const std::vector<SurveyPoint>& points,
     return squares - b.dot(A.llt().solve(b));
 }
 
-// The errors of targets over many surveys have the covariance that each of them tells, but for a
-// motion of all.
-TEST_F(SimulatedStations, TellTheCovarianceThatTheirErrorsHave) {
+// Errors of targets over many surveys have the covariances of the adjustments, but for a common
+// motion.
+TEST_F(SimulatedStations, HaveTheCovarianceOfTheirErrors) {
     m_simulation.stations.resize(2);
     double squares = 0.0;
     double count = 0.0;
@@ -173,75 +180,36 @@ TEST_F(SimulatedStations, TellTheCovarianceThatTheirErrorsHave) {
         // The same seed, next to no noise: the same frame.
         const StationAdjustment exact = adjust_stations(survey(1e-6, seed));
         ratio += found.noise_ratio / surveys;
-        squares += squares_beyond_a_motion(found.points, exact.points);
+        squares += squares_after_a_motion(found.points, exact.points);
         count += 3.0 * static_cast<double>(found.points.size()) - 6.0;
     }
     EXPECT_NEAR(squares / count, 1.0, 0.05);
     EXPECT_NEAR(ratio, 1.0, 0.02);
 }
 
-TEST_F(SimulatedStations, AreAsPreciseAsTheReadingsOfTheOnlyOne) {
+TEST_F(SimulatedStations, AreAsPreciseAsTheObservationsOfTheOnlyOne) {
     m_simulation.stations.resize(1);
-    const PolarSurvey readings = survey(1.0, 5);
-    const StationAdjustment found = adjust_stations(readings);
+    const PolarSurvey polar = survey(1.0, 5);
+    const StationAdjustment found = adjust_stations(polar);
     EXPECT_EQ(found.redundancy, 0);
     EXPECT_EQ(found.noise_ratio, 0.0);
     for (size_t i = 0; i < found.points.size(); ++i) {
-        const PolarObservation& reading = readings.readings[i];
-        EXPECT_NEAR(found.points[i].position.norm(), reading.distance, 1e-12);
+        const PolarObservation& observation = polar.observations[i];
+        EXPECT_NEAR(found.points[i].position.norm(), observation.distance, 1e-12);
         // Along the line of sight, and up.
         const Eigen::Vector3d u = found.points[i].position.normalized();
         const Eigen::Vector3d up = (Eigen::Vector3d::UnitZ() - u.z() * u).normalized();
         const Eigen::Matrix3d covariance = covariance_of_point(found.points[i]);
-        EXPECT_NEAR(std::sqrt(u.dot(covariance * u)), reading.distance_std, 1e-9);
-        EXPECT_NEAR(std::sqrt(up.dot(covariance * up)), reading.distance * reading.angle_std, 1e-9);
+        EXPECT_NEAR(std::sqrt(u.dot(covariance * u)), observation.distance_std, 1e-9);
+        EXPECT_NEAR(std::sqrt(up.dot(covariance * up)),
+                    observation.distance * observation.angle_std, 1e-9);
     }
 }
 
-TEST_F(SimulatedStations, JoinTargetsThatOnlyOneOfThemSees) {
-    PolarSurvey readings = survey(1e-6, 7);
-    const auto seen = [](const PolarObservation& one) {
-        const int target = std::stoi(one.target);
-        return one.station == 0 ? target < 25 : one.station == 1 ? target > 20 : target % 3 == 0;
-    };
-    std::erase_if(readings.readings, [&](const PolarObservation& one) { return !seen(one); });
-    const StationAdjustment found = adjust_stations(readings);
-    std::vector<ControlPoint> pairs;
-    for (const SurveyPoint& point : found.points) {
-        pairs.push_back({.id = point.id,
-                         .known = m_net.nodes().col(std::stoi(point.id)),
-                         .measured = point.position});
-    }
-    ASSERT_EQ(std::ssize(pairs), m_net.node_count());
-    EXPECT_LT(root_mean_square(register_rigidly(pairs).residuals), 1e-8);
-}
-
-TEST_F(SimulatedStations, TakeTwoFacesForTwoReadings) {
-    m_simulation.stations.resize(1);
-    PolarSurvey readings = survey(1.0, 9);
-    const StationAdjustment one_face = adjust_stations(readings);
-    const size_t count = readings.readings.size();
-    for (size_t i = 0; i < count; ++i) {
-        PolarObservation second = readings.readings[i];
-        second.direction += std::numbers::pi;
-        second.zenith = 2.0 * std::numbers::pi - second.zenith;
-        readings.readings.push_back(in_first_face(second));
-    }
-    const StationAdjustment both = adjust_stations(readings);
-    for (size_t i = 0; i < both.points.size(); ++i) {
-        EXPECT_LT((both.points[i].position - one_face.points[i].position).norm(), 1e-9);
-        EXPECT_LT((both.points[i].noise_std->array() * std::sqrt(2.0) -
-                   one_face.points[i].noise_std->array())
-                      .matrix()
-                      .norm(),
-                  1e-9);
-    }
-}
-
-TEST_F(SimulatedStations, TellTheReadingThatContradictsTheOthersMost) {
-    PolarSurvey readings = survey(1.0, 11);
-    readings.readings[60].distance += 0.05;
-    const StationAdjustment found = adjust_stations(readings);
+TEST_F(SimulatedStations, NameTheObservationThatContradictsTheOthersMost) {
+    PolarSurvey polar = survey(1.0, 11);
+    polar.observations[60].distance += 0.05;
+    const StationAdjustment found = adjust_stations(polar);
     EXPECT_EQ(found.worst, 60);
     EXPECT_GT(found.worst_residual, 20.0);
 }
@@ -257,10 +225,10 @@ std::string refusal_of(const PolarSurvey& survey, int line) {
 }
 
 TEST_F(SimulatedStations, AreRefusedWithoutOrientation) {
-    PolarSurvey readings = survey(1.0, 13);
-    readings.stations[2].line = 77;
-    PolarSurvey untied = readings;
-    std::erase_if(untied.readings, [](const PolarObservation& one) {
+    PolarSurvey polar = survey(1.0, 13);
+    polar.stations[2].line = 77;
+    PolarSurvey untied = polar;
+    std::erase_if(untied.observations, [](const PolarObservation& one) {
         return one.station == 2 && one.target != "10";
     });
     EXPECT_EQ(
@@ -268,18 +236,18 @@ TEST_F(SimulatedStations, AreRefusedWithoutOrientation) {
         "station '3' has 1 targets in common with the other stations, expected at least 2: it "
         "has no orientation");
     // Two above each other.
-    PolarSurvey above = readings;
-    std::erase_if(above.readings, [](const PolarObservation& one) { return one.station == 2; });
+    PolarSurvey above = polar;
+    std::erase_if(above.observations, [](const PolarObservation& one) { return one.station == 2; });
     for (const double zenith : {1.0, 2.0}) {
         const std::string name = zenith < 1.5 ? "up" : "down";
         for (const int station : {0, 2}) {
-            above.readings.push_back({.station = station,
-                                      .target = name,
-                                      .direction = 0.3,
-                                      .zenith = zenith,
-                                      .distance = 5.0 / std::sin(zenith),
-                                      .angle_std = 1e-5,
-                                      .distance_std = 1e-3});
+            above.observations.push_back({.station = station,
+                                          .target = name,
+                                          .direction = 0.3,
+                                          .zenith = zenith,
+                                          .distance = 5.0 / std::sin(zenith),
+                                          .angle_std = 1e-5,
+                                          .distance_std = 1e-3});
         }
     }
     EXPECT_THAT(refusal_of(above, 77),
@@ -287,17 +255,17 @@ TEST_F(SimulatedStations, AreRefusedWithoutOrientation) {
                                    "with the other stations that are above"));
 }
 
-TEST_F(SimulatedStations, AreRefusedWithReadingsThatMakeNoSense) {
+TEST_F(SimulatedStations, AreRefusedWithObservationsThatMakeNoSense) {
     const PolarSurvey good = survey(1.0, 17);
     const auto refusal = [&](const std::function<void(PolarObservation&)>& alter) {
         PolarSurvey bad = good;
-        bad.readings[4].line = 9;
-        alter(bad.readings[4]);
+        bad.observations[4].line = 9;
+        alter(bad.observations[4]);
         return refusal_of(bad, 9);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(refusal([&](PolarObservation& r) { r.zenith = nan; }),
-              "has a reading that is not finite");
+              "has an observation that is not finite");
     EXPECT_EQ(refusal([](PolarObservation& r) { r.distance = 0.0; }),
               "has the distance 0, expected more than 0");
     EXPECT_THAT(refusal([](PolarObservation& r) { r.angle_std = 0.0; }),
@@ -306,7 +274,7 @@ TEST_F(SimulatedStations, AreRefusedWithReadingsThatMakeNoSense) {
               "is of station 3, expected 0 to 2");
     PolarSurvey idle = good;
     idle.stations.push_back({.name = "idle", .line = 12});
-    EXPECT_EQ(refusal_of(idle, 12), "station 'idle' has no reading");
+    EXPECT_EQ(refusal_of(idle, 12), "station 'idle' has no observation");
 }
 
 TEST(PolarObservation, InTheSecondFaceIsThatOfTheFirst) {

@@ -68,15 +68,15 @@ private:
     void remove_temporary();
 
     struct State;
-    std::filesystem::path m_told;    ///< the target as it was told, for messages
+    std::filesystem::path m_given;   ///< the target as given, for messages
     std::filesystem::path m_target;  ///< what it leads to
     std::filesystem::path m_temporary;
     std::unique_ptr<State> m_state;
 };
 
 /// Temporary files of a target that processes of this machine left behind which are no longer
-/// there: a process that is killed leaves one where the file system asks for a name, or at the
-/// moment of renaming. They hold nothing that anybody needs.
+/// there: a killed process leaves one where the file system needs a name, or if it was just
+/// renaming. They hold nothing that anybody needs.
 [[nodiscard]] TAUT_IO_EXPORT std::vector<std::filesystem::path> left_temporary_files(
     const std::filesystem::path& target);
 

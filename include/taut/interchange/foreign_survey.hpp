@@ -50,7 +50,7 @@ enum class TextEncoding { utf_8, utf_16, latin_1 };
 /// @throws std::invalid_argument for another name
 [[nodiscard]] TAUT_IO_EXPORT char parse_decimal_sign(std::string_view name);
 
-/// What is told of a survey file; the rest is found in it.
+/// What is given for a survey file; the rest is found in it.
 struct SurveyFileOptions {
     std::optional<SurveyFormat> format;  ///< empty: that of detect_survey_format()
     /// Of a table, in their order: id, x, y, z, sx, sy, sz, code (the kind of target), and - for
@@ -59,11 +59,11 @@ struct SurveyFileOptions {
     std::optional<char> separator;  ///< of a table: comma, semicolon, tab, or blank for blanks
     std::optional<char> decimal;    ///< of a table: '.' or ','
     std::optional<TextEncoding> encoding;  ///< of its text; empty: as its bytes show
-    /// Readings of angles and distances are asked for, even where the file has coordinates, too.
-    bool takes_readings = false;
-    std::optional<double> angle_unit;  ///< of such readings, where the file tells none [rad]
+    /// Whether to take angles and distances, even where the file has coordinates, too.
+    bool takes_observations = false;
+    std::optional<double> angle_unit;  ///< of such observations, where the file has none [rad]
 
-    /// All that is told.
+    /// All fields.
     [[nodiscard]] bool operator==(const SurveyFileOptions&) const = default;
 };
 
@@ -84,14 +84,14 @@ struct LeftOutLine {
 /// What was found in a survey file. Every format is read into this.
 struct ForeignSurvey {
     std::string format;  ///< in words: "Leica GSI-16"
-    /// In the file's unit, x east, y north, z up; at least one where there are no readings.
+    /// In the file's unit, x east, y north, z up; at least one where there are no observations.
     std::vector<SurveyPoint> points;
-    PolarSurvey readings;  ///< angles and distances, where the file has these in place of points
-    std::optional<double> unit;         ///< of coordinates, where the file tells it [m]
+    PolarSurvey polar;  ///< angles and distances, where the file has these in place of points
+    std::optional<double> unit;         ///< of coordinates, where the file has it [m]
     std::optional<double> std_unit;     ///< of their standard deviations; empty: as of coordinates
     bool has_known_points = false;      ///< those of noise 0 were given, not measured
     std::vector<std::string> notes;     ///< how it was understood, a line each
-    std::vector<std::string> guesses;   ///< what was taken for granted, a line each
+    std::vector<std::string> guesses;   ///< what was assumed, a line each
     std::vector<LeftOutLine> left_out;  ///< what is no point
 };
 
@@ -107,10 +107,9 @@ struct ForeignSurvey {
 /// @param bytes of the file
 /// @param file_name of it, also for messages
 /// @throws InputError with the line, for a file that is cut, a number that is not finite, units
-///   that differ, neither coordinates nor readings, no readings where these are asked for, more
-///   than 64 MiB, and as detect_survey_format()
-[[nodiscard]] TAUT_IO_EXPORT ForeignSurvey read_foreign_survey(std::string_view bytes,
-                                                               const std::string& file_name,
-                                                               const SurveyFileOptions& told = {});
+///   that differ, neither coordinates nor observations, no observations where these are to be
+///   taken, more than 64 MiB, and as detect_survey_format()
+[[nodiscard]] TAUT_IO_EXPORT ForeignSurvey read_foreign_survey(
+    std::string_view bytes, const std::string& file_name, const SurveyFileOptions& options = {});
 
 }  // namespace taut

@@ -42,11 +42,11 @@ struct ImportedEdge {
 struct ImportedStructure {
     std::string file;                  ///< name, for messages
     std::string format;                ///< in words: "COMPAS mesh"
-    std::string name;                  ///< of the net, as the file tells it; may be empty
+    std::string name;                  ///< of the net in the file; may be empty
     std::vector<ImportedNode> nodes;   ///< those without edges, too
     std::vector<ImportedEdge> edges;   ///< each pair of nodes once
     int inactive_edges = 0;            ///< those whose is_edge is false, which are not in `edges`
-    std::optional<double> force_unit;  ///< [N], where the file tells it
+    std::optional<double> force_unit;  ///< [N], where the file gives it
     std::vector<std::string> notes;  ///< what the reader left out or took for granted, a line each
 };
 

@@ -34,7 +34,7 @@ struct ImportSettings {
 struct ImportReport {
     std::vector<std::string> read;            ///< what the net has from the file; its format first
     std::vector<std::string> left_out;        ///< what of the file the net has not
-    std::vector<std::string> assumed;         ///< in place of what the file does not tell
+    std::vector<std::string> assumed;         ///< in place of what the file does not give
     std::vector<std::string> warnings;        ///< what is most likely wrong
     int inactive_edges = 0;                   ///< with is_edge false in the file; left out
     int edges_between_supports = 0;           ///< which are left out
@@ -57,7 +57,7 @@ struct ImportedNet {
 /// supports and nodes without edges are left out; edges at supports are adjustable. Where the file
 /// gives unstressed lengths that agree with its forces, they are taken; else l_0 = l / (1 + strain
 /// at T), T/EA where edges are linear, with T = q l, or T = f.
-/// @throws InputError naming the node or edge: an edge in compression, a strain beyond 10 %, no
+/// @throws InputError naming the node or edge: an edge in compression, a strain above 10 %, no
 ///   axial stiffness, a rule of CableNet that is broken
 /// @throws std::invalid_argument for settings that are not positive, or exclude each other
 [[nodiscard]] TAUT_IO_EXPORT ImportedNet import_net(const ImportedStructure& structure,

@@ -17,8 +17,8 @@ struct StressStrain {
     Eigen::VectorXd stress;  ///< [Pa]
 };
 
-/// Reads a CSV table with the header strain,stress: the points of a piecewise linear law, from 0,0,
-/// stresses in Pa.
+/// Reads a CSV table with the header strain,stress: the points of a piecewise linear tension law,
+/// from 0,0, stresses in Pa.
 /// @param file_name for messages
 /// @throws InputError with the line, for what is no such table, breaks a rule of TensionLaw, or has
 ///   a slope that no cable has

@@ -10,9 +10,9 @@
 #include "taut/net/cable_net.hpp"
 
 /// @file
-/// What a plan is told of edges and nodes in files of their own. All throw InputError with the
-/// line, for a name that is not of the net or comes twice, a number that is none, and a file
-/// without a line. A header may be left out.
+/// What is given for edges and nodes of a plan in files. All throw InputError with the line, for a
+/// name that is not of the net or comes twice, a number that is none, and an empty file. The header
+/// may be left out.
 namespace taut {
 
 /// How far an edge may be turned.

@@ -15,8 +15,8 @@ namespace taut {
 struct StoredDataSet {
     DataSet data;  ///< drawn from `net`
     NetFile net;   ///< with the keys that taut does not know
-    /// The file tells the digest of its content, which held. Files of taut 0.2.0 and before do not:
-    /// of these damage may go unnoticed.
+    /// Whether the file holds a digest of its content, which was checked. Files up to taut 0.2.0 do
+    /// not: of these damage may go unnoticed.
     bool has_digest = true;
 };
 

@@ -12,21 +12,21 @@
 
 namespace taut {
 
-/// How readings of forces are told.
+/// How force measurements are given.
 struct ForceFormat {
     double unit = 1.0;           ///< of the file's numbers [N]
-    double relative_std = 0.02;  ///< of readings that tell no std, as a part of each
-    double std = 0.0;            ///< of them, in newtons; 0: relative_std holds [N]
+    double relative_std = 0.02;  ///< of measurements without std, as a part of each
+    double std = 0.0;            ///< of these, absolute; 0: relative_std holds [N]
 };
 
 /// Reads tensions, one edge a line: edge,tension[,std]. The header with these names may be left
-/// out, if all lines are alike; empty lines and those that start with # are. An edge is a name of
-/// the net, else an index.
+/// out; empty lines and those that start with # are skipped. An edge is a name of the net, else an
+/// index.
 /// @param file_name for messages
 /// @return in the order of the file, at least one
 /// @throws InputError with the line, for anything else, an edge that is not of the net or comes
 ///   twice, a tension that is negative, a std that is not positive, and a tension of 0 whose std is
-///   told as a part of it
+///   given as a part of it
 [[nodiscard]] TAUT_IO_EXPORT std::vector<ForceMeasurement> parse_force_measurements(
     const CableNet& net, std::string_view text, const std::string& file_name,
     const ForceFormat& format = {});
@@ -38,16 +38,16 @@ struct ForceFormat {
                                                               std::string_view text,
                                                               const std::string& file_name);
 
-/// Whether the first line with anything has one field: a list of edges, not readings.
+/// Whether the first line with anything has one field: a list of edges, not force measurements.
 /// @throws InputError as CSV
 [[nodiscard]] TAUT_IO_EXPORT bool is_edge_list(std::string_view text, const std::string& file_name);
 
-/// What most likely is told in another unit, in words; empty: nothing. The median of the tensions
-/// read is held against those of the design.
+/// A warning where the tensions are most likely in another unit: their median over those of the
+/// design is above 2.5, or below 1 / 2.5; else empty.
 /// @param file_name for messages
-/// @throws InputError where it is 50 times as large or as small: that cannot be meant
+/// @throws InputError where the median is above 50, or below 1 / 50
 [[nodiscard]] TAUT_IO_EXPORT std::string force_unit_warning(
-    const CableNet& net, const std::vector<ForceMeasurement>& readings,
+    const CableNet& net, const std::vector<ForceMeasurement>& measurements,
     const std::string& file_name);
 
 }  // namespace taut

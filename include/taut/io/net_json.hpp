@@ -36,7 +36,7 @@ struct NetFile {
 /// or exponent.
 /// @param file_name for messages, and for the net's default name
 /// @throws InputError at a line and column for what is no JSON (RFC 8259, UTF-8, no key twice in an
-///   object, no number beyond the range of a double, at most 64 levels deep), and at a JSON pointer
+///   object, no number too large for a double, at most 64 levels deep), and at a JSON pointer
 ///   for what is missing, of another type, or breaks a rule of CableNet
 [[nodiscard]] TAUT_IO_EXPORT NetFile parse_net(std::string_view text, const std::string& file_name);
 

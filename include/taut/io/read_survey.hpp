@@ -22,7 +22,7 @@ enum class SurveyFrame {
     supports,   ///< fitted to the supports that it names by a rigid motion
 };
 
-/// What tells the node of a surveyed point.
+/// What determines the node of a surveyed point.
 enum class PointMatching {
     automatic,  ///< its name where that is a node's, else its place; the places of all where they
                 ///< contradict the names
@@ -32,37 +32,38 @@ enum class PointMatching {
 
 /// How a survey file is to be read.
 struct ReadSurveyOptions {
-    /// Standard deviation of each coordinate where the file tells none; empty: that of the rounding
-    /// to the digits of the file, 0 where it holds all of a double [m].
+    /// Standard deviation of each coordinate where the file gives none; empty: that of the file's
+    /// rounding, 0 where it is not rounded [m].
     std::optional<double> noise_std = {};
     SurveyFrame frame = SurveyFrame::automatic;  ///< that its coordinates are in
     /// Control points id,x,y,z in the net's frame, to fit the survey's frame to instead of the
     /// supports; empty: none.
     std::filesystem::path control = {};
-    SurveyFileOptions file = {};  ///< what is told of the file's format
-    /// Of its coordinates, and of its standard deviations where the file tells no other; empty: as
-    /// the file tells, or as the net's extent lets guess [m].
+    SurveyFileOptions file = {};  ///< what is given of the file's format
+    /// Of its coordinates, and of its standard deviations where the file gives no other; empty:
+    /// that of the file, else guessed from the net's extent [m].
     std::optional<double> unit = {};
-    PointMatching matching = PointMatching::automatic;  ///< what tells the node of a point
-    /// Of readings of angles and distances, where the file tells none; empty: those of a common
-    /// total station, which is warned of [rad].
+    PointMatching matching = PointMatching::automatic;  ///< what determines the node of a point
+    /// Of observed angles, where the file gives none; empty: that of a common total station, with a
+    /// warning [rad].
     std::optional<double> angle_std = {};
-    /// Of distances, where the file tells none; empty: DistancePrecision{}, which is warned of.
+    /// Of observed distances, where the file gives none; empty: DistancePrecision{}, with a
+    /// warning.
     std::optional<DistancePrecision> distance = {};
     TargetOffsets offsets = {};  ///< of targets from the axes of the cables
 };
 
-/// A survey file brought to the nodes of a net: points read (taut's own CSV,
-/// parse_survey_points(), or any other format, read_foreign_survey()), or found from readings of
-/// angles and distances (parse_polar_csv(), GSI; adjust_stations()), those of one name averaged,
-/// their frame fitted (register_rigidly()), put on nodes by name or place (match_to_nodes()), and
-/// taken back to the axes of the cables (take_off_offsets()).
-/// What was understood of a file that is not taut's own stands in Survey::notes, and to which digit
-/// it is rounded where that counts as noise; what was guessed in its warnings.
+/// A survey file brought to the nodes of a net. Points are read (taut's own CSV,
+/// parse_survey_points(), or any other format, read_foreign_survey()), or computed from angles and
+/// distances (parse_polar_csv(), GSI; adjust_stations()). Those of one name are averaged, their
+/// frame is fitted (register_rigidly()), they are put on nodes by name or place (match_to_nodes()),
+/// and taken back to the axes of the cables (take_off_offsets()).
+/// Survey::notes say how a foreign file was understood, and its rounding where that counts as
+/// noise; Survey::warnings what was guessed.
 /// @throws std::invalid_argument for a noise that is negative or not finite, and a unit that is not
 ///   positive
-/// Where some points have standard deviations, one without, or with one of 0, takes the noise of
-/// the options, which is warned of.
+/// Where some points have standard deviations, a point without, or with one of 0, takes the noise
+/// of the options, with a warning.
 /// @throws InputError naming the file, its line and the rule: as the functions named, and where two
 ///   points of one name lie apart, a point has no standard deviations where others have and no
 ///   noise is given, no unit fits, no free node was surveyed or the noise exceeds the mean edge
@@ -71,15 +72,14 @@ struct ReadSurveyOptions {
                                                 const std::filesystem::path& file,
                                                 const ReadSurveyOptions& options = {});
 
-/// The same of points that are there already: their format is none, their unit the metre unless
-/// told.
+/// The same of points in memory; their unit is the metre unless given.
 /// @param points a name that is no node's is a label, and points of one name are one target
 /// @throws InputError as read_survey(), naming "points" and the line of the point
 [[nodiscard]] TAUT_IO_EXPORT Survey read_survey(const CableNet& net,
                                                 std::vector<SurveyPoint> points,
                                                 const ReadSurveyOptions& options = {});
 
-/// The same, or where the file names nodes alone, their survey as planned: without places.
+/// The same; for a file that only names nodes the planned survey of these, without places.
 /// @throws InputError as read_survey(), and where a file of names asks for a frame to be fitted
 [[nodiscard]] TAUT_IO_EXPORT Survey read_planned_survey(const CableNet& net,
                                                         const std::filesystem::path& file,

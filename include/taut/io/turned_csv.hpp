@@ -13,8 +13,8 @@
 namespace taut {
 
 /// Reads what was turned, one edge a line: edge,stroke[,std] in m, positive lengthens. The header
-/// with these names may be left out, if all lines are alike. Or the list that taut plan --csv
-/// wrote, by its header: the strokes of all passes over an edge (stroke_mm) add up.
+/// with these names may be left out. Or the list of turns of a plan, by its header: the strokes of
+/// all passes over an edge (stroke_mm) add up.
 /// @param file_name for messages
 /// @throws InputError with the line, for a file without a line, an edge that is not of the net, not
 ///   adjustable, or comes twice (in the list of a plan: twice in one pass), a number that is none,

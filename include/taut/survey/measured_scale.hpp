@@ -11,14 +11,14 @@
 
 namespace taut {
 
-/// How many times as far apart as they are control points were measured, and how sure that is.
+/// Measured over known distances of control points, and how sure that is.
 struct TAUT_CORE_EXPORT MeasuredScale {
     double scale = 1.0;  ///< measured over known distances
     double std = 0.0;    ///< standard error of it, from the points' residuals
     int redundancy = 2;  ///< 3 n - 7 of n points
 
-    /// Whether the scale departs from 1 by more than the residuals let expect; by chance in one of
-    /// a thousand surveys (Student's t).
+    /// Whether the scale departs from 1 by more than the residuals explain; by chance in one of a
+    /// thousand surveys (Student's t).
     [[nodiscard]] bool is_significant() const;
 };
 
@@ -32,7 +32,7 @@ struct TAUT_CORE_EXPORT MeasuredScale {
 [[nodiscard]] TAUT_CORE_EXPORT std::optional<MeasuredScale> measured_scale(
     const std::vector<ControlPoint>& points);
 
-/// A line where the scale is significantly, and by more than a ten-thousandth, not 1; else none.
+/// A warning where the scale differs from 1 significantly, and by more than 1e-4.
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<std::string> scale_warnings(
     const std::vector<ControlPoint>& points);
 

@@ -16,8 +16,7 @@ struct PlannedTarget {
     int line = 0;    ///< of the file it came from, for messages; 0 if none
 };
 
-/// The survey that a plan leads to, but for the measured places: those are the nominal ones.
-/// Targets on supports tell of the frame only, and are left at that.
+/// The survey that a plan leads to, with nominal places in place of the measured ones.
 /// @param noise_std of each coordinate [m]
 /// @throws SurveyError with the line of a target, for a name that is empty, not a node's or comes
 ///   twice

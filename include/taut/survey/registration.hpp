@@ -28,12 +28,12 @@ struct ControlPoint {
 [[nodiscard]] TAUT_CORE_EXPORT Registration
 register_rigidly(const std::vector<ControlPoint>& points);
 
-/// Points that the net's own supports control: those that are named after one.
+/// The points named after supports of the net, as control points.
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<ControlPoint> support_control_points(
     const CableNet& net, const std::vector<SurveyPoint>& points);
 
-/// Takes control points out of the points of a survey, by the names of the known ones. A node of
-/// the net stays in: it is a target, too.
+/// Takes control points out of the points of a survey, by the names of the known ones. One that is
+/// a node of the net stays in, since it is a target, too.
 /// @param known control points in the net's frame [m]
 /// @param points of the survey; left are those that are no control points, or nodes; as they were
 ///   where it throws

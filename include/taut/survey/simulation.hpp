@@ -22,7 +22,7 @@ struct SurveySimulation {
     std::uint64_t seed = 1;     ///< of all that is random
 };
 
-/// A survey of a form, for trials and teaching: free nodes and supports, with the noise told where
+/// A survey of a form, for trials and teaching: free nodes and supports, with their noise where
 /// there is some. The same seed gives the same survey.
 /// @param form 3 x n, supports included [m]
 /// @throws std::invalid_argument for a form of another size or that is not finite, a negative or
@@ -41,9 +41,9 @@ struct PolarSimulation {
     std::uint64_t seed = 1;               ///< of all that is random
 };
 
-/// The readings of a simulated instrument: each station, named 1, 2, ..., levelled and with the
-/// zero of its circle anywhere, reads each target once, with the standard deviations told. A
-/// shuffled target is named t1, t2, ... in any order. The same seed gives the same readings.
+/// The observations of a simulated instrument: each station, named 1, 2, ..., levelled and with the
+/// zero of its circle anywhere, observes each target once, with the standard deviations given. A
+/// shuffled target is named t1, t2, ... in any order. The same seed gives the same observations.
 /// @param form 3 x n, supports included [m]
 /// @throws std::invalid_argument as simulate_survey(), and for no station, one nearer than 10 mm to
 ///   a target or not finite, and noise that is not positive

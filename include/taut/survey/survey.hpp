@@ -19,13 +19,13 @@ struct SurveyPoint {
     std::string id;            ///< a node's name or index; empty for a target without a name
     Eigen::Vector3d position;  ///< [m]
     int line = 0;              ///< of the file it came from, for messages; 0 if none
-    std::optional<Eigen::Vector3d> noise_std;  ///< of each coordinate, where it is told [m]
+    std::optional<Eigen::Vector3d> noise_std;  ///< of each coordinate, if given [m]
     /// Of that noise, between x and y, x and z, y and z.
     Eigen::Vector3d noise_correlations = Eigen::Vector3d::Zero();
     /// Its name in the file where that is no node's: it is a target without a name, and this is for
     /// messages.
     std::string label;
-    std::string code;  ///< what the file calls this kind of point; empty where it tells none
+    std::string code;  ///< what the file calls this kind of point; empty: nothing
 };
 
 /// Why a surveyed point was put on no node.
@@ -87,23 +87,23 @@ struct TAUT_CORE_EXPORT Survey {
     bool frame_is_unknown = false;
     std::vector<UnmatchedPoint> unmatched;  ///< in the order of the points
     std::optional<Registration> frame;      ///< empty where it was given in the net's
-    std::vector<std::string> warnings;  ///< what is most likely told in another unit, a line each
+    std::vector<std::string> warnings;  ///< what is most likely given in another unit, a line each
     std::vector<PlacedPoint> placed;    ///< on which node each point is, supports included
-    /// How many points lie beyond doubt on other nodes than those that they name, and were put
-    /// there: all names are then left aside. 0: the names hold, or were not to be used.
+    /// How many points lie clearly on other nodes than those that they name and were put there: all
+    /// names are then ignored. 0: the names hold, or were not to be used.
     int contradicted_names = 0;
     std::vector<std::string> notes;  ///< how its file was understood, a line each
-    bool tells_noise = false;        ///< whether a point brought a noise of its own
-    /// Standard deviation of the scale that all targets have in common, which `noise_std` does not
-    /// tell [-].
+    bool has_own_noise = false;      ///< whether a point brought a noise of its own
+    /// Standard deviation of the scale that all targets have in common, which is not in `noise_std`
+    /// [-].
     double scale_std = 0.0;
     double rounding_std = 0.0;  ///< of its file's last digit, where `noise_std` holds it [m]
 
     /// Correlations of the noise at a node, 0 where there are none.
-    /// @throws std::out_of_range for a node beyond `noise_correlations`
+    /// @throws std::out_of_range for a node that `noise_correlations` does not have
     [[nodiscard]] Eigen::Vector3d correlations_of(int node) const;
     /// Makes these the correlations of the noise at a node; `form` must have its size by then.
-    /// @throws std::out_of_range for a node beyond that
+    /// @throws std::out_of_range for another node
     void set_correlations(int node, const Eigen::Vector3d& correlations);
     /// Whether some surveyed coordinate has noise.
     [[nodiscard]] bool is_noisy() const { return largest_noise_std() > 0.0; }
@@ -121,7 +121,7 @@ struct TAUT_CORE_EXPORT Survey {
 /// @throws SurveyError for a survey of another size than the net, a node that is not free, out of
 ///   order, comes twice or is neither surveyed nor missing, a support that is none, out of order or
 ///   comes twice, noise that is negative or not finite, correlations that no noise can have, a
-///   position that is not finite or beyond 1e9 m, and where no node was surveyed
+///   position that is not finite or above 1e9 m, and where no node was surveyed
 TAUT_CORE_EXPORT void check_survey(const CableNet& net, const Survey& survey);
 
 /// With the standard deviations of all that was surveyed times a factor.
@@ -129,7 +129,7 @@ TAUT_CORE_EXPORT void check_survey(const CableNet& net, const Survey& survey);
 [[nodiscard]] TAUT_CORE_EXPORT Survey with_noise_times(Survey survey, double factor);
 
 /// Refuses a survey that misses nodes.
-/// @param expected what the survey should have held, for the message: "all for ..."
+/// @param expected what the survey should hold, for the message: "all for ..."
 /// @throws SurveyError where a free node was not surveyed; names the first
 TAUT_CORE_EXPORT void require_whole(const CableNet& net, const Survey& survey,
                                     std::string_view expected);
@@ -148,11 +148,11 @@ private:
 
 /// Puts surveyed points, in the net's frame, on its nodes. Named ones by their names
 /// (CableNet::node_id). Targets without a name by their place: on the nearest node, where that is
-/// beyond doubt (see UnmatchedReason), one to one. Points on supports are compared with the rigid
-/// frame, whose place is known, and left at that.
-/// @param noise_std of the coordinates of points that do not tell their own [m]
+/// clear (see UnmatchedReason), one to one. Points on supports are compared with their known
+/// places, and do not enter `form`.
+/// @param noise_std of the coordinates of points without their own [m]
 /// @throws SurveyError for a name that is not a node's or comes twice, a position that is not
-///   finite or beyond 1e9 m, and where the survey is not of this net, in its frame and in metres:
+///   finite or above 1e9 m, and where the survey is not of this net, in its frame and in metres:
 ///   more than 5 % of the named free nodes further from their nominal place than the net's mean
 ///   edge length, a named support further than a tenth of that, less than half of the unnamed
 ///   targets on a node; beside points with the names of nodes, targets with a label do not count

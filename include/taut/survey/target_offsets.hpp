@@ -20,11 +20,11 @@ struct TargetOffset {
 };
 
 /// Whether a target can stand so far off.
-/// @throws std::invalid_argument for an offset beyond 0.5 m either way, and a standard deviation
-///   that is negative or beyond that
+/// @throws std::invalid_argument for an offset of more than 0.5 m either way, and a standard
+///   deviation that is negative or more than that
 TAUT_CORE_EXPORT void check_target_offset(const TargetOffset& offset);
 
-/// "3mm", "-3mm", "3mm:0.2mm": an offset and its standard deviation (0 where none is told).
+/// "3mm", "-3mm", "3mm:0.2mm": an offset and its standard deviation (0 where none is given).
 /// @throws std::invalid_argument for anything else, and as check_target_offset()
 [[nodiscard]] TAUT_CORE_EXPORT TargetOffset parse_target_offset(std::string_view text);
 
@@ -33,7 +33,7 @@ struct TargetOffsets {
     std::optional<TargetOffset> all;         ///< of those that the table does not name
     std::map<std::string, TargetOffset> of;  ///< by a target's name in the file, or its code
 
-    /// Whether no offset is told.
+    /// Whether no offset is given.
     [[nodiscard]] bool empty() const { return !all && of.empty(); }
 };
 

@@ -37,26 +37,26 @@ constexpr FormatNames survey_formats[] = {
     {SurveyFormat::dxf, "dxf", "a DXF file"},
 };
 
-/// Of formats that are lines of fields. XML and DXF tell themselves where they end.
+/// Whether a format is lines of fields. XML and DXF mark their own end.
 bool is_of_lines(SurveyFormat format) {
     return format == SurveyFormat::table || format == SurveyFormat::xyz ||
            format == SurveyFormat::pts || format == SurveyFormat::gsi;
 }
 
 ForeignSurvey read_decoded(const std::string& text, const std::string& file_name,
-                           SurveyFormat format, const SurveyFileOptions& told) {
+                           SurveyFormat format, const SurveyFileOptions& options) {
     if (is_of_lines(format)) {
         require_last_line_break(text, file_name);
     }
     switch (format) {
         case SurveyFormat::table:
-            return read_survey_table(text, file_name, told, false);
+            return read_survey_table(text, file_name, options, false);
         case SurveyFormat::xyz:
-            return read_survey_table(text, file_name, told, true);
+            return read_survey_table(text, file_name, options, true);
         case SurveyFormat::pts:
             return read_pts(text, file_name);
         case SurveyFormat::gsi:
-            return read_gsi(text, file_name, told);
+            return read_gsi(text, file_name, options);
         case SurveyFormat::landxml:
             return read_landxml(text, file_name);
         case SurveyFormat::jobxml:
@@ -66,7 +66,7 @@ ForeignSurvey read_decoded(const std::string& text, const std::string& file_name
         case SurveyFormat::dxf:
             return read_dxf(text, file_name);
     }
-    throw std::invalid_argument("unknown format of a survey");
+    throw std::invalid_argument("a format of surveys that is none");
 }
 
 }  // namespace
@@ -128,21 +128,23 @@ std::string_view to_string(TextEncoding encoding) {
 }
 
 ForeignSurvey read_foreign_survey(std::string_view bytes, const std::string& file_name,
-                                  const SurveyFileOptions& told) {
+                                  const SurveyFileOptions& options) {
     if (bytes.size() > largest_survey) {
         throw InputError(file_name, "",
                          fmt::format("holds {} MiB, expected a survey of targets, {} MiB at most",
                                      bytes.size() >> 20, largest_survey >> 20));
     }
-    const SurveyFormat format = told.format ? *told.format : detect_survey_format(bytes, file_name);
-    const DecodedText decoded = decode_text(bytes, file_name, told.encoding);
-    ForeignSurvey survey = read_decoded(decoded.text, file_name, format, told);
-    if (told.takes_readings && survey.readings.readings.empty()) {
-        throw InputError(file_name, "",
-                         "holds no readings of angles and distances, for which --angle and --range "
-                         "are: expected a Leica GSI file, or a table station,target,hz,v,distance");
+    const SurveyFormat format =
+        options.format ? *options.format : detect_survey_format(bytes, file_name);
+    const DecodedText decoded = decode_text(bytes, file_name, options.encoding);
+    ForeignSurvey survey = read_decoded(decoded.text, file_name, format, options);
+    if (options.takes_observations && survey.polar.observations.empty()) {
+        throw InputError(
+            file_name, "",
+            "holds no observations of angles and distances, for which a precision is given: "
+            "expected a Leica GSI file, or a table station,target,hz,v,distance");
     }
-    if (survey.points.empty() && survey.readings.readings.empty()) {
+    if (survey.points.empty() && survey.polar.observations.empty()) {
         throw InputError(file_name, "",
                          fmt::format("holds no point with three coordinates, expected some as {} "
                                      "has them",

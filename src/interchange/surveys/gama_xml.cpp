@@ -17,11 +17,11 @@
 namespace taut {
 namespace {
 
-/// A point, and which uncertain of the adjustment its coordinates are.
+/// A point, and the indices of its coordinates among the unknowns of the adjustment.
 struct GamaPoint {
     SurveyPoint point;
     pugi::xml_node node;
-    std::array<size_t, 3> parameter{};
+    std::array<size_t, 3> unknown{};
 };
 
 /// A coordinate, in small letters, or in capitals where it took part in fixing the frame.
@@ -34,7 +34,7 @@ std::optional<double> gama_coordinate(const SurveyXml& xml, pugi::xml_node node,
 /// Of an unknown: its variance, and its covariances with the next two [mm2].
 using GamaCovariances = std::array<double, 3>;
 
-/// Those of all uncertain: the first numbers of each row of the covariance matrix, of which the
+/// Those of all unknowns: the first numbers of each row of the covariance matrix, of which the
 /// upper band stands there by rows.
 std::vector<GamaCovariances> gama_covariances(const SurveyXml& xml, pugi::xml_node matrix) {
     const auto dim = xml.number(matrix, "dim");
@@ -72,11 +72,11 @@ std::vector<GamaCovariances> gama_covariances(const SurveyXml& xml, pugi::xml_no
     return rows;
 }
 
-/// Of a point, whose coordinates are uncertain one after the other [mm].
+/// Of a point, whose coordinates are consecutive unknowns [mm].
 PlaceNoise gama_noise(const std::vector<GamaCovariances>& rows, const GamaPoint& point) {
-    const GamaCovariances& x = rows[point.parameter[0]];
-    const GamaCovariances& y = rows[point.parameter[1]];
-    const GamaCovariances& z = rows[point.parameter[2]];
+    const GamaCovariances& x = rows[point.unknown[0]];
+    const GamaCovariances& y = rows[point.unknown[1]];
+    const GamaCovariances& z = rows[point.unknown[2]];
     Eigen::Matrix3d covariance;
     covariance << x[0], x[1], x[2],  //
         x[1], y[0], y[1],            //
@@ -84,7 +84,7 @@ PlaceNoise gama_noise(const std::vector<GamaCovariances>& rows, const GamaPoint&
     return noise_of(covariance);
 }
 
-/// Whether x, y and z of the adjustment are right-handed: its axes are told as two of n, e, s, w.
+/// Whether x, y and z of the adjustment are right-handed: its axes are two of n, e, s, w.
 bool is_right_handed(std::string_view axes) {
     constexpr std::array<std::string_view, 4> right{"en", "nw", "ws", "se"};
     return std::ranges::find(right, axes) != right.end();
@@ -97,7 +97,7 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
     ForeignSurvey survey{.format = "GNU Gama adjustment", .unit = 1.0, .std_unit = 1e-3};
     const pugi::xml_node coordinates = xml.root().child("coordinates");
     std::vector<GamaPoint> points;
-    size_t uncertain = 0;
+    size_t unknowns = 0;
     for (const pugi::xml_node node : coordinates.child("adjusted").children("point")) {
         const std::string id(trimmed(node.child("id").text().get()));
         const auto x = gama_coordinate(xml, node, "x", "X");
@@ -107,22 +107,22 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
         if (x && y && z) {
             points.push_back({.point = {.id = id, .position = {*x, *y, *z}, .line = line},
                               .node = node,
-                              .parameter = {uncertain, uncertain + 1, uncertain + 2}});
+                              .unknown = {unknowns, unknowns + 1, unknowns + 2}});
         } else {
             survey.left_out.push_back(
                 {.line = line, .reason = fmt::format("point {} has no x, y and z", quote(id))});
         }
         for (const auto& value : {x, y, z}) {
-            uncertain += value ? 1 : 0;
+            unknowns += value ? 1 : 0;
         }
     }
     const pugi::xml_node matrix = coordinates.child("cov-mat");
     const std::vector<GamaCovariances> covariances =
         matrix ? gama_covariances(xml, matrix) : std::vector<GamaCovariances>();
-    if (matrix && covariances.size() < uncertain) {
-        xml.fail(matrix, fmt::format("has a cov-mat of {} uncertain, expected at least the {} "
+    if (matrix && covariances.size() < unknowns) {
+        xml.fail(matrix, fmt::format("has a cov-mat of {} unknowns, expected at least the {} "
                                      "adjusted coordinates",
-                                     covariances.size(), uncertain));
+                                     covariances.size(), unknowns));
     }
     for (const pugi::xml_node node : coordinates.child("fixed").children("point")) {
         const auto x = gama_coordinate(xml, node, "x", "X");
@@ -151,10 +151,10 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
         }
         survey.points.push_back(std::move(found.point));
     }
-    const std::string_view told =
+    const std::string_view given =
         xml.root().child("network-general-parameters").attribute("axes-xy").value();
-    // What Gama takes where nothing is told.
-    const std::string_view axes = told.empty() ? "ne" : told;
+    // What Gama takes where nothing is given.
+    const std::string_view axes = given.empty() ? "ne" : given;
     if (!is_right_handed(axes)) {
         for (SurveyPoint& point : survey.points) {
             std::swap(point.position.x(), point.position.y());
@@ -166,7 +166,7 @@ ForeignSurvey read_gama(const std::string& text, const std::string& file_name) {
     }
     survey.notes.push_back(fmt::format(
         "columns: adjusted and fixed points, axes-xy {}{}: {} as x, y, z; id as id{}", quote(axes),
-        told.empty() ? " (not told)" : "", is_right_handed(axes) ? "x, y, z" : "y, x, z",
+        given.empty() ? " (not given)" : "", is_right_handed(axes) ? "x, y, z" : "y, x, z",
         matrix ? "; cov-mat [mm2] as sx, sy, sz and their correlations" : ""));
     return survey;
 }

@@ -16,7 +16,7 @@
 namespace taut {
 namespace {
 
-// A word of Leica GSI: two digits that tell what it is, four of information, of which the last is
+// A word of Leica GSI: two digits for what it is, four of information, of which the last is
 // the unit, a sign, and 8 digits of data (GSI-8) or 16 (GSI-16, whose lines start with *).
 constexpr size_t gsi_prefix = 7;
 
@@ -170,7 +170,7 @@ std::string gsi_name(std::string_view data) {
     return start == std::string_view::npos ? "0" : std::string(name.substr(start));
 }
 
-/// What an instrument recorded on a line of its readings and stations.
+/// What an instrument recorded on a line: an observation, a station, or both.
 struct GsiPolarLine {
     std::string name;
     std::optional<double> direction;
@@ -180,8 +180,8 @@ struct GsiPolarLine {
     std::array<double, 3> place{};  ///< of the station
     bool is_station = false;
 
-    [[nodiscard]] bool is_reading() const { return direction && zenith && distance; }
-    [[nodiscard]] bool reads_some() const { return direction || zenith || distance; }
+    [[nodiscard]] bool is_observation() const { return direction && zenith && distance; }
+    [[nodiscard]] bool observes_some() const { return direction || zenith || distance; }
 };
 
 GsiPolarLine polar_line(GsiLine& words) {
@@ -205,23 +205,24 @@ GsiPolarLine polar_line(GsiLine& words) {
     return line;
 }
 
-/// Stations and what was read from each. A line with a station and no reading begins a new one;
-/// lines of readings may tell their station each, which is new where its place is.
-ForeignSurvey read_gsi_readings(const std::string& text, const std::string& file_name) {
+/// Stations and their observations. A line with a station and no observation begins a new one.
+/// Lines of observations may each repeat their station; it is new where its place differs.
+ForeignSurvey read_gsi_observations(const std::string& text, const std::string& file_name) {
     ForeignSurvey result{.format = "angles and distances in Leica GSI"};
-    PolarSurvey& survey = result.readings;
+    PolarSurvey& survey = result.polar;
     std::optional<PolarStation> next_station;
     std::optional<std::array<double, 3>> last_place;
-    double kept_height = 0.0;  // until another is told
+    double kept_height = 0.0;  // until another is given
     for (const TextLine& text_line : lines_of(text, file_name)) {
         GsiLine words(text_line, file_name);
         const GsiPolarLine line = polar_line(words);
-        if (line.is_station && (!line.reads_some() || line.place != last_place)) {
-            next_station = {.name = line.reads_some() ? "" : line.name, .line = text_line.number};
+        if (line.is_station && (!line.observes_some() || line.place != last_place)) {
+            next_station = {.name = line.observes_some() ? "" : line.name,
+                            .line = text_line.number};
             last_place = line.place;
         }
-        if (!line.is_reading()) {
-            if (line.reads_some()) {
+        if (!line.is_observation()) {
+            if (line.observes_some()) {
                 result.left_out.push_back(
                     {.line = text_line.number, .reason = "not all three of the words 21, 22, 31"});
             } else if (line.height) {
@@ -238,7 +239,7 @@ ForeignSurvey read_gsi_readings(const std::string& text, const std::string& file
             }
             survey.stations.push_back(*std::exchange(next_station, std::nullopt));
         }
-        survey.readings.push_back(
+        survey.observations.push_back(
             in_first_face({.station = static_cast<int>(survey.stations.size()) - 1,
                            .target = line.name,
                            .direction = *line.direction,
@@ -256,7 +257,7 @@ ForeignSurvey read_gsi_readings(const std::string& text, const std::string& file
 }  // namespace
 
 ForeignSurvey read_gsi(const std::string& text, const std::string& file_name,
-                       const SurveyFileOptions& told) {
+                       const SurveyFileOptions& options) {
     ForeignSurvey survey{.format = "Leica GSI-8", .unit = 1.0};
     std::optional<bool> in_feet;
     int polar = 0;
@@ -305,8 +306,8 @@ ForeignSurvey read_gsi(const std::string& text, const std::string& file_name,
                                              : is_code    ? "a code"
                                                           : "no coordinates"});
     }
-    if ((survey.points.empty() && polar > 0) || told.takes_readings) {
-        return read_gsi_readings(text, file_name);
+    if ((survey.points.empty() && polar > 0) || options.takes_observations) {
+        return read_gsi_observations(text, file_name);
     }
     survey.notes.emplace_back(
         "columns: words 81, 82, 83 (E, N, H) as x, y, z; 11 as id, without "

@@ -87,8 +87,8 @@ SurveyFormat xml_format(std::string_view text, const std::string& file_name) {
     }
     if (root == "gama-local" || root == "gama-xml") {
         throw InputError(file_name, "",
-                         "is the input of GNU Gama, expected its adjusted coordinates: run "
-                         "gama-local with --xml first");
+                         "is the input of GNU Gama, expected its adjusted coordinates as XML: run "
+                         "gama-local first");
     }
     throw InputError(file_name, "",
                      fmt::format("is XML of the element {}, expected LandXML, JOBFile or "
@@ -96,7 +96,7 @@ SurveyFormat xml_format(std::string_view text, const std::string& file_name) {
                                  quote(root)));
 }
 
-/// What the content tells; a table where nothing else does.
+/// The format by the content; a table where it shows no other.
 SurveyFormat format_of_content(std::string_view text, const std::string& file_name) {
     constexpr size_t looked_at = 2;
     const std::vector<std::string_view> lines = first_lines(text, looked_at);
@@ -144,7 +144,7 @@ SurveyFormat detect_survey_format(std::string_view bytes, const std::string& fil
     const DecodedText decoded = decode_text(bytes, file_name, std::nullopt);
     const SurveyFormat content = format_of_content(decoded.text, file_name);
     const auto name = format_of_name(file_name);
-    // Both are lines of numbers: the name alone tells that they are of points without names.
+    // Both are lines of numbers: only the name shows that the points have no names.
     if (name == SurveyFormat::xyz && content == SurveyFormat::table) {
         return SurveyFormat::xyz;
     }
@@ -153,10 +153,11 @@ SurveyFormat detect_survey_format(std::string_view bytes, const std::string& fil
         return SurveyFormat::pts;
     }
     if (name && *name != content) {
-        throw InputError(file_name, "",
-                         fmt::format("is {}, expected {} by the end of its name: --format {} reads "
-                                     "it as what it is",
-                                     words_of(content), words_of(*name), to_string(content)));
+        throw InputError(
+            file_name, "",
+            fmt::format("is {}, expected {} by the end of its name: give the format {} "
+                        "to read it as what it is",
+                        words_of(content), words_of(*name), to_string(content)));
     }
     return content;
 }

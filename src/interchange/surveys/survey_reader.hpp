@@ -13,10 +13,10 @@
 namespace taut {
 
 [[nodiscard]] ForeignSurvey read_survey_table(const std::string& text, const std::string& file_name,
-                                              const SurveyFileOptions& told, bool is_cloud);
+                                              const SurveyFileOptions& options, bool is_cloud);
 [[nodiscard]] ForeignSurvey read_pts(const std::string& text, const std::string& file_name);
 [[nodiscard]] ForeignSurvey read_gsi(const std::string& text, const std::string& file_name,
-                                     const SurveyFileOptions& told);
+                                     const SurveyFileOptions& options);
 [[nodiscard]] ForeignSurvey read_landxml(const std::string& text, const std::string& file_name);
 [[nodiscard]] ForeignSurvey read_jobxml(const std::string& text, const std::string& file_name);
 [[nodiscard]] ForeignSurvey read_gama(const std::string& text, const std::string& file_name);

@@ -104,7 +104,7 @@ private:
                 fail(fmt::format(
                     "{} is {}, expected a decimal {} as {}", name, quote(field),
                     m_decimal == ',' ? "comma" : "point",
-                    m_decimal_line > 0 ? fmt::format("in line {}", m_decimal_line) : "told"));
+                    m_decimal_line > 0 ? fmt::format("in line {}", m_decimal_line) : "given"));
             }
             if (m_decimal == '\0') {
                 m_decimal = number->decimal;
@@ -177,17 +177,17 @@ std::string titles_text(const TableHead& head) {
 }  // namespace
 
 ForeignSurvey read_survey_table(const std::string& text, const std::string& file_name,
-                                const SurveyFileOptions& told, bool is_cloud) {
+                                const SurveyFileOptions& options, bool is_cloud) {
     const std::vector<TextLine> lines = lines_of(text, file_name);
-    const auto separator = told.separator ? told.separator : detect_table_separator(lines);
+    const auto separator = options.separator ? options.separator : detect_table_separator(lines);
     if (!separator) {
         throw InputError(
             file_name, "",
             "holds no point, expected lines of a name and three coordinates, or one of "
             "the formats that taut reads");
     }
-    const TableHead head = read_table_head(lines, *separator, told, is_cloud, file_name);
-    TableParser parser(head, told.decimal, is_cloud, file_name);
+    const TableHead head = read_table_head(lines, *separator, options, is_cloud, file_name);
+    TableParser parser(head, options.decimal, is_cloud, file_name);
     ForeignSurvey survey{.format = is_cloud ? "XYZ points" : "text table",
                          .unit = head.unit,
                          .std_unit = head.spread_unit,
@@ -201,7 +201,7 @@ ForeignSurvey read_survey_table(const std::string& text, const std::string& file
                            line[line.find_last_not_of(' ')] == *separator);
         }
     }
-    survey.notes.push_back(head.titles.empty() || !told.columns.empty()
+    survey.notes.push_back(head.titles.empty() || !options.columns.empty()
                                ? fmt::format("columns: {}", head.layout.to_string())
                                : titles_text(head));
     survey.notes.push_back(fmt::format(

@@ -98,7 +98,7 @@ std::optional<TableColumn> column_of_title(const std::string& bare) {
             }
             const size_t length = bare.size() - sign.size();
             const std::string axis = bare.substr(is_before ? sign.size() : 0, length);
-            // "xs" and "ms" are too short to be told from other things.
+            // "xs" and "ms" may be anything.
             if (const auto found = find_title(axis_titles(), axis);
                 found && (is_before || sign.size() > 1)) {
                 constexpr TableColumn spreads[] = {TableColumn::sx, TableColumn::sy,
@@ -178,11 +178,10 @@ TableLayout layout_of_names(const std::vector<std::string>& names) {
 std::vector<std::string> parse_survey_columns(std::string_view text) {
     std::vector<std::string> names;
     const auto refuse = [&](const std::string& what) {
-        throw std::invalid_argument(fmt::format(
-            "the columns {} {}, expected id, x, y, z, sx, sy, sz, code, each once, and - for "
-            "one to leave "
-            "out: \"id,y,x,z,-\"",
-            quote(text), what));
+        throw std::invalid_argument(
+            fmt::format("the columns {} {}, expected id, x, y, z, sx, sy, sz, code, each once, and "
+                        "- for one to leave out: \"id,y,x,z,-\"",
+                        quote(text), what));
     };
     const auto has = [&](std::string_view name) {
         return std::ranges::find(names, name) != names.end();

@@ -40,7 +40,7 @@ struct TableLayout {
     [[nodiscard]] std::string to_string() const;
 };
 
-/// The layout that names of columns tell, SurveyFileOptions::columns.
+/// The layout by the names of columns, SurveyFileOptions::columns.
 [[nodiscard]] TableLayout layout_of_names(const std::vector<std::string>& names);
 
 }  // namespace taut

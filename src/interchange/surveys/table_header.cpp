@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-constexpr std::string_view columns_hint = "--columns id,x,y,z,- tells the columns";
+constexpr std::string_view columns_hint = "give the columns, as id,y,x,z,-";
 
 /// Finds the head of a table, step by step.
 class HeadFinder {
@@ -21,11 +21,11 @@ public:
     HeadFinder(const std::vector<TextLine>& lines, char separator, const std::string& file_name)
         : m_lines(lines), m_separator(separator), m_file_name(file_name) {}
 
-    [[nodiscard]] TableHead find(const SurveyFileOptions& told, bool is_cloud) && {
+    [[nodiscard]] TableHead find(const SurveyFileOptions& options, bool is_cloud) && {
         find_first_point();
         find_header();
-        if (!told.columns.empty()) {
-            m_head.layout = layout_of_names(told.columns);
+        if (!options.columns.empty()) {
+            m_head.layout = layout_of_names(options.columns);
         } else if (m_head.header) {
             m_head.layout = layout_of_titles();
         } else {
@@ -214,7 +214,7 @@ private:
         }
         if (!is_cloud || layout.id) {
             m_head.guesses.push_back(
-                fmt::format("no header was understood{}: columns taken as {} (--columns)",
+                fmt::format("no header was understood{}: columns taken as {}",
                             m_last_text.empty() ? "" : fmt::format(", {}", quote(m_last_text)),
                             layout.to_string()));
         }
@@ -223,7 +223,7 @@ private:
 
     void set_unit(std::optional<double>& unit, double found, size_t index, const char* of) const {
         if (unit && *unit != found) {
-            fail(index, fmt::format("tells two units of {}, expected one for all", of));
+            fail(index, fmt::format("gives two units of {}, expected one for all", of));
         }
         unit = found;
     }
@@ -261,11 +261,11 @@ private:
                     continue;
                 }
                 const std::string_view rest = trimmed(text).substr(0);
-                std::string_view told =
+                std::string_view name =
                     rest.substr(std::min(rest.find(word) + word.size(), rest.size()));
-                told.remove_prefix(std::min(told.find_first_not_of(" \t:=;,"), told.size()));
-                told = told.substr(0, told.find_first_of(" \t;,.)"));
-                if (const auto unit = length_of_unit(told); unit && i != m_head.header) {
+                name.remove_prefix(std::min(name.find_first_not_of(" \t:=;,"), name.size()));
+                name = name.substr(0, name.find_first_of(" \t;,.)"));
+                if (const auto unit = length_of_unit(name); unit && i != m_head.header) {
                     set_unit(m_head.unit, *unit, i, "coordinates");
                 }
                 break;
@@ -288,9 +288,9 @@ private:
 }  // namespace
 
 TableHead read_table_head(const std::vector<TextLine>& lines, char separator,
-                          const SurveyFileOptions& told, bool is_cloud,
+                          const SurveyFileOptions& options, bool is_cloud,
                           const std::string& file_name) {
-    return HeadFinder(lines, separator, file_name).find(told, is_cloud);
+    return HeadFinder(lines, separator, file_name).find(options, is_cloud);
 }
 
 }  // namespace taut

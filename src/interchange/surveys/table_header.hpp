@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// What stands before the points of a table, and what that tells.
+/// What stands before the points of a table, and what follows from it.
 struct TableHead {
     TableLayout layout;
     size_t first = 0;                   ///< index of the first line that holds a point
@@ -23,13 +23,13 @@ struct TableHead {
     std::vector<std::string> guesses;
 };
 
-/// Finds out what the columns are: by what is told, else by a header, in a comment, too, else by
-/// what stands in them.
+/// Finds the columns: those of the options, else of a header, which may be a comment, else by what
+/// stands in them.
 /// @param is_cloud points without names: x y z and what is behind
 /// @throws InputError where no line holds three numbers, a header names too little or a column
 ///   twice, or the units of coordinates differ
 [[nodiscard]] TableHead read_table_head(const std::vector<TextLine>& lines, char separator,
-                                        const SurveyFileOptions& told, bool is_cloud,
+                                        const SurveyFileOptions& options, bool is_cloud,
                                         const std::string& file_name);
 
 }  // namespace taut

@@ -127,7 +127,7 @@ std::optional<char> detect_table_separator(const std::vector<TextLine>& lines) {
                 const auto fields = split_fields(line, separator, "");
                 count += count_numbers(fields) >= coordinates ? 1 : 0;
             } catch (const InputError&) {
-                continue;  // told when the line is read
+                continue;  // reported when the line is read
             }
         }
         if (count > most) {

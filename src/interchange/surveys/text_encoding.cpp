@@ -122,15 +122,15 @@ std::optional<size_t> low_byte_of_utf_16(std::string_view bytes) {
 }  // namespace
 
 DecodedText decode_text(std::string_view bytes, const std::string& file_name,
-                        std::optional<TextEncoding> told) {
+                        std::optional<TextEncoding> encoding) {
     constexpr std::string_view little = "\xFF\xFE";
     constexpr std::string_view big = "\xFE\xFF";
     const bool has_mark = bytes.starts_with(little) || bytes.starts_with(big);
     std::optional<size_t> low;
-    if (!told || *told == TextEncoding::utf_16) {
+    if (!encoding || *encoding == TextEncoding::utf_16) {
         low = has_mark ? std::optional<size_t>(bytes.starts_with(little) ? 0 : 1)
                        : low_byte_of_utf_16(bytes);
-        if (!low && told) {
+        if (!low && encoding) {
             low = 0;
         }
     }
@@ -138,10 +138,11 @@ DecodedText decode_text(std::string_view bytes, const std::string& file_name,
     if (low) {
         result = {.text = from_utf_16(bytes.substr(has_mark ? 2 : 0), *low, file_name),
                   .encoding = TextEncoding::utf_16};
-    } else if (told ? *told == TextEncoding::utf_8 : is_utf_8(bytes)) {
+    } else if (encoding ? *encoding == TextEncoding::utf_8 : is_utf_8(bytes)) {
         result = {.text = std::string(bytes), .encoding = TextEncoding::utf_8};
         if (!is_utf_8(bytes)) {
-            throw InputError(file_name, "", "holds bytes that are no UTF-8, as --encoding tells");
+            throw InputError(file_name, "",
+                             "holds bytes that are no UTF-8, which is the given encoding");
         }
     } else {
         result = {.text = from_latin_1(bytes), .encoding = TextEncoding::latin_1};

@@ -16,10 +16,10 @@ struct DecodedText {
     TextEncoding encoding = TextEncoding::utf_8;
 };
 
-/// Decodes by what is told, else by the byte order mark, else UTF-16 where every second byte is
-/// zero, UTF-8 where the bytes are that, and Latin-1 (as Windows writes it, CP-1252) where not.
+/// Decodes by the encoding given, else by the byte order mark, else UTF-16 where every second byte
+/// is zero, UTF-8 where the bytes are that, and Latin-1 (as Windows writes it, CP-1252) where not.
 /// @throws InputError with the line of a zero byte or of half a character
 [[nodiscard]] DecodedText decode_text(std::string_view bytes, const std::string& file_name,
-                                      std::optional<TextEncoding> told);
+                                      std::optional<TextEncoding> encoding);
 
 }  // namespace taut
