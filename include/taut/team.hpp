@@ -59,7 +59,7 @@ class TAUT_CORE_EXPORT TeammateFailed : public std::runtime_error {
 ///     draw_samples()       likewise, but each process is given the samples
 ///     gp::fit(), train()   decomposes for every second lambda, as long as there are two; what is
 ///                          done by low rank, each does by itself
-///     compare_methods(), simulate_control(), try_settling()
+///     compare_methods(), simulate_control()
 ///                          does every size()th trial
 ///
 /// and all that uses these, as identify() by processes without a model does, and is given what the
