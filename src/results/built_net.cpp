@@ -29,12 +29,12 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
                                                result->boundary_outliers),
                       .length_draws = {},
                       .perturbations = {},
-                      .no_draws_since = {},
-                      .failed_since = failure_of(result->trust)},
+                      .no_draws_because = {},
+                      .failed_because = failure_of(result->trust)},
             .trust = result->trust};
         const std::filesystem::path draws = draws_path(result_path);
         if (result->draws == 0) {
-            identified.built.no_draws_since = "the result was made without draws";
+            identified.built.no_draws_because = "the result was made without draws";
         } else if (std::filesystem::exists(draws)) {
             const PosteriorDraws drawn = read_draws(net, draws);
             if (drawn.count() != result->draws ||
@@ -47,7 +47,7 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
             }
             add_draws(identified.built, turned, drawn, result->uncertain);
         } else {
-            identified.built.no_draws_since =
+            identified.built.no_draws_because =
                 fmt::format("there is no file {} beside the result", draws.string());
         }
         return identified;

@@ -111,19 +111,19 @@ Json turn_order_json(const PlanRecord& record) {
             {"walk", order.walk},
             {"safe", order.is_safe},
             {"safe_probability", order.safe_probability},
-            {"worst", order.worst.moment < 0
+            {"worst", order.worst.step < 0
                           ? Json()
-                          : Json{{"step", order.worst.moment},
+                          : Json{{"step", order.worst.step},
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
 /// Which targets would tell of the planned form what is not known yet; null where it was not asked.
-Json survey_first_json(const PlanRecord& record) {
+Json suggested_targets_json(const PlanRecord& record) {
     if (!record.options->survey_noise) {
         return {};
     }
     Json targets = Json::array();
-    for (const FurtherTarget& target : record.plan->further_targets) {
+    for (const SuggestedTarget& target : record.plan->suggested_targets) {
         targets.push_back({{"node", target.node},
                            {"id", record.net->node_id(target.node)},
                            {"normal_std", target.normal_std}});
@@ -131,12 +131,12 @@ Json survey_first_json(const PlanRecord& record) {
     return {{"noise", *record.options->survey_noise}, {"targets", targets}};
 }
 
-Json further_json(const PlanRecord& record) {
+Json suggested_edges_json(const PlanRecord& record) {
     if (!record.further) {
         return {};
     }
     Json result = Json::array();
-    for (const FurtherEdge& further : *record.further) {
+    for (const SuggestedEdge& further : *record.further) {
         result.push_back({{"edge", further.edge},
                           {"edge_id", record.net->edge_id(further.edge)},
                           {"stroke", further.stroke},
@@ -157,7 +157,7 @@ Json node_weights_json(const PlanRecord& record) {
 
 }  // namespace
 
-std::string_view sense_of(double stroke) {
+std::string_view action_of(double stroke) {
     return stroke < 0.0 ? "shorten" : "lengthen";
 }
 
@@ -185,11 +185,11 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
             100.0 * order.safe_probability, 100.0 * record.options->confidence));
     } else if (!order.is_safe) {
         warnings.push_back(fmt::format("NO SAFE ORDER WAS FOUND: a limit is broken at step {}",
-                                       order.worst.moment + 1));
+                                       order.worst.step + 1));
     }
     if (plan.draws == 0 && record.limits->has_forces()) {
         warnings.push_back(fmt::format(
-            "LIMITS CANNOT BE PROMISED: tensions are not known, since {}", plan.no_draws_since));
+            "LIMITS CANNOT BE PROMISED: tensions are not known, since {}", plan.no_draws_because));
     }
     return warnings;
 }
@@ -204,12 +204,12 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
                          {"edge_id", net.edge_id(turning.edge)},
                          {"stroke", turning.stroke},
                          {"turns", value_or_null(count_of_turns(record, turning.stroke))},
-                         {"action", sense_of(turning.stroke)},
+                         {"action", action_of(turning.stroke)},
                          {"rotation", value_or_null(rotation_of(turning.stroke,
                                                                 thread_of(record, turning.edge)))},
                          {"pass", turning.pass},
                          {"crew", turning.crew},
-                         {"step", turning.moment},
+                         {"step", turning.step},
                          {"reading_after", listed.reading_after},
                          {"tension_after", listed.tension_after}});
     }
@@ -239,7 +239,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"normal_std", plan.normal_std}}},
         {"tension", planned_tension_json(record)},
         {"order", turn_order_json(record)},
-        {"suggested_adjustable", further_json(record)},
+        {"suggested_adjustable", suggested_edges_json(record)},
         {"options",
          {{"target", record.target->surface() != nullptr ? "surface" : "form"},
           {"node_weights", node_weights_json(record)},
@@ -254,9 +254,9 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
         {"tolerance",
          {{"reached", value_or_null(plan.is_within_tolerance)},
           {"fewest_bound", value_or_null(plan.fewest_bound)}}},
-        {"suggested_targets", survey_first_json(record)},
+        {"suggested_targets", suggested_targets_json(record)},
         {"draws", plan.draws},
-        {"no_draws_because", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
+        {"no_draws_because", plan.draws > 0 ? Json() : Json(plan.no_draws_because)},
         {"built_form", points_json(record.built->net.nodes())},
         {"planned_form", points_json(plan.form)},
         {"planned_form_std", points_json(plan.form_std)},
@@ -279,8 +279,8 @@ std::string plan_to_csv(const PlanRecord& record) {
         const auto turns = count_of_turns(record, turning.stroke);
         text += fmt::format(
             "{},{},{},{},{},{},{:.3f},{},{:.3f},{}\n", turning.crew, turning.pass,
-            turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
-            sense_of(turning.stroke),
+            turning.step + 1, csv_field(record.net->edge_id(turning.edge)),
+            action_of(turning.stroke),
             rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
             1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
             1e3 * listed.reading_after,

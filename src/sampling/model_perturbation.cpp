@@ -31,7 +31,7 @@ void scale_laws(const CableNet& net, const Eigen::VectorXd& stiffness, CableNetD
 
 }  // namespace
 
-ModelPerturbation as_told(const CableNet& net) {
+ModelPerturbation unperturbed(const CableNet& net) {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(net.edge_count());
     return {.stiffness = zero,
             .thermal = zero,
@@ -47,7 +47,7 @@ ModelPerturbation draw_perturbation(const CableNet& net,
     // Streams of their own: the lengths of a data set stay what they are without uncertain.
     constexpr std::uint64_t other_than_lengths = 0x7461757400000000U;
     RandomNumbers random(seed ^ other_than_lengths, static_cast<std::uint32_t>(sample));
-    ModelPerturbation result = as_told(net);
+    ModelPerturbation result = unperturbed(net);
     for (const UncertainParameter& parameter : uncertain) {
         switch (parameter.kind) {
             case UncertainParameter::Kind::stiffness:

@@ -192,7 +192,7 @@ private:
             const BuiltNet built{.net = true_net(m_form),
                                  .length_draws = {},
                                  .perturbations = {},
-                                 .no_draws_since = "the net is known"};
+                                 .no_draws_because = "the net is known"};
             return plan_strokes(built, m_target, limits(), options);
         }
         const CableNet told = told_net();
@@ -215,7 +215,7 @@ private:
         const BuiltNet built{.net = with_lengths(m_net, told.unstressed_lengths(), m_net.nodes()),
                              .length_draws = {},
                              .perturbations = {},
-                             .no_draws_since = "nothing was identified"};
+                             .no_draws_because = "nothing was identified"};
         Points places = m_target.places();
         places(Eigen::all, seen.surveyed) -=
             (seen.form - built.net.nodes())(Eigen::all, seen.surveyed);

@@ -49,10 +49,10 @@ void expect_same_samples(const CableNet& net, const Identification& found) {
     ASSERT_TRUE(found.draws.has_value());
     ASSERT_EQ(found.draws->doubt, "");
     const BuiltNet built = built_net_of(net, found);
-    ASSERT_EQ(built.no_draws_since, "");
+    ASSERT_EQ(built.no_draws_because, "");
     for (int d = 0; d < found.draws->count(); ++d) {
         const ModelPerturbation perturbation = built.perturbations.empty()
-                                                   ? as_told(built.net)
+                                                   ? unperturbed(built.net)
                                                    : built.perturbations.at(static_cast<size_t>(d));
         const CableNet sample = net_under(built.net, perturbation, built.length_draws.col(d));
         const Equilibrium equilibrium = solve_equilibrium(sample);
@@ -125,19 +125,19 @@ TEST(BuiltNet, OfOlderSamplesWithoutWhatWasUncertainHasNone) {
     found.draws->perturbations = {};
     const BuiltNet built = built_net_of(net, found);
     EXPECT_EQ(built.length_draws.cols(), 0);
-    EXPECT_NE(built.no_draws_since, "");
+    EXPECT_NE(built.no_draws_because, "");
 }
 
 TEST(Plan, HoldsItsLimitsWhateverTheStiffnessIs) {
     const CableNet net = hilo_quarter();
     constexpr double common_std = 0.05;
-    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = ""};
+    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_because = ""};
     test::Random random(5);
     std::normal_distribution<double> normal;
     constexpr int draws = 200;
     built.length_draws = net.unstressed_lengths().replicate(1, draws);
     for (int d = 0; d < draws; ++d) {
-        ModelPerturbation& one = built.perturbations.emplace_back(as_told(net));
+        ModelPerturbation& one = built.perturbations.emplace_back(unperturbed(net));
         one.stiffness.setConstant(common_std * normal(random));
     }
     Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 15e-3);
@@ -149,7 +149,7 @@ TEST(Plan, HoldsItsLimitsWhateverTheStiffnessIs) {
     EXPECT_GE(*plan.limit_probability, 0.95);
     int kept = 0;
     for (int job = 0; job < draws; ++job) {
-        ModelPerturbation other = as_told(net);
+        ModelPerturbation other = unperturbed(net);
         other.stiffness.setConstant(common_std * normal(random));
         Eigen::VectorXd lengths = net.unstressed_lengths();
         for (const PlannedStroke& stroke : plan.strokes) {

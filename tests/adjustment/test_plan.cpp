@@ -43,7 +43,7 @@ BuiltNet random_built(const CableNet& net, std::uint64_t seed, double reach) {
                          net, test::uniform_vector(random, net.interior_edge_count(), reach))),
             .length_draws = {},
             .perturbations = {},
-            .no_draws_since = "none were made"};
+            .no_draws_because = "none were made"};
 }
 
 /// Lengths of the built net after a plan.
@@ -89,7 +89,7 @@ TEST(Plan, IsThatOfAnIndependentOptimiser) {
         .net = built_with(net, Eigen::VectorXd::Map(built_lengths.data(), net.edge_count())),
         .length_draws = {},
         .perturbations = {},
-        .no_draws_since = "none were made"};
+        .no_draws_because = "none were made"};
     const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
     const Plan plan = plan_strokes(
         built, target,
@@ -397,7 +397,7 @@ TEST(Plan, KeepsReactionsWithinTheirLimitsUnderLaterLoads) {
 TEST(Plan, IsNotMadeOnAFailedIdentificationUnlessThatIsAccepted) {
     const CableNet net = hypar(3, 3);
     BuiltNet built = random_built(net, 1, 1e-3);
-    built.failed_since = "the noise is contradicted";
+    built.failed_because = "the noise is contradicted";
     const FormTarget target(net, net.nodes());
     const Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 5e-3);
     EXPECT_THAT([&] { static_cast<void>(plan_strokes(built, target, limits)); },
@@ -410,11 +410,11 @@ TEST(Plan, StandsOnAFailedIdentificationWhereItsTestsFailed) {
     Identification identification;
     identification.trust.findings = {
         {.severity = Trust::Verdict::doubtful, .reason = "a length is odd", .next = ""}};
-    EXPECT_EQ(built_net_of(net, identification).failed_since, "");
+    EXPECT_EQ(built_net_of(net, identification).failed_because, "");
     identification.trust.findings = {{.severity = Trust::Verdict::failed,
                                       .reason = "The noise is contradicted.",
                                       .next = "Estimate it."}};
-    EXPECT_EQ(built_net_of(net, identification).failed_since,
+    EXPECT_EQ(built_net_of(net, identification).failed_because,
               "The noise is contradicted. Estimate it.");
 }
 

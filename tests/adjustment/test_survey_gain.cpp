@@ -30,7 +30,7 @@ TEST(SurveyGain, IsThatOfTheConditionalDistribution) {
     ASSERT_EQ(gains.size(), 2U);
     const Eigen::MatrixXd y = forms.colwise() - forms.rowwise().mean();
     const Eigen::MatrixXd x = numbers.colwise() - numbers.rowwise().mean();
-    const auto left_over = [&](const std::vector<int>& seen) {
+    const auto remaining = [&](const std::vector<int>& seen) {
         std::vector<int> rows;
         for (const int s : seen) {
             rows.insert(rows.end(), {3 * s, 3 * s + 1, 3 * s + 2});
@@ -45,10 +45,10 @@ TEST(SurveyGain, IsThatOfTheConditionalDistribution) {
         return std::sqrt(left.trace() / 4.0);
     };
     for (int s = 0; s < places; ++s) {
-        EXPECT_LE(gains[0].left_over, left_over({s}) + 1e-9);
+        EXPECT_LE(gains[0].remaining_std, remaining({s}) + 1e-9);
     }
-    EXPECT_NEAR(gains[0].left_over, left_over({gains[0].place}), 1e-8);
-    EXPECT_NEAR(gains[1].left_over, left_over({gains[0].place, gains[1].place}), 1e-8);
+    EXPECT_NEAR(gains[0].remaining_std, remaining({gains[0].place}), 1e-8);
+    EXPECT_NEAR(gains[1].remaining_std, remaining({gains[0].place, gains[1].place}), 1e-8);
 }
 
 TEST(SurveyGain, IsNoneWhereTargetsTellNothing) {

@@ -41,7 +41,7 @@ protected:
 
     CableNet net = hilo_quarter();
     BuiltNet built{
-        .net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = "none were made"};
+        .net = net, .length_draws = {}, .perturbations = {}, .no_draws_because = "none were made"};
     Limits limits;
     Plan plan;
 };
@@ -64,7 +64,7 @@ TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryMoment) {
             EXPECT_LE(turning.crew, crews);
             done[turning.edge] += turning.stroke;
             lengths(turning.edge) += turning.stroke;
-            if (i + 1 < order.turnings.size() && order.turnings[i + 1].moment == turning.moment) {
+            if (i + 1 < order.turnings.size() && order.turnings[i + 1].step == turning.step) {
                 continue;
             }
             form = EquilibriumSolver(built.net).solve(lengths, form).form;
@@ -95,7 +95,7 @@ TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
     plan.held = {{.lower = limits.tension.lower, .upper = limits.tension.upper}};
     const TurnOrder order = order_turns(built, limits, plan);
     EXPECT_FALSE(order.is_safe);
-    EXPECT_GE(order.worst.moment, 0);
+    EXPECT_GE(order.worst.step, 0);
     // The end of the range that is named is the one that is broken.
     const LimitBreach& worst = order.worst.breach;
     ASSERT_EQ(worst.kind, LimitBreach::Kind::tension);
@@ -146,7 +146,7 @@ protected:
             for (size_t i = 0; i < order.turnings.size() && is_kept; ++i) {
                 lengths(order.turnings[i].edge) += order.turnings[i].stroke;
                 if (i + 1 < order.turnings.size() &&
-                    order.turnings[i + 1].moment == order.turnings[i].moment) {
+                    order.turnings[i + 1].step == order.turnings[i].step) {
                     continue;
                 }
                 form = EquilibriumSolver(built.net).solve(lengths, form).form;
@@ -159,7 +159,7 @@ protected:
 
     static constexpr double least = 2.2e3;
     CableNet net = hypar(6, 6);
-    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = {}};
+    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_because = {}};
     Limits limits;
     Plan plan;
 };
@@ -187,7 +187,7 @@ TEST_F(TurnOrderOfDraws, IsNotSafeWhereTheConfidenceCannotBeKept) {
     ASSERT_LT(plan.limit_probability, 1.0);
     EXPECT_FALSE(order.is_safe);
     EXPECT_GT(order.safe_probability, 0.0);
-    ASSERT_GE(order.worst.moment, 0);
+    ASSERT_GE(order.worst.step, 0);
     EXPECT_EQ(order.worst.breach.limit, least);
     EXPECT_LT(order.worst.breach.probability, 1.0);
     EXPECT_GT(order.worst.breach.probability, 0.0);

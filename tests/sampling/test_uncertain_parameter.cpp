@@ -139,7 +139,7 @@ TEST(UncertainParameter, OfASiteIsWhatIsNotGiven) {
 
 TEST(ModelPerturbation, AsToldLeaveTheNetAsItIs) {
     const CableNet net = hypar(3, 4);
-    const CableNet same = net_under(net, as_told(net), net.unstressed_lengths());
+    const CableNet same = net_under(net, unperturbed(net), net.unstressed_lengths());
     EXPECT_EQ(same.unstressed_lengths(), net.unstressed_lengths());
     EXPECT_EQ(same.axial_stiffness(), net.axial_stiffness());
     EXPECT_EQ(same.nodes(), net.nodes());
@@ -156,7 +156,7 @@ TEST(ModelPerturbation, ChangeTheNetByWhatTheyAre) {
         data.tension_law.assign(data.edges.size(), -1);
         data.tension_law[2] = 0;
     });
-    ModelPerturbation c = as_told(net);
+    ModelPerturbation c = unperturbed(net);
     c.stiffness(1) = std::log(1.1);
     c.stiffness(2) = std::log(0.9);
     c.thermal(3) = 1e-3;

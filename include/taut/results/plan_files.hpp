@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "taut/adjustment/further_edges.hpp"
+#include "taut/adjustment/suggested_edges.hpp"
 #include "taut/adjustment/plan.hpp"
 #include "taut/adjustment/turn_order.hpp"
 #include "taut/export/io.hpp"
@@ -27,7 +27,7 @@ struct PlanRecord {
     const PlanOptions* options = nullptr;             ///< that the plan was made with
     const Plan* plan = nullptr;                       ///< strokes, and what comes of them
     const TurnOrder* order = nullptr;                 ///< of the plan's strokes
-    std::optional<std::vector<FurtherEdge>> further;  ///< where they were asked for
+    std::optional<std::vector<SuggestedEdge>> further;  ///< where they were asked for
     int crews = 1;                                    ///< that `order` is for
     std::optional<Thread> thread;  ///< of all, in place of what the net tells of each
 };
@@ -45,7 +45,7 @@ struct PlanRecord {
 [[nodiscard]] TAUT_IO_EXPORT std::string plan_to_csv(const PlanRecord& record);
 
 /// "shorten", or "lengthen" for 0 and more.
-[[nodiscard]] TAUT_IO_EXPORT std::string_view sense_of(double stroke);
+[[nodiscard]] TAUT_IO_EXPORT std::string_view action_of(double stroke);
 
 /// "clockwise" or "counterclockwise", seen from the support along the cable; nothing where the
 /// thread is not told.

@@ -24,7 +24,7 @@ struct ModelPerturbation {
 };
 
 /// All as the net tells.
-[[nodiscard]] TAUT_CORE_EXPORT ModelPerturbation as_told(const CableNet& net);
+[[nodiscard]] TAUT_CORE_EXPORT ModelPerturbation unperturbed(const CableNet& net);
 
 /// One draw of what is unknown; it depends on the seed and the sample's index alone, of which the
 /// lower 32 bits count.
@@ -34,7 +34,7 @@ draw_perturbation(const CableNet& net, const std::vector<UncertainParameter>& un
                   std::uint64_t seed, std::uint64_t sample);
 
 /// The net under perturbation, with unstressed lengths of its own.
-/// @param perturbation sizes as of as_told(net), not checked
+/// @param perturbation sizes as of unperturbed(net), not checked
 /// @param unstressed_lengths l_0 of all edges as they would be as told (m) [m]
 /// @throws NetError where a length is no longer positive
 [[nodiscard]] TAUT_CORE_EXPORT CableNet
