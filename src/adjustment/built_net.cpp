@@ -80,7 +80,8 @@ ModelPerturbation perturbation_of(const CableNet& identified, const CableNet& tu
 void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
                std::span<const ParameterEstimate> uncertain) {
     if (!draws.doubt.empty()) {
-        built.no_draws_because = fmt::format("the posterior samples are not reliable: {}", draws.doubt);
+        built.no_draws_because =
+            fmt::format("the posterior samples are not reliable: {}", draws.doubt);
         return;
     }
     if (!holds_all(draws, uncertain)) {

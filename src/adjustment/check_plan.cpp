@@ -39,8 +39,7 @@ void check_plan(const CableNet& net, const Limits& limits, const Plan& plan) {
     if (plan.effective_limits.size() != limits.load_cases.size() + 1) {
         throw std::invalid_argument(
             fmt::format("the plan has effective limits for {} sets of loads, expected {}",
-                        plan.effective_limits.size(),
-                        limits.load_cases.size() + 1));
+                        plan.effective_limits.size(), limits.load_cases.size() + 1));
     }
     const auto reactions = static_cast<Eigen::Index>(supports_of(limits.reactions).size());
     const Eigen::Index expected = net.edge_count() + reactions;

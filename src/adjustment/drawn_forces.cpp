@@ -19,8 +19,8 @@ constexpr double smallest_std = 1e-9;
 
 }  // namespace
 
-Eigen::VectorXd strokes_with_errors(Eigen::VectorXd strokes, double actuator_std, std::uint64_t seed,
-                                  Eigen::Index draw) {
+Eigen::VectorXd strokes_with_errors(Eigen::VectorXd strokes, double actuator_std,
+                                    std::uint64_t seed, Eigen::Index draw) {
     RandomNumbers random(seed, static_cast<std::uint32_t>(draw));
     for (double& stroke : strokes) {
         const double error = actuator_std * random.normal();

@@ -20,7 +20,7 @@ struct DrawnStrokes {
 
 /// The strokes that are turned in one sample: those planned, with a random error where not 0.
 [[nodiscard]] Eigen::VectorXd strokes_with_errors(Eigen::VectorXd strokes, double actuator_std,
-                                                std::uint64_t seed, Eigen::Index draw);
+                                                  std::uint64_t seed, Eigen::Index draw);
 
 /// In how many samples all limits must be kept so that they are with a probability `confidence`.
 [[nodiscard]] int draws_needed(double confidence, Eigen::Index draws);

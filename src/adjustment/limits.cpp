@@ -44,16 +44,17 @@ void check_strokes(const CableNet& net, const std::vector<int>& edges, const Lim
         const std::string name = net.edge_id(edges[static_cast<size_t>(k)]);
         if (!std::isfinite(shortest) || !std::isfinite(longest) || shortest > 0.0 ||
             longest < 0.0) {
-            throw std::invalid_argument(fmt::format(
-                "the stroke limits of edge '{}' are {:g} and {:g} m, expected a range that contains 0",
-                name, shortest, longest));
+            throw std::invalid_argument(
+                fmt::format("the stroke limits of edge '{}' are {:g} and {:g} m, expected a range "
+                            "that contains 0",
+                            name, shortest, longest));
         }
         const double length = net.unstressed_lengths()(edges[static_cast<size_t>(k)]);
         if (!(-shortest < 0.9 * length)) {
-            throw std::invalid_argument(
-                fmt::format("the lower stroke limit of edge '{}' is {:g} m, expected to leave more than "
-                            "a tenth of its length of {:g} m",
-                            name, shortest, length));
+            throw std::invalid_argument(fmt::format(
+                "the lower stroke limit of edge '{}' is {:g} m, expected to leave more than "
+                "a tenth of its length of {:g} m",
+                name, shortest, length));
         }
     }
 }

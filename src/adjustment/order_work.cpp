@@ -160,15 +160,17 @@ DrawnWork OrderWork::drawn(
         // A stroke that is done in part has that part of its error.
         const Eigen::VectorXd whole =
             strokes_with_errors(m_all, m_options.actuator_std, m_options.seed, d);
-        const Eigen::VectorXd relative_error = (m_all.array().abs() >= negligible_stroke)
-                                         .select((whole - m_all).array() / m_all.array(), 0.0);
+        const Eigen::VectorXd relative_error =
+            (m_all.array().abs() >= negligible_stroke)
+                .select((whole - m_all).array() / m_all.array(), 0.0);
         Points near = m_before.equilibrium.form;
         for (size_t i = 0; i < states.size(); ++i) {
             const Eigen::VectorXd& strokes = states[i].first;
             if (predicted(d, static_cast<Eigen::Index>(i)) < -prediction_error * m_unit) {
                 continue;
             }
-            const StrokedNet net = response.at(strokes + relative_error.cwiseProduct(strokes), near);
+            const StrokedNet net =
+                response.at(strokes + relative_error.cwiseProduct(strokes), near);
             if (!net.equilibrium.balanced()) {
                 has_no_form[static_cast<size_t>(d)] = 1;
                 break;

@@ -23,7 +23,7 @@ struct Harm {
 
 /// An order of work in all samples.
 struct DrawnWork {
-    int kept = 0;                      ///< samples in which no step breaks a limit
+    int kept = 0;                    ///< samples in which no step breaks a limit
     std::optional<WorstStep> worst;  ///< the limit that is broken in most samples, and when
 };
 
@@ -61,8 +61,8 @@ public:
     /// Samples in which no limit was broken until now, by prediction, and none is at the end.
     [[nodiscard]] int predicted_kept() const;
     [[nodiscard]] Eigen::Index draws() const { return m_built->length_draws.cols(); }
-    /// Exact equilibria of the samples wherever a limit may be broken, each with random errors of its
-    /// own in what is turned.
+    /// Exact equilibria of the samples wherever a limit may be broken, each with random errors of
+    /// its own in what is turned.
     /// @param states strokes after each step, and the forces of the estimate then
     [[nodiscard]] DrawnWork drawn(
         const std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>& states) const;

@@ -208,7 +208,8 @@ private:
     /// depends on the plan, so both are found in turn.
     StrokeSearch with_margins(StrokeSearch search) {
         constexpr int rounds = 10;
-        constexpr double close_enough = 0.1;  // a margin is at most so much too wide [standard deviations]
+        constexpr double close_enough =
+            0.1;  // a margin is at most so much too wide [standard deviations]
         double factor = 0.0;
         StrokeSearch best = search;
         std::vector<ForceRange> best_limits = m_given;
@@ -375,7 +376,8 @@ private:
                 (rows.rowwise().squaredNorm() / static_cast<double>(draws())).cwiseSqrt();
             const Eigen::Vector3d normal = target.normals().col(node);
             if (!normal.isZero(0.0)) {
-                variance += (normal.transpose() * rows).squaredNorm() / static_cast<double>(draws());
+                variance +=
+                    (normal.transpose() * rows).squaredNorm() / static_cast<double>(draws());
                 ++with_normal;
             }
         }

@@ -33,11 +33,12 @@ public:
     StrokeProgram(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                   const StrokedState& state);
 
-    /// The best strokes within `radius` of the state's [m]; empty where the conic solver finds none.
+    /// The best strokes within `radius` of the state's [m]; empty where the conic solver finds
+    /// none.
     [[nodiscard]] std::optional<ProposedStrokes> solve(double radius) const;
 
-    /// The strokes with the least sum_j weight_j |x_j| for which the cost is at most a bound, as far
-    /// as limits allow.
+    /// The strokes with the least sum_j weight_j |x_j| for which the cost is at most a bound, as
+    /// far as limits allow.
     /// @param cost_bound mean square, or largest square, of the weighted deviations [m2]
     [[nodiscard]] std::optional<Eigen::VectorXd> least_turning(const Eigen::VectorXd& weights,
                                                                double cost_bound,

@@ -15,8 +15,8 @@ constexpr int most_searches = 60;
 constexpr double first_radius = 5e-3;     ///< [m]
 constexpr double smallest_radius = 1e-8;  ///< [m]
 constexpr double smallest_gain = 1e-6;    ///< of the merit
-/// Between the faces of a mesh the merit has kinks. There the search ends at steps below this [m] that
-/// promise less than this part of the merit: no turnbuckle can be set so finely.
+/// Between the faces of a mesh the merit has kinks. There the search ends at steps below this [m]
+/// that promise less than this part of the merit: no turnbuckle can be set so finely.
 constexpr double step_along_kink = 1e-5;
 constexpr double gain_along_kink = 1e-3;
 

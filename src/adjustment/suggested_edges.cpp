@@ -35,7 +35,7 @@ struct TurnedSet {
 class SuggestionSearch {
 public:
     SuggestionSearch(const BuiltNet& built, const FormTarget& target, const Limits& limits,
-                  const Plan& plan)
+                     const Plan& plan)
         : m_net(&built.net), m_target(&target), m_limits(&limits), m_plan(&plan) {
         for (const LoadCase& load_case : limits.load_cases) {
             m_case_nets.push_back(with_loads(built.net, load_case.loads));
@@ -72,8 +72,8 @@ public:
     }
 
     /// Edges that are not in the set, by how much they lower the cost to first order
-    /// (further-edges): by (a . z)^2 / |a|^2 with the residual z and the edge's column a, from which
-    /// the columns of the set are projected out; less where the stroke is limited.
+    /// (further-edges): by (a . z)^2 / |a|^2 with the residual z and the edge's column a, from
+    /// which the columns of the set are projected out; less where the stroke is limited.
     [[nodiscard]] std::vector<int> ranked(const TurnedSet& set) const {
         const StrokedNet& stroked = set.state.nets.front();
         const FormTarget target = m_target->at(stroked.equilibrium.form);
@@ -192,11 +192,10 @@ private:
 }  // namespace
 
 std::vector<SuggestedEdge> suggested_edges(const BuiltNet& built, const FormTarget& target,
-                                       const Limits& limits, const PlanOptions& options,
-                                       const Plan& plan, int count, const Progress& progress) {
+                                           const Limits& limits, const PlanOptions& options,
+                                           const Plan& plan, int count, const Progress& progress) {
     if (count < 1) {
-        throw std::invalid_argument(
-            fmt::format("{} suggested edges, expected at least 1", count));
+        throw std::invalid_argument(fmt::format("{} suggested edges, expected at least 1", count));
     }
     const std::vector<int>& edges =
         options.edges.empty() ? built.net.adjustable_edges() : options.edges;

@@ -65,8 +65,9 @@ std::vector<SurveyGain> gains_of_targets(const Eigen::MatrixXd& forms,
                                      eigen.vectors.transpose();
         X -= (X * at.transpose()) * (seen * at);
         Y -= (Y * at.transpose()) * (seen * at);
-        result.push_back({.place = static_cast<int>(best),
-                          .remaining_std = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
+        result.push_back(
+            {.place = static_cast<int>(best),
+             .remaining_std = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
     }
     return result;
 }

@@ -206,8 +206,7 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
     }
     if (!(options.actuator_std >= 0.0) || std::isinf(options.actuator_std)) {
         throw std::invalid_argument(
-            fmt::format("the actuator std is {:g} m, expected at least 0",
-                        options.actuator_std));
+            fmt::format("the actuator std is {:g} m, expected at least 0", options.actuator_std));
     }
     check_force_limits(built.net, limits);
     check_plan(built.net, limits, plan);

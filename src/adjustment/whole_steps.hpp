@@ -16,9 +16,9 @@ namespace taut {
 [[nodiscard]] std::vector<int> next_to_fix(std::vector<int> open, const Eigen::VectorXd& strokes,
                                            const Eigen::VectorXd& multiples);
 
-/// Rounds strokes to whole multiples of a step within their limits. A quarter at a time, those nearest
-/// to a multiple are fixed and the others searched anew; then single strokes move by a step while
-/// one helps. Exact equilibrium after each. docs/theory.md (whole-steps).
+/// Rounds strokes to whole multiples of a step within their limits. A quarter at a time, those
+/// nearest to a multiple are fixed and the others searched anew; then single strokes move by a step
+/// while one helps. Exact equilibrium after each. docs/theory.md (whole-steps).
 [[nodiscard]] StrokedState in_whole_steps(std::vector<LimitedResponse>& responses,
                                           const StrokeTask& task, const StrokedState& free,
                                           double step);

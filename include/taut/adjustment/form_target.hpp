@@ -20,12 +20,12 @@ enum class FormObjective {
 
 /// Weights of the squared deviation along the normal of the target and across it.
 struct DeviationWeights {
-    double normal = 1.0;  ///< 0 or more; of a node without normal in all directions
+    double normal = 1.0;      ///< 0 or more; of a node without normal in all directions
     double tangential = 0.1;  ///< across the normal, 0 or more
 };
 
-/// Target place and normal of each free node. A node without normal (of a single cable, say) has the
-/// weight `normal` in all directions.
+/// Target place and normal of each free node. A node without normal (of a single cable, say) has
+/// the weight `normal` in all directions.
 ///
 /// On a target surface a node may reach any point. Its normal n is that of the surface at the
 /// nearest point c. Its place is where the line along n through its designed place q meets the
@@ -104,10 +104,11 @@ private:
 /// Deviation of a form from a target, over the free nodes; from a surface at the points nearest to
 /// the form [m].
 struct FormDeviation {
-    double mean = 0.0;         ///< of the distances of the nodes
-    double max = 0.0;          ///< the largest of these
-    double rmse = 0.0;         ///< root of their mean square
-    double normal_mean = 0.0;  ///< of the absolute value along the normal, over the nodes that have one
+    double mean = 0.0;  ///< of the distances of the nodes
+    double max = 0.0;   ///< the largest of these
+    double rmse = 0.0;  ///< root of their mean square
+    double normal_mean =
+        0.0;  ///< of the absolute value along the normal, over the nodes that have one
     double normal_max = 0.0;   ///< the largest of these; 0 where no node has a normal
     double normal_rmse = 0.0;  ///< root of their mean square; 0 likewise
 };

@@ -34,8 +34,8 @@ struct LoadCase {
     TensionLimits tension;  ///< under these loads
 };
 
-/// Limits of all forces under one set of loads: the tensions of all edges (m), then the reactions of
-/// the supports of all reaction limits [N].
+/// Limits of all forces under one set of loads: the tensions of all edges (m), then the reactions
+/// of the supports of all reaction limits [N].
 struct TAUT_ADJUSTMENT_EXPORT ForceRange {
     Eigen::VectorXd lower;  ///< -infinite for reactions
     Eigen::VectorXd upper;  ///< may be infinite
@@ -67,7 +67,8 @@ struct TAUT_ADJUSTMENT_EXPORT Limits {
 
 /// Checks that limits are consistent.
 /// @param edges that may be turned, indices of the net: not checked
-/// @throws std::invalid_argument for limits of wrong size or not numbers, a lower limit not below its
+/// @throws std::invalid_argument for limits of wrong size or not numbers, a lower limit not below
+/// its
 ///   upper, a range of strokes without 0 or that leaves an edge a tenth of its length or less, a
 ///   reaction limit that is not positive or of a node that is no support
 TAUT_ADJUSTMENT_EXPORT void check_limits(const CableNet& net, const std::vector<int>& edges,

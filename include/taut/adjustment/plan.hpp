@@ -78,8 +78,8 @@ struct TAUT_ADJUSTMENT_EXPORT Plan {
     FormDeviation as_built;              ///< of the estimate, before anything is turned
     FormDeviation planned;               ///< of the estimate
     FormDeviation unconstrained;         ///< what remains with unlimited strokes, no edge slack
-    /// Standard deviation along the normal of the planned form, root mean square over the nodes: the
-    /// uncertainty that another survey could reduce. 0 without samples [m].
+    /// Standard deviation along the normal of the planned form, root mean square over the nodes:
+    /// the uncertainty that another survey could reduce. 0 without samples [m].
     double normal_std = 0.0;
     /// With PlanOptions::survey_noise: at most ten, the most informative first. For other targets
     /// the samples show no significant gain.

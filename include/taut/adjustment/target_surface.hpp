@@ -15,8 +15,8 @@ namespace taut {
 /// The point of a surface that is nearest to another point.
 struct SurfacePoint {
     Eigen::Vector3d place;  ///< on the surface [m]
-    /// Unit normal of the surface there, on either side. Within a face it is that of the face. At an
-    /// edge or corner it is the direction to the other point; where that lies on the surface, or
+    /// Unit normal of the surface there, on either side. Within a face it is that of the face. At
+    /// an edge or corner it is the direction to the other point; where that lies on the surface, or
     /// beyond its border, the mean of the faces.
     Eigen::Vector3d normal;
     double distance = 0.0;       ///< to the other point [m]
@@ -24,8 +24,8 @@ struct SurfacePoint {
 };
 
 /// A surface of triangles, searched for its nearest points. Vertices at the same place are one, and
-/// the orientations of faces need not agree. One object serves several threads at once. A moved-from
-/// object may only be assigned to or destroyed.
+/// the orientations of faces need not agree. One object serves several threads at once. A
+/// moved-from object may only be assigned to or destroyed.
 class TAUT_ADJUSTMENT_EXPORT TargetSurface {
 public:
     /// @param vertices 3 x v [m]

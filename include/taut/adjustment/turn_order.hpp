@@ -48,16 +48,16 @@ struct TurnOrderOptions {
     std::uint64_t seed = 1;     ///< of the random errors of the strokes
 };
 
-/// Orders the turnings so that no step breaks a limit, from neighbour to neighbour: in one pass over
-/// the net if possible, else in two, four or eight, each with its part of every stroke. Every step
-/// is checked in exact equilibrium, of the estimate and of the samples. Where no order is safe with
-/// the required probability, the safest one found. docs/theory.md (turn-order).
+/// Orders the turnings so that no step breaks a limit, from neighbour to neighbour: in one pass
+/// over the net if possible, else in two, four or eight, each with its part of every stroke. Every
+/// step is checked in exact equilibrium, of the estimate and of the samples. Where no order is safe
+/// with the required probability, the safest one found. docs/theory.md (turn-order).
 /// @param built, limits that the plan was made with
 /// @param plan of this net
 /// @param progress gets the stage "ordering", 0 of 0
 /// @throws std::invalid_argument for crews below 1 or above 100, a negative turn_step or
-///   actuator_std, a confidence outside (0, 1), what plan_strokes() refuses of limits, and a plan of
-///   another net or other limits
+///   actuator_std, a confidence outside (0, 1), what plan_strokes() refuses of limits, and a plan
+///   of another net or other limits
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT TurnOrder order_turns(const BuiltNet& built,
                                                            const Limits& limits, const Plan& plan,
