@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// One law an edge, each with its own stiffness.
+/// Gives each edge a tension law of its own, scaled by its stiffness.
 void scale_laws(const CableNet& net, const Eigen::VectorXd& stiffness, CableNetData& data) {
     std::vector<TensionLaw> laws;
     laws.reserve(data.tension_law.size());
@@ -44,7 +44,8 @@ ModelPerturbation unperturbed(const CableNet& net) {
 ModelPerturbation draw_perturbation(const CableNet& net,
                                     const std::vector<UncertainParameter>& uncertain,
                                     std::uint64_t seed, std::uint64_t sample) {
-    // Streams of their own: the lengths of a data set stay what they are without uncertain.
+    // A random stream of their own, so that the lengths of a data set are the same with and without
+    // uncertain parameters.
     constexpr std::uint64_t other_than_lengths = 0x7461757400000000U;
     RandomNumbers random(seed ^ other_than_lengths, static_cast<std::uint32_t>(sample));
     ModelPerturbation result = unperturbed(net);
