@@ -24,7 +24,7 @@ ResultJson row_json(const ComparisonRow& row) {
     const auto number = [](bool is_there, double value) {
         return is_there ? ResultJson(value) : ResultJson();
     };
-    const auto best = row.best_possible.value_or(BestPossible{});
+    const auto best = row.best_possible.value_or(CramerRaoBound{});
     const bool has_best = row.best_possible.has_value();
     return {{"method", result.name},
             {"noise", row.kind.noise_std},
