@@ -28,10 +28,10 @@ Json deviation_json(const FormDeviation& d) {
             {"normal_rmse", d.normal_rmse}};
 }
 
-/// A turning with what it leads to.
+/// A turning with its results.
 struct Listed {
     Turning turning;
-    double reading_after = 0.0;  ///< from the designed length [m]
+    double reading_after = 0.0;  ///< unstressed length then, less the designed one [m]
     double tension_after = 0.0;  ///< when all is done [N]
 };
 
@@ -53,6 +53,16 @@ std::vector<Listed> listed_turnings(const PlanRecord& record) {
 std::optional<double> count_of_turns(const PlanRecord& record, double stroke) {
     return record.options->turn ? std::optional(std::abs(stroke) / record.options->turn->pitch)
                                 : std::nullopt;
+}
+
+/// Of the support at an edge's end; empty where it has none.
+std::string support_id(const CableNet& net, int edge) {
+    for (const int node : net.edges()[edge]) {
+        if (net.free_index(node) < 0) {
+            return net.node_id(node);
+        }
+    }
+    return {};
 }
 
 std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
@@ -117,7 +127,7 @@ Json turn_order_json(const PlanRecord& record) {
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
-/// Which targets would tell of the planned form what is not known yet; null where it was not asked.
+/// Targets that would make the planned form better known; null where they were not asked for.
 Json suggested_targets_json(const PlanRecord& record) {
     if (!record.options->survey_noise) {
         return {};
@@ -145,7 +155,7 @@ Json suggested_edges_json(const PlanRecord& record) {
     return result;
 }
 
-/// Of the free nodes.
+/// Weights of the free nodes.
 Json node_weights_json(const PlanRecord& record) {
     Json result{{"normal", Json::array()}, {"tangential", Json::array()}};
     for (const int node : record.net->free_nodes()) {
@@ -174,22 +184,23 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
     std::vector<std::string> warnings;
     if (const std::string failure = failure_of(*record.trust); !failure.empty()) {
         warnings.push_back(fmt::format(
-            "DO NOT TURN BY THIS LIST: the identification failed its tests: {}", failure));
+            "DO NOT TURN BY THIS LIST: the identification failed its checks: {}", failure));
     }
     if (!plan.is_feasible) {
-        warnings.emplace_back("DO NOT TURN BY THIS LIST: limits of the plan are broken by it");
+        warnings.emplace_back("DO NOT TURN BY THIS LIST: the plan breaks limits");
     } else if (!order.is_safe && order.worst.breach.probability > 0.0) {
         warnings.push_back(fmt::format(
             "NO SAFE ORDER WAS FOUND: the probability that no step breaks a limit is {:.1f} % "
             "(required: {:g} %)",
             100.0 * order.safe_probability, 100.0 * record.options->confidence));
     } else if (!order.is_safe) {
-        warnings.push_back(fmt::format("NO SAFE ORDER WAS FOUND: a limit is broken at step {}",
-                                       order.worst.step + 1));
+        warnings.push_back(
+            fmt::format("NO SAFE ORDER WAS FOUND: step {} breaks a limit", order.worst.step + 1));
     }
     if (plan.draws == 0 && record.limits->has_forces()) {
-        warnings.push_back(fmt::format(
-            "LIMITS CANNOT BE PROMISED: tensions are not known, since {}", plan.no_draws_because));
+        warnings.push_back(
+            fmt::format("LIMITS CANNOT BE PROMISED: tensions are not reported, because {}",
+                        plan.no_draws_because));
     }
     return warnings;
 }
@@ -273,16 +284,18 @@ std::string plan_to_csv(const PlanRecord& record) {
         text += fmt::format("# {}\n", printable(warning));
     }
     text +=
-        "crew,pass,moment,edge,sense,rotation,stroke_mm,turns,reading_after_mm,tension_after_kN\n";
+        "number,crew,pass,step,edge,support,action,rotation,turns,stroke_mm,scale_reading_mm,"
+        "tension_after_kN\n";
+    int number = 0;
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
         const auto turns = count_of_turns(record, turning.stroke);
         text += fmt::format(
-            "{},{},{},{},{},{},{:.3f},{},{:.3f},{}\n", turning.crew, turning.pass,
+            "{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", ++number, turning.crew, turning.pass,
             turning.step + 1, csv_field(record.net->edge_id(turning.edge)),
-            action_of(turning.stroke),
+            csv_field(support_id(*record.net, turning.edge)), action_of(turning.stroke),
             rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
-            1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
+            turns ? fmt::format("{:.3f}", *turns) : "", 1e3 * turning.stroke,
             1e3 * listed.reading_after,
             record.plan->draws > 0 ? fmt::format("{:.3f}", 1e-3 * listed.tension_after) : "");
     }
