@@ -47,7 +47,6 @@ public:
     }
 
     [[nodiscard]] const CableNet& net() const { return *m_net; }
-    [[nodiscard]] const std::vector<int>& edges() const { return m_edges; }
 
 private:
     [[nodiscard]] Eigen::VectorXd forces_of(const Eigen::VectorXd& lengths,

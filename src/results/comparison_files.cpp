@@ -13,11 +13,6 @@
 namespace taut {
 namespace {
 
-template <class T>
-ResultJson or_null(const std::optional<T>& value) {
-    return value ? ResultJson(*value) : ResultJson();
-}
-
 ResultJson row_json(const ComparisonRow& row) {
     const MethodResult& result = row.result;
     const bool any = result.identified() > 0;

@@ -80,8 +80,8 @@ Json findings_json(const Trust& trust) {
             {{"kind", to_string(finding.kind)},
              {"severity", to_string(finding.severity)},
              {"ids", finding.ids},
-             {"value", finding.value ? Json(*finding.value) : Json()},
-             {"std", finding.std ? Json(*finding.std) : Json()},
+             {"value", or_null(finding.value)},
+             {"std", or_null(finding.std)},
              {"confounded_with", finding.confounded_with},
              {"remedy", finding.remedy ? Json{{"parameter", finding.remedy->parameter},
                                               {"value", finding.remedy->value}}

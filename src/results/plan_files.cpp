@@ -86,10 +86,6 @@ Json breach_json(const CableNet& net, const LimitBreach& breach) {
             {"probability", breach.probability}};
 }
 
-Json value_or_null(const auto& value) {
-    return value ? Json(*value) : Json();
-}
-
 Json planned_tension_json(const PlanRecord& record) {
     const Plan& plan = *record.plan;
     const CableNet& built = record.built->net;
@@ -110,7 +106,7 @@ Json planned_tension_json(const PlanRecord& record) {
             {"most", plan.tensions.maxCoeff()},
             {"least_as_built", as_built.minCoeff()},
             {"most_as_built", as_built.maxCoeff()},
-            {"limit_probability", value_or_null(plan.limit_probability)},
+            {"limit_probability", or_null(plan.limit_probability)},
             {"edges", edges}};
 }
 
@@ -211,18 +207,18 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
     Json turns = Json::array();
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
-        turns.push_back({{"edge", turning.edge},
-                         {"edge_id", net.edge_id(turning.edge)},
-                         {"stroke", turning.stroke},
-                         {"turns", value_or_null(count_of_turns(record, turning.stroke))},
-                         {"action", action_of(turning.stroke)},
-                         {"rotation", value_or_null(rotation_of(turning.stroke,
-                                                                thread_of(record, turning.edge)))},
-                         {"pass", turning.pass},
-                         {"crew", turning.crew},
-                         {"step", turning.step},
-                         {"reading_after", listed.reading_after},
-                         {"tension_after", listed.tension_after}});
+        turns.push_back(
+            {{"edge", turning.edge},
+             {"edge_id", net.edge_id(turning.edge)},
+             {"stroke", turning.stroke},
+             {"turns", or_null(count_of_turns(record, turning.stroke))},
+             {"action", action_of(turning.stroke)},
+             {"rotation", or_null(rotation_of(turning.stroke, thread_of(record, turning.edge)))},
+             {"pass", turning.pass},
+             {"crew", turning.crew},
+             {"step", turning.step},
+             {"reading_after", listed.reading_after},
+             {"tension_after", listed.tension_after}});
     }
     Json violations = Json::array();
     for (const LimitBreach& breach : plan.breaches) {
@@ -258,13 +254,13 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"actuator", record.options->actuator_std},
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
           {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
-          {"tolerance", value_or_null(record.options->tolerance)},
+          {"tolerance", or_null(record.options->tolerance)},
           {"thread",
            !record.thread ? Json() : Json(*record.thread == Thread::right ? "right" : "left")}}},
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
-         {{"reached", value_or_null(plan.is_within_tolerance)},
-          {"fewest_bound", value_or_null(plan.fewest_bound)}}},
+         {{"reached", or_null(plan.is_within_tolerance)},
+          {"fewest_bound", or_null(plan.fewest_bound)}}},
         {"suggested_targets", suggested_targets_json(record)},
         {"draws", plan.draws},
         {"no_draws_because", plan.draws > 0 ? Json() : Json(plan.no_draws_because)},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "taut/identification/trust.hpp"
@@ -13,6 +14,12 @@ namespace taut {
 
 /// JSON of all results; it keeps the order of keys.
 using ResultJson = nlohmann::ordered_json;
+
+/// The value, or null.
+template <typename T>
+[[nodiscard]] ResultJson or_null(const std::optional<T>& value) {
+    return value ? ResultJson(*value) : ResultJson();
+}
 
 /// {"name", "free_nodes", "supports", "interior_edges", "adjustable_edges", "fingerprint"}
 [[nodiscard]] ResultJson counts_json(const CableNet& net);
