@@ -71,7 +71,6 @@ def of_studies():
         ("reproduce", "-o", "study"),
         ("compare", "net.json", "-o", "comparison", "--surveys", "5"),
         ("control", "net.json", "-o", "control", "--tension", "1.5kN..10kN", "--trials", "2"),
-        ("trials", "-o", "trials", "--surveys", "5"),
     ]:
         yield {"command": command[0], "bytes": peak(*command)}
 

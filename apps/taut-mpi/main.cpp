@@ -54,7 +54,7 @@ int run(int argc, char** argv) noexcept {
         const auto run_all = [&] {
             code = run_program(
                 {.name = "taut-mpi",
-                 .commands = {add_sample, add_train, add_compare, add_control, add_trials},
+                 .commands = {add_sample, add_train, add_compare, add_control},
                  .end = end},
                 argc, argv);
         };

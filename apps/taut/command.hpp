@@ -84,6 +84,5 @@ void add_reproduce(CLI::App& program);
 void add_survey(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_report(CLI::App& program);
-void add_trials(CLI::App& program);
 
 }  // namespace taut::app

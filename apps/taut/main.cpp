@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     leave(run_program({.name = "taut",
                        .commands = {add_example, add_import, add_inspect, add_form, add_export,
                                     add_sample, add_train, add_identify, add_plan, add_control,
-                                    add_reproduce, add_compare, add_trials, add_report, add_survey},
+                                    add_reproduce, add_compare, add_report, add_survey},
                        .end = end},
                       argc, argv));
 }

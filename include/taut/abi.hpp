@@ -10,14 +10,13 @@
 
 #include "taut/export/core.hpp"
 
-// taut hands over matrices of Eigen and containers of the standard library. Both sides must lay
-// them out, align and free them alike, which flags of a compiler change: -mavx and -march=native
-// how Eigen aligns, -fsanitize=address how it allocates, -D_GLIBCXX_DEBUG what a std::vector is.
-// Likewise Eigen's order of storage and index, and the packing of structs, which do not compile
-// here. Linking taut::taut, or `pkg-config --cflags taut`, brings the definitions along that fix
-// what Eigen does, whatever the flags. What is different all the same does not link: the symbol
-// below tells in its name what a source was compiled for, and the library has only its own.
-// docs/linking.md, "What may differ between the program and taut".
+// taut's interface passes Eigen matrices and containers of the standard library. Both sides must
+// lay out, align and free them alike, but compiler flags change this: -mavx and -march=native how
+// Eigen aligns, -fsanitize=address how it allocates, -D_GLIBCXX_DEBUG what a std::vector is. Other
+// storage orders and indices of Eigen, and packed structs, do not compile below. Linking
+// taut::taut, or `pkg-config --cflags taut`, adds the definitions that fix what Eigen does,
+// whatever the flags. Remaining differences do not link: the name of the symbol below encodes what
+// a source was compiled for, and the library has only its own. docs/linking.md, "What may differ between the program and taut".
 #if defined(_LIBCPP_VERSION)
 #define TAUT_ABI_STANDARD_LIBRARY libcxx
 #elif defined(_GLIBCXX_USE_CXX11_ABI) && !_GLIBCXX_USE_CXX11_ABI
@@ -30,7 +29,7 @@
 #define TAUT_ABI_STANDARD_LIBRARY libstdcxx
 #endif
 
-// The version of Eigen is 3.4 or 5.x: the second number of the old ones tells both apart.
+// Eigen is 3.4 or 5.x: EIGEN_MAJOR_VERSION differs between them.
 #define TAUT_ABI_PASTE(library, major, heap, stack, by_malloc) \
     compiled_for_##library##_eigen_##major##_aligned_to_##heap##_and_##stack##_by_malloc_##by_malloc
 #define TAUT_ABI_NAME(library, major, heap, stack, by_malloc) \
@@ -42,16 +41,16 @@
 namespace taut::border {
 
 static_assert(!Eigen::MatrixXd::IsRowMajor,
-              "taut hands over matrices by columns: undefine EIGEN_DEFAULT_TO_ROW_MAJOR");
+              "taut passes matrices by columns: undefine EIGEN_DEFAULT_TO_ROW_MAJOR");
 static_assert(std::is_same_v<Eigen::Index, std::ptrdiff_t>,
               "taut is compiled with Eigen's own index: undefine EIGEN_DEFAULT_DENSE_INDEX_TYPE");
 struct Padded {
     char first;
     double second;
 };
-static_assert(sizeof(void*) >= 8, "taut is for 64-bit systems, whose malloc() aligns to 16 bytes");
+static_assert(sizeof(void*) >= 8, "taut needs a 64-bit system, whose malloc() aligns to 16 bytes");
 static_assert(sizeof(Padded) > sizeof(char) + sizeof(double),
-              "taut hands over structs as the ABI packs them: leave out -fpack-struct");
+              "taut passes structs as the ABI packs them: leave out -fpack-struct");
 
 extern TAUT_CORE_EXPORT const char TAUT_ABI;
 

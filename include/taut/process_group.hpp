@@ -60,7 +60,7 @@ class TAUT_CORE_EXPORT PeerFailed : public std::runtime_error {
 ///     draw_samples()       likewise, but each process receives the samples
 ///     gp::fit(), train()   two processes decompose for alternate values of lambda, as long as
 ///                          there are two; low-rank work is done by each process
-///     compare_methods(), simulate_control(), try_settling()
+///     compare_methods(), simulate_control()
 ///                          each process does every size()th trial
 ///
 /// So does everything that uses them, as identify() by processes without a model, which receives

@@ -32,7 +32,7 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
     const CableNet identified = net_under(net, perturbation, lengths);
     const Equilibrium equilibrium = solve_equilibrium(identified);
     if (!equilibrium.balanced()) {
-        throw std::invalid_argument("the identified lengths find no equilibrium");
+        throw std::invalid_argument("with the estimated lengths the net finds no equilibrium");
     }
     CableNetData data = identified.data();
     data.nodes = equilibrium.form;
@@ -41,7 +41,7 @@ CableNet net_as_identified(const CableNet& net, std::span<const IdentifiedEdge> 
 
 namespace {
 
-/// Whether the draws hold all that was uncertain: those of older versions hold lengths alone.
+/// Whether the samples hold all uncertain parameters: those of older versions hold lengths alone.
 bool holds_all(const PosteriorDraws& draws, std::span<const ParameterEstimate> uncertain) {
     return std::ranges::all_of(uncertain, [&](const ParameterEstimate& one) {
         return one.parameter.kind == UncertainParameter::Kind::adjustable
@@ -50,11 +50,11 @@ bool holds_all(const PosteriorDraws& draws, std::span<const ParameterEstimate> u
     });
 }
 
-/// What differs from the net as identified in a draw, whose perturbations are from the net as it
-/// was turned.
+/// How sample d differs from the net as identified. Perturbations of samples are relative to the
+/// net as it was turned.
 ModelPerturbation perturbation_of(const CableNet& identified, const CableNet& turned,
                                   const ModelPerturbations& draws, Eigen::Index d) {
-    ModelPerturbation result = as_told(identified);
+    ModelPerturbation result = unperturbed(identified);
     const auto& nodes = turned.supports();
     result.stiffness =
         (turned.data().axial_stiffness.array() / identified.data().axial_stiffness.array())
@@ -80,17 +80,19 @@ ModelPerturbation perturbation_of(const CableNet& identified, const CableNet& tu
 void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& draws,
                std::span<const ParameterEstimate> uncertain) {
     if (!draws.doubt.empty()) {
-        built.no_draws_since = fmt::format("the draws are in doubt: {}", draws.doubt);
+        built.no_draws_because =
+            fmt::format("the posterior samples are not reliable: {}", draws.doubt);
         return;
     }
     if (!holds_all(draws, uncertain)) {
-        built.no_draws_since =
-            "the draws, of an older version, hold lengths alone, and more was uncertain: identify "
-            "again";
+        built.no_draws_because =
+            "the posterior samples, of an older version, hold lengths alone, though more was "
+            "uncertain: identify again";
         return;
     }
     const ModelPerturbations& perturbations = draws.perturbations;
-    // Without perturbations of the lengths the estimate holds what was found of adjustable edges.
+    // Thermal perturbations are relative to the lengths as turned. Without them, lengths that were
+    // not drawn are those of the estimate.
     const bool is_thermal = perturbations.thermal.size() > 0;
     built.length_draws =
         (is_thermal ? turned : built.net).unstressed_lengths().replicate(1, draws.count());
@@ -107,7 +109,7 @@ void add_draws(BuiltNet& built, const CableNet& turned, const PosteriorDraws& dr
         built.length_draws.array() *= 1.0 + perturbations.thermal.array();
     }
     if (draws.count() > 0 && !(built.length_draws.minCoeff() > 0.0)) {
-        throw std::invalid_argument("draws leave an edge no length");
+        throw std::invalid_argument("in a posterior sample an edge has no positive length");
     }
     for (Eigen::Index d = 0; !perturbations.empty() && d < draws.count(); ++d) {
         built.perturbations.push_back(perturbation_of(built.net, turned, perturbations, d));
@@ -128,10 +130,10 @@ BuiltNet built_net_of(const CableNet& net, const Identification& identification)
                                             identification.boundary_outliers),
                    .length_draws = {},
                    .perturbations = {},
-                   .no_draws_since = "the identification was made without draws",
-                   .failed_since = failure_of(identification.trust)};
+                   .no_draws_because = "the identification was made without posterior samples",
+                   .failed_because = failure_of(identification.trust)};
     if (identification.draws) {
-        built.no_draws_since.clear();
+        built.no_draws_because.clear();
         add_draws(built, turned, *identification.draws, identification.uncertain);
     }
     return built;

@@ -36,18 +36,18 @@ void check_strokes(const CableNet& net, const std::vector<PlannedStroke>& stroke
 
 void check_plan(const CableNet& net, const Limits& limits, const Plan& plan) {
     check_strokes(net, plan.strokes);
-    if (plan.held.size() != limits.load_cases.size() + 1) {
+    if (plan.effective_limits.size() != limits.load_cases.size() + 1) {
         throw std::invalid_argument(
-            fmt::format("the plan held limits of {} states of loads, expected {}", plan.held.size(),
-                        limits.load_cases.size() + 1));
+            fmt::format("the plan has effective limits for {} sets of loads, expected {}",
+                        plan.effective_limits.size(), limits.load_cases.size() + 1));
     }
     const auto reactions = static_cast<Eigen::Index>(supports_of(limits.reactions).size());
     const Eigen::Index expected = net.edge_count() + reactions;
-    for (const ForceRange& held : plan.held) {
-        if (held.lower.size() != expected || held.upper.size() != expected) {
+    for (const ForceRange& range : plan.effective_limits) {
+        if (range.lower.size() != expected || range.upper.size() != expected) {
             throw std::invalid_argument(
-                fmt::format("the plan held limits of {} and {} forces, expected {}",
-                            held.lower.size(), held.upper.size(), expected));
+                fmt::format("the plan has effective limits of {} and {} forces, expected {}",
+                            range.lower.size(), range.upper.size(), expected));
         }
     }
 }

@@ -8,13 +8,13 @@
 
 namespace taut {
 
-/// Whether a net can keep to limits of forces: as check_limits(), strokes apart.
+/// check_limits() without the limits of strokes.
 /// @throws std::invalid_argument as check_limits()
 void check_force_limits(const CableNet& net, const Limits& limits);
 
-/// Whether a plan can be one of a net under limits of forces.
+/// Checks that a plan is one of this net under these limits.
 /// @throws std::invalid_argument for strokes of an edge that the net does not have, doubled or not
-///   finite, and for limits that it held which are of another number of forces or load cases
+///   finite, and for effective limits of another number of forces or load cases
 void check_plan(const CableNet& net, const Limits& limits, const Plan& plan);
 
 }  // namespace taut

@@ -14,23 +14,23 @@
 namespace taut {
 namespace {
 
-/// Below this part of the mean tension a force counts as known: rounding errors.
+/// Standard deviations below this part of the mean tension are rounding errors.
 constexpr double smallest_std = 1e-9;
 
 }  // namespace
 
-Eigen::VectorXd strokes_with_play(Eigen::VectorXd strokes, double actuator_std, std::uint64_t seed,
-                                  Eigen::Index draw) {
+Eigen::VectorXd strokes_with_errors(Eigen::VectorXd strokes, double actuator_std,
+                                    std::uint64_t seed, Eigen::Index draw) {
     RandomNumbers random(seed, static_cast<std::uint32_t>(draw));
     for (double& stroke : strokes) {
-        const double play = actuator_std * random.normal();
-        stroke += std::abs(stroke) >= negligible_stroke ? play : 0.0;
+        const double error = actuator_std * random.normal();
+        stroke += std::abs(stroke) >= negligible_stroke ? error : 0.0;
     }
     return strokes;
 }
 
 int draws_needed(double confidence, Eigen::Index draws) {
-    // Another draw lies below the value of rank p (N + 1) with p.
+    // Another sample lies below the value of rank p (N + 1) with probability p.
     return static_cast<int>(std::min(static_cast<double>(draws),
                                      std::ceil(confidence * (static_cast<double>(draws) + 1.0))));
 }
@@ -66,7 +66,7 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
         return copies;
     });
     tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index d) {
-        const Eigen::VectorXd strokes = strokes_with_play(state.strokes, actuator_std, seed, d);
+        const Eigen::VectorXd strokes = strokes_with_errors(state.strokes, actuator_std, seed, d);
         std::vector<StrokeResponse>& local = workspaces.local();
         for (size_t i = 0; i < local.size(); ++i) {
             const StrokedNet drawn =
@@ -83,13 +83,13 @@ DrawnStrokes draw_strokes(const BuiltNet& built, const std::vector<LimitedRespon
     return result;
 }
 
-LimitMargins::LimitMargins(std::vector<ForceRange> told, const StrokedState& state,
+LimitMargins::LimitMargins(std::vector<ForceRange> given, const StrokedState& state,
                            const DrawnStrokes& draws)
-    : m_told(std::move(told)) {
+    : m_given(std::move(given)) {
     const Eigen::Index count = draws.forms.cols();
     m_kept = std::numeric_limits<double>::infinity();
     m_worst.assign(static_cast<size_t>(count), -std::numeric_limits<double>::infinity());
-    for (size_t i = 0; i < m_told.size(); ++i) {
+    for (size_t i = 0; i < m_given.size(); ++i) {
         const Eigen::MatrixXd& forces = draws.forces[i];
         const double least = smallest_std * std::max(1e-9, state.nets[i].equilibrium.mean_tension);
         const Eigen::VectorXd mean = forces.rowwise().mean();
@@ -98,21 +98,21 @@ LimitMargins::LimitMargins(std::vector<ForceRange> told, const StrokedState& sta
                 .cwiseSqrt()
                 .cwiseMax(least));
         m_bias.emplace_back(mean - state.nets[i].forces);
-        m_kept = std::min(m_kept, (mean - m_told[i].lower)
-                                      .cwiseMin(m_told[i].upper - mean)
+        m_kept = std::min(m_kept, (mean - m_given[i].lower)
+                                      .cwiseMin(m_given[i].upper - mean)
                                       .cwiseQuotient(m_std.back())
                                       .minCoeff());
         for (Eigen::Index d = 0; d < count; ++d) {
-            const Eigen::ArrayXd beyond = (m_told[i].lower - forces.col(d))
-                                              .cwiseMax(forces.col(d) - m_told[i].upper)
+            const Eigen::ArrayXd excess = (m_given[i].lower - forces.col(d))
+                                              .cwiseMax(forces.col(d) - m_given[i].upper)
                                               .array() /
                                           m_std.back().array();
             double& worst = m_worst[static_cast<size_t>(d)];
-            worst = std::max(worst, beyond.maxCoeff());
+            worst = std::max(worst, excess.maxCoeff());
         }
     }
     for (size_t d = 0; d < m_worst.size(); ++d) {
-        if (draws.unbalanced[d] != 0) {  // no form: no limit is kept
+        if (draws.unbalanced[d] != 0) {  // without equilibrium no limit is kept
             m_worst[d] = std::numeric_limits<double>::infinity();
         }
     }
@@ -129,7 +129,7 @@ double LimitMargins::shortfall(double confidence) const {
 }
 
 std::vector<ForceRange> LimitMargins::narrowed(double factor) const {
-    std::vector<ForceRange> result = m_told;
+    std::vector<ForceRange> result = m_given;
     for (size_t i = 0; i < result.size(); ++i) {
         result[i].lower += factor * m_std[i] - m_bias[i];
         result[i].upper -= factor * m_std[i] + m_bias[i];

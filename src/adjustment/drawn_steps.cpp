@@ -14,10 +14,10 @@ namespace taut {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Limits that no step brings nearer than this have no say [standard deviations].
+/// Limits that no step brings nearer than this are left out [standard deviations].
 constexpr double far_away = 0.5;
 
-/// Some strokes that change by a step each.
+/// Strokes that change by one step each.
 using Move = std::vector<std::pair<Eigen::Index, double>>;
 
 Eigen::VectorXd after(const Move& move, Eigen::VectorXd strokes) {
@@ -27,7 +27,7 @@ Eigen::VectorXd after(const Move& move, Eigen::VectorXd strokes) {
     return strokes;
 }
 
-/// A state with its draws (limit-margins), and what both come to after moves, to first order.
+/// A state with its samples (limit-margins), and the shortfall after moves, to first order.
 class DrawnState {
 public:
     DrawnState(std::vector<LimitedResponse>& responses, StrokedState state, double step,
@@ -44,7 +44,7 @@ public:
         const LimitMargins margins(ranges, m_state, draws);
         const double slip =
             negligible_violation * std::max(1e-9, m_state.nets.front().equilibrium.mean_tension);
-        std::vector<Eigen::VectorXd> beyond;  // of a limit, draw by draw, last the estimate
+        std::vector<Eigen::VectorXd> excess;  // over a limit in each sample, last the estimate
         std::vector<Eigen::VectorXd> rates;
         Eigen::VectorXd worst = Eigen::VectorXd::Constant(count + 1, -infinity);
         for (size_t i = 0; i < responses.size(); ++i) {
@@ -63,7 +63,7 @@ public:
                     worst = worst.cwiseMax(z);
                     Eigen::VectorXd rate = sign / std(row) * by_stroke.forces.row(row).transpose();
                     if (z.maxCoeff() + 2.0 * step * rate.cwiseAbs().maxCoeff() > -far_away) {
-                        beyond.push_back(std::move(z));
+                        excess.push_back(std::move(z));
                         rates.push_back(std::move(rate));
                     }
                 }
@@ -75,33 +75,33 @@ public:
             }
         }
         m_shortfall = m_state.balanced() ? shortfall_of(worst) : infinity;
-        m_beyond.resize(std::ssize(beyond), count + 1);
-        m_rates.resize(std::ssize(beyond), m_state.strokes.size());
-        for (Eigen::Index row = 0; row < m_beyond.rows(); ++row) {
-            m_beyond.row(row) = beyond[static_cast<size_t>(row)].transpose();
+        m_excess.resize(std::ssize(excess), count + 1);
+        m_rates.resize(std::ssize(excess), m_state.strokes.size());
+        for (Eigen::Index row = 0; row < m_excess.rows(); ++row) {
+            m_excess.row(row) = excess[static_cast<size_t>(row)].transpose();
             m_rates.row(row) = rates[static_cast<size_t>(row)].transpose();
         }
     }
 
     [[nodiscard]] const StrokedState& state() const { return m_state; }
 
-    /// By how many standard deviations limits would have to be wider so that they hold.
+    /// The margin that is missing [standard deviations]; 0 or less where limits are kept.
     [[nodiscard]] double shortfall() const { return m_shortfall; }
 
     [[nodiscard]] double shortfall_after(const Move& move) const {
-        Eigen::VectorXd change = Eigen::VectorXd::Zero(m_beyond.rows());
+        Eigen::VectorXd change = Eigen::VectorXd::Zero(m_excess.rows());
         for (const auto& [j, stroke] : move) {
             change += stroke * m_rates.col(j);
         }
-        Eigen::VectorXd worst = Eigen::VectorXd::Constant(m_beyond.cols(), -far_away);
+        Eigen::VectorXd worst = Eigen::VectorXd::Constant(m_excess.cols(), -far_away);
         for (Eigen::Index d = 0; d < worst.size() && change.size() > 0; ++d) {
-            worst(d) = std::max(worst(d), (m_beyond.col(d) + change).maxCoeff());
+            worst(d) = std::max(worst(d), (m_excess.col(d) + change).maxCoeff());
         }
         return shortfall_of(std::move(worst));
     }
 
 private:
-    /// @param worst of each draw, last of the estimate
+    /// @param worst excess of each sample, last of the estimate
     [[nodiscard]] double shortfall_of(Eigen::VectorXd worst) const {
         const auto last = worst.end() - 1;
         std::nth_element(worst.begin(), worst.begin() + (m_needed - 1), last);
@@ -111,7 +111,7 @@ private:
     StrokedState m_state;
     int m_needed = 0;
     double m_shortfall = infinity;
-    Eigen::MatrixXd m_beyond;  ///< limits x (draws + 1) [standard deviations]
+    Eigen::MatrixXd m_excess;  ///< limits x (samples + 1) [standard deviations]
     Eigen::MatrixXd m_rates;   ///< limits x strokes [1/m]
 };
 
@@ -130,8 +130,8 @@ std::vector<Move> single_moves(const StrokeTask& task, const Eigen::VectorXd& st
     return moves;
 }
 
-/// The moves that bring limits nearer to hold, the best first: single steps, then pairs of those
-/// that do least harm.
+/// The moves that lower the shortfall, the best first: single steps, and pairs of the best of
+/// them.
 std::vector<Move> moves_to_limits(const DrawnState& at, const StrokeTask& task, double step) {
     constexpr size_t paired = 48;
     std::vector<std::pair<double, Move>> ranked;

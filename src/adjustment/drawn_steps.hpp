@@ -10,16 +10,16 @@
 
 namespace taut {
 
-/// With which confidence limits are to hold over draws.
+/// The required probability of keeping limits, and the samples to count it in.
 struct DrawnLimits {
     double confidence = 0.95;
-    /// Exact equilibria of the draws at a state.
+    /// Exact equilibria of the samples at a state.
     std::function<DrawnStrokes(const StrokedState&)> draws;
 };
 
-/// Moves strokes by whole steps, one or two at a time, until limits hold over the draws or no move
-/// brings them nearer to hold. Draws follow a step by the tangent of the estimate; exact equilibria
-/// of all decide. docs/theory.md (whole-steps).
+/// Moves strokes by whole steps, one or two at a time, until limits are kept with the required
+/// probability or no move helps. Moves are ranked by the tangent of the estimate; exact equilibria
+/// of all samples decide. docs/theory.md (whole-steps).
 /// @param responses with the limits as given
 /// @param start in whole steps
 [[nodiscard]] StrokedState steps_holding_draws(std::vector<LimitedResponse>& responses,

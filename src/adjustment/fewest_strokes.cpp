@@ -13,9 +13,9 @@ namespace {
 
 constexpr int reweightings = 6;
 constexpr double step_reach = 20e-3;     ///< of one linear step [m]
-constexpr double negligible_use = 2e-5;  ///< a stroke that is as good as none [m]
+constexpr double negligible_use = 2e-5;  ///< shorter strokes count as none [m]
 
-/// The search over some edges alone.
+/// search_strokes() over the chosen edges alone.
 StrokedState search_over(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                          const StrokedState& near, const std::vector<char>& chosen) {
     StrokeTask some = task;
@@ -49,7 +49,7 @@ FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const Stro
             break;
         }
         if (round == 0) {
-            // Every edge gives at most its span: sum |x_j| / span_j edges, at least.
+            // Every edge gives at most its span, so at least sum |x_j| / span_j edges are needed.
             result.bound =
                 static_cast<int>(std::ceil(strokes->cwiseAbs().cwiseQuotient(span).sum() - 1e-6));
         }
@@ -71,7 +71,7 @@ FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const Stro
         best = all;
         chosen.assign(chosen.size(), 1);
     }
-    // Those that do least are spared first, some at a time, then one by one.
+    // The shortest strokes are dropped first, eight at a time, at last one by one.
     for (size_t some = 8; some > 0;) {
         std::vector<int> order;
         for (Eigen::Index j = 0; j < k; ++j) {
@@ -80,7 +80,7 @@ FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const Stro
             }
         }
         std::ranges::sort(order, {}, [&](int j) { return std::abs(best.strokes(j)); });
-        bool has_spared = false;
+        bool has_dropped = false;
         for (size_t first = 0; first + some <= order.size() && first < 3 * some; first += some) {
             std::vector<char> fewer = chosen;
             for (size_t i = first; i < first + some; ++i) {
@@ -90,11 +90,11 @@ FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses, const Stro
             if (keeps(without)) {
                 best = std::move(without);
                 chosen = std::move(fewer);
-                has_spared = true;
+                has_dropped = true;
                 break;
             }
         }
-        if (!has_spared) {
+        if (!has_dropped) {
             some /= 2;
         }
     }

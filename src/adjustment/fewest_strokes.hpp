@@ -11,10 +11,10 @@ struct FewestStrokes {
     int bound = 0;  ///< to first order, no fewer edges reach the tolerance
 };
 
-/// Few strokes with which the cost is at most the square of a tolerance: a reweighted l1 norm
-/// (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal. Appl. 14, 2008) chooses the edges, then
-/// each that can be spared is, with exact equilibria. docs/theory.md (fewest-strokes).
-/// @param task its target's cost is what the tolerance is about
+/// Few strokes with which the cost is at most the square of a tolerance. A reweighted l1 norm
+/// (E. J. Candes, M. B. Wakin, S. P. Boyd, J. Fourier Anal. Appl. 14, 2008) chooses the edges; then
+/// each that is not needed is dropped, in exact equilibrium. docs/theory.md (fewest-strokes).
+/// @param task the tolerance applies to the cost of its target
 /// @param all a state within the tolerance
 /// @param tolerance [m]
 [[nodiscard]] FewestStrokes fewest_strokes(std::vector<LimitedResponse>& responses,

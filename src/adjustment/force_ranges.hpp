@@ -8,14 +8,14 @@
 
 namespace taut {
 
-/// A limit that is broken by less is kept, in parts of the mean tension: equilibria are no more
+/// A limit exceeded by less than this part of the mean tension is kept: equilibria are no more
 /// exact.
 inline constexpr double negligible_violation = 1e-5;
 
 /// The nodes of all reaction limits, in their order.
 [[nodiscard]] std::vector<int> supports_of(const std::vector<ReactionLimit>& reactions);
 
-/// An edge that is to be taut has more tension than this: twice what a limit may be broken by [N].
+/// Least tension of an edge that must stay taut: twice the negligible violation [N].
 /// @param net its nodes in equilibrium, or near it
 [[nodiscard]] double least_taut(const CableNet& net);
 

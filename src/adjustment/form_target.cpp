@@ -55,8 +55,8 @@ void FormTarget::check_nearness(const CableNet& net) const {
         }
         if (distance <= most) {
             throw std::invalid_argument(fmt::format(
-                "node '{}' is {:.3g} m beyond the border of the surface, expected no more than the "
-                "mean length of an edge, {:.3g} m",
+                "node '{}' is {:.3g} m beyond the border of the surface, expected at most the mean "
+                "length of an edge, {:.3g} m",
                 net.node_id(node), nearest.beyond_border, mean_edge));
         }
         std::string hint = "is it in another unit or frame?";
@@ -86,7 +86,7 @@ FormTarget FormTarget::at(const Points& form) const {
     for (const int node : m_free_nodes) {
         const SurfacePoint nearest = m_surface->nearest(form.col(node));
         const auto designed = m_designed.col(node);
-        // On the side that the net's own normal is on, where it has one.
+        // On the side of the net's own normal, where it has one.
         const double side = m_normals.col(node).dot(nearest.normal) < 0.0 ? -1.0 : 1.0;
         const Eigen::Vector3d normal = side * nearest.normal;
         result.m_normals.col(node) = normal;
@@ -131,7 +131,7 @@ void FormTarget::check_weights() const {
         }
     }
     if (!(sum > 0.0)) {
-        throw std::invalid_argument("all weights are 0, expected one above");
+        throw std::invalid_argument("all weights are 0, expected at least one above 0");
     }
 }
 

@@ -24,8 +24,8 @@ void check_tension_limits(const CableNet& net, const TensionLimits& limits) {
         if (!(limits.lower(e) >= 0.0) || !(limits.upper(e) > limits.lower(e)) ||
             std::isinf(limits.lower(e))) {
             throw std::invalid_argument(
-                fmt::format("the tension of edge '{}' is to lie between {:g} and {:g} N, expected "
-                            "a lower limit of at least 0 and an upper one above it",
+                fmt::format("the tension limits of edge '{}' are {:g} and {:g} N, expected a lower "
+                            "limit of at least 0 and an upper limit above it",
                             net.edge_id(e), limits.lower(e), limits.upper(e)));
         }
     }
@@ -44,16 +44,17 @@ void check_strokes(const CableNet& net, const std::vector<int>& edges, const Lim
         const std::string name = net.edge_id(edges[static_cast<size_t>(k)]);
         if (!std::isfinite(shortest) || !std::isfinite(longest) || shortest > 0.0 ||
             longest < 0.0) {
-            throw std::invalid_argument(fmt::format(
-                "the stroke of edge '{}' is to lie between {:g} and {:g} m, expected a range that "
-                "holds 0",
-                name, shortest, longest));
+            throw std::invalid_argument(
+                fmt::format("the stroke limits of edge '{}' are {:g} and {:g} m, expected a range "
+                            "that contains 0",
+                            name, shortest, longest));
         }
         const double length = net.unstressed_lengths()(edges[static_cast<size_t>(k)]);
         if (!(-shortest < 0.9 * length)) {
-            throw std::invalid_argument(
-                fmt::format("a stroke of {:g} m leaves nothing of edge '{}', which is {:g} m long",
-                            shortest, name, length));
+            throw std::invalid_argument(fmt::format(
+                "the lower stroke limit of edge '{}' is {:g} m, expected to leave more than "
+                "a tenth of its length of {:g} m",
+                name, shortest, length));
         }
     }
 }

@@ -18,8 +18,8 @@
 namespace taut {
 namespace {
 
-/// Predicted forces of draws are right to less than this part of the mean tension: of draws that
-/// keep limits by more no equilibrium is sought.
+/// Predicted forces of samples err by less than this part of the mean tension. Samples that keep
+/// limits by more need no exact equilibrium.
 constexpr double prediction_error = 0.05;
 
 }  // namespace
@@ -41,9 +41,9 @@ OrderWork::OrderWork(const BuiltNet& built, const Limits& limits, const Plan& pl
     m_now = m_before = at(m_strokes);
     m_unit = std::max(1e-9, m_before.equilibrium.mean_tension);
     const StrokedNet end = at(m_all);
-    const Eigen::VectorXd before = beyond(m_before.forces).cwiseMax(0.0);
-    const Eigen::VectorXd after = beyond(end.forces).cwiseMax(0.0);
-    // What the end is beyond was accepted with the plan: no order can spare it.
+    const Eigen::VectorXd before = excess_of(m_before.forces).cwiseMax(0.0);
+    const Eigen::VectorXd after = excess_of(end.forces).cwiseMax(0.0);
+    // An excess at the end was accepted with the plan: no order can avoid it.
     m_allowed = before.cwiseMax(after);
     Eigen::Index row = 0;
     if ((after - before).maxCoeff(&row) > negligible_violation * m_unit) {
@@ -71,12 +71,12 @@ void OrderWork::draw(const TurnOrderOptions& options, const StrokedNet& end) {
     m_lost_at_end.assign(static_cast<size_t>(draws()), 0);
     m_has_no_form.assign(static_cast<size_t>(draws()), 0);
     for (Eigen::Index d = 0; d < draws(); ++d) {
-        const Eigen::VectorXd allowed = beyond(before.forces.front().col(d)).cwiseMax(0.0);
+        const Eigen::VectorXd allowed = excess_of(before.forces.front().col(d)).cwiseMax(0.0);
         m_allowed_in_draws.row(d) = allowed.transpose();
         const bool has_form = before.unbalanced[static_cast<size_t>(d)] == 0 &&
                               after.unbalanced[static_cast<size_t>(d)] == 0;
         m_has_no_form[static_cast<size_t>(d)] = has_form ? 0 : 1;
-        const double excess = (beyond(after.forces.front().col(d)) - allowed).maxCoeff();
+        const double excess = (excess_of(after.forces.front().col(d)) - allowed).maxCoeff();
         m_lost_at_end[static_cast<size_t>(d)] =
             has_form && excess <= negligible_violation * m_unit ? 0 : 1;
     }
@@ -114,7 +114,7 @@ Harm OrderWork::predicted_harm(const Eigen::VectorXd& strokes, const StrokedNet&
 }
 
 Harm OrderWork::harm_of(const Eigen::VectorXd& strokes, const Eigen::VectorXd& forces) const {
-    const double excess = (beyond(forces) - m_allowed).maxCoeff() / m_unit;
+    const double excess = (excess_of(forces) - m_allowed).maxCoeff() / m_unit;
     return {.excess = excess > negligible_violation ? excess : 0.0,
             .broken = static_cast<int>(std::ranges::count(broken_draws(strokes, forces), 1))};
 }
@@ -130,7 +130,7 @@ void OrderWork::accept(Eigen::VectorXd strokes, StrokedNet net) {
 
 LimitBreach OrderWork::worst_breach(const StrokedNet& net) const {
     Eigen::Index row = 0;
-    (beyond(net.forces) - m_allowed).maxCoeff(&row);
+    (excess_of(net.forces) - m_allowed).maxCoeff(&row);
     return breach(row, net.forces(row), is_below(row, net.forces(row)));
 }
 
@@ -152,29 +152,31 @@ DrawnWork OrderWork::drawn(
     }
     tbb::enumerable_thread_specific<StrokeResponse> workspaces(
         [&] { return m_response.front().response.fresh(); });
-    using Break = std::tuple<int, Eigen::Index, bool>;  // moment, force, whether it is too small
+    using Break = std::tuple<int, Eigen::Index, bool>;  // step, force, whether it is too small
     std::vector<std::vector<Break>> breaks(static_cast<size_t>(draws()));
-    std::vector<char> has_no_form = m_has_no_form;  // nothing is predicted of these
+    std::vector<char> has_no_form = m_has_no_form;  // their forces are not predicted
     tbb::parallel_for(Eigen::Index{0}, draws(), [&](Eigen::Index d) {
         DrawnResponse response(*m_built, d, workspaces.local());
-        // Of a stroke that is done in part its play is that part.
+        // A stroke that is done in part has that part of its error.
         const Eigen::VectorXd whole =
-            strokes_with_play(m_all, m_options.actuator_std, m_options.seed, d);
-        const Eigen::VectorXd play = (m_all.array().abs() >= negligible_stroke)
-                                         .select((whole - m_all).array() / m_all.array(), 0.0);
+            strokes_with_errors(m_all, m_options.actuator_std, m_options.seed, d);
+        const Eigen::VectorXd relative_error =
+            (m_all.array().abs() >= negligible_stroke)
+                .select((whole - m_all).array() / m_all.array(), 0.0);
         Points near = m_before.equilibrium.form;
         for (size_t i = 0; i < states.size(); ++i) {
             const Eigen::VectorXd& strokes = states[i].first;
             if (predicted(d, static_cast<Eigen::Index>(i)) < -prediction_error * m_unit) {
                 continue;
             }
-            const StrokedNet net = response.at(strokes + play.cwiseProduct(strokes), near);
+            const StrokedNet net =
+                response.at(strokes + relative_error.cwiseProduct(strokes), near);
             if (!net.equilibrium.balanced()) {
                 has_no_form[static_cast<size_t>(d)] = 1;
                 break;
             }
             const Eigen::VectorXd excess =
-                beyond(net.forces) - m_allowed_in_draws.row(d).transpose();
+                excess_of(net.forces) - m_allowed_in_draws.row(d).transpose();
             for (Eigen::Index row = 0; row < excess.size(); ++row) {
                 if (excess(row) > negligible_violation * m_unit) {
                     breaks[static_cast<size_t>(d)].emplace_back(static_cast<int>(i), row,
@@ -195,10 +197,10 @@ DrawnWork OrderWork::drawn(
     if (!count.empty()) {
         const auto [worst, broken] =
             *std::ranges::max_element(count, {}, &std::map<Break, int>::value_type::second);
-        const auto [moment, row, is_below] = worst;
+        const auto [step, row, is_below] = worst;
         result.worst = {
-            .moment = moment,
-            .breach = breach(row, states[static_cast<size_t>(moment)].second(row), is_below)};
+            .step = step,
+            .breach = breach(row, states[static_cast<size_t>(step)].second(row), is_below)};
         result.worst->breach.probability =
             1.0 - static_cast<double>(broken) / static_cast<double>(draws());
     }
@@ -224,7 +226,7 @@ LimitBreach OrderWork::breach(Eigen::Index row, double force, bool is_below) con
             .probability = 0.0};
 }
 
-Eigen::VectorXd OrderWork::beyond(const Eigen::Ref<const Eigen::VectorXd>& forces) const {
+Eigen::VectorXd OrderWork::excess_of(const Eigen::Ref<const Eigen::VectorXd>& forces) const {
     const ForceRange& range = m_response.front().range;
     return (range.lower - forces).cwiseMax(forces - range.upper);
 }
@@ -240,7 +242,7 @@ Eigen::VectorXd OrderWork::predicted_excess(const Eigen::VectorXd& strokes,
     Eigen::ArrayXd excess =
         Eigen::ArrayXd::Constant(draws(), -std::numeric_limits<double>::infinity());
     for (Eigen::Index row = 0; row < forces.size(); ++row) {
-        // Of few limits any draw comes near.
+        // Few limits have a sample near them; the others need no look at each sample.
         if (range.lower(row) - forces(row) - m_least_offset(row) <= least &&
             forces(row) + m_most_offset(row) - range.upper(row) <= least) {
             continue;

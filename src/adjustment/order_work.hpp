@@ -13,36 +13,36 @@
 
 namespace taut {
 
-/// What a state of the work does to limits that were kept before it began.
+/// How a state of the work breaks limits that were kept before it began.
 struct Harm {
-    double excess = 0.0;  ///< of the estimate: beyond its limits [mean tensions]; 0 if negligible
-    int broken = 0;       ///< draws, kept so far, in which a limit is broken now
+    double excess = 0.0;  ///< of the estimate over its limits [mean tensions]; 0 if negligible
+    int broken = 0;       ///< samples without a breach so far, in which a limit is broken now
     auto operator<=>(const Harm&) const = default;
     [[nodiscard]] bool is_none() const { return excess == 0.0 && broken == 0; }
 };
 
-/// What comes of an order of work in all draws.
+/// An order of work in all samples.
 struct DrawnWork {
-    int kept = 0;                      ///< draws in which no step breaks a limit kept before
-    std::optional<WorstMoment> worst;  ///< the limit that is broken in most draws, and when
+    int kept = 0;                    ///< samples in which no step breaks a limit
+    std::optional<WorstStep> worst;  ///< the limit that is broken in most samples, and when
 };
 
-/// Work under way: the strokes done, and which limits they break that were kept before
-/// (turn-order). Later loads do not act yet while the crews turn.
+/// Work under way: the strokes done, and the limits they break (turn-order). Later loads do not act
+/// while the crews turn.
 class OrderWork {
 public:
     /// Keeps pointers to the arguments.
     OrderWork(const BuiltNet& built, const Limits& limits, const Plan& plan,
               const TurnOrderOptions& options);
 
-    /// Back to where nothing is turned yet.
+    /// Back to the start, where nothing is turned.
     void restart();
     [[nodiscard]] const Eigen::VectorXd& strokes() const { return m_strokes; }
     [[nodiscard]] StrokedNet at(const Eigen::VectorXd& strokes);
-    /// Of draws their forces are predicted: those of the estimate, with the difference that a draw
-    /// has before the work and after it, in between by the part that is turned.
+    /// Forces of samples are predicted: those of the estimate plus the sample's difference from it,
+    /// interpolated between the start and the end of the work by the part that is turned.
     [[nodiscard]] Harm harm(const Eigen::VectorXd& strokes, const StrokedNet& net) const;
-    /// The same after stroke j becomes `stroke`, by the tangents before the work and after it.
+    /// harm() after stroke j becomes `stroke`, by the tangents before the work and after it.
     /// @param net at `strokes`
     [[nodiscard]] Harm predicted_harm(const Eigen::VectorXd& strokes, const StrokedNet& net,
                                       Eigen::Index j, double stroke) const;
@@ -51,31 +51,30 @@ public:
 
     /// The worst limit that the estimate breaks.
     [[nodiscard]] LimitBreach worst_breach(const StrokedNet& net) const;
-    /// The worst limit that all strokes together break in the estimate, and that was kept before,
-    /// or by more.
+    /// The worst limit that all strokes together break in the estimate by more than before.
     [[nodiscard]] const std::optional<LimitBreach>& breach_at_end() const {
         return m_breach_at_end;
     }
 
-    /// Draws in which all strokes together break no limit.
+    /// Samples in which all strokes together break no limit.
     [[nodiscard]] int kept_at_end() const;
-    /// Draws in which no limit was broken until now, as predicted, and none is when all is done.
+    /// Samples in which no limit was broken until now, by prediction, and none is at the end.
     [[nodiscard]] int predicted_kept() const;
     [[nodiscard]] Eigen::Index draws() const { return m_built->length_draws.cols(); }
-    /// Exact equilibria of the draws wherever a limit may be broken, each with its own play of what
-    /// is turned.
-    /// @param states strokes after each moment, and the forces of the estimate then
+    /// Exact equilibria of the samples wherever a limit may be broken, each with random errors of
+    /// its own in what is turned.
+    /// @param states strokes after each step, and the forces of the estimate then
     [[nodiscard]] DrawnWork drawn(
         const std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>& states) const;
 
 private:
     [[nodiscard]] bool is_below(Eigen::Index row, double force) const;
     [[nodiscard]] LimitBreach breach(Eigen::Index row, double force, bool is_below) const;
-    [[nodiscard]] Eigen::VectorXd beyond(const Eigen::Ref<const Eigen::VectorXd>& forces) const;
+    [[nodiscard]] Eigen::VectorXd excess_of(const Eigen::Ref<const Eigen::VectorXd>& forces) const;
     /// The part of all strokes that is done.
     [[nodiscard]] double part_of(const Eigen::VectorXd& strokes) const;
-    /// The most by which each draw is predicted to be beyond its limits and was not before, where
-    /// that is more than `least`; else less than that [N].
+    /// The largest predicted excess of each sample over its limits, beyond its excess before the
+    /// work; where it is below `least`, any value below that [N].
     /// @param forces of the estimate
     [[nodiscard]] Eigen::VectorXd predicted_excess(const Eigen::VectorXd& strokes,
                                                    const Eigen::VectorXd& forces,
@@ -99,14 +98,14 @@ private:
     std::optional<LimitBreach> m_breach_at_end;
     double m_unit = 1.0;  ///< mean tension [N]
 
-    Eigen::MatrixXd m_offset_before;  ///< draws x forces: less those of the estimate [N]
+    Eigen::MatrixXd m_offset_before;  ///< samples x forces: less those of the estimate [N]
     Eigen::MatrixXd m_offset_end;
-    Eigen::VectorXd m_least_offset;      ///< of both, over the draws [N]
+    Eigen::VectorXd m_least_offset;      ///< of both, over the samples [N]
     Eigen::VectorXd m_most_offset;       ///< likewise
-    Eigen::MatrixXd m_allowed_in_draws;  ///< draws x forces [N]
-    std::vector<char> m_has_no_form;     ///< draws without equilibrium before the work or after it
-    std::vector<char> m_lost_at_end;     ///< draws in which all strokes together break a limit
-    std::vector<char> m_lost;            ///< those, and what the work broke until now
+    Eigen::MatrixXd m_allowed_in_draws;  ///< samples x forces [N]
+    std::vector<char> m_has_no_form;     ///< samples without equilibrium before or after the work
+    std::vector<char> m_lost_at_end;     ///< samples in which all strokes together break a limit
+    std::vector<char> m_lost;            ///< those, and samples in which the work broke one
 };
 
 }  // namespace taut

@@ -24,10 +24,10 @@
 namespace taut {
 namespace {
 
-/// Breaking limits by the mean tension costs so many times the deviations as built.
+/// A violation by the mean tension costs so many times the deviations as built.
 constexpr double violation_cost = 1e3;
 
-/// Of the thread of a turnbuckle or jack; beyond it the unit is another [m].
+/// Pitches of turnbuckles and jacks; a value outside is in another unit [m].
 constexpr double finest_pitch = 1e-5;
 constexpr double coarsest_pitch = 0.2;
 constexpr double rounding = 1e-9;
@@ -36,13 +36,13 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
                    const std::vector<int>& edges) {
     const CableNet& net = built.net;
     if (edges.empty()) {
-        throw std::invalid_argument("no edge may be turned, expected at least one");
+        throw std::invalid_argument("no edge may be turned, expected at least one adjustable edge");
     }
     for (size_t k = 0; k < edges.size(); ++k) {
         if (edges[k] < 0 || edges[k] >= net.edge_count() || (k > 0 && edges[k] <= edges[k - 1])) {
             throw std::invalid_argument(
-                fmt::format("the edges to turn name edge {}, expected each of the {} edges at most "
-                            "once, in their order",
+                fmt::format("the edges to turn contain edge {}, expected each of the {} edges at "
+                            "most once, in ascending order",
                             edges[k], net.edge_count()));
         }
     }
@@ -53,16 +53,16 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
     const auto draws = static_cast<double>(built.length_draws.cols());
     if (draws > 0.0 && draws * (1.0 - options.confidence) < 1.0 - rounding) {
         throw std::invalid_argument(
-            fmt::format("the confidence is {:g}, and {} draws tell no more than {:.4g}: identify "
-                        "with more draws, or ask for less",
+            fmt::format("the confidence is {:g}, but {} posterior samples show at most {:.4g}: "
+                        "draw more samples, or lower the confidence",
                         options.confidence, draws, 1.0 - 1.0 / draws));
     }
-    const double most_play = most_turned_part * net.unstressed_lengths()(edges).minCoeff();
-    if (!(options.actuator_std >= 0.0 && options.actuator_std <= most_play)) {
+    const double most_std = most_turned_part * net.unstressed_lengths()(edges).minCoeff();
+    if (!(options.actuator_std >= 0.0 && options.actuator_std <= most_std)) {
         throw std::invalid_argument(
-            fmt::format("the play of what is turned is {:g} m, expected 0 to {:.3g} m, a quarter "
-                        "of the shortest edge to turn",
-                        options.actuator_std, most_play));
+            fmt::format("the actuator std is {:g} m, expected 0 to {:.3g} m, a quarter of the "
+                        "shortest edge to turn",
+                        options.actuator_std, most_std));
     }
     if (options.tolerance && !(*options.tolerance > 0.0 && std::isfinite(*options.tolerance))) {
         throw std::invalid_argument(
@@ -71,7 +71,7 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
     if (options.survey_noise &&
         !(*options.survey_noise > 0.0 && std::isfinite(*options.survey_noise))) {
         throw std::invalid_argument(
-            fmt::format("the noise of targets to survey first is {:g} m, expected more than 0",
+            fmt::format("the standard deviation of suggested targets is {:g} m, expected above 0",
                         *options.survey_noise));
     }
     if (options.turn) {
@@ -90,11 +90,12 @@ void check_options(const BuiltNet& built, const PlanOptions& options,
         (built.length_draws.rows() != net.edge_count() || !built.length_draws.allFinite() ||
          !(built.length_draws.minCoeff() > 0.0))) {
         throw std::invalid_argument(fmt::format(
-            "draws of {} lengths that are all positive are needed, one an edge", net.edge_count()));
+            "the posterior samples of lengths are not {} positive numbers each, one per edge",
+            net.edge_count()));
     }
 }
 
-/// A plan in the making: nets, limits, and what is found.
+/// Makes one plan: the nets under all loads, the limits, and the searches for strokes.
 class Planning {
 public:
     Planning(const BuiltNet& built, const FormTarget& target, const Limits& limits,
@@ -115,7 +116,7 @@ public:
         for (size_t i = 0; i < m_case_nets.size(); ++i) {
             add_response(m_case_nets[i], limits.load_cases[i].tension, limits.reactions);
         }
-        m_told = limits_now();
+        m_given = limits_now();
         m_task = {.target = m_target,
                   .shortest = limits.shortest_stroke,
                   .longest = limits.longest_stroke};
@@ -128,13 +129,13 @@ public:
     }
 
     Plan make() {
-        tell(0);
+        report_progress(0);
         StrokeSearch search = feasible_first(m_as_built);
-        tell(1);
+        report_progress(1);
         if (draws() > 0) {
             search = with_margins(std::move(search));
         }
-        tell(2);
+        report_progress(2);
         Plan plan;
         plan.iterations = search.iterations;
         plan.has_converged = search.has_converged;
@@ -142,27 +143,27 @@ public:
         if (m_options->tolerance) {
             state = fewest(state, plan);
         }
-        tell(3);
+        report_progress(3);
         plan.normal_rmse_of_free_strokes = deviation(state).normal_rmse;
         if (m_options->turn && m_options->turn->step() > 0.0) {
             state = in_whole_steps(m_responses, m_task, state, m_options->turn->step());
             if (draws() > 0) {
-                const std::vector<ForceRange> held = limits_now();
-                hold(m_told);
+                const std::vector<ForceRange> effective = limits_now();
+                set_limits(m_given);
                 const DrawnLimits limits{.confidence = m_options->confidence,
                                          .draws = [&](const StrokedState& at) {
-                                             tell(3);
+                                             report_progress(3);
                                              return drawn(at);
                                          }};
                 state = steps_holding_draws(m_responses, m_task, state, m_options->turn->step(),
                                             limits);
-                hold(held);
+                set_limits(effective);
             }
         }
-        tell(4);
-        plan.held = limits_now();
+        report_progress(4);
+        plan.effective_limits = limits_now();
         describe(plan, state);
-        tell(stages);
+        report_progress(stages);
         return plan;
     }
 
@@ -171,7 +172,7 @@ private:
 
     [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(m_edges.size()); }
     [[nodiscard]] Eigen::Index draws() const { return m_built->length_draws.cols(); }
-    void tell(int done) const { (*m_progress)("planning", done, stages); }
+    void report_progress(int done) const { (*m_progress)("planning", done, stages); }
 
     void add_response(const CableNet& net, const TensionLimits& tension,
                       const std::vector<ReactionLimit>& reactions) {
@@ -180,7 +181,7 @@ private:
                                .start = m_built->net.nodes()});
     }
 
-    void hold(const std::vector<ForceRange>& ranges) {
+    void set_limits(const std::vector<ForceRange>& ranges) {
         for (size_t i = 0; i < m_responses.size(); ++i) {
             m_responses[i].range = ranges[i];
         }
@@ -190,7 +191,7 @@ private:
         return state.violation > negligible_violation * m_force_unit;
     }
 
-    /// The best form within the limits; where these cannot be kept, the least violation.
+    /// The best form within the limits; where they cannot be kept, the least violation.
     StrokeSearch feasible_first(const StrokedState& start) {
         StrokeSearch search = search_strokes(m_responses, m_task, start);
         if (is_violated(search.found)) {
@@ -203,17 +204,18 @@ private:
         return search;
     }
 
-    /// Limits that hold with the confidence over the draws: what they must be narrowed by depends
-    /// on the plan, so both are found in turn.
+    /// Narrows the limits until the given ones are kept with the required probability. The margin
+    /// depends on the plan, so both are found in turn.
     StrokeSearch with_margins(StrokeSearch search) {
         constexpr int rounds = 10;
-        constexpr double close_enough = 0.1;  // standard deviations too wide a margin
+        constexpr double close_enough =
+            0.1;  // a margin is at most so much too wide [standard deviations]
         double factor = 0.0;
         StrokeSearch best = search;
-        std::vector<ForceRange> best_limits = m_told;
+        std::vector<ForceRange> best_limits = m_given;
         double best_shortfall = std::numeric_limits<double>::infinity();
         for (int round = 0; round < rounds; ++round) {
-            const LimitMargins margins(m_told, search.found, drawn(search.found));
+            const LimitMargins margins(m_given, search.found, drawn(search.found));
             const double shortfall = margins.shortfall(m_options->confidence);
             const bool is_better = best_shortfall > 0.0
                                        ? shortfall < best_shortfall
@@ -228,17 +230,17 @@ private:
                 std::isinf(shortfall)) {
                 break;
             }
-            // A little more than is short, since the next plan has other edges at their limits.
-            // And limits may be farther away than the margin that they were given.
+            // A little more than the shortfall, since the next plan has other edges at their
+            // limits. And the limits may be kept by more than the margin asked for.
             const double now = shortfall > 0.0 ? std::max(factor, margins.kept()) : factor;
             factor = std::max(0.0, now + shortfall + (shortfall > 0.0 ? 0.5 : 1.0) * 0.05);
-            hold(margins.narrowed(factor));
+            set_limits(margins.narrowed(factor));
             refresh_state(search.found);
             const int before = search.iterations;
             search = feasible_first(search.found);
             search.iterations += before;
         }
-        hold(best_limits);
+        set_limits(best_limits);
         refresh_state(best.found);
         return best;
     }
@@ -252,7 +254,7 @@ private:
         return result;
     }
 
-    /// The violation of a state, after limits have changed.
+    /// Computes the violation of a state anew, after limits have changed.
     void refresh_state(StrokedState& state) const {
         state.violation = 0.0;
         for (size_t i = 0; i < m_responses.size(); ++i) {
@@ -296,7 +298,7 @@ private:
 
     FormDeviation unconstrained(const StrokedState& state) {
         for (LimitedResponse& limited : m_responses) {
-            // No slack, and no more.
+            // No limit but that no edge goes slack.
             limited.range.lower = limited.range.lower.cwiseMin(least_taut(limited.response.net()));
             limited.range.upper.setConstant(std::numeric_limits<double>::infinity());
         }
@@ -307,7 +309,7 @@ private:
         StrokedState start = state;
         refresh_state(start);
         const StrokeSearch search = search_strokes(m_responses, free, start);
-        hold(m_told);
+        set_limits(m_given);
         return deviation(search.found);
     }
 
@@ -330,15 +332,15 @@ private:
                                        : plan.planned.normal_max;
             plan.is_within_tolerance = reached <= *m_options->tolerance;
         }
-        hold(m_told);
+        set_limits(m_given);
         if (draws() > 0) {
             describe_draws(plan, state);
         } else {
-            plan.no_draws_since = m_built->no_draws_since;
-            StrokedState told = state;
-            refresh_state(told);
-            plan.is_feasible = !is_violated(told);
-            tell_breaches(plan, state, nullptr);
+            plan.no_draws_because = m_built->no_draws_because;
+            StrokedState given = state;
+            refresh_state(given);
+            plan.is_feasible = !is_violated(given);
+            list_breaches(plan, state, nullptr);
         }
         plan.unconstrained = unconstrained(state);
     }
@@ -346,13 +348,14 @@ private:
     void describe_draws(Plan& plan, const StrokedState& state) {
         const CableNet& net = m_built->net;
         const DrawnStrokes drawn_strokes = drawn(state);
-        const LimitMargins margins(m_told, state, drawn_strokes);
+        const LimitMargins margins(m_given, state, drawn_strokes);
         plan.draws = static_cast<int>(draws());
         plan.limit_probability = margins.probability();
-        // Draws of slack cables' lengths do not show all of what the estimate does.
-        StrokedState told = state;
-        refresh_state(told);
-        plan.is_feasible = margins.shortfall(m_options->confidence) <= 0.0 && !is_violated(told);
+        // The estimate must keep the limits, too: samples of the lengths of slack cables may miss a
+        // violation of it.
+        StrokedState given = state;
+        refresh_state(given);
+        plan.is_feasible = margins.shortfall(m_options->confidence) <= 0.0 && !is_violated(given);
         plan.tension_lower.resize(net.edge_count());
         plan.tension_upper.resize(net.edge_count());
         for (int e = 0; e < net.edge_count(); ++e) {
@@ -362,7 +365,7 @@ private:
             plan.tension_upper(e) = tension.upper;
         }
         const FormTarget target = m_target->at(plan.form);
-        double unknown = 0.0;
+        double variance = 0.0;
         int with_normal = 0;
         const Eigen::VectorXd planned = free_coordinates(net, plan.form);
         const Eigen::MatrixXd moved = drawn_strokes.forms.colwise() - planned;
@@ -373,19 +376,20 @@ private:
                 (rows.rowwise().squaredNorm() / static_cast<double>(draws())).cwiseSqrt();
             const Eigen::Vector3d normal = target.normals().col(node);
             if (!normal.isZero(0.0)) {
-                unknown += (normal.transpose() * rows).squaredNorm() / static_cast<double>(draws());
+                variance +=
+                    (normal.transpose() * rows).squaredNorm() / static_cast<double>(draws());
                 ++with_normal;
             }
         }
-        plan.normal_std = with_normal > 0 ? std::sqrt(unknown / with_normal) : 0.0;
+        plan.normal_std = with_normal > 0 ? std::sqrt(variance / with_normal) : 0.0;
         if (m_options->survey_noise) {
-            tell_further_targets(plan, drawn_strokes);
+            suggest_targets(plan, drawn_strokes);
         }
-        tell_breaches(plan, state, &drawn_strokes);
+        list_breaches(plan, state, &drawn_strokes);
     }
 
-    /// (survey-gain): of the net as it stands, for the form that is planned.
-    void tell_further_targets(Plan& plan, const DrawnStrokes& planned) const {
+    /// (survey-gain): targets on the net as it stands, for the planned form.
+    void suggest_targets(Plan& plan, const DrawnStrokes& planned) const {
         constexpr int most = 10;
         const CableNet& net = m_built->net;
         const DrawnStrokes as_built =
@@ -405,22 +409,22 @@ private:
         }
         for (const SurveyGain& gain :
              gains_of_targets(as_built.forms, numbers, *m_options->survey_noise, most)) {
-            plan.further_targets.push_back(
-                {.node = net.free_nodes()[gain.place], .normal_std = gain.left_over});
+            plan.suggested_targets.push_back(
+                {.node = net.free_nodes()[gain.place], .normal_std = gain.remaining_std});
         }
     }
 
-    /// Of each force that breaks a limit, or does so in more draws than the confidence leaves, the
-    /// limit that it breaks; where all limits together are not kept, in any draw. Those that the
-    /// estimate itself breaks come first, though draws keep them.
-    void tell_breaches(Plan& plan, const StrokedState& state, const DrawnStrokes* drawn_strokes) {
+    /// Lists each limit that is broken in the estimate, or kept with less than the required
+    /// probability; where the plan is not feasible, each that is broken in any sample. Those that
+    /// the estimate breaks come first.
+    void list_breaches(Plan& plan, const StrokedState& state, const DrawnStrokes* drawn_strokes) {
         const std::vector<int> supports = supports_of(m_limits->reactions);
         std::vector<LimitBreach> of_draws;
-        for (size_t i = 0; i < m_told.size(); ++i) {
+        for (size_t i = 0; i < m_given.size(); ++i) {
             const Eigen::VectorXd& forces = state.nets[i].forces;
             for (Eigen::Index row = 0; row < forces.size(); ++row) {
                 for (const bool is_lower : {true, false}) {
-                    const double limit = is_lower ? m_told[i].lower(row) : m_told[i].upper(row);
+                    const double limit = is_lower ? m_given[i].lower(row) : m_given[i].upper(row);
                     if (std::isinf(limit)) {
                         continue;
                     }
@@ -466,8 +470,8 @@ private:
     const Progress* m_progress;
     std::vector<int> m_edges;
     std::vector<CableNet> m_case_nets;
-    std::vector<LimitedResponse> m_responses;  ///< with the limits that are held now
-    std::vector<ForceRange> m_told;
+    std::vector<LimitedResponse> m_responses;  ///< with the limits in force now
+    std::vector<ForceRange> m_given;
     StrokeTask m_task;
     StrokedState m_as_built;
     double m_force_unit = 1.0;
@@ -485,9 +489,9 @@ double Plan::largest_stroke() const {
 
 Plan plan_strokes(const BuiltNet& built, const FormTarget& target, const Limits& limits,
                   const PlanOptions& options, const Progress& progress) {
-    if (!built.failed_since.empty() && !options.accept_failed) {
+    if (!built.failed_because.empty() && !options.accept_failed) {
         throw FailedIdentification(
-            fmt::format("the identification failed its tests: {}", built.failed_since));
+            fmt::format("the identification failed its checks: {}", built.failed_because));
     }
     return Planning(built, target, limits, options, progress).make();
 }

@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// A short closed walk over places (3 x n): from each to the nearest not yet visited, then turned
-/// about until no two legs cross (2-opt). @return their order
+/// A short closed walk over places (3 x n): from each to the nearest not yet visited, then with
+/// stretches reversed while that shortens it (2-opt). @return the order of the places
 [[nodiscard]] std::vector<int> short_tour(const Eigen::Matrix3Xd& places);
 
 }  // namespace taut

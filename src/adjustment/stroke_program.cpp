@@ -151,26 +151,26 @@ double StrokeProgram::excess_after(const Row& row, const Eigen::VectorXd& change
     return row.excess + row.sign * m_force_rates[row.net].row(row.row).dot(change);
 }
 
-/// Few limits matter: those that are near are held at first, and those that the changes would
-/// break, too, until there are none.
+/// Few limits matter: those that are near are active at first. Those that the change would break
+/// are added, until it breaks none.
 std::optional<Eigen::VectorXd> StrokeProgram::change_holding_limits(
     const std::function<std::optional<Eigen::VectorXd>(const std::vector<Row>&)>& best) const {
     constexpr double near = 0.05;        // of the mean tension
     constexpr double negligible = 1e-9;  // of it
     std::vector<Row> others = all_rows();
-    std::vector<Row> held;
-    const auto hold = [&](const auto& is_needed) {
+    std::vector<Row> active;
+    const auto activate = [&](const auto& is_needed) {
         const auto rest = std::stable_partition(others.begin(), others.end(),
                                                 [&](const Row& row) { return !is_needed(row); });
         const bool is_any = rest != others.end();
-        held.insert(held.end(), rest, others.end());
+        active.insert(active.end(), rest, others.end());
         others.erase(rest, others.end());
         return is_any;
     };
-    hold([&](const Row& row) { return row.excess > -near * m_force_unit; });
+    activate([&](const Row& row) { return row.excess > -near * m_force_unit; });
     while (true) {
-        std::optional<Eigen::VectorXd> change = best(held);
-        if (!change || !hold([&](const Row& row) {
+        std::optional<Eigen::VectorXd> change = best(active);
+        if (!change || !activate([&](const Row& row) {
                 return excess_after(row, *change) > negligible * m_force_unit;
             })) {
             return change;
@@ -211,7 +211,7 @@ std::optional<Eigen::VectorXd> StrokeProgram::best_change(const Eigen::VectorXd&
     const Eigen::VectorXd& at = m_state->strokes;
     const Eigen::Index k = at.size();
 
-    // Columns: changes of the strokes, what each limit is broken by, the largest deviation.
+    // Columns: changes of the strokes, the excess over each limit, the largest deviation.
     const auto changes = static_cast<int>(k);
     const int broken = changes;
     const int largest = broken + static_cast<int>(limits.size());
@@ -290,13 +290,13 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd
     const Eigen::VectorXd low = (m_task->shortest - at).cwiseMax(-radius).cwiseMin(0.0);
     const Eigen::VectorXd high = (m_task->longest - at).cwiseMin(radius).cwiseMax(0.0);
 
-    // Columns: changes of the strokes, sizes of the strokes, what each limit is broken by, what the
-    // deviation is beyond its bound.
+    // Columns: changes of the strokes, absolute values of the strokes, the excess over each limit,
+    // the excess of the deviation over its bound.
     const auto changes = static_cast<int>(k);
     const int sizes = changes;
     const int broken = 2 * changes;
-    const int beyond = broken + static_cast<int>(limits.size());
-    const int columns = beyond + 1;
+    const int over_bound = broken + static_cast<int>(limits.size());
+    const int columns = over_bound + 1;
     ConicProgram program;
     program.P.resize(columns, columns);
     program.q = Eigen::VectorXd::Zero(columns);
@@ -315,12 +315,12 @@ std::optional<Eigen::VectorXd> StrokeProgram::least_change(const Eigen::VectorXd
     }
     add_limits(rows, limits, broken);
     rows.at_most(0.0);
-    rows.entry(beyond, -1.0);
+    rows.entry(over_bound, -1.0);
     const auto add_cone = [&](double bound, const Eigen::MatrixXd& rates,
                               const Eigen::VectorXd& deviation) {
         rows.begin_cone(static_cast<int>(deviation.size()) + 1);
         rows.cone_row(bound / program_length);
-        rows.entry(beyond, -1.0);
+        rows.entry(over_bound, -1.0);
         for (Eigen::Index row = 0; row < deviation.size(); ++row) {
             rows.cone_row(deviation(row) / program_length);
             for (int j = 0; j < changes; ++j) {

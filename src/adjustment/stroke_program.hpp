@@ -11,8 +11,8 @@
 
 namespace taut {
 
-/// Where the form leaves strokes open the least turning is taken: the mean square of the strokes
-/// counts with this part of that of the deviations.
+/// Weight of the mean square of the strokes beside that of the deviations: among strokes with about
+/// the same form it prefers short ones.
 constexpr double turning_weight = 1e-5;
 
 /// Mean square of the weighted deviations of the free nodes, or the square of the largest [m2].
@@ -22,7 +22,7 @@ class ProgramRows;
 
 struct ProposedStrokes {
     Eigen::VectorXd strokes;  ///< k [m]
-    double merit = 0.0;       ///< of the linearised net there [m2]
+    double merit = 0.0;       ///< of the linearised net [m2]
 };
 
 /// The convex program about one state (stroke-program): form and forces linear in the strokes,
@@ -33,19 +33,19 @@ public:
     StrokeProgram(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                   const StrokedState& state);
 
-    /// The best strokes no further than `radius` from the state's [m]; empty where the conic solver
-    /// finds none.
+    /// The best strokes within `radius` of the state's [m]; empty where the conic solver finds
+    /// none.
     [[nodiscard]] std::optional<ProposedStrokes> solve(double radius) const;
 
-    /// The least weighted turning, sum_j weight_j |x_j|, with which the cost is at most a bound, as
+    /// The strokes with the least sum_j weight_j |x_j| for which the cost is at most a bound, as
     /// far as limits allow.
     /// @param cost_bound mean square, or largest square, of the weighted deviations [m2]
     [[nodiscard]] std::optional<Eigen::VectorXd> least_turning(const Eigen::VectorXd& weights,
                                                                double cost_bound,
                                                                double radius) const;
 
-    /// The strokes of the state but for one, which is a step shorter or longer: those that lower
-    /// the merit of the linearised net, the best first.
+    /// The strokes of the state with one changed by a step: those that lower the merit of the
+    /// linearised net, the best first.
     [[nodiscard]] std::vector<ProposedStrokes> single_steps(double step) const;
 
 private:

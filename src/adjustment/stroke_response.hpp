@@ -14,9 +14,8 @@ namespace taut {
 struct StrokedNet {
     Eigen::VectorXd unstressed_lengths;  ///< m [m]
     Equilibrium equilibrium;
-    /// Of all edges (m): the tension; of a slack edge what its law gives below zero, the stiffness
-    /// at its start times how much it is too long. Then the size of the reaction at each support
-    /// that has a limit [N].
+    /// Tensions of all edges (m). A slack edge has a negative one: its initial stiffness times the
+    /// strain it lacks to be taut. Then the reaction at each limited support, as a norm [N].
     Eigen::VectorXd forces;
 };
 
@@ -30,25 +29,24 @@ struct StrokeRates {
 class StrokeResponse {
 public:
     /// @param edges that may be turned (k)
-    /// @param reactions supports whose reaction is wanted
+    /// @param reactions supports whose reactions are computed
     StrokeResponse(const CableNet& net, std::vector<int> edges, std::vector<int> reactions);
 
     /// @param lengths unstressed, before the strokes (m) [m]
-    /// @param start where to begin the search for equilibrium (3 x n) [m]
+    /// @param start form at which the solver starts (3 x n) [m]
     [[nodiscard]] StrokedNet at(const Eigen::Ref<const Eigen::VectorXd>& lengths,
                                 const Eigen::Ref<const Eigen::VectorXd>& strokes,
                                 const Points& start);
     [[nodiscard]] StrokeRates rates(const StrokedNet& stroked) const;
 
-    /// Another one of the same net, for another thread.
+    /// A copy for another thread.
     [[nodiscard]] StrokeResponse fresh() const { return of(*m_net); }
-    /// The same of another net with the same edges and supports.
+    /// The response of another net with the same edges and supports.
     [[nodiscard]] StrokeResponse of(const CableNet& net) const {
         return {net, m_edges, m_reactions};
     }
 
     [[nodiscard]] const CableNet& net() const { return *m_net; }
-    [[nodiscard]] const std::vector<int>& edges() const { return m_edges; }
 
 private:
     [[nodiscard]] Eigen::VectorXd forces_of(const Eigen::VectorXd& lengths,

@@ -15,8 +15,8 @@ constexpr int most_searches = 60;
 constexpr double first_radius = 5e-3;     ///< [m]
 constexpr double smallest_radius = 1e-8;  ///< [m]
 constexpr double smallest_gain = 1e-6;    ///< of the merit
-/// From face to face of a mesh the merit has kinks, along which steps are no longer than this [m]
-/// and promise no more than this part of it: what no turnbuckle can be set to.
+/// Between the faces of a mesh the merit has kinks. There the search ends at steps below this [m]
+/// that promise less than this part of the merit: no turnbuckle can be set so finely.
 constexpr double step_along_kink = 1e-5;
 constexpr double gain_along_kink = 1e-3;
 
@@ -89,7 +89,7 @@ StrokeSearch search_strokes(std::vector<LimitedResponse>& responses, const Strok
         } else {
             radius = 0.25 * step;
             if (radius < smallest_radius) {
-                // No step helps: the promise is below what rounding errors leave of it.
+                // No step helps: converged if the promised gain is within rounding errors.
                 search.has_converged = promised <= 1e-3 * before;
                 break;
             }

@@ -11,15 +11,15 @@
 namespace taut {
 namespace {
 
-/// Deviations from the mean of the draws, so that A A' is the covariance.
+/// Deviations A from the mean of the samples, so that A A' is the covariance.
 Eigen::MatrixXd anomalies(const Eigen::MatrixXd& draws) {
     return (draws.colwise() - draws.rowwise().mean()) /
            std::sqrt(static_cast<double>(draws.cols() - 1));
 }
 
-/// Of draws of independent numbers a target seems to tell this part of the variance by chance, once
-/// for each of its coordinates; so much more than that is believed.
-constexpr double beyond_chance = 2.0;
+/// With N samples each coordinate of a target seems to explain 1 / N of the variance of independent
+/// numbers by chance. A target must explain so many times as much.
+constexpr double times_chance = 2.0;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::vector<SurveyGain> gains_of_targets(const Eigen::MatrixXd& forms,
     Eigen::MatrixXd Y = anomalies(forms);
     Eigen::MatrixXd X = anomalies(numbers);
     const Eigen::Index places = forms.rows() / 3;
-    const double by_chance = beyond_chance * 3.0 / static_cast<double>(forms.cols());
+    const double by_chance = times_chance * 3.0 / static_cast<double>(forms.cols());
     const Eigen::Matrix3d noise = noise_std * noise_std * Eigen::Matrix3d::Identity();
     std::vector<bool> is_taken(static_cast<size_t>(places), false);
     while (std::ssize(result) < most) {
@@ -65,8 +65,9 @@ std::vector<SurveyGain> gains_of_targets(const Eigen::MatrixXd& forms,
                                      eigen.vectors.transpose();
         X -= (X * at.transpose()) * (seen * at);
         Y -= (Y * at.transpose()) * (seen * at);
-        result.push_back({.place = static_cast<int>(best),
-                          .left_over = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
+        result.push_back(
+            {.place = static_cast<int>(best),
+             .remaining_std = std::sqrt(X.squaredNorm() / static_cast<double>(X.rows()))});
     }
     return result;
 }

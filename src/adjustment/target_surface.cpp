@@ -15,7 +15,7 @@
 
 namespace taut {
 
-/// Corners of a triangle that a point of it lies between: one, two or all three.
+/// A point of a triangle, and the corners it lies between: one, two or all three.
 struct TrianglePoint {
     Eigen::Vector3d place;
     std::array<bool, 3> between;
@@ -23,9 +23,9 @@ struct TrianglePoint {
 
 namespace {
 
-/// Below this part of its longest side squared the area of a triangle is rounding errors.
+/// Areas below this part of the longest side squared are rounding errors.
 constexpr double smallest_area = 1e-12;
-/// A point nearer than this to an edge of the surface does not tell a direction [m].
+/// Nearer than this to an edge of the surface a point defines no direction [m].
 constexpr double on_surface = 1e-6;
 
 /// The nearest point of a triangle, by the part of the plane that the point projects to (C.
@@ -66,7 +66,7 @@ TrianglePoint nearest_of_triangle(const Eigen::Vector3d& a, const Eigen::Vector3
     return {.place = a + of_b / sum * ab + of_c / sum * ac, .between = {true, true, true}};
 }
 
-/// A sum of normals of faces whose sides need not agree: on the side of the first.
+/// Adds the normal of a face whose orientation need not agree: on the side of the first.
 void add_to_normal(Eigen::Vector3d& sum, const Eigen::Vector3d& normal) {
     sum += sum.dot(normal) < 0.0 ? Eigen::Vector3d(-normal) : normal;
 }
@@ -134,7 +134,7 @@ private:
         int faces = 0;
     };
 
-    /// What Eigen::BVMinimize asks.
+    /// The functor of Eigen::BVMinimize.
     struct Nearest {
         using Scalar = double;
         const Search* of;
@@ -174,7 +174,7 @@ private:
                 throw std::invalid_argument(
                     fmt::format("vertex {} of the surface is not finite", i));
             }
-            // + 0.0 makes one of both zeros.
+            // + 0.0 turns -0 into 0.
             const auto [it, is_new] = known.try_emplace(
                 {vertices(0, i) + 0.0, vertices(1, i) + 0.0, vertices(2, i) + 0.0},
                 static_cast<int>(m_places.size()));
@@ -191,7 +191,7 @@ private:
         for (size_t k = 0; k < 3; ++k) {
             if (triangle[k] < 0 || triangle[k] >= std::ssize(m_corner_of)) {
                 throw std::invalid_argument(
-                    fmt::format("a triangle of the surface names vertex {} of {}", triangle[k],
+                    fmt::format("a triangle of the surface has vertex {} of {}", triangle[k],
                                 m_corner_of.size()));
             }
             corners[k] = m_corner_of[static_cast<size_t>(triangle[k])];

@@ -33,7 +33,7 @@ Eigen::Vector3d station_of(const CableNet& net, int edge) {
     return 0.5 * (net.nodes().col(s) + net.nodes().col(t));
 }
 
-/// The tour cut into as many stretches as there are crews, each with its stations in order.
+/// The tour cut into one stretch per crew.
 std::vector<std::vector<int>> stretches(const std::vector<int>& tour, int crews) {
     std::vector<std::vector<int>> result(static_cast<size_t>(crews));
     for (size_t i = 0; i < tour.size(); ++i) {
@@ -42,29 +42,29 @@ std::vector<std::vector<int>> stretches(const std::vector<int>& tour, int crews)
     return result;
 }
 
-/// Strokes of the work after a moment, and the forces of the estimate then.
+/// Strokes done after each step, and the forces of the estimate then.
 using States = std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>>;
 
 struct PassAttempt {
     TurnOrder order;
-    States states;        ///< after each moment
-    double excess = 0.0;  ///< of the estimate, the most at any moment [mean tensions]
-    int kept = 0;         ///< draws in which no step breaks a limit, as predicted until judged
+    States states;
+    double excess = 0.0;  ///< of the estimate, the most at any step [mean tensions]
+    int kept = 0;         ///< samples in which no step breaks a limit, predicted until judged
     bool is_judged = false;
     [[nodiscard]] bool is_better_than(const PassAttempt& other) const {
         return std::tuple(excess, -kept) < std::tuple(other.excess, -other.kept);
     }
 };
 
-/// A station that a crew turns next, and what comes of it.
+/// The station that a crew turns next, and its effect.
 struct NextStation {
     size_t at = 0;  ///< among those that are left
     Harm harm;
     StrokedNet net;
 };
 
-/// The first of the stations left that breaks no limit now, else the one that does least harm: the
-/// tangents choose, exact equilibrium decides.
+/// The first of the remaining stations that breaks no limit now, else the one with the least harm:
+/// tangents rank them, exact equilibrium decides.
 /// @param net at `strokes`
 NextStation next_station(OrderWork& work, const Eigen::VectorXd& strokes, const StrokedNet& net,
                          const std::vector<int>& left, const auto& goal) {
@@ -94,22 +94,22 @@ NextStation next_station(OrderWork& work, const Eigen::VectorXd& strokes, const 
     return best;
 }
 
-/// Passes over the net, each crew along its stretch; a station that would break a limit now is
-/// left for later, and one that always does is turned where it does least harm.
+/// Passes over the net, each crew along its stretch. A station that would break a limit now is put
+/// off; one that always would is turned where it does least harm.
 PassAttempt try_passes(OrderWork& work, const Plan& plan,
                        const std::vector<std::vector<int>>& crews, int passes,
                        const TurnOrderOptions& options, const Progress& progress) {
     PassAttempt result;
     result.order.passes = passes;
     work.restart();
-    int moment = 0;
+    int step = 0;
     for (int pass = 1; pass <= passes; ++pass) {
         std::vector<std::vector<int>> left = crews;
         const auto goal = [&](int j) {
             const double part = plan.strokes[static_cast<size_t>(j)].stroke * pass / passes;
-            return pass == passes || options.step == 0.0
+            return pass == passes || options.turn_step == 0.0
                        ? part
-                       : options.step * std::round(part / options.step);
+                       : options.turn_step * std::round(part / options.turn_step);
         };
         for (std::vector<int>& stations : left) {
             std::erase_if(stations, [&](int j) {
@@ -130,32 +130,32 @@ PassAttempt try_passes(OrderWork& work, const Plan& plan,
                                                  .stroke = goal(j) - work.strokes()(j),
                                                  .pass = pass,
                                                  .crew = static_cast<int>(crew) + 1,
-                                                 .moment = moment});
+                                                 .step = step});
                 strokes(j) = goal(j);
                 left[crew].erase(left[crew].begin() + static_cast<std::ptrdiff_t>(next.at));
             }
             if (next.harm.excess > result.excess) {
                 result.excess = next.harm.excess;
-                result.order.worst = {.moment = moment, .breach = work.worst_breach(next.net)};
+                result.order.worst = {.step = step, .breach = work.worst_breach(next.net)};
             }
             result.states.emplace_back(strokes, next.net.forces);
             work.accept(std::move(strokes), std::move(next.net));
-            ++moment;
+            ++step;
         }
     }
     result.kept = work.predicted_kept();
     return result;
 }
 
-/// How surely an order is safe, and where it is not.
+/// Computes the probability that an order is safe, and the worst step where it is not.
 void judge(const OrderWork& work, const TurnOrderOptions& options, PassAttempt& attempt) {
     TurnOrder& order = attempt.order;
     attempt.is_judged = true;
     if (attempt.excess == 0.0 && work.breach_at_end()) {
-        order.worst = {.moment = static_cast<int>(attempt.states.size()) - 1,
+        order.worst = {.step = static_cast<int>(attempt.states.size()) - 1,
                        .breach = *work.breach_at_end()};
     }
-    order.is_safe = order.worst.moment < 0;
+    order.is_safe = order.worst.step < 0;
     order.safe_probability = order.is_safe ? 1.0 : 0.0;
     if (work.draws() == 0) {
         return;
@@ -166,7 +166,7 @@ void judge(const OrderWork& work, const TurnOrderOptions& options, PassAttempt& 
     if (order.is_safe && drawn.kept < draws_needed(options.confidence, work.draws())) {
         order.is_safe = false;
         order.worst = drawn.worst.value_or(
-            WorstMoment{.moment = static_cast<int>(attempt.states.size()) - 1, .breach = {}});
+            WorstStep{.step = static_cast<int>(attempt.states.size()) - 1, .breach = {}});
     }
 }
 
@@ -196,9 +196,9 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
         throw std::invalid_argument(
             fmt::format("{} crews, expected 1 to {}", options.crews, most_crews));
     }
-    if (!(options.step >= 0.0) || std::isinf(options.step)) {
+    if (!(options.turn_step >= 0.0) || std::isinf(options.turn_step)) {
         throw std::invalid_argument(
-            fmt::format("a step of {:g} m, expected at least 0", options.step));
+            fmt::format("the smallest turn is {:g} m, expected at least 0", options.turn_step));
     }
     if (!(options.confidence > 0.0 && options.confidence < 1.0)) {
         throw std::invalid_argument(fmt::format(
@@ -206,8 +206,7 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
     }
     if (!(options.actuator_std >= 0.0) || std::isinf(options.actuator_std)) {
         throw std::invalid_argument(
-            fmt::format("the standard deviation of the strokes is {:g} m, expected at least 0",
-                        options.actuator_std));
+            fmt::format("the actuator std is {:g} m, expected at least 0", options.actuator_std));
     }
     check_force_limits(built.net, limits);
     check_plan(built.net, limits, plan);
@@ -227,14 +226,14 @@ TurnOrder order_turns(const BuiltNet& built, const Limits& limits, const Plan& p
         if (tried.excess == 0.0 && tried.kept >= needed) {
             judge(work, options, tried);
         }
-        // What is judged gives way to what is judged alone.
+        // An order that was judged is replaced by a judged one alone.
         if (passes > 1 && best.is_judged && !tried.is_judged && tried.is_better_than(best)) {
             judge(work, options, tried);
         }
         if (passes == 1 || tried.is_better_than(best)) {
             best = std::move(tried);
         }
-        // What is broken when all is done no order can spare.
+        // Limits broken at the end are broken by every order.
         if (best.order.is_safe || (best.excess == 0.0 && best.kept >= work.kept_at_end())) {
             break;
         }

@@ -19,7 +19,7 @@ double nearest_multiple(double stroke, double step, double shortest, double long
     return step * std::clamp(std::round(stroke / step), lowest, highest);
 }
 
-/// Fixes the strokes nearest to a whole step and seeks the others anew, until all are fixed.
+/// Fixes the strokes nearest to a whole step and searches the others anew, until all are fixed.
 StrokedState fixed_by_quarters(std::vector<LimitedResponse>& responses, const StrokeTask& task,
                                const StrokedState& free, double step) {
     StrokeTask left = task;
@@ -61,7 +61,7 @@ StrokedState in_whole_steps(std::vector<LimitedResponse>& responses, const Strok
     for (int moves = 0; moves < most_moves; ++moves) {
         const std::vector<ProposedStrokes> better =
             StrokeProgram(responses, task, state).single_steps(step);
-        // What looks best to first order is tried first; a few that fail, and no step helps.
+        // The best to first order is tried first; after a few failures no step helps.
         constexpr size_t tries = 3;
         bool has_moved = false;
         for (size_t i = 0; i < std::min(tries, better.size()) && !has_moved; ++i) {

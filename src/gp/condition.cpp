@@ -23,8 +23,8 @@ Eigen::MatrixXd inverse_diagonals(const KernelSpectrum& spectrum,
     }
     Eigen::MatrixXd diagonals = product(squares, inverses);
     if (!spectrum.is_whole()) {
-        // Of input i the directions leave out l_i = 1 - |Q_i|^2 of a unit vector, and e_i of R_ii.
-        // Its part of the diagonal is no less than l_i / (e_i / l_i + eta), by Jensen's inequality,
+        // For input i the directions leave out l_i = 1 - |Q_i|^2 of a unit vector and e_i of R_ii.
+        // That part adds to the diagonal at least l_i / (e_i / l_i + eta), by Jensen's inequality,
         // (low-rank-diagonal).
         const Eigen::VectorXd remainder = (1.0 - (squares * spectrum.eigenvalues).array()).max(0.0);
         const Eigen::ArrayXd left_out = (1.0 - squares.rowwise().sum().array()).max(0.0);
@@ -52,7 +52,7 @@ void condition(FittedProcesses& result, size_t index, const std::vector<BestLamb
                const FittableOutputs& outputs, const std::vector<Eigen::Index>& members,
                const Progress& progress) {
     const KernelSpectrum& spectrum = result.spectra[index];
-    constexpr double of_noise = 0.1;  // an error that does not count
+    constexpr double of_noise = 0.1;  // errors below this part of the noise do not count
     Eigen::VectorXd noise_ratios(std::ssize(members));
     Eigen::VectorXd tolerances(std::ssize(members));
     for (Eigen::Index k = 0; k < noise_ratios.size(); ++k) {

@@ -12,8 +12,8 @@ namespace taut::gp {
 
 /// The outputs that can be fitted.
 struct FittableOutputs {
-    Eigen::MatrixXd values;      ///< n x as many
-    std::vector<int> column_of;  ///< of each in the result
+    Eigen::MatrixXd values;      ///< n x number of outputs
+    std::vector<int> column_of;  ///< column of each in the result
 };
 
 /// Conditions the outputs that chose one lambda on the data: hyperparameters, weights,

@@ -9,9 +9,9 @@
 
 namespace taut::gp {
 
-/// R b, of the correlation matrix R (n x n) of n inputs, in O(n^2 (d + k)): R is made in blocks of
-/// columns that are forgotten at once, so that memory is O(n (d + k)). Parallel; the same for any
-/// number of threads.
+/// R b, with the correlation matrix R (n x n) of n inputs, in O(n^2 (d + k)). R is made in blocks
+/// of columns that are not kept, so that memory is O(n (d + k)). Parallel; the same for any number
+/// of threads.
 /// @param inputs d x n
 /// @param b n x k
 /// @throws Interrupted where a stop was requested

@@ -98,7 +98,7 @@ LambdaSearchSettings search_settings(const FitSettings& settings, const InputSpr
         .max_spectra = settings.max_spectra};
     if (search.lower_log_lambda > search.upper_log_lambda) {
         throw std::invalid_argument(fmt::format(
-            "smallest_scaled_lambda {} and largest_scaled_lambda {} leave nothing between, for "
+            "smallest_scaled_lambda {} and largest_scaled_lambda {} leave nothing between them for "
             "these inputs",
             settings.smallest_scaled_lambda, settings.largest_scaled_lambda));
     }
@@ -140,7 +140,7 @@ FittedProcesses fit(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
     check_settings(settings);
     const Eigen::Index n = inputs.cols();
     const bool is_decomposed = n <= settings.most_decomposed;
-    // Of many inputs some tell as well how far all are apart, and where lambda lies.
+    // Of many inputs a part shows as well how far all are apart, and where lambda lies.
     const std::vector<Eigen::Index> part =
         spread_part(n, is_decomposed ? n : std::min(settings.most_decomposed, inputs_to_search));
     const Eigen::MatrixXd distances = squared_distances(inputs(Eigen::all, part));

@@ -8,7 +8,7 @@
 
 namespace taut::gp {
 
-/// What the mean's gradient at one input is made of, by eq. mx_*: dm/dx_* = sum_i a_i (x_* - x_i),
+/// The weights of the mean's gradient at one input, by eq. mx_*: dm/dx_* = sum_i a_i (x_* - x_i),
 ///
 ///     a_i = -lambda^2 w_i k(x_*, x_i)
 ///

@@ -31,7 +31,8 @@ constexpr int most_evaluations = 60;
 /// Length scales that the search may start from, in distances of the inputs.
 constexpr std::array starts{100.0, 30.0, 10.0, 3.0, 1.0};
 
-/// A dimension this many times less or more relevant than at the start is as good as out, or alone.
+/// A dimension so many times less or more relevant than at the start is irrelevant, or alone
+/// relevant.
 constexpr double widest_factor = 1e3;
 
 Eigen::VectorXd scales_of(const std::vector<int>& groups,
@@ -43,7 +44,7 @@ int group_count(const std::vector<int>& groups, Eigen::Index dimensions) {
     if (static_cast<Eigen::Index>(groups.size()) != dimensions) {
         throw std::invalid_argument(
             fmt::format("{} groups for inputs of dimension {}, expected one "
-                        "a dimension",
+                        "per dimension",
                         groups.size(), dimensions));
     }
     // No group is empty: there are no more of them than dimensions.
@@ -92,7 +93,7 @@ ScalesLikelihood evaluate(Problem& problem, const Eigen::VectorXd& log_scales) {
     return scales_likelihood(problem.inputs, problem.outputs, problem.groups, log_scales);
 }
 
-/// For NLopt, which carries exceptions of few kinds.
+/// The objective for NLopt. It passes few kinds of exceptions on, so a failure is kept in Problem.
 double objective(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
     auto& problem = *static_cast<Problem*>(data);
     if (problem.failure) {  // its line search does not end at once
@@ -151,7 +152,7 @@ ScalesLikelihood scales_likelihood(const Eigen::Ref<const Eigen::MatrixXd>& inpu
 
     // With C_j = sigma_f^2 (R + eta I) of output j, sum_j dL_j/ds = tr(M dR/ds) with
     //   M = 1/2 sum_j ((R + eta_j I)^-1 - w_j w_j' / sigma_f,j^2),  w_j = (R + eta_j I)^-1 y_j
-    // (Rasmussen and Williams, eq. 5.9; sigma_f and eta are at their best, and so do not count).
+    // (Rasmussen and Williams, eq. 5.9; derivatives by sigma_f and eta vanish at their optimum).
     const Eigen::MatrixXd& basis = spectrum.eigenvectors;
     Eigen::MatrixXd in_basis = transposed_product(basis, outputs);
     Eigen::VectorXd inverse_sum = Eigen::VectorXd::Zero(basis.cols());
@@ -206,8 +207,8 @@ Eigen::VectorXd estimate_input_scales(const Eigen::Ref<const Eigen::MatrixXd>& i
     try {
         (void)optimizer.optimize(first);
     } catch (const std::runtime_error&) {
-        // Without a failure of ours, the line search found nothing lower: it is at the bottom, as
-        // near as rounding lets it be.
+        // Unless the objective failed, the line search found nothing lower: it is at the minimum up
+        // to rounding.
         if (problem.failure) {
             std::rethrow_exception(problem.failure);
         }

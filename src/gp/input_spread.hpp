@@ -6,7 +6,7 @@
 
 namespace taut::gp {
 
-/// How far apart the training inputs are, where they differ at all.
+/// Distances of the training inputs, without those that are the same.
 struct InputSpread {
     double distance = 0.0;             ///< median of all pairs; 0 if all inputs are the same
     double distance_to_nearest = 0.0;  ///< median over the inputs

@@ -24,7 +24,7 @@ inline constexpr double largest_number = 1e100;
 inline void require_usable(std::string_view what, const Eigen::Ref<const Eigen::MatrixXd>& inputs) {
     if (!is_usable(inputs)) {
         throw std::invalid_argument(fmt::format(
-            "{} hold a number that is not finite or beyond {:g}", what, largest_number));
+            "{} contain a number that is not finite or exceeds {:g}", what, largest_number));
     }
 }
 

@@ -14,11 +14,11 @@
 namespace taut::gp {
 namespace {
 
-/// Lambdas looked at together, one a thread: always as many, so that results do not depend on the
-/// number of threads. More would be chosen with less knowledge; of two, hardly one is lost by it.
+/// Lambdas tried together, one per thread: always as many, so that results do not depend on the
+/// number of threads. More would be chosen with less knowledge; with two hardly one is wasted.
 constexpr int lambdas_together = 2;
 
-/// What a look at one lambda shows.
+/// The spectrum and the profiles at one lambda.
 struct Seen {
     KernelSpectrum spectrum;
     LikelihoodProfile profile;

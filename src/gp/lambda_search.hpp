@@ -11,7 +11,7 @@
 
 namespace taut::gp {
 
-/// What outputs are to be learnt, and where their lambda is looked for.
+/// Range and effort of the search for lambda.
 struct LambdaSearchSettings {
     double lower_log_lambda;
     double upper_log_lambda;
@@ -20,7 +20,7 @@ struct LambdaSearchSettings {
     int max_spectra;            ///< FitSettings
 };
 
-/// What is best for one output among the lambdas looked at.
+/// The best of the lambdas tried for one output.
 struct BestLambda {
     double log_lambda = 0.0;
     double value = std::numeric_limits<double>::infinity();  ///< negative log likelihood
@@ -28,12 +28,12 @@ struct BestLambda {
     double signal_variance = 0.0;
 };
 
-/// Takes what was seen of some outputs at one lambda, where it is better.
+/// Replaces the best of some outputs by the values at one lambda, where these are better.
 /// @param profile of these outputs, in their order
 void keep_better(std::vector<BestLambda>& best, double log_lambda,
                  const std::vector<Eigen::Index>& outputs, const LikelihoodProfile& profile);
 
-/// What a search found: the best of each output, and the spectra that these are of, by log lambda.
+/// Result of a search: the best of each output, and their spectra, by log lambda.
 struct FoundLambdas {
     std::vector<BestLambda> best;
     std::map<double, KernelSpectrum> spectra;
@@ -42,8 +42,8 @@ struct FoundLambdas {
     void forget_unused();
 };
 
-/// Looks for the lambda of each output, by a decomposition of the correlation matrix at each lambda
-/// looked at.
+/// Searches the lambda of each output, by a decomposition of the correlation matrix at each lambda
+/// tried.
 /// @param squared_distances of all pairs of training inputs (n x n)
 /// @param outputs n x m, none of them zero throughout; m >= 1
 /// @throws Interrupted where a stop was requested

@@ -12,14 +12,14 @@
 namespace taut::gp {
 namespace {
 
-/// Valleys over log lambda narrower than this, a factor of 3.3 in the length scale, have not been
-/// seen, and two points closer than it hide none.
+/// No valley over log lambda narrower than this, a factor of 3.3 in the length scale, was ever
+/// seen. So two points closer than this hide none.
 constexpr double narrowest_valley = 1.2;
 
-/// However wide the range, looking for valleys takes no more intervals than this.
+/// However wide the range, the search for valleys takes no more intervals than this.
 constexpr int most_first_intervals = 8;
 
-/// Points closer than this in log lambda tell nothing new.
+/// Points closer than this in log lambda give nothing new.
 constexpr double closest = 1e-4;
 
 using Point = ProfilePoint;
@@ -77,7 +77,7 @@ bool may_hide_valley(const Points& points, size_t i) {
     return a.value + a.slope * half < best || b.value - b.slope * half < best;
 }
 
-/// Where the points let the smallest value be expected.
+/// The minimum expected from the points.
 Minimum expected_minimum(const Points& points) {
     Minimum result;
     const auto offer = [&](const Minimum& found) {
@@ -88,9 +88,9 @@ Minimum expected_minimum(const Points& points) {
     for (size_t i = 0; i + 1 < points.size(); ++i) {
         offer(Cubic(points[i], points[i + 1]).minimum(points[i].at, points[i + 1].at));
     }
-    // Where the interval downhill of the best point is much the longer one, the cubic across it is
-    // the poorer guide, and would creep: the cubic of the shorter one is followed beyond its end,
-    // half the way at most.
+    // Where the interval downhill of the best point is much the longer one, its cubic is a poor
+    // guide and the search would creep. Then the cubic of the shorter interval is extrapolated, at
+    // most half of the way.
     const auto best = std::ranges::min_element(points, {}, &Point::value);
     if (best == points.begin() || std::next(best) == points.end()) {
         return result;
@@ -99,11 +99,11 @@ Minimum expected_minimum(const Points& points) {
     const Point& ahead = best->slope < 0.0 ? *std::next(best) : *std::prev(best);
     if (std::abs(ahead.at - best->at) > 2.0 * std::abs(best->at - before.at)) {
         const double half_way = 0.5 * (best->at + ahead.at);
-        const Minimum beyond =
+        const Minimum extrapolated =
             Cubic(before, *best)
                 .minimum(std::min(best->at, half_way), std::max(best->at, half_way));
-        if (std::isfinite(beyond.value)) {
-            return beyond;
+        if (std::isfinite(extrapolated.value)) {
+            return extrapolated;
         }
     }
     return result;
@@ -119,14 +119,14 @@ struct Wish {
     double served = 0.0;  ///< gain expected at the points that have been chosen
 };
 
-/// What an output expects to gain at a point: a parabola that is zero at its best point so far and
+/// The gain that an output expects at a point: a parabola that is zero at its best point so far and
 /// highest at its wish.
 double expected_gain(const Wish& wish, double at) {
     const double t = (at - wish.at) / wish.reach;
     return wish.gain * std::max(0.0, 1.0 - t * t);
 }
 
-/// What all outputs together expect to gain beyond what the chosen points give them.
+/// The gain that all outputs together expect on top of that of the chosen points.
 double expected_gain(const std::vector<Wish>& wishes, double at) {
     double sum = 0.0;
     for (const Wish& wish : wishes) {
@@ -135,7 +135,7 @@ double expected_gain(const std::vector<Wish>& wishes, double at) {
     return sum;
 }
 
-/// Takes a point as chosen, and lets those go that it makes content.
+/// Takes a point as chosen, and removes the wishes that it fulfils.
 void serve(std::vector<Wish>& wishes, double at) {
     for (Wish& wish : wishes) {
         wish.served = std::max(wish.served, expected_gain(wish, at));
@@ -143,7 +143,7 @@ void serve(std::vector<Wish>& wishes, double at) {
     std::erase_if(wishes, [](const Wish& wish) { return wish.gain - wish.served <= wish.least; });
 }
 
-/// Of all outputs that are not content.
+/// The wishes of all outputs that are not content.
 std::vector<Wish> wishes_of(const std::vector<Points>& outputs, double tolerance) {
     std::vector<Wish> wishes;
     for (size_t j = 0; j < outputs.size(); ++j) {
@@ -165,7 +165,7 @@ std::vector<Wish> wishes_of(const std::vector<Points>& outputs, double tolerance
     return wishes;
 }
 
-/// Those that have their best point beside this one, or expect to gain there all the same.
+/// The outputs whose best point is beside this one, or that expect a gain there.
 std::vector<Eigen::Index> outputs_that_may_gain(const std::vector<Points>& outputs,
                                                 const std::vector<Wish>& wishes, double at) {
     std::vector<bool> may_gain(outputs.size());

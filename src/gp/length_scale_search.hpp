@@ -16,14 +16,13 @@ struct ProfilePoint {
     double slope;
 };
 
-/// Which lambdas to look at next, so that every one of m outputs comes close to its own best one
-/// with few decompositions. Knows the profiles (value and slope over log lambda) at the points
-/// looked at, interpolates each output's between them by cubic Hermite polynomials, and asks for
-/// the point where the outputs together expect to gain most; then for the one where they expect to
-/// gain most beyond that, and so on.
+/// Chooses the lambdas to try next, so that each of m outputs comes close to its own best one with
+/// few decompositions. It interpolates each output's profile (value and slope over log lambda)
+/// between the points tried by cubic Hermite polynomials. It asks for the point where the outputs
+/// together expect to gain most, then for the one that adds most to that, and so on.
 class LengthScaleSearch {
 public:
-    /// Where to look.
+    /// A lambda to try.
     struct Look {
         double log_lambda = 0.0;
         std::vector<Eigen::Index> outputs;  ///< that may gain there; the others need no profile
@@ -34,9 +33,9 @@ public:
     LengthScaleSearch(Eigen::Index outputs, double lower_log_lambda, double upper_log_lambda,
                       double relative_tolerance);
 
-    /// Where to look next, `most` (1 or more) at most; nowhere when every output is content.
+    /// At most `most` (1 or more) lambdas to try next; none when every output is content.
     [[nodiscard]] std::vector<Look> next(int most) const;
-    /// What was seen there.
+    /// Adds the profiles at a lambda.
     /// @param profile of look.outputs, in their order
     void add(const Look& look, const LikelihoodProfile& profile);
 

@@ -15,11 +15,11 @@
 namespace taut::gp {
 namespace {
 
-/// The n eigenvalues of a correlation matrix: d, and the mean of those that are left out, which
-/// stands last, for all of them.
+/// The n eigenvalues of a correlation matrix: d, and last the mean of those that are left out,
+/// which stands for all of them.
 struct Eigenvalues {
     Eigen::VectorXd values;
-    Eigen::Index n;  ///< counted as often as they are
+    Eigen::Index n;  ///< with those left out
 
     explicit Eigenvalues(const KernelSpectrum& spectrum)
         : values(spectrum.eigenvalues), n(spectrum.eigenvectors.rows()) {
@@ -58,8 +58,8 @@ double log_determinant(const Eigenvalues& eigenvalues, double noise_ratio) {
     for (; i < d.size(); ++i) {
         sum += std::log(d(i) + noise_ratio);
     }
-    const auto further = static_cast<double>(eigenvalues.n - d.size());  // as the last one
-    return sum + (further > 0.0 ? further * std::log(d(d.size() - 1) + noise_ratio) : 0.0);
+    const auto others = static_cast<double>(eigenvalues.n - d.size());  // equal to the last one
+    return sum + (others > 0.0 ? others * std::log(d(d.size() - 1) + noise_ratio) : 0.0);
 }
 
 double best_signal_variance(const Eigenvalues& eigenvalues,
@@ -160,7 +160,7 @@ Eigen::MatrixXd correlation_rate(const Eigen::Ref<const Eigen::MatrixXd>& square
     return rate;
 }
 
-/// Of each output, by the envelope theorem: the partial derivative at the profile's minimiser,
+/// The slope of each output, by the envelope theorem: the partial derivative at the minimiser,
 /// 1/2 tr((R + eta I)^-1 dR) - 1/2 w' dR w / sigma_f^2 with w = (R + eta I)^-1 y.
 /// @param z Q'y
 Eigen::VectorXd profile_slope(const KernelSpectrum& spectrum,

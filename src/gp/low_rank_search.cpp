@@ -16,7 +16,7 @@ namespace {
 /// Lambdas tried on all inputs.
 constexpr size_t most_kept = 3;
 
-/// Of some lambdas the few that lose least: one after the other is taken, that with which the best
+/// The few lambdas that lose least, one after the other: each time the one with which the best
 /// values of all outputs have the least sum.
 /// @param values negative log likelihoods of the outputs, by log lambda
 std::vector<double> best_few(const std::map<double, Eigen::VectorXd>& values) {
@@ -36,12 +36,12 @@ std::vector<double> best_few(const std::map<double, Eigen::VectorXd>& values) {
     return kept;
 }
 
-/// Those that serve the outputs best on a part of the inputs.
+/// The lambdas that are best for the outputs on a part of the inputs.
 std::vector<double> log_lambdas_of_part(const Eigen::MatrixXd& squared_distances,
                                         const Eigen::MatrixXd& outputs,
                                         const LambdaSearchSettings& settings,
                                         const Progress& progress) {
-    std::vector<Eigen::Index> usable;  // constant on the part, an output has nothing to tell
+    std::vector<Eigen::Index> usable;  // an output that is constant on the part shows nothing
     for (Eigen::Index j = 0; j < outputs.cols(); ++j) {
         if (outputs.col(j).maxCoeff() > outputs.col(j).minCoeff()) {
             usable.push_back(j);
@@ -50,11 +50,11 @@ std::vector<double> log_lambdas_of_part(const Eigen::MatrixXd& squared_distances
     if (usable.empty()) {
         return {0.5 * (settings.lower_log_lambda + settings.upper_log_lambda)};
     }
-    const Eigen::MatrixXd told = outputs(Eigen::all, usable);
-    const FoundLambdas found = search_lambdas(squared_distances, told, settings, progress);
+    const Eigen::MatrixXd varying = outputs(Eigen::all, usable);
+    const FoundLambdas found = search_lambdas(squared_distances, varying, settings, progress);
     std::map<double, Eigen::VectorXd> values;
     for (const auto& [log_lambda, spectrum] : found.spectra) {
-        values[log_lambda] = profile_likelihood(spectrum, squared_distances, told,
+        values[log_lambda] = profile_likelihood(spectrum, squared_distances, varying,
                                                 settings.noise_ratio, Slope::left_out)
                                  .value;
     }
@@ -79,8 +79,8 @@ FoundLambdas search_by_low_rank(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
         steps("training", static_cast<int>(k), static_cast<int>(log_lambdas.size()));
         const double at = log_lambdas[k];
         KernelSpectrum spectrum = low_rank_spectrum(inputs, std::exp(at), rank, progress);
-        // Noise below what is left out cannot be told from it: the likelihood would have none, and
-        // the weights follow it.
+        // Noise cannot be distinguished from what the spectrum leaves out, so it is at least that.
+        // The likelihood would else find none, and the weights would follow the noise.
         const double least = std::max(least_noise_ratio(inputs.cols()), spectrum.tail_mean);
         const NoiseRatioBounds noise_ratio{.lower = std::max(least, settings.noise_ratio.lower),
                                            .upper = std::max(least, settings.noise_ratio.upper)};

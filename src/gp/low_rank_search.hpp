@@ -10,11 +10,11 @@
 
 namespace taut::gp {
 
-/// So many inputs tell where lambda lies.
+/// So many inputs are enough to find lambda.
 inline constexpr int inputs_to_search = 2000;
 
-/// Chooses the lambda of each output over more inputs than can be decomposed: of the few that serve
-/// the outputs best on a part of the inputs, the likeliest on all, by spectra of low rank.
+/// Chooses the lambda of each output for more inputs than can be decomposed: of the few lambdas
+/// that are best on a part of the inputs, the likeliest on all, by spectra of low rank.
 /// @param inputs d x n
 /// @param outputs n x m, none of them zero throughout; m >= 1
 /// @param part of the inputs, which are decomposed

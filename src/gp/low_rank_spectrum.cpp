@@ -16,7 +16,7 @@
 namespace taut::gp {
 namespace {
 
-/// What an eigenvalue of R, whose largest is at most n, is rounded by.
+/// Rounding error of an eigenvalue of R, whose largest is at most n.
 double rounding_of(Eigen::Index n) {
     const auto size = static_cast<double>(n);
     return std::sqrt(size) * size * std::numeric_limits<double>::epsilon();
@@ -36,8 +36,8 @@ KernelSpectrum nystroem(double inverse_length_scale, Eigen::MatrixXd Y, Eigen::M
     const SymmetricEigen eigen = symmetric_eigen(gram(B));
     const Eigen::Index kept = (eigen.values.array() > cutoff).count();
     const Eigen::VectorXd squares = eigen.values.tail(kept);
-    // Directions of small eigenvalues lose the digits of the largest: all are made orthonormal
-    // anew, the largest first, so that it is these that stay.
+    // Directions of small eigenvalues lose digits to the largest. So all are made orthonormal anew,
+    // the largest first, so that these stay as they are.
     const Eigen::VectorXd scales = squares.cwiseSqrt().cwiseInverse();
     Eigen::MatrixXd Q =
         product(B, (eigen.vectors.rightCols(kept) * scales.asDiagonal()).rowwise().reverse());
@@ -47,9 +47,9 @@ KernelSpectrum nystroem(double inverse_length_scale, Eigen::MatrixXd Y, Eigen::M
             .eigenvectors = Q.rowwise().reverse()};
 }
 
-/// The largest eigenvalue of what a spectrum leaves out of R, (left-out): from below, as the
-/// largest that a block Krylov space shows, then raised by a half. One that stands alone is found
-/// even where hundreds are half as large: three rounds find it by a Chebyshev polynomial.
+/// The largest eigenvalue of what a spectrum leaves out of R, (left-out): the largest in a block
+/// Krylov space, a bound from below, raised by a half. Three rounds amount to a Chebyshev
+/// polynomial, which finds a single one even where hundreds are half as large.
 double largest_left_out(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
                         const KernelSpectrum& spectrum, const Progress& progress) {
     constexpr Eigen::Index vectors = 64;

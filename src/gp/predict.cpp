@@ -55,8 +55,8 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     const KernelSpectrum& spectrum = fitted.spectra[s];
     Eigen::VectorXd signal_stds(members.size());
     Eigen::VectorXd errors(members.size());
-    // (d + eta)^-1 of each. What a spectrum leaves out is taken for noise, of the largest that any
-    // direction has of it: the variance is then no smaller than the exact one. (low-rank-variance)
+    // (d + eta)^-1 of each. What a spectrum leaves out counts as noise, as much in all directions
+    // as in the worst: so the variance is no smaller than the exact one. (low-rank-variance)
     Eigen::MatrixXd inverse(spectrum.eigenvalues.size(), members.size());
     Eigen::VectorXd tail_inverse(members.size());
     for (size_t i = 0; i < members.size(); ++i) {
@@ -84,8 +84,8 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     result.mean(members, Eigen::all) = transposed_product(fitted.weights(Eigen::all, members), k);
     Eigen::MatrixXd unexplained = 1.0 - explained.array();
     if (!spectrum.is_whole()) {
-        // Below zero by no more than rounding errors, it is one of these. Else the largest that is
-        // left out was found too small: nothing is claimed there.
+        // Below zero by no more than rounding errors, it is set to these. Else tail_largest was
+        // underestimated: the variance is then that of the prior.
         const auto is_rounding = unexplained.array() >= -rounding.array();
         unexplained = (unexplained.array() >= 0.0)
                           .select(unexplained, is_rounding.select(rounding.array().min(1.0), 1.0));
@@ -93,7 +93,7 @@ void predict_with_spectrum(const FittedProcesses& fitted, size_t s,
     result.std(members, Eigen::all) =
         (signal_stds.asDiagonal() * unexplained.cwiseMax(0.0).cwiseSqrt()).eval();
     if (!spectrum.is_whole()) {
-        // What the mean may be off, (told-error), is not known of it either.
+        // The error bound of the mean, (told-error), adds to the variance.
         result.std(members, Eigen::all) =
             (result.std(members, Eigen::all).array().square().colwise() + errors.array().square())
                 .sqrt()

@@ -15,7 +15,7 @@ Eigen::RowVectorXd dots(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     return a.cwiseProduct(b).colwise().sum();
 }
 
-/// a / b, or 0 where b is: of an output that is done.
+/// a / b, or 0 where b is 0: of a converged output.
 Eigen::RowVectorXd ratios(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
     return (b.array() > 0.0).select(a.array() / b.array(), 0.0);
 }

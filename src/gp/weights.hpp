@@ -10,8 +10,8 @@
 
 namespace taut::gp {
 
-/// (R + eta_j I)^-1 y_j of each output, by a spectrum of R: of one that is not whole with the mean
-/// of its tail for all that it leaves out.
+/// (R + eta_j I)^-1 y_j of each output, by a spectrum of R. If it is not whole, the mean of its
+/// tail stands for all that it leaves out.
 /// @param outputs n x k
 /// @param noise_ratios eta (k), positive
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::MatrixXd weights_by_spectrum(
@@ -23,8 +23,8 @@ struct RefinedWeights {
     Eigen::VectorXd residuals;  ///< of y - (R + eta I) w, root mean square (k)
 };
 
-/// The same closer to those of R itself than such a spectrum tells: a few steps of conjugate
-/// gradients, docs/theory.md (refined-weights).
+/// Weights that are closer to those of R itself: a few steps of conjugate gradients from those by
+/// the spectrum, docs/theory.md (refined-weights).
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_CORE_EXPORT RefinedWeights
 refined_weights(const Eigen::Ref<const Eigen::MatrixXd>& inputs, const KernelSpectrum& spectrum,

@@ -13,7 +13,7 @@ namespace taut {
 namespace report {
 namespace {
 
-/// A result's own title: its net's name.
+/// The page's title: the name of the net.
 std::string title(const ResultFile& result) {
     return std::visit(
         [](const auto& content) -> std::string {
@@ -28,8 +28,8 @@ std::string title(const ResultFile& result) {
         result.content);
 }
 
-/// JSON as it may stand in a script element, which ends at the first "</script" and changes its
-/// mode at "<!--": no "<" is left. It only ever stands inside of strings.
+/// JSON for a script element, which ends at the first "</script" and changes its mode at "<!--". So
+/// each "<", which occurs in strings only, is escaped.
 std::string in_script(std::string_view json) {
     std::string text;
     text.reserve(json.size());
@@ -50,7 +50,7 @@ std::string report_html(const ResultFile& result) {
     using namespace report;
     std::string_view rest = viewer_page();
     if (rest.empty()) {
-        throw std::runtime_error("this taut was built without Node.js and holds no report viewer");
+        throw std::runtime_error("this taut was built without Node.js and has no report viewer");
     }
     const std::pair<std::string_view, std::string> parts[] = {
         {"<!--taut:title-->", escape(title(result))},

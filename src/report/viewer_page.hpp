@@ -6,9 +6,9 @@
 
 namespace taut::report {
 
-/// The page that viewer/build.mjs makes, with these places to fill, each once and in this order:
-/// "<!--taut:title-->", "<!--taut:style-->", "<!--taut:figures-->", "<!--taut:result-->". Empty
-/// where taut was built without Node.js. Its source is made by cmake/embed.cmake.
+/// The page that viewer/build.mjs makes, with two places to fill, in this order:
+/// "<!--taut:title-->" and "<!--taut:result-->". Empty where taut was built without Node.js.
+/// cmake/embed.cmake makes its source.
 [[nodiscard]] std::string_view viewer_page();
 
 }  // namespace taut::report

@@ -15,7 +15,7 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
     const auto* result = std::get_if<IdentificationResult>(&file.content);
     if (result == nullptr) {
         throw InputError(result_path.string(), "/format",
-                         "is of another kind, expected the \"taut-identification\" of a survey");
+                         "is another kind of result, expected \"taut-identification\"");
     }
     if (result->net.fingerprint() != net.fingerprint()) {
         throw InputError(result_path.string(), "/net/fingerprint",
@@ -29,12 +29,12 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
                                                result->boundary_outliers),
                       .length_draws = {},
                       .perturbations = {},
-                      .no_draws_since = {},
-                      .failed_since = failure_of(result->trust)},
+                      .no_draws_because = {},
+                      .failed_because = failure_of(result->trust)},
             .trust = result->trust};
         const std::filesystem::path draws = draws_path(result_path);
         if (result->draws == 0) {
-            identified.built.no_draws_since = "the result was made without draws";
+            identified.built.no_draws_because = "the result was made without posterior samples";
         } else if (std::filesystem::exists(draws)) {
             const PosteriorDraws drawn = read_draws(net, draws);
             if (drawn.count() != result->draws ||
@@ -42,19 +42,20 @@ IdentifiedNet read_identified_net(const CableNet& net, const std::filesystem::pa
                  fingerprint_of(drawn) != result->draws_fingerprint)) {
                 throw InputError(
                     draws.string(), "",
-                    fmt::format("holds draws of another result than {}: identify again",
+                    fmt::format("holds posterior samples of another result than {}: identify again",
                                 quote(result_path.string())));
             }
             add_draws(identified.built, turned, drawn, result->uncertain);
         } else {
-            identified.built.no_draws_since =
+            identified.built.no_draws_because =
                 fmt::format("there is no file {} beside the result", draws.string());
         }
         return identified;
     } catch (const InputError&) {
         throw;
     } catch (const std::invalid_argument& error) {
-        throw InputError(result_path.string(), "", fmt::format("is of no net: {}", error.what()));
+        throw InputError(result_path.string(), "",
+                         fmt::format("describes no valid net: {}", error.what()));
     }
 }
 

@@ -13,18 +13,13 @@
 namespace taut {
 namespace {
 
-template <class T>
-ResultJson or_null(const std::optional<T>& value) {
-    return value ? ResultJson(*value) : ResultJson();
-}
-
 ResultJson row_json(const ComparisonRow& row) {
     const MethodResult& result = row.result;
     const bool any = result.identified() > 0;
     const auto number = [](bool is_there, double value) {
         return is_there ? ResultJson(value) : ResultJson();
     };
-    const auto best = row.best_possible.value_or(BestPossible{});
+    const auto best = row.best_possible.value_or(CramerRaoBound{});
     const bool has_best = row.best_possible.has_value();
     return {{"method", result.name},
             {"noise", row.kind.noise_std},

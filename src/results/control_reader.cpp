@@ -13,18 +13,18 @@ namespace taut {
 namespace {
 
 void require_value(const JsonValue& parent, const char* key, int expected, const char* order) {
-    const JsonValue told = member(parent, key);
-    if (told.integer() != expected) {
-        told.fail(fmt::format("is {}, expected {}: {}", told.integer(), expected, order));
+    const JsonValue value = member(parent, key);
+    if (value.integer() != expected) {
+        value.fail(fmt::format("is {}, expected {}: {}", value.integer(), expected, order));
     }
 }
 
 int read_trials_of(const JsonValue& round, const char* key, int trials) {
-    const JsonValue told = member(round, key);
-    if (told.integer() > trials) {
-        told.fail(fmt::format("is {}, expected at most the {} trials", told.integer(), trials));
+    const JsonValue value = member(round, key);
+    if (value.integer() > trials) {
+        value.fail(fmt::format("is {}, expected at most the {} trials", value.integer(), trials));
     }
-    return told.integer();
+    return value.integer();
 }
 
 /// @param last round

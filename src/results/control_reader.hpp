@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// Simulated jobs that their schema accepts.
-/// @throws InputError where rounds or states are other than one a round, and one a trial and round
+/// Reads simulated jobs that their schema accepts.
+/// @throws InputError where there is not one entry per round, and one per trial and round
 [[nodiscard]] ControlResult read_control(const JsonValue& root);
 
 }  // namespace taut

@@ -20,7 +20,7 @@ struct PerturbationField {
     const char* data_set;
     Eigen::MatrixXd ModelPerturbations::* matrix;
     const char* unit;
-    double largest;  ///< more is no uncertainty of a net
+    double largest;  ///< larger values are errors of the file
 };
 
 constexpr std::array perturbation_fields{
@@ -42,7 +42,8 @@ Eigen::Index rows_of(const CableNet& net, const PerturbationField& field) {
 
 std::string draws_bytes(const CableNet& net, const Identification& identification) {
     if (!identification.draws) {
-        throw std::invalid_argument("the identification has no draws, expected some");
+        throw std::invalid_argument(
+            "the identification has no posterior samples, expected at least one");
     }
     const PosteriorDraws& draws = *identification.draws;
     hdf5::Writer writer;
@@ -57,7 +58,7 @@ std::string draws_bytes(const CableNet& net, const Identification& identificatio
     writer.integers("node", net.free_nodes());
     writer.matrix("length_deviation", draws.length_deviations, "m");
     if (draws.adjustable_deviations.cols() > 0) {
-        writer.attribute("adjustable", "unknown");
+        writer.attribute("adjustable", "uncertain");
         writer.integers("adjustable_edge", net.adjustable_edges());
         writer.matrix("adjustable_deviation", draws.adjustable_deviations, "m");
     }
@@ -80,7 +81,7 @@ std::string fingerprint_of(const PosteriorDraws& draws) {
     }
     for (const PerturbationField& field : perturbation_fields) {
         const Eigen::MatrixXd& matrix = draws.perturbations.*field.matrix;
-        if (matrix.size() > 0) {  // else as of files before there were any
+        if (matrix.size() > 0) {  // else the hash is that of older files
             hash.add_list(matrix);
         }
     }
@@ -103,7 +104,7 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
     }
     if (const std::string found = reader.text_attribute("net_fingerprint");
         found != net.fingerprint()) {
-        reader.fail("net_fingerprint", fmt::format("is {}, expected {}: draws of another net",
+        reader.fail("net_fingerprint", fmt::format("is {}, expected {}: samples of another net",
                                                    quote(found), net.fingerprint()));
     }
     PosteriorDraws draws;
@@ -112,7 +113,7 @@ PosteriorDraws read_draws(const CableNet& net, const std::filesystem::path& path
     draws.length_deviations = reader.matrix("length_deviation", edges, count);
     const Eigen::VectorXd nominal = net.unstressed_lengths()(net.interior_edges());
     if (count > 0 && !((draws.length_deviations.colwise() + nominal).minCoeff() > 0.0)) {
-        reader.fail("length_deviation", "leaves an edge no length");
+        reader.fail("length_deviation", "makes the length of an edge negative or 0");
     }
     if (reader.has_attribute("adjustable")) {
         draws.adjustable_deviations =

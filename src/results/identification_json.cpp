@@ -14,7 +14,7 @@ namespace {
 
 using Json = ResultJson;
 
-/// What the survey says against the predicted form: surveyed less predicted coordinates.
+/// Residuals: surveyed less predicted coordinates.
 Json residuals_json(const Survey& survey, const Points& predicted) {
     Json residuals = Json::array();
     for (const int node : survey.surveyed) {
@@ -80,8 +80,8 @@ Json findings_json(const Trust& trust) {
             {{"kind", to_string(finding.kind)},
              {"severity", to_string(finding.severity)},
              {"ids", finding.ids},
-             {"value", finding.value ? Json(*finding.value) : Json()},
-             {"std", finding.std ? Json(*finding.std) : Json()},
+             {"value", or_null(finding.value)},
+             {"std", or_null(finding.std)},
              {"confounded_with", finding.confounded_with},
              {"remedy", finding.remedy ? Json{{"parameter", finding.remedy->parameter},
                                               {"value", finding.remedy->value}}
@@ -92,7 +92,7 @@ Json findings_json(const Trust& trust) {
     return findings;
 }
 
-/// From the frame of the survey to that of the net's supports, where it was unknown.
+/// From the frame of the survey to that of the net's supports, where it was estimated.
 Json offset_json(const std::optional<FrameOffset>& offset) {
     if (!offset) {
         return {};
@@ -108,7 +108,7 @@ Json scale_json(const FoundScale& scale) {
     return {{"ratio", scale.ratio}, {"std", scale.std}};
 }
 
-/// Adjustable edges and supports that are not as told.
+/// Adjustable edges and supports that are not as designed.
 Json boundary_json(const CableNet& net, const std::vector<BoundaryOutlier>& outliers) {
     Json list = Json::array();
     for (const BoundaryOutlier& outlier : outliers) {
@@ -128,7 +128,7 @@ Json boundary_json(const CableNet& net, const std::vector<BoundaryOutlier>& outl
     return list;
 }
 
-/// Targets left out.
+/// Targets with gross errors, which were left out.
 Json outliers_json(const CableNet& net, const std::vector<Outlier>& outliers) {
     Json list = Json::array();
     for (const Outlier& outlier : outliers) {
@@ -151,23 +151,23 @@ Json frame_check_json(const FrameCheck& check) {
             {"motion_statistic", check.motion_statistic}};
 }
 
-/// What the trust rests on, in numbers.
+/// The numbers of the checks.
 Json diagnostics_json(const CableNet& net, const Identification& identification) {
     const PriorCheck& prior = identification.prior_check;
-    Json beyond = Json::array();
+    Json length_outliers = Json::array();
     for (const LengthOutlier& outlier : identification.length_outliers) {
-        beyond.push_back({{"edge", outlier.edge},
-                          {"id", net.edge_id(outlier.edge)},
-                          {"deviation", outlier.deviation},
-                          {"std", outlier.std},
-                          {"statistic", outlier.statistic}});
+        length_outliers.push_back({{"edge", outlier.edge},
+                                   {"id", net.edge_id(outlier.edge)},
+                                   {"deviation", outlier.deviation},
+                                   {"std", outlier.std},
+                                   {"statistic", outlier.statistic}});
         if (outlier.other >= 0) {
-            beyond.back()["other"] = net.edge_id(outlier.other);
-            beyond.back()["swapped"] = outlier.is_swapped;
-            beyond.back()["beside_target"] = outlier.is_beside_target;
+            length_outliers.back()["other"] = net.edge_id(outlier.other);
+            length_outliers.back()["swapped"] = outlier.is_swapped;
+            length_outliers.back()["beside_target"] = outlier.is_beside_target;
         }
         if (outlier.node >= 0) {
-            beyond.back()["node"] = net.node_id(outlier.node);
+            length_outliers.back()["node"] = net.node_id(outlier.node);
         }
     }
     return {{"noise", scale_json(identification.scales.noise)},
@@ -184,12 +184,12 @@ Json diagnostics_json(const CableNet& net, const Identification& identification)
                                    ? Json(identification.contradicted_prior->checked.to_string())
                                    : Json()}}},
             {"frame", frame_check_json(identification.frame_check)},
-            {"length_outliers", beyond},
+            {"length_outliers", length_outliers},
             {"boundary", boundary_json(net, identification.boundary_outliers)},
             {"boundary_not_released", identification.boundary_beyond}};
 }
 
-/// Of each kind of error the smallest that would have been found; null: none.
+/// The smallest error of each kind that the checks would find; null: none.
 Json detectable_json(const DetectableErrors& errors) {
     const auto or_null = [](double error) { return std::isfinite(error) ? Json(error) : Json(); };
     return {
@@ -198,7 +198,7 @@ Json detectable_json(const DetectableErrors& errors) {
         {"scale", or_null(errors.scale)},           {"temperature", or_null(errors.temperature)}};
 }
 
-/// The prior of the length deviations: as given, and as the survey shows it.
+/// The prior of the length deviations: as given, and as estimated.
 Json prior_json(const Identification& identification) {
     const PriorEstimate& prior = identification.prior;
     Json nodes = Json::array();
@@ -237,7 +237,7 @@ Json drawn_tension_json(const DrawnSummary& drawn, int edge) {
             {"slack_probability", of_edge.slack_probability}};
 }
 
-/// Keys of a result that are told by draws.
+/// Adds the keys that follow from posterior samples.
 void add_drawn(Json& document, const CableNet& net, const Identification& identification) {
     const DrawnSummary& drawn = identification.drawn;
     document["mean_tension"] = nullptr;
@@ -273,7 +273,7 @@ void add_drawn(Json& document, const CableNet& net, const Identification& identi
     document["missing_places"] = std::move(places);
 }
 
-/// The unit of an unknown's numbers.
+/// The unit of an uncertain parameter.
 std::string_view unit_of(UncertainParameter::Kind kind) {
     switch (kind) {
         case UncertainParameter::Kind::temperature:
@@ -318,7 +318,7 @@ Json uncertain_json(const CableNet& net, const Identification& identification) {
     return result;
 }
 
-/// What was taken as uncertain, in the unit of its kind.
+/// The assumed uncertainties, in the unit of their kind.
 Json assumptions_json(const Identification& identification) {
     Json result = Json::array();
     for (const Assumption& one : identification.assumptions) {
@@ -334,7 +334,7 @@ Json assumptions_json(const Identification& identification) {
     return result;
 }
 
-/// What was told of forces, and what contradicts all else.
+/// Force measurements, and those that contradict the rest.
 Json forces_json(const CableNet& net, const Identification& identification) {
     Json outliers = Json::array();
     for (const ForceOutlier& outlier : identification.reading_outliers) {
@@ -353,7 +353,7 @@ Json forces_json(const CableNet& net, const Identification& identification) {
             {"contradicted_slack", identification.contradicted_slack}};
 }
 
-/// Null where none were asked for.
+/// Null where it was not asked for.
 Json length_covariance_json(const CableNet& net, const std::optional<LengthCovariance>& lengths) {
     if (!lengths) {
         return {};
@@ -380,7 +380,7 @@ Json turned_json(const CableNet& net, const std::vector<EdgeTurned>& turned) {
     return list;
 }
 
-/// What each of several surveys told.
+/// The results of each of several surveys.
 Json epochs_json(const CableNet& net, const std::vector<EpochResult>& epochs) {
     Json list = Json::array();
     for (const EpochResult& epoch : epochs) {

@@ -67,7 +67,7 @@ double reach_of(const JsonValue& prior) {
     }
 }
 
-/// How far two lengths can be apart by the priors of a result; infinite where it tells none.
+/// Largest distance of two lengths by the priors of a result; infinite where it has none.
 double farthest_of(const JsonValue& root) {
     const auto prior = root.find("length_prior");
     if (!prior) {
@@ -88,7 +88,8 @@ double farthest_of(const JsonValue& root) {
     return 2.0 * reach;
 }
 
-/// Edges of another prior: length outliers, and lengths that changed between surveys.
+/// Edges to which the prior does not apply: length outliers, and lengths that changed between
+/// surveys.
 std::set<int> length_outliers(const JsonValue& root) {
     std::set<int> edges;
     if (root.find("epochs")) {
@@ -98,15 +99,15 @@ std::set<int> length_outliers(const JsonValue& root) {
             }
         }
     }
-    if (const auto doubt = root.find("diagnostics")) {
-        for (const JsonValue& outlier : entries(*doubt, "length_outliers")) {
+    if (const auto diagnostics = root.find("diagnostics")) {
+        for (const JsonValue& outlier : entries(*diagnostics, "length_outliers")) {
             edges.insert(member(outlier, "edge").integer());
         }
     }
     return edges;
 }
 
-/// One of each interior edge, in the order of the file.
+/// One entry per interior edge, in the order of the file.
 std::vector<IdentifiedEdge> read_edges(const JsonValue& root, const CableNet& net) {
     const JsonValue list = member(root, "edges");
     const double farthest = farthest_of(root);
@@ -172,18 +173,17 @@ ParameterEstimate read_uncertain_parameter(const JsonValue& value, const CableNe
     const UncertainParameter::Kind kind = estimate.parameter.kind;
     if (kind == UncertainParameter::Kind::stiffness_each ||
         kind == UncertainParameter::Kind::adjustable) {
-        estimate.edge = read_edge_index(value.require("edge", "the edge whose it is"), net);
+        estimate.edge = read_edge_index(value.require("edge", "the edge of this parameter"), net);
     }
     if (kind == UncertainParameter::Kind::supports ||
         kind == UncertainParameter::Kind::loads_each) {
-        estimate.node = read_node(value.require("node", "the node whose it is"), net);
+        estimate.node = read_node(value.require("node", "the node of this parameter"), net);
         const std::string axis = value.require("axis", R"("x", "y" or "z")").text();
         estimate.axis = static_cast<int>(std::string_view("xyz").find(axis));
     }
     return estimate;
 }
 
-/// What was turned between surveys.
 std::vector<EdgeTurned> read_turned(const JsonValue& root, const CableNet& net) {
     std::vector<EdgeTurned> result;
     if (!root.find("turned")) {
@@ -202,7 +202,7 @@ std::vector<EdgeTurned> read_turned(const JsonValue& root, const CableNet& net) 
     return result;
 }
 
-/// Adjustable edges of another length than designed, and supports at another place.
+/// Adjustable edges and supports that are not as designed.
 std::vector<BoundaryOutlier> read_boundary(const JsonValue& parent, const CableNet& net) {
     std::vector<BoundaryOutlier> result;
     for (const JsonValue& entry : entries(parent, "boundary")) {
@@ -291,7 +291,7 @@ Trust read_trust(const JsonValue& root) {
     return trust;
 }
 
-/// Where the supports stand by all that a result says of them.
+/// Places of the supports by all parts of a result.
 Points support_places(const JsonValue& root, const IdentificationResult& result) {
     const CableNet& net = result.net;
     Points places = net.nodes() + perturbation_of(net, result.uncertain).supports;
@@ -310,7 +310,6 @@ Points support_places(const JsonValue& root, const IdentificationResult& result)
     return places;
 }
 
-/// A square matrix over edges.
 void check_length_covariance(const JsonValue& value, const CableNet& net) {
     const std::vector<JsonValue> edges = entries(value, "edges");
     for (const JsonValue& edge : edges) {
@@ -356,8 +355,8 @@ IdentificationResult read_identification(const JsonValue& root) {
     for (const JsonValue& parameter : entries(root, "uncertain")) {
         result.uncertain.push_back(read_uncertain_parameter(parameter, result.net));
     }
-    if (const auto doubt = root.find("diagnostics")) {
-        result.boundary_outliers = read_boundary(*doubt, result.net);
+    if (const auto diagnostics = root.find("diagnostics")) {
+        result.boundary_outliers = read_boundary(*diagnostics, result.net);
     }
     for (const JsonValue& epoch : entries(root, "epochs")) {
         static_cast<void>(read_boundary(epoch, result.net));

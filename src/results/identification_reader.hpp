@@ -7,9 +7,9 @@
 
 namespace taut {
 
-/// An identification that its schema accepts.
-/// @throws InputError at what is of another size than the net, names what it does not have, or
-///   contradicts the rest
+/// Reads an identification that its schema accepts.
+/// @throws InputError at parts of another size than the net, with indices that it does not have, or
+///   that contradict the rest
 [[nodiscard]] IdentificationResult read_identification(const JsonValue& root);
 
 }  // namespace taut

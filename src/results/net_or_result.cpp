@@ -51,7 +51,7 @@ NetOrResult identified_net(const IdentificationResult& result, const NetFile& de
     } catch (const NetError& error) {
         throw InputError(
             file_name, "",
-            fmt::format("is no net with the identified lengths and form: {}", error.what()));
+            fmt::format("is no valid net with the identified lengths and form: {}", error.what()));
     }
 }
 
@@ -65,7 +65,7 @@ NetOrResult parse_net_or_result(std::string_view text, const std::string& file_n
     if (name == "taut-study" || name == "taut-comparison" || name == "taut-plan" ||
         name == "taut-control") {
         format->fail(fmt::format(
-            R"(is {}, expected "taut-net", or "taut-identification": that alone is of one built net)",
+            R"(is {}, expected "taut-net", or "taut-identification", the result of one built net)",
             quote(name)));
     }
     if (name != "taut-identification") {

@@ -11,12 +11,12 @@ namespace {
 
 using nlohmann::json;
 
-/// A key, or a text, of the objects at a path of new keys: "*" stands for each entry of an array.
+/// A renamed key or text of the objects at a path of new keys; "*" is each entry of an array.
 struct Renamed {
     std::string_view path, before, now;
 };
 
-/// Those above others on a path first.
+/// Outer keys come before the keys inside them.
 constexpr Renamed renamed_keys[] = {
     // taut-identification
     {"", "doubt", "diagnostics"},

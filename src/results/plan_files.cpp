@@ -28,10 +28,10 @@ Json deviation_json(const FormDeviation& d) {
             {"normal_rmse", d.normal_rmse}};
 }
 
-/// A turning with what it leads to.
+/// A turning with its results.
 struct Listed {
     Turning turning;
-    double reading_after = 0.0;  ///< from the designed length [m]
+    double reading_after = 0.0;  ///< unstressed length then, less the designed one [m]
     double tension_after = 0.0;  ///< when all is done [N]
 };
 
@@ -55,6 +55,16 @@ std::optional<double> count_of_turns(const PlanRecord& record, double stroke) {
                                 : std::nullopt;
 }
 
+/// Of the support at an edge's end; empty where it has none.
+std::string support_id(const CableNet& net, int edge) {
+    for (const int node : net.edges()[edge]) {
+        if (net.free_index(node) < 0) {
+            return net.node_id(node);
+        }
+    }
+    return {};
+}
+
 std::optional<Thread> thread_of(const PlanRecord& record, int edge) {
     const std::vector<int>& adjustable = record.net->adjustable_edges();
     const std::vector<Thread>& threads = record.net->data().thread;
@@ -74,10 +84,6 @@ Json breach_json(const CableNet& net, const LimitBreach& breach) {
             {"value", breach.value},
             {"limit", breach.limit},
             {"probability", breach.probability}};
-}
-
-Json value_or_null(const auto& value) {
-    return value ? Json(*value) : Json();
 }
 
 Json planned_tension_json(const PlanRecord& record) {
@@ -100,7 +106,7 @@ Json planned_tension_json(const PlanRecord& record) {
             {"most", plan.tensions.maxCoeff()},
             {"least_as_built", as_built.minCoeff()},
             {"most_as_built", as_built.maxCoeff()},
-            {"limit_probability", value_or_null(plan.limit_probability)},
+            {"limit_probability", or_null(plan.limit_probability)},
             {"edges", edges}};
 }
 
@@ -111,19 +117,19 @@ Json turn_order_json(const PlanRecord& record) {
             {"walk", order.walk},
             {"safe", order.is_safe},
             {"safe_probability", order.safe_probability},
-            {"worst", order.worst.moment < 0
+            {"worst", order.worst.step < 0
                           ? Json()
-                          : Json{{"step", order.worst.moment},
+                          : Json{{"step", order.worst.step},
                                  {"breach", breach_json(*record.net, order.worst.breach)}}}};
 }
 
-/// Which targets would tell of the planned form what is not known yet; null where it was not asked.
-Json survey_first_json(const PlanRecord& record) {
+/// Targets that would make the planned form better known; null where they were not asked for.
+Json suggested_targets_json(const PlanRecord& record) {
     if (!record.options->survey_noise) {
         return {};
     }
     Json targets = Json::array();
-    for (const FurtherTarget& target : record.plan->further_targets) {
+    for (const SuggestedTarget& target : record.plan->suggested_targets) {
         targets.push_back({{"node", target.node},
                            {"id", record.net->node_id(target.node)},
                            {"normal_std", target.normal_std}});
@@ -131,12 +137,12 @@ Json survey_first_json(const PlanRecord& record) {
     return {{"noise", *record.options->survey_noise}, {"targets", targets}};
 }
 
-Json further_json(const PlanRecord& record) {
+Json suggested_edges_json(const PlanRecord& record) {
     if (!record.further) {
         return {};
     }
     Json result = Json::array();
-    for (const FurtherEdge& further : *record.further) {
+    for (const SuggestedEdge& further : *record.further) {
         result.push_back({{"edge", further.edge},
                           {"edge_id", record.net->edge_id(further.edge)},
                           {"stroke", further.stroke},
@@ -145,7 +151,7 @@ Json further_json(const PlanRecord& record) {
     return result;
 }
 
-/// Of the free nodes.
+/// Weights of the free nodes.
 Json node_weights_json(const PlanRecord& record) {
     Json result{{"normal", Json::array()}, {"tangential", Json::array()}};
     for (const int node : record.net->free_nodes()) {
@@ -157,7 +163,7 @@ Json node_weights_json(const PlanRecord& record) {
 
 }  // namespace
 
-std::string_view sense_of(double stroke) {
+std::string_view action_of(double stroke) {
     return stroke < 0.0 ? "shorten" : "lengthen";
 }
 
@@ -174,22 +180,23 @@ std::vector<std::string> plan_warnings(const PlanRecord& record) {
     std::vector<std::string> warnings;
     if (const std::string failure = failure_of(*record.trust); !failure.empty()) {
         warnings.push_back(fmt::format(
-            "DO NOT TURN BY THIS LIST: the identification failed its tests: {}", failure));
+            "DO NOT TURN BY THIS LIST: the identification failed its checks: {}", failure));
     }
     if (!plan.is_feasible) {
-        warnings.emplace_back("DO NOT TURN BY THIS LIST: limits of the plan are broken by it");
+        warnings.emplace_back("DO NOT TURN BY THIS LIST: the plan breaks limits");
     } else if (!order.is_safe && order.worst.breach.probability > 0.0) {
         warnings.push_back(fmt::format(
             "NO SAFE ORDER WAS FOUND: the probability that no step breaks a limit is {:.1f} % "
             "(required: {:g} %)",
             100.0 * order.safe_probability, 100.0 * record.options->confidence));
     } else if (!order.is_safe) {
-        warnings.push_back(fmt::format("NO SAFE ORDER WAS FOUND: a limit is broken at step {}",
-                                       order.worst.moment + 1));
+        warnings.push_back(
+            fmt::format("NO SAFE ORDER WAS FOUND: step {} breaks a limit", order.worst.step + 1));
     }
     if (plan.draws == 0 && record.limits->has_forces()) {
-        warnings.push_back(fmt::format(
-            "LIMITS CANNOT BE PROMISED: tensions are not known, since {}", plan.no_draws_since));
+        warnings.push_back(
+            fmt::format("LIMITS CANNOT BE PROMISED: tensions are not reported, because {}",
+                        plan.no_draws_because));
     }
     return warnings;
 }
@@ -200,18 +207,18 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
     Json turns = Json::array();
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
-        turns.push_back({{"edge", turning.edge},
-                         {"edge_id", net.edge_id(turning.edge)},
-                         {"stroke", turning.stroke},
-                         {"turns", value_or_null(count_of_turns(record, turning.stroke))},
-                         {"action", sense_of(turning.stroke)},
-                         {"rotation", value_or_null(rotation_of(turning.stroke,
-                                                                thread_of(record, turning.edge)))},
-                         {"pass", turning.pass},
-                         {"crew", turning.crew},
-                         {"step", turning.moment},
-                         {"reading_after", listed.reading_after},
-                         {"tension_after", listed.tension_after}});
+        turns.push_back(
+            {{"edge", turning.edge},
+             {"edge_id", net.edge_id(turning.edge)},
+             {"stroke", turning.stroke},
+             {"turns", or_null(count_of_turns(record, turning.stroke))},
+             {"action", action_of(turning.stroke)},
+             {"rotation", or_null(rotation_of(turning.stroke, thread_of(record, turning.edge)))},
+             {"pass", turning.pass},
+             {"crew", turning.crew},
+             {"step", turning.step},
+             {"reading_after", listed.reading_after},
+             {"tension_after", listed.tension_after}});
     }
     Json violations = Json::array();
     for (const LimitBreach& breach : plan.breaches) {
@@ -239,7 +246,7 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"normal_std", plan.normal_std}}},
         {"tension", planned_tension_json(record)},
         {"order", turn_order_json(record)},
-        {"suggested_adjustable", further_json(record)},
+        {"suggested_adjustable", suggested_edges_json(record)},
         {"options",
          {{"target", record.target->surface() != nullptr ? "surface" : "form"},
           {"node_weights", node_weights_json(record)},
@@ -247,16 +254,16 @@ std::string plan_to_json(const PlanRecord& record, const RunRecord& run) {
           {"actuator", record.options->actuator_std},
           {"pitch", record.options->turn ? Json(record.options->turn->pitch) : Json()},
           {"step", record.options->turn ? Json(record.options->turn->step()) : Json()},
-          {"tolerance", value_or_null(record.options->tolerance)},
+          {"tolerance", or_null(record.options->tolerance)},
           {"thread",
            !record.thread ? Json() : Json(*record.thread == Thread::right ? "right" : "left")}}},
         {"whole_steps", {{"normal_rmse_of_free_strokes", plan.normal_rmse_of_free_strokes}}},
         {"tolerance",
-         {{"reached", value_or_null(plan.is_within_tolerance)},
-          {"fewest_bound", value_or_null(plan.fewest_bound)}}},
-        {"suggested_targets", survey_first_json(record)},
+         {{"reached", or_null(plan.is_within_tolerance)},
+          {"fewest_bound", or_null(plan.fewest_bound)}}},
+        {"suggested_targets", suggested_targets_json(record)},
         {"draws", plan.draws},
-        {"no_draws_because", plan.draws > 0 ? Json() : Json(plan.no_draws_since)},
+        {"no_draws_because", plan.draws > 0 ? Json() : Json(plan.no_draws_because)},
         {"built_form", points_json(record.built->net.nodes())},
         {"planned_form", points_json(plan.form)},
         {"planned_form_std", points_json(plan.form_std)},
@@ -273,16 +280,18 @@ std::string plan_to_csv(const PlanRecord& record) {
         text += fmt::format("# {}\n", printable(warning));
     }
     text +=
-        "crew,pass,moment,edge,sense,rotation,stroke_mm,turns,reading_after_mm,tension_after_kN\n";
+        "number,crew,pass,step,edge,support,action,rotation,turns,stroke_mm,scale_reading_mm,"
+        "tension_after_kN\n";
+    int number = 0;
     for (const Listed& listed : listed_turnings(record)) {
         const Turning& turning = listed.turning;
         const auto turns = count_of_turns(record, turning.stroke);
         text += fmt::format(
-            "{},{},{},{},{},{},{:.3f},{},{:.3f},{}\n", turning.crew, turning.pass,
-            turning.moment + 1, csv_field(record.net->edge_id(turning.edge)),
-            sense_of(turning.stroke),
+            "{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", ++number, turning.crew, turning.pass,
+            turning.step + 1, csv_field(record.net->edge_id(turning.edge)),
+            csv_field(support_id(*record.net, turning.edge)), action_of(turning.stroke),
             rotation_of(turning.stroke, thread_of(record, turning.edge)).value_or(""),
-            1e3 * turning.stroke, turns ? fmt::format("{:.3f}", *turns) : "",
+            turns ? fmt::format("{:.3f}", *turns) : "", 1e3 * turning.stroke,
             1e3 * listed.reading_after,
             record.plan->draws > 0 ? fmt::format("{:.3f}", 1e-3 * listed.tension_after) : "");
     }

@@ -13,10 +13,10 @@ namespace taut {
 namespace {
 
 PlanResult::Tension read_tension(const JsonValue& value, int edge) {
-    const JsonValue told = member(value, "edge");
-    if (told.integer() != edge) {
-        told.fail(
-            fmt::format("is {}, expected {}: all edges in their order", told.integer(), edge));
+    const JsonValue index = member(value, "edge");
+    if (index.integer() != edge) {
+        index.fail(
+            fmt::format("is {}, expected {}: all edges in their order", index.integer(), edge));
     }
     const PlanResult::Tension tension{.as_built = member(value, "as_built").number(),
                                       .planned = member(value, "planned").number(),

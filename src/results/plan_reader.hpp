@@ -7,8 +7,8 @@
 
 namespace taut {
 
-/// A plan that its schema accepts.
-/// @throws InputError at what is of another size than the net, or names what it does not have
+/// Reads a plan that its schema accepts.
+/// @throws InputError at parts of another size than the net, or with indices that it does not have
 [[nodiscard]] PlanResult read_plan(const JsonValue& root);
 
 }  // namespace taut

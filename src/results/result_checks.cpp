@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Walks a document without the pointer of each part, which large results would be slow to make.
+/// Walks a document without making a pointer to each part, which is slow for large results.
 class Names {
 public:
     Names(const JsonValue& root, const CableNet& net) : m_root(&root), m_net(&net) {}
@@ -46,8 +46,8 @@ private:
             const int index = is_edge ? read_edge_index(value, *m_net) : read_node(value, *m_net);
             for (const char* key : {"id", "edge_id"}) {
                 const std::string id = is_edge ? m_net->edge_id(index) : m_net->node_id(index);
-                const auto told = object.find(key);
-                if (told != object.end() && *told != id) {
+                const auto named_id = object.find(key);
+                if (named_id != object.end() && *named_id != id) {
                     const JsonValue at = place_of(object, key);
                     at.fail(fmt::format("is {}, expected {}, the id of {} {}", quote(at.text()),
                                         quote(id), is_edge ? "edge" : "node", index));
@@ -68,7 +68,7 @@ private:
 
     const JsonValue* m_root;
     const CableNet* m_net;
-    json::json_pointer m_place;  ///< of the object that is being looked at
+    json::json_pointer m_place;  ///< of the current object
 };
 
 }  // namespace
@@ -96,8 +96,8 @@ void check_supports(const JsonValue& form, const Points& points, const CableNet&
 }
 
 void check_std(const JsonValue& value, const IdentifiedEdge& edge, double farthest) {
-    // At least 95 % lie within the interval, as the mean does; all else no farther than the prior
-    // allows.
+    // At least 95 % lie within the interval, as the mean does. The rest is at most as far away as
+    // the prior allows.
     const double width = edge.upper - edge.lower;
     const double largest = std::sqrt(width * width + 0.05 * farthest * farthest);
     if (edge.std > largest) {

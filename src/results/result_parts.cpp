@@ -12,7 +12,7 @@
 namespace taut {
 namespace {
 
-/// On one line. What is not UTF-8, in a file's name say, is replaced.
+/// On one line. Bytes that are not UTF-8, in a file's name say, are replaced.
 std::string line_of(const ResultJson& value) {
     return value.dump(-1, ' ', false, ResultJson::error_handler_t::replace);
 }

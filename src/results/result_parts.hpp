@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "taut/identification/trust.hpp"
@@ -11,8 +12,14 @@
 
 namespace taut {
 
-/// What the results of all commands are put together from; the order of keys is kept.
+/// JSON of all results; it keeps the order of keys.
 using ResultJson = nlohmann::ordered_json;
+
+/// The value, or null.
+template <typename T>
+[[nodiscard]] ResultJson or_null(const std::optional<T>& value) {
+    return value ? ResultJson(*value) : ResultJson();
+}
 
 /// {"name", "free_nodes", "supports", "interior_edges", "adjustable_edges", "fingerprint"}
 [[nodiscard]] ResultJson counts_json(const CableNet& net);
@@ -23,17 +30,17 @@ using ResultJson = nlohmann::ordered_json;
 /// {"verdict", "reasons"}
 [[nodiscard]] ResultJson trust_json(const Trust& trust);
 
-/// Numbers rounded to so many significant digits, which keeps a result small.
+/// Numbers rounded to so many significant digits, to keep a result small.
 [[nodiscard]] ResultJson numbers_json(const Eigen::Ref<const Eigen::VectorXd>& numbers, int digits);
 
-/// What is known of how a result came about, as keys of it.
+/// Adds date and command.
 void add_run(ResultJson& document, const RunRecord& run);
 
 /// [[x, y, z]...], to 10 nm for a net of some 10 m.
 [[nodiscard]] ResultJson points_json(const Points& points);
 
-/// The document, to be read by people too: objects with a key a line, lists of numbers on one line,
-/// other lists with an entry a line.
+/// The document as readable text: one line per key, lists of numbers on one line, other lists with
+/// one line per entry.
 [[nodiscard]] std::string to_text(const ResultJson& document);
 
 }  // namespace taut

@@ -12,8 +12,8 @@
 
 namespace taut {
 
-// Pieces of a result that the schema accepts. All throw InputError at the value that breaks a
-// rule which no schema tells.
+// Readers for parts of a result that the schema accepts. All throw InputError at a value that
+// breaks a rule which no schema can express.
 
 /// Member of an object that the schema says it has.
 [[nodiscard]] JsonValue member(const JsonValue& parent, const std::string& key);
@@ -27,7 +27,8 @@ namespace taut {
 /// Entries of a list that may be missing.
 [[nodiscard]] std::vector<JsonValue> entries(const JsonValue& parent, const char* key);
 
-/// A member that lists so many numbers. @param what they are, "a number for each edge" say
+/// A member that lists so many numbers.
+/// @param what for the message: "a number for each edge"
 [[nodiscard]] Eigen::VectorXd require_list(const JsonValue& parent, const std::string& key,
                                            Eigen::Index size, const std::string& what);
 
@@ -41,13 +42,14 @@ namespace taut {
 /// An edge of the net.
 [[nodiscard]] int read_edge_index(const JsonValue& value, const CableNet& net);
 
-/// The net of a result, its fingerprint and counts those that stand beside it.
+/// The net of a result, checked against the fingerprint and counts beside it.
 [[nodiscard]] CableNet require_net(const JsonValue& root);
 
-/// A count that may be missing. @param why it is expected, "as /cable_net has"
+/// A count that may be missing.
+/// @param why for the message: "as /cable_net has"
 void require_equal(const JsonValue& parent, const char* key, int expected, std::string_view why);
 
-/// Two numbers of an object, of which the one is a part of the other; each may be missing.
+/// A number of an object that is at most another one; each may be missing.
 void require_at_most(const JsonValue& parent, const char* key, const char* whole);
 
 }  // namespace taut

@@ -30,8 +30,8 @@ public:
         valijson::SchemaParser().populateSchema(NlohmannJsonAdapter(document), m_schema);
     }
 
-    /// Does not collect reasons: of a large file that is wrong throughout they would take many
-    /// times the memory of the file itself.
+    /// Collects no reasons: for a large file that is wrong throughout they would take many times
+    /// the memory of the file.
     [[nodiscard]] bool accepts(const json& value) const {
         return valijson::Validator().validate(m_schema, NlohmannJsonAdapter(value), nullptr);
     }
@@ -57,8 +57,7 @@ const json& referred(const json& rule) {
     return referred(definitions().at(name.substr(before.size())));
 }
 
-/// Of alternatives the one for values of this type; the rule itself where it has none, or none
-/// fits.
+/// The alternative of a rule for values of this type; the rule itself without fitting alternatives.
 const json& rule_for(const json& value, const json& rule_or_reference) {
     const json& rule = referred(rule_or_reference);
     if (const json* alternatives = find(rule, "anyOf")) {
@@ -113,7 +112,7 @@ std::string type_words(const json& rule, const std::string& type) {
     return range.empty() ? it.name : fmt::format("{} of {}{}", it.name, range, it.counted);
 }
 
-/// What a rule asks for: "a number of at least 0, or null".
+/// The values that a rule accepts: "a number of at least 0, or null".
 std::string words_of(const json& rule_or_reference) {
     const json& rule = referred(rule_or_reference);
     std::string words;
@@ -138,8 +137,8 @@ std::string words_of(const json& rule_or_reference) {
     return words;
 }
 
-/// Fails at the innermost part of a value that its rule refuses. valijson alone judges; the rules
-/// are looked at for the part's own one, and for words.
+/// Fails at the innermost part of a value that its rule refuses. valijson alone decides; the rules
+/// are read to find that of each part, and for the words.
 [[noreturn]] void refuse(const JsonValue& value, const json& rule_or_alternatives) {
     const json& content = value.json();
     const json& rule = rule_for(content, rule_or_alternatives);

@@ -9,10 +9,10 @@ namespace taut {
 
 CableNet built_net(const CableNet& net, const LengthPrior& prior, std::uint64_t seed) {
     check_prior(net, prior);
-    constexpr std::uint64_t beyond_all_samples = std::uint64_t{1} << 63U;
+    constexpr std::uint64_t after_all_samples = std::uint64_t{1} << 63U;
     CableNetData data = with_weight_as_load(net);
     data.unstressed_lengths = with_length_deviations(
-        net, draw_length_deviations(prior, seed, beyond_all_samples, net.interior_edge_count()));
+        net, draw_length_deviations(prior, seed, after_all_samples, net.interior_edge_count()));
     return CableNet(std::move(data));
 }
 

@@ -21,8 +21,8 @@ int DataSet::not_converged() const {
 
 std::vector<int> DataSet::converged_in(int first, int last) const {
     if (first < 0 || last > std::ssize(statuses)) {
-        throw std::out_of_range(fmt::format("samples {} to {}, expected of 0 to {}", first, last,
-                                            std::ssize(statuses)));
+        throw std::out_of_range(fmt::format("samples {} to {}, expected within 0 to {}", first,
+                                            last, std::ssize(statuses)));
     }
     std::vector<int> result;
     for (int k = first; k < last; ++k) {
@@ -35,16 +35,14 @@ std::vector<int> DataSet::converged_in(int first, int last) const {
 
 void check_prior(const CableNet& net, const LengthPrior& prior) {
     if (net.interior_edge_count() == 0) {
-        throw std::invalid_argument(
-            "the net has no interior edge: every unstressed length is known and set");
+        throw std::invalid_argument("the net has no interior edge: there is no length to identify");
     }
     prior.check();
     const double shortest = net.unstressed_lengths()(net.interior_edges()).minCoeff();
     if (prior.reach() >= shortest) {
         throw std::invalid_argument(
             fmt::format("the prior {} reaches deviations of {:.4g} mm, expected less than the "
-                        "shortest interior "
-                        "unstressed length, {:.4g} mm",
+                        "shortest interior unstressed length, {:.4g} mm",
                         prior.to_string(), 1e3 * prior.reach(), 1e3 * shortest));
     }
     constexpr double rounding_error = 1e-9;
@@ -59,11 +57,11 @@ Eigen::VectorXd draw_length_deviations(const LengthPrior& prior, std::uint64_t s
                                        std::uint64_t sample, Eigen::Index count) {
     prior.check();
     if (count < 0) {
-        throw std::invalid_argument(fmt::format("{} deviations, expected 0 at least", count));
+        throw std::invalid_argument(fmt::format("{} deviations, expected at least 0", count));
     }
-    // The standard fixes what the engine and the seed sequence give, to the bit, but not what its
-    // distributions do: so the prior draws from 52 random bits, at the middle of their cell. With
-    // 53 the middle would be rounded, of the last cell to 1.
+    // The C++ standard specifies the numbers of the engine and the seed sequence to the bit, but
+    // not those of its distributions. So the prior draws from 52 random bits, at the middle of
+    // their cell. With 53 bits the middle of the last cell would be rounded to 1.
     const auto half = [](std::uint64_t word, int shift) {
         return static_cast<std::uint32_t>(word >> shift);
     };

@@ -22,12 +22,13 @@ constexpr std::array<std::pair<std::string_view, LengthPrior::Kind>, 3> names{
      {"normal", LengthPrior::Kind::normal},
      {"bimodal", LengthPrior::Kind::bimodal}}};
 
-/// Spread of each mode of the bimodal prior, of the distance of the mode from zero.
+/// Standard deviation of each mode of the bimodal prior, relative to its distance from zero.
 constexpr double mode_spread = 0.2;
 
-/// Standard normal quantile, of u kept to where it is finite: |result| < normal_reach.
+/// |normal_quantile(u)| is below this.
 constexpr double normal_reach = 8.3;
 
+/// Standard normal quantile, of u clamped to where it is finite.
 double normal_quantile(double u) {
     return -std::numbers::sqrt2 *
            boost::math::erfc_inv(2.0 * std::clamp(u, 0x1p-54, 1.0 - 0x1p-53));
@@ -114,8 +115,7 @@ LengthPrior parse_length_prior(std::string_view text) {
     }
     throw std::invalid_argument(
         fmt::format("'{}' is no prior of length deviations: expected uniform:5mm, normal:2mm or "
-                    "bimodal:5mm, with "
-                    "any length",
+                    "bimodal:5mm, with any length",
                     text));
 }
 

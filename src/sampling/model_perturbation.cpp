@@ -14,7 +14,7 @@
 namespace taut {
 namespace {
 
-/// One law an edge, each with its own stiffness.
+/// Gives each edge a tension law of its own, scaled by its stiffness.
 void scale_laws(const CableNet& net, const Eigen::VectorXd& stiffness, CableNetData& data) {
     std::vector<TensionLaw> laws;
     laws.reserve(data.tension_law.size());
@@ -31,7 +31,7 @@ void scale_laws(const CableNet& net, const Eigen::VectorXd& stiffness, CableNetD
 
 }  // namespace
 
-ModelPerturbation as_told(const CableNet& net) {
+ModelPerturbation unperturbed(const CableNet& net) {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(net.edge_count());
     return {.stiffness = zero,
             .thermal = zero,
@@ -44,10 +44,11 @@ ModelPerturbation as_told(const CableNet& net) {
 ModelPerturbation draw_perturbation(const CableNet& net,
                                     const std::vector<UncertainParameter>& uncertain,
                                     std::uint64_t seed, std::uint64_t sample) {
-    // Streams of their own: the lengths of a data set stay what they are without uncertain.
+    // A random stream of their own, so that the lengths of a data set are the same with and without
+    // uncertain parameters.
     constexpr std::uint64_t other_than_lengths = 0x7461757400000000U;
     RandomNumbers random(seed ^ other_than_lengths, static_cast<std::uint32_t>(sample));
-    ModelPerturbation result = as_told(net);
+    ModelPerturbation result = unperturbed(net);
     for (const UncertainParameter& parameter : uncertain) {
         switch (parameter.kind) {
             case UncertainParameter::Kind::stiffness:

@@ -39,7 +39,7 @@ void resize(DataSet& data, int count) {
     data.slack_counts.resize(count);
 }
 
-/// Of the same net, for samples alone.
+/// An empty data set of the same sizes.
 DataSet without_samples(const DataSet& data) {
     DataSet part;
     part.nominal_form = data.nominal_form;
@@ -88,13 +88,13 @@ struct Sampler::State {
           sensitivity(net, net.unstressed_lengths(), nominal.form),
           solvers([this] { return EquilibriumSolver(net); }) {}
     ~State() = default;
-    // The solvers are made of this net.
+    // Not copied: the solvers refer to this net.
     State(const State&) = delete;
     State& operator=(const State&) = delete;
     State(State&&) = delete;
     State& operator=(State&&) = delete;
 
-    /// Of all that a sample follows from, but its index.
+    /// Of all that determines a sample except its index.
     [[nodiscard]] std::string fingerprint() const {
         std::string text = fmt::format("{} {} {}", net.fingerprint(), prior.to_string(), seed);
         for (const UncertainParameter& parameter : uncertain) {
@@ -103,7 +103,7 @@ struct Sampler::State {
         return text;
     }
 
-    /// With what else is unknown drawn, too. A sample that leaves no net is none that converged.
+    /// Draws the uncertain parameters, too. A sample that is no valid net counts as not converged.
     [[nodiscard]] Equilibrium solve_drawn(int k, const Eigen::VectorXd& lengths,
                                           const Points& start) const {
         const ModelPerturbation drawn =
@@ -167,7 +167,7 @@ void Sampler::draw_block(DataSet& data, int first, int count, const Progress& pr
             if (progress.stopped()) {
                 throw Interrupted();
             }
-            // A thread that waits within takes no other sample up: the solver is this one's.
+            // Isolated, so that a thread that waits inside starts no other sample with its solver.
             tbb::this_task_arena::isolate(
                 [&] { m_state->draw(data, Eigen::Index{before} + i, first + i); });
         });
@@ -210,7 +210,7 @@ void Sampler::extend(DataSet& data, int count, const Progress& progress,
         if (after_block && team().is_first()) {
             after_block();
         }
-        // About a second each: long enough to copy little, short enough to tell and keep often.
+        // About a second each: long enough to copy little, short enough to report and save often.
         if (broadcast_from_first(Clock::now() - start < std::chrono::milliseconds(500))) {
             block *= 2;
         }
@@ -221,8 +221,8 @@ void Sampler::extend(DataSet& data, int count, const Progress& progress,
 SamplePart Sampler::part(int first, int count, const Progress& progress) const {
     if (first < 0 || count < 0 || count > std::numeric_limits<int>::max() - first) {
         throw std::invalid_argument(
-            fmt::format("got {} samples from sample {} on, expected both 0 or more, and the last "
-                        "below 2^31",
+            fmt::format("{} samples from sample {} on, expected both at least 0 and the last below "
+                        "2^31",
                         count, first));
     }
     SamplePart part{.first = first, .samples = empty()};
@@ -248,7 +248,7 @@ DataSet Sampler::joined(std::vector<SamplePart> parts) const {
         }
         if (samples.size() > 0 && first != data.size()) {
             throw std::invalid_argument(fmt::format(
-                "the parts have sample {} {}, expected each from 0 to the last once",
+                "the parts have sample {} {}, expected each sample from 0 to the last once",
                 std::min(first, data.size()), first < data.size() ? "twice" : "nowhere"));
         }
         append(data, samples);

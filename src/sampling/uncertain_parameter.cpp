@@ -31,7 +31,7 @@ constexpr std::array parameter_names{Named{"stiffness", Kind::stiffness, true},
                                      Named{"loads", Kind::loads, false},
                                      Named{"loads", Kind::loads_each, false}};
 
-constexpr std::string_view unknown_examples =
+constexpr std::string_view parameter_examples =
     "stiffness:5%, stiffness-each:3%, temperature:10K, supports:1mm, adjustable:0.5mm, loads:20N "
     "or loads:10%";
 
@@ -74,18 +74,18 @@ std::string width_text(const UncertainParameter& parameter) {
     return {};
 }
 
-/// @param text as it was told
-/// @throws std::invalid_argument where no width is so
+/// @param text for the message
+/// @throws std::invalid_argument for a width that is not positive, or too large
 void check_width(const UncertainParameter& parameter, std::string_view text) {
     constexpr double widest_part = 0.3;
     if (!(parameter.std > 0.0) || !std::isfinite(parameter.std)) {
         throw std::invalid_argument(
             fmt::format("the uncertain parameter '{}' has no positive width, expected {}", text,
-                        unknown_examples));
+                        parameter_examples));
     }
     if (is_relative(parameter.kind) && parameter.std >= widest_part) {
         throw std::invalid_argument(fmt::format(
-            "the uncertain parameter '{}' is as wide as 30 % or wider, expected less", text));
+            "the uncertain parameter '{}' has a width of 30 % or more, expected less", text));
     }
 }
 
@@ -109,15 +109,17 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
         }
         refuse(parameter,
                groups.empty()
-                   ? "is of a group, and the net has none"
-                   : fmt::format("is of no group of the net, expected one of {}", groups));
+                   ? "has a group, but the net has no groups"
+                   : fmt::format("has a group that the net does not have, expected one of {}",
+                                 groups));
     }
     switch (parameter.kind) {
         case Kind::temperature: {
             const std::vector<int> edges = edges_of(net, parameter);
             const Eigen::VectorXd& expansion = net.data().expansion;
             if (expansion.size() == 0 || (expansion(edges).array() == 0.0).all()) {
-                refuse(parameter, "needs edges that expand, and the net tells no expansion [1/K]");
+                refuse(parameter,
+                       "needs edges with a thermal expansion, but the net has no expansion [1/K]");
             }
             if (expansion(edges).cwiseAbs().maxCoeff() * parameter.std > 0.01) {
                 refuse(parameter, "strains edges by more than 1 %, expected less");
@@ -126,7 +128,7 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
         }
         case Kind::adjustable:
             if (net.adjustable_edges().empty()) {
-                refuse(parameter, "needs adjustable edges, and the net has none");
+                refuse(parameter, "needs adjustable edges, but the net has none");
             }
             if (parameter.std > widest_part * lengths(net.adjustable_edges()).minCoeff()) {
                 refuse(parameter, "is wider than a third of the shortest adjustable edge");
@@ -140,12 +142,11 @@ void check_one(const CableNet& net, const UncertainParameter& parameter) {
         case Kind::loads:
             if (net.loads().isZero(0.0)) {
                 refuse(parameter,
-                       "is a part of the loads, and the net has none: loads:20N tells "
-                       "them in newtons");
+                       "is a part of the loads, but the net has none: give loads:20N, in newtons");
             }
             break;
         case Kind::loads_each: {
-            // More than any cable bears is no load of this net.
+            // No net bears loads that large.
             const double strongest = net.axial_stiffness().maxCoeff();
             if (parameter.std > widest_part * strongest) {
                 refuse(parameter, "is wider than a third of the largest axial stiffness");
@@ -187,8 +188,9 @@ UncertainParameter parse_uncertain_parameter(std::string_view text) {
     if (found == parameter_names.end() || !has_width) {
         throw std::invalid_argument(
             found == parameter_names.end()
-                ? fmt::format("'{}' is no uncertain parameter: expected {}", text, unknown_examples)
-                : fmt::format("'{}' tells no width: expected {}", text, unknown_examples));
+                ? fmt::format("'{}' is no uncertain parameter: expected {}", text,
+                              parameter_examples)
+                : fmt::format("'{}' has no width: expected {}", text, parameter_examples));
     }
     const std::string_view width =
         text.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1);
@@ -209,7 +211,7 @@ UncertainParameter parse_uncertain_parameter(std::string_view text) {
             throw std::invalid_argument(fmt::format(
                 "the uncertain parameter '{}' {}", text,
                 found->has_groups
-                    ? "names no group behind @"
+                    ? "has no group after @"
                     : "takes no group: only stiffness, stiffness-each and temperature do"));
         }
     }
@@ -225,7 +227,7 @@ void check_uncertain_parameters(const CableNet& net,
                 return other.kind == one->kind && other.group == one->group;
             });
         if (is_double) {
-            refuse(*one, "is told twice");
+            refuse(*one, "is given twice");
         }
     }
 }

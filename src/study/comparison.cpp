@@ -27,7 +27,7 @@ void sort_once(std::vector<T>& values) {
 struct Cell {
     SurveyKind kind;
     int training_samples = 0;
-    bool only_trained = false;  ///< the methods that learn from no samples were tried already
+    bool only_trained = false;  ///< the methods without training were tried already
 };
 
 /// The cells in the order of the rows.
@@ -59,19 +59,20 @@ std::vector<Cell> cells_of(const ComparisonSettings& settings) {
     return cells;
 }
 
-/// How often a method is tried on the surveys of a kind.
+/// Number of evaluations of a method on a kind of surveys.
 int evaluation_count(const std::vector<Cell>& cells) {
     int count = 0;
     for (const Cell& cell : cells) {
         const int trained = 2;
         const int untrained = cell.only_trained ? 0 : 2;
-        const bool takes_all = cell.kind.hidden_part == 0.0;  // else one of either
+        // With hidden nodes only one of the trained and one of the other methods can be tried.
+        const bool takes_all = cell.kind.hidden_part == 0.0;
         count += (trained + untrained) / (takes_all ? 1 : 2);
     }
     return count;
 }
 
-/// A comparison under way.
+/// Fills the rows of a comparison.
 class Comparing {
 public:
     Comparing(Comparison& comparison, const DataSet& data, std::vector<int> surveyed,
@@ -84,8 +85,7 @@ public:
         m_rows.resize(m_cells.size());
     }
 
-    /// Models one after the other, and of each all that it identifies: only two at a time take
-    /// memory.
+    /// One number of training samples after the other, so that only two models are in memory.
     void run() {
         for (const int count : m_comparison.settings.training_samples) {
             run_with(count);
@@ -131,9 +131,9 @@ private:
         }
     }
 
-    /// On nets that differ in more than lengths: the methods as they are, then those that can be
-    /// told, and so trained on such nets.
-    void run_with_model_errors(int count, const std::vector<Method>& untold) {
+    /// On nets that differ in more than lengths: the methods as they are, then those that take the
+    /// uncertain parameters.
+    void run_with_model_errors(int count, const std::vector<Method>& not_given) {
         const CableNet& net = m_comparison.net;
         const ComparisonSettings& settings = m_comparison.settings;
         const Stopwatch sampling;
@@ -145,9 +145,9 @@ private:
         make_form_prior(net, model);
         const double training_seconds = training.seconds();
         m_comparison.seconds.training += training_seconds;
-        std::vector told{method_by_processes(net, model),
-                         method_by_maximum_a_posteriori(net, settings.prior, settings.uncertain)};
-        told[0].training_seconds = training_seconds;
+        std::vector given{method_by_processes(net, model),
+                          method_by_maximum_a_posteriori(net, settings.prior, settings.uncertain)};
+        given[0].training_seconds = training_seconds;
         const SurveyKind kind{.noise_std = settings.common_noise()};
         const std::vector<Trial> trials =
             simulate_trials(net, data, data.converged_in(count, data.size()), kind, settings.seed);
@@ -163,8 +163,8 @@ private:
                      .best_possible = {}});
             }
         };
-        add(untold, ModelErrors::untold);
-        add(told, ModelErrors::told);
+        add(not_given, ModelErrors::not_given);
+        add(given, ModelErrors::given);
         m_comparison.seconds.identification += identification.seconds();
     }
 
@@ -179,10 +179,10 @@ private:
                                                      const std::vector<Method>& methods) {
         const std::vector<Trial> trials = simulate_trials(m_comparison.net, m_data, m_surveyed,
                                                           cell.kind, m_comparison.settings.seed);
-        const std::optional<BestPossible> best =
+        const std::optional<CramerRaoBound> best =
             cell.kind == SurveyKind{}
                 ? std::nullopt
-                : best_possible(m_comparison.net, m_comparison.settings.prior, trials);
+                : cramer_rao_bound(m_comparison.net, m_comparison.settings.prior, trials);
         std::vector<ComparisonRow> rows;
         for (const Method& method : methods) {
             if (cell.only_trained && !method.training_samples) {
@@ -218,11 +218,11 @@ private:
     std::vector<Cell> m_cells;
     std::vector<std::vector<ComparisonRow>> m_rows;  ///< of each cell
     const Progress& m_progress;
-    int m_models = 0;       ///< whose training has begun
-    int m_evaluations = 0;  ///< begun
+    int m_models = 0;       ///< begun, for the progress
+    int m_evaluations = 0;  ///< likewise
 };
 
-/// What more surveys of the same nets add, as they stand and with turns in between.
+/// Rows of more surveys of the same nets, without and with turns in between.
 void compare_epochs(Comparison& comparison, const DataSet& data, const std::vector<int>& surveyed,
                     const Progress& progress) {
     const ComparisonSettings& settings = comparison.settings;
@@ -263,7 +263,7 @@ int count_with_slack(const DataSet& data, const std::vector<int>& samples) {
 void refuse_empty(const ComparisonSettings& settings) {
     if (settings.noises.empty() || settings.training_samples.empty()) {
         throw std::invalid_argument(
-            "no noise or no number of training samples, expected at least one of both");
+            "no noise or no number of training samples, expected at least one of each");
     }
 }
 
@@ -273,9 +273,9 @@ std::string_view to_string(ModelErrors errors) {
     switch (errors) {
         case ModelErrors::none:
             return "none";
-        case ModelErrors::untold:
+        case ModelErrors::not_given:
             return "not given";
-        case ModelErrors::told:
+        case ModelErrors::given:
             return "given";
     }
     return "unknown";

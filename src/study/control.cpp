@@ -31,34 +31,33 @@ constexpr std::array strategies{ControlStrategy::truth, ControlStrategy::identif
 void check_control(const CableNet& net, const ControlSettings& settings) {
     check_prior(net, settings.prior);
     check_uncertain_parameters(net, settings.uncertain);
-    const auto require = [](bool is_sound, const char* what, double value) {
-        if (!is_sound) {
-            throw std::invalid_argument(fmt::format("{} is {:g}", what, value));
+    const auto require = [](bool holds, const char* field, double value, const char* rule) {
+        if (!holds) {
+            throw std::invalid_argument(fmt::format("{} is {:g}, expected {}", field, value, rule));
         }
     };
-    require(settings.noise_std > 0.0 && std::isfinite(settings.noise_std),
-            "the noise is to be above 0, and", settings.noise_std);
-    require(settings.hidden_part >= 0.0 && settings.hidden_part < 1.0,
-            "the hidden part is to lie in [0, 1), and", settings.hidden_part);
+    require(settings.noise_std > 0.0 && std::isfinite(settings.noise_std), "the noise",
+            settings.noise_std, "above 0 m");
+    require(settings.hidden_part >= 0.0 && settings.hidden_part < 1.0, "the hidden part",
+            settings.hidden_part, "at least 0 and below 1");
     require(settings.actuator_std >= 0.0 && std::isfinite(settings.actuator_std),
-            "the play of what is turned is to be at least 0, and", settings.actuator_std);
-    require(settings.stroke > 0.0 && std::isfinite(settings.stroke),
-            "the stroke is to be above 0, and", settings.stroke);
-    require(settings.rounds >= 1 && settings.rounds <= 100, "rounds are to be 1 to 100, and",
-            settings.rounds);
-    require(settings.trials >= 1 && settings.trials <= 100000, "trials are to be 1 to 100,000, and",
-            settings.trials);
+            "the actuator std", settings.actuator_std, "at least 0 m");
+    require(settings.stroke > 0.0 && std::isfinite(settings.stroke), "the stroke", settings.stroke,
+            "above 0 m");
+    require(settings.rounds >= 1 && settings.rounds <= 100, "the number of rounds", settings.rounds,
+            "1 to 100");
+    require(settings.trials >= 1 && settings.trials <= 100000, "the number of trials",
+            settings.trials, "1 to 100,000");
     require(settings.least_tension >= 0.0 && std::isfinite(settings.least_tension),
-            "the least tension is to be at least 0, and", settings.least_tension);
+            "the least tension", settings.least_tension, "at least 0 N");
     require(settings.most_tension == 0.0 || (settings.most_tension > settings.least_tension &&
                                              std::isfinite(settings.most_tension)),
-            "the largest tension is to be above the least, and", settings.most_tension);
-    require(settings.confidence > 0.0 && settings.confidence < 1.0,
-            "the confidence is to lie above 0 and below 1, and", settings.confidence);
-    require(
-        settings.draws == 0 || settings.draws * (1.0 - settings.confidence) > 1.0 - 1e-9,
-        "draws are to be 0, or so many that one may break the confidence, and the number of them",
-        settings.draws);
+            "the largest tension", settings.most_tension, "above the least tension");
+    require(settings.confidence > 0.0 && settings.confidence < 1.0, "the confidence",
+            settings.confidence, "above 0 and below 1");
+    require(settings.draws == 0 || settings.draws * (1.0 - settings.confidence) > 1.0 - 1e-9,
+            "the number of draws", settings.draws,
+            "0, or so many that limits may break in one of them with this confidence");
     check_draws(net, settings.draws);
     const auto count = net.adjustable_edges().size();
     check_limits(net, net.adjustable_edges(), limits_of_stroke(net, count, settings.stroke));
@@ -69,7 +68,7 @@ CableNet with_lengths(const CableNet& net, const Eigen::VectorXd& lengths, const
     data.unstressed_lengths = lengths;
     const Equilibrium equilibrium = EquilibriumSolver(net).solve(lengths, start);
     if (!equilibrium.balanced()) {
-        throw NumericalError("a net finds no equilibrium");
+        throw NumericalError("a simulated net finds no equilibrium");
     }
     data.nodes = equilibrium.form;
     return CableNet(std::move(data));
@@ -88,7 +87,7 @@ public:
             m_perturbation = draw_perturbation(net, settings.uncertain, settings.seed,
                                                static_cast<std::uint64_t>(trial));
         }
-        m_told_strokes =
+        m_planned_strokes =
             Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.adjustable_edges().size()));
         m_form = true_net(net.nodes()).nodes();
     }
@@ -103,7 +102,7 @@ public:
         const Eigen::VectorXd tension = tensions(built, built.unstressed_lengths(), m_form);
         state.least_tension = tension.minCoeff();
         state.most_tension = tension.maxCoeff();
-        // A plan may lead right up to a limit, and the form is then as exact as its equilibrium.
+        // A plan may lead right up to a limit, and forms are as exact as their equilibrium.
         constexpr double rounding = 1e-6;
         for (const double t : tension) {
             const double low = m_settings.least_tension - t;
@@ -122,7 +121,7 @@ public:
         return state;
     }
 
-    /// Plans, turns, and tells what comes of it.
+    /// One round: plans, turns, and returns the state after it.
     ControlState work(ControlStrategy strategy, int round) {
         double turned = 0.0;
         bool has_failed = false;
@@ -130,8 +129,9 @@ public:
             try {
                 turned = turn(plan(strategy, round), round);
             } catch (const NumericalError&) {
-                has_failed = true;  // counted, and the crew waits for the next survey
-            } catch (const std::invalid_argument&) {  // what was found is no net, or has no plan
+                has_failed = true;  // counted; nothing is turned in this round
+            } catch (
+                const std::invalid_argument&) {  // the result is no valid net, or allows no plan
                 has_failed = true;
             }
         }
@@ -154,26 +154,26 @@ private:
         return with_lengths(built, built.unstressed_lengths(), start);
     }
 
-    /// The design with the strokes that were told.
-    [[nodiscard]] CableNet told_net() const {
+    /// The design with the planned strokes so far.
+    [[nodiscard]] CableNet planned_net() const {
         Eigen::VectorXd lengths = m_net.unstressed_lengths();
-        lengths(m_net.adjustable_edges()) += m_told_strokes;
+        lengths(m_net.adjustable_edges()) += m_planned_strokes;
         CableNetData data = with_weight_as_load(m_net);
         data.unstressed_lengths = lengths;
         return CableNet(std::move(data));
     }
 
-    [[nodiscard]] Survey survey(const CableNet& told, int round) const {
-        return match_to_nodes(told, simulate_survey(told, m_form,
-                                                    {.noise_std = m_settings.noise_std,
-                                                     .dropped_part = m_settings.hidden_part,
-                                                     .seed = seed_of(round)}));
+    [[nodiscard]] Survey survey(const CableNet& planned, int round) const {
+        return match_to_nodes(planned, simulate_survey(planned, m_form,
+                                                       {.noise_std = m_settings.noise_std,
+                                                        .dropped_part = m_settings.hidden_part,
+                                                        .seed = seed_of(round)}));
     }
 
     [[nodiscard]] Limits limits() const {
         Limits limits = limits_of_stroke(m_net, m_net.adjustable_edges().size(), m_settings.stroke);
-        limits.shortest_stroke -= m_told_strokes;
-        limits.longest_stroke -= m_told_strokes;
+        limits.shortest_stroke -= m_planned_strokes;
+        limits.longest_stroke -= m_planned_strokes;
         limits.shortest_stroke = limits.shortest_stroke.cwiseMin(0.0);
         limits.longest_stroke = limits.longest_stroke.cwiseMax(0.0);
         limits.tension.lower.setConstant(m_settings.least_tension);
@@ -192,13 +192,13 @@ private:
             const BuiltNet built{.net = true_net(m_form),
                                  .length_draws = {},
                                  .perturbations = {},
-                                 .no_draws_since = "the net is known"};
+                                 .no_draws_because = "the net is known"};
             return plan_strokes(built, m_target, limits(), options);
         }
-        const CableNet told = told_net();
-        const Survey seen = survey(told, round);
+        const CableNet planned = planned_net();
+        const Survey seen = survey(planned, round);
         if (strategy == ControlStrategy::identified) {
-            const Identification found = identify(told, seen,
+            const Identification found = identify(planned, seen,
                                                   {.method = IdentificationMethod::map,
                                                    .prior = m_settings.prior,
                                                    .prior_exact = true,
@@ -208,14 +208,15 @@ private:
             if (found.status != IdentificationStatus::converged) {
                 throw NumericalError(found.message);
             }
-            return plan_strokes(built_net_of(told, found), m_target, limits(), options);
+            return plan_strokes(built_net_of(planned, found), m_target, limits(), options);
         }
-        // What is seen is moved over to the design: its sensitivities on measured deviations. Of a
-        // node that was not seen nothing is known.
-        const BuiltNet built{.net = with_lengths(m_net, told.unstressed_lengths(), m_net.nodes()),
-                             .length_draws = {},
-                             .perturbations = {},
-                             .no_draws_since = "nothing was identified"};
+        // The surveyed deviations are transferred to the design, whose sensitivities are used.
+        // Nodes that were not surveyed have no weight.
+        const BuiltNet built{
+            .net = with_lengths(m_net, planned.unstressed_lengths(), m_net.nodes()),
+            .length_draws = {},
+            .perturbations = {},
+            .no_draws_because = "nothing was identified"};
         Points places = m_target.places();
         places(Eigen::all, seen.surveyed) -=
             (seen.form - built.net.nodes())(Eigen::all, seen.surveyed);
@@ -232,13 +233,14 @@ private:
     }
 
     double turn(const Plan& plan, int round) {
-        RandomNumbers play(seed_of(round), 1);
+        RandomNumbers errors(seed_of(round), 1);
         double sum = 0.0;
         for (const PlannedStroke& stroke : plan.strokes) {
             const auto& edges = m_net.adjustable_edges();
             const auto k = std::ranges::lower_bound(edges, stroke.edge) - edges.begin();
-            m_told_strokes(k) += stroke.stroke;
-            m_true_lengths(stroke.edge) += stroke.stroke + m_settings.actuator_std * play.normal();
+            m_planned_strokes(k) += stroke.stroke;
+            m_true_lengths(stroke.edge) +=
+                stroke.stroke + m_settings.actuator_std * errors.normal();
             sum += std::abs(stroke.stroke);
         }
         m_form = true_net(m_form).nodes();
@@ -249,11 +251,11 @@ private:
     const ControlSettings& m_settings;
     const FormTarget& m_target;
     int m_trial;
-    /// What is not as the net says besides lengths; empty: nothing.
+    /// How the true net differs from the design besides lengths; empty: in nothing.
     std::optional<ModelPerturbation> m_perturbation;
-    Eigen::VectorXd m_true_lengths;  ///< as they would be in a net that is else as given [m]
-    Eigen::VectorXd m_told_strokes;  ///< of the adjustable edges, in all [m]
-    Points m_form;                   ///< the true one
+    Eigen::VectorXd m_true_lengths;     ///< before the perturbation [m]
+    Eigen::VectorXd m_planned_strokes;  ///< of the adjustable edges, in all [m]
+    Points m_form;                      ///< the true one
 };
 
 }  // namespace

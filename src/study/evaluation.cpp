@@ -35,13 +35,13 @@ Outcome attempt(const std::function<Identification(size_t)>& identify, size_t k)
         outcome.identification = identify(k);
         const IdentificationStatus status = outcome.identification->status;
         if (status != IdentificationStatus::converged &&
-            status != IdentificationStatus::no_equilibrium) {  // that one has lengths
+            status != IdentificationStatus::no_equilibrium) {  // which has lengths
             outcome.failure = to_string(status);
             outcome.identification.reset();
         }
     } catch (const NumericalError& error) {
         outcome.failure = error.what();
-    } catch (const std::invalid_argument& error) {  // what was drawn is no survey of the net
+    } catch (const std::invalid_argument& error) {  // the trial is no valid survey of the net
         outcome.failure = error.what();
     }
     outcome.seconds = stopwatch.seconds();
@@ -53,8 +53,7 @@ std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>&
                                  const std::vector<size_t>& chosen, const Progress& progress) {
     std::vector<Outcome> outcomes(chosen.size());
     const Stopwatch preparing;
-    // Of all trials, whichever are chosen: what is done at once for more of them is rounded
-    // otherwise.
+    // For all trials, whichever are chosen: work done at once for other trials rounds differently.
     const std::function<Identification(size_t)> identify =
         method.identify_each ? method.identify_each(trials)
                              : [&](size_t k) { return method.identify(trials[k]); };
@@ -81,7 +80,7 @@ std::vector<Outcome> attempt_all(const Method& method, const std::vector<Trial>&
     return outcomes;
 }
 
-/// What the truth makes of one identification.
+/// One identification compared with the truth.
 struct Judged {
     bool is_identified = false;
     std::string failure;
@@ -117,14 +116,14 @@ Judged judge(const CableNet& net, const Trial& trial, const Outcome& outcome) {
     return judged;
 }
 
-/// Sums over the edges and surveys of a mean.
+/// Sums over edges and surveys.
 struct Sums {
     double squared_errors_of_taut = 0.0;
     int taut = 0;
     int inside = 0;
 };
 
-/// Fills all numbers that need an identification.
+/// Fills the numbers that need an identification.
 void fill(MethodResult& result, const CableNet& net, const std::vector<Trial>& trials,
           const std::vector<Judged>& all) {
     const Eigen::Index m = net.interior_edge_count();
@@ -220,8 +219,8 @@ MethodResult evaluate_together(const CableNet& net, const Method& method,
                      gathered(trials.size(), judge_all(net, trials, mine, outcomes)));
 }
 
-std::optional<BestPossible> best_possible(const CableNet& net, const LengthPrior& prior,
-                                          const std::vector<Trial>& trials) {
+std::optional<CramerRaoBound> cramer_rao_bound(const CableNet& net, const LengthPrior& prior,
+                                               const std::vector<Trial>& trials) {
     const std::vector<size_t> mine = share_of(trials.size());
     std::vector<Eigen::VectorXd> of_trials(mine.size());
     try {
@@ -252,8 +251,8 @@ std::optional<BestPossible> best_possible(const CableNet& net, const LengthPrior
             }
         }
     }
-    return BestPossible{.mse = variances.mean(),
-                        .mse_of_taut = taut > 0 ? sum_of_taut / taut : 0.0};
+    return CramerRaoBound{.mse = variances.mean(),
+                          .mse_of_taut = taut > 0 ? sum_of_taut / taut : 0.0};
 }
 
 }  // namespace taut

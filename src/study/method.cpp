@@ -14,8 +14,8 @@
 namespace taut {
 namespace {
 
-/// What the processes of a model estimate at the surveyed forms of those trials whose surveys they
-/// take as they are, asked of them at once: the spectra, which are large, are then read once.
+/// Estimates of a model's processes at the surveyed forms of the trials whose surveys they take as
+/// they are. All are predicted at once, so that the large spectra are read once.
 std::vector<std::optional<LengthEstimates>> estimates_of(const CableNet& net,
                                                          const LengthModel& model,
                                                          const std::vector<Trial>& trials) {

@@ -10,7 +10,7 @@
 
 namespace taut {
 
-/// What evaluate() tells of all surveys, of which each process of the team tries its share.
+/// The result of evaluate(), with the surveys shared among the processes of the group.
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT MethodResult
 evaluate_together(const CableNet& net, const Method& method, const std::vector<Trial>& trials,
                   const Progress& progress);

@@ -30,8 +30,8 @@ LengthEstimates estimates_of(const std::vector<std::optional<Identification>>& i
     return estimates;
 }
 
-/// Fills all that the study tells of the method of the paper alone.
-void tell_as_in_paper(Study& study, const Evaluation& evaluation, const std::vector<Trial>& trials,
+/// Fills the members that are of the paper's method alone.
+void fill_as_in_paper(Study& study, const Evaluation& evaluation, const std::vector<Trial>& trials,
                       const Points& nominal_form) {
     const MethodResult& result = evaluation.result;
     if (result.failed > 0) {
@@ -77,7 +77,7 @@ void try_methods(Study& study, const LengthModel& best, const Points& nominal_fo
     for (int m = 0; m < count; ++m) {
         const Evaluation evaluation = evaluate(net, methods[m], trials, progress.part(m, count));
         if (study.methods.empty()) {
-            tell_as_in_paper(study, evaluation, trials, nominal_form);
+            fill_as_in_paper(study, evaluation, trials, nominal_form);
         }
         study.methods.push_back(evaluation.result);
     }

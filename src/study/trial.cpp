@@ -51,7 +51,7 @@ Survey survey_of_kind(const CableNet& net, const Points& form, const SurveyKind&
     }
 }
 
-/// Seeds that differ in their upper half alone, which `shifted` loses, have other numbers, too.
+/// Mixes in the upper half of the seed, which `shifted` loses.
 std::uint64_t with_upper_half(std::uint64_t shifted, std::uint64_t seed) {
     constexpr std::uint64_t odd = 0x9e3779b97f4a7c15ULL;
     return shifted ^ ((seed >> 32U) * odd);
@@ -62,7 +62,7 @@ std::uint64_t with_upper_half(std::uint64_t shifted, std::uint64_t seed) {
 std::vector<Trial> simulate_trials(const CableNet& net, const DataSet& data,
                                    const std::vector<int>& samples, const SurveyKind& kind,
                                    std::uint64_t seed) {
-    constexpr int sample_bits = 32;  // two seeds share no noise before so many samples
+    constexpr int sample_bits = 32;  // two seeds share no noise in the first 2^32 samples
     std::vector<Trial> trials;
     for (const int sample : samples) {
         Trial trial{.deviations = data.length_deviations.col(sample),
@@ -87,7 +87,7 @@ std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials
         if (trial.epochs.empty()) {
             trial.epochs.push_back({.survey = trial.survey, .turned = {}});
         }
-        // No survey has noise or strokes in common with another.
+        // A seed of its own, so that no two surveys share noise or strokes.
         const std::uint64_t own =
             with_upper_half(((seed + 1) << trial_bits) * (trial.epochs.size() + 1) + k, seed);
         RandomNumbers random(own, 0);
@@ -107,7 +107,7 @@ std::vector<Trial> surveyed_again(const CableNet& net, std::vector<Trial> trials
         const Equilibrium equilibrium = EquilibriumSolver(turned).solve(
             with_length_deviations(turned, trial.deviations), trial.form);
         if (!equilibrium.balanced()) {
-            throw std::invalid_argument("a net as turned finds no equilibrium");
+            throw std::invalid_argument("a turned net finds no equilibrium");
         }
         trial.form = equilibrium.form;
         trial.slack = slack_interior_edges(turned, trial.deviations, trial.form);

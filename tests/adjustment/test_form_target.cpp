@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against plans that go for another form than was told.
+// Guards against plans for another form than the given one.
 #include "taut/adjustment/form_target.hpp"
 
 #include <gmock/gmock.h>
@@ -49,7 +49,7 @@ TEST(FormTarget, OfASingleCableHasTheNormalsWeightInAllDirections) {
     EXPECT_EQ(none.normal_max, 0.0);
 }
 
-TEST(FormTarget, TellsDeviationsOverTheFreeNodes) {
+TEST(FormTarget, HasDeviationsOverTheFreeNodes) {
     const CableNet net = hypar(3, 3);
     const FormTarget target(net, net.nodes());
     Points form = net.nodes();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against plans that are not the best, break the limits that they promise, or promise more
-// than the draws bear out.
+// Guards against plans that are not optimal, that break limits they report as kept, or that report
+// a higher probability than other samples confirm.
 #include "taut/adjustment/plan.hpp"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,7 @@ BuiltNet random_built(const CableNet& net, std::uint64_t seed, double reach) {
                          net, test::uniform_vector(random, net.interior_edge_count(), reach))),
             .length_draws = {},
             .perturbations = {},
-            .no_draws_since = "none were made"};
+            .no_draws_because = "none were made"};
 }
 
 /// Lengths of the built net after a plan.
@@ -89,7 +89,7 @@ TEST(Plan, IsThatOfAnIndependentOptimiser) {
         .net = built_with(net, Eigen::VectorXd::Map(built_lengths.data(), net.edge_count())),
         .length_draws = {},
         .perturbations = {},
-        .no_draws_since = "none were made"};
+        .no_draws_because = "none were made"};
     const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
     const Plan plan = plan_strokes(
         built, target,
@@ -102,25 +102,10 @@ TEST(Plan, IsThatOfAnIndependentOptimiser) {
     const double best = reference["mean_square"].get<double>();
     EXPECT_NEAR(plan.planned.rmse * plan.planned.rmse, best, 2e-4 * best);
     const Eigen::VectorXd after = tensions_after(built, plan);
+    EXPECT_LT((after - plan.tensions).cwiseAbs().maxCoeff(), 1e-3);
+    EXPECT_LE(plan.largest_stroke(), reference["stroke"].get<double>());
     EXPECT_NEAR(after.minCoeff(), reference["least_tension"].get<double>(), 0.5);
     EXPECT_NEAR(after.maxCoeff(), reference["most_tension"].get<double>(), 0.5);
-}
-
-TEST(Plan, KeepsItsLimitsInExactEquilibrium) {
-    const CableNet net = hilo_quarter();
-    const BuiltNet built = random_built(net, 2, 5e-3);
-    const Eigen::VectorXd before =
-        tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
-    ASSERT_GT(before.maxCoeff(), 9.5e3);
-    const FormTarget target(net, net.nodes());
-    const Plan plan = plan_strokes(built, target, limits_between(built.net, 15e-3, 1.5e3, 9.5e3));
-    EXPECT_TRUE(plan.is_feasible);
-    EXPECT_LT(plan.planned.normal_mean, 0.4 * plan.as_built.normal_mean);
-    EXPECT_LE(plan.largest_stroke(), 15e-3);
-    const Eigen::VectorXd after = tensions_after(built, plan);
-    EXPECT_GT(after.minCoeff(), 1.5e3 - 0.1);
-    EXPECT_LT(after.maxCoeff(), 9.5e3 + 0.1);
-    EXPECT_LT((after - plan.tensions).cwiseAbs().maxCoeff(), 1e-3);
 }
 
 /// The quadric nearest to a net, with waves [m], finely cut, over all of it and beyond.
@@ -162,7 +147,7 @@ TEST(Plan, BringsANetToASurfaceAlongWhichItsNodesMaySlide) {
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 15e-3);
     const FormTarget target(net, surface, {.normal = 1.0, .tangential = 0.0});
     const Plan plan = plan_strokes(built, target, limits);
-    // What is told is the distance of the planned form from the surface.
+    // The reported deviation is the distance of the planned form from the surface.
     double mean = 0.0;
     double square = 0.0;
     for (const int node : net.free_nodes()) {
@@ -173,8 +158,8 @@ TEST(Plan, BringsANetToASurfaceAlongWhichItsNodesMaySlide) {
     EXPECT_NEAR(plan.planned.normal_mean, mean, 1e-9);
     EXPECT_NEAR(plan.planned.normal_rmse, std::sqrt(square), 1e-9);
     EXPECT_LT(plan.planned.normal_rmse, 0.8 * plan.as_built.normal_rmse);
-    // Better than the plan that goes for the places where the surface is nearest to the design, and
-    // than those of strokes nearby.
+    // It is better than the plan for the places where the surface is nearest to the design, and
+    // than strokes nearby.
     const Plan fixed = plan_strokes(
         built, FormTarget(net, target.at(net.nodes()).places(), {.normal = 1.0, .tangential = 0.0}),
         limits);
@@ -209,12 +194,12 @@ TEST(Plan, OfASurfaceHoldsNodesAlongItByTheTangentialWeight) {
         return std::pow(plan.planned.rmse, 2) - std::pow(plan.planned.normal_rmse, 2);
     };
     const Plan loose = planned(0.01);
-    const Plan held = planned(10.0);
-    EXPECT_LT(along(held), along(loose));
-    EXPECT_GT(held.planned.normal_rmse, loose.planned.normal_rmse);
+    const Plan tight = planned(10.0);
+    EXPECT_LT(along(tight), along(loose));
+    EXPECT_GT(tight.planned.normal_rmse, loose.planned.normal_rmse);
 }
 
-TEST(Plan, MakesTheLargestDeviationSmallWhereThatIsAskedFor) {
+TEST(Plan, MinimisesTheLargestDeviationIfAskedTo) {
     const CableNet net = hypar(6, 6);
     const BuiltNet built = random_built(net, 6, 3e-3);
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
@@ -232,7 +217,7 @@ TEST(Plan, MakesTheLargestDeviationSmallWhereThatIsAskedFor) {
     EXPECT_LT(few.strokes.size(), largest.strokes.size());
 }
 
-TEST(Plan, TellsTheLeastViolationWhereLimitsCannotBeKept) {
+TEST(Plan, HasTheLeastViolationWhereLimitsCannotBeKept) {
     const CableNet net = hypar(4, 4);
     const BuiltNet built = random_built(net, 1, 2e-3);
     const Eigen::VectorXd now =
@@ -243,7 +228,7 @@ TEST(Plan, TellsTheLeastViolationWhereLimitsCannotBeKept) {
     EXPECT_FALSE(plan.is_feasible);
     EXPECT_FALSE(plan.limit_probability.has_value());
     ASSERT_FALSE(plan.breaches.empty());
-    // All that could be done was: strokes at their end tighten the net.
+    // All strokes at their limit tighten the net.
     EXPECT_GT(plan.tensions.mean(), now.mean());
     EXPECT_NEAR(plan.largest_stroke(), 1e-3, 1e-9);
 }
@@ -281,86 +266,76 @@ TEST(Plan, TurnsFewEdgesForATolerance) {
     EXPECT_LE(2 * few.strokes.size(), all.strokes.size());
     ASSERT_TRUE(few.fewest_bound);
     EXPECT_LE(*few.fewest_bound, static_cast<int>(few.strokes.size()));
-}
-
-TEST(Plan, SaysWhereNoStrokesReachATolerance) {
-    const CableNet net = hypar(5, 5);
-    const BuiltNet built = random_built(net, 4, 3e-3);
-    PlanOptions options;
     options.tolerance = 1e-6;
-    const Plan plan =
-        plan_strokes(built, FormTarget(net, net.nodes()),
-                     limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3), options);
-    ASSERT_TRUE(plan.is_within_tolerance.has_value());
-    EXPECT_FALSE(*plan.is_within_tolerance);
+    EXPECT_EQ(plan_strokes(built, target, limits, options).is_within_tolerance, false);
 }
 
-TEST(Plan, HoldsItsLimitsInOtherDrawsThanItsOwn) {
+/// A net that differs from another in its lengths, or in its stiffness.
+struct Sample {
+    Eigen::VectorXd lengths;
+    ModelPerturbation perturbation;
+};
+
+TEST(Plan, KeepsItsLimitsInOtherSamplesThanItsOwn) {
     const CableNet net = hilo_quarter();
-    BuiltNet built = random_built(net, 2, 5e-3);
-    test::Random random(11);
-    std::normal_distribution<double> error(0.0, 0.5e-3);
-    const auto draw = [&] {
-        return Eigen::VectorXd(
-            built.net.unstressed_lengths()(net.interior_edges()) +
-            Eigen::VectorXd::NullaryExpr(net.interior_edge_count(), [&] { return error(random); }));
-    };
-    built.length_draws = built.net.unstressed_lengths().replicate(1, 200);
-    for (auto column : built.length_draws.colwise()) {
-        column(net.interior_edges()) = draw();
-    }
-    const Limits limits = limits_between(built.net, 15e-3, 2.5e3, 9e3);
-    const Plan plan = plan_strokes(built, FormTarget(net, net.nodes()), limits);
-    EXPECT_TRUE(plan.is_feasible);
-    EXPECT_GE(plan.limit_probability, 0.95);
-    EXPECT_NEAR(plan.normal_std, 0.5e-3, 0.2e-3);
-    int kept = 0;
-    constexpr int jobs = 200;
-    for (int i = 0; i < jobs; ++i) {
-        Eigen::VectorXd lengths = lengths_after(built, plan);
-        lengths(net.interior_edges()) = draw();
-        const Eigen::VectorXd after = tensions(
-            built.net, lengths, EquilibriumSolver(built.net).solve(lengths, plan.form).form);
-        kept += after.minCoeff() >= 2.5e3 && after.maxCoeff() <= 9e3 ? 1 : 0;
-    }
-    EXPECT_GE(kept, 0.9 * jobs);  // 95 % wanted; 186 to 194 are two deviations
-    // The same without regard for the draws breaks limits in most of them.
-    BuiltNet sure = built;
-    sure.length_draws.resize(net.edge_count(), 0);
-    const Plan careless = plan_strokes(sure, FormTarget(net, net.nodes()), limits);
-    EXPECT_GT(plan.tensions.minCoeff(), careless.tensions.minCoeff());
-}
-
-TEST(Plan, KeepsReactionsAndLaterLoadsWithinTheirLimits) {
-    const CableNet net = hypar(6, 6);
-    const BuiltNet built = random_built(net, 5, 2e-3);
-    const FormTarget target(net, net.nodes());
-    Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
-    const Plan free = plan_strokes(built, target, limits);
-    // A later load that would slacken an edge, were it not for the limit.
-    Points wet = Points::Zero(3, net.node_count());
-    for (const int node : net.free_nodes()) {
-        wet(2, node) = -30.0;
-    }
-    const double most = 0.97 * free.tensions.maxCoeff();
-    limits.load_cases = {{.name = "wet", .loads = wet, .tension = limits.tension}};
-    limits.load_cases[0].tension.upper.setConstant(most);
-    limits.reactions = {{.name = "all", .supports = net.supports(), .upper = most}};
-    const Plan plan = plan_strokes(built, target, limits);
-    ASSERT_TRUE(plan.is_feasible);
-    const Eigen::VectorXd lengths = lengths_after(built, plan);
-    CableNetData loaded = built.net.data();
-    loaded.loads = wet;
-    const CableNet under(loaded);
-    const Eigen::VectorXd then =
-        tensions(under, lengths, EquilibriumSolver(under).solve(lengths, built.net.nodes()).form);
-    EXPECT_LT(then.maxCoeff(), most + 0.1);
-    for (const int edge : net.adjustable_edges()) {  // one edge at each support: its tension
-        EXPECT_LT(plan.tensions(edge), most + 0.1);
+    for (const bool is_stiffness : {false, true}) {
+        SCOPED_TRACE(is_stiffness);
+        BuiltNet built = random_built(net, 2, is_stiffness ? 0.0 : 5e-3);
+        test::Random random(11);
+        std::normal_distribution<double> normal;
+        const auto draw = [&] {
+            Sample sample{.lengths = built.net.unstressed_lengths(),
+                          .perturbation = unperturbed(built.net)};
+            if (is_stiffness) {
+                sample.perturbation.stiffness.setConstant(0.05 * normal(random));
+            }
+            for (const int edge : net.interior_edges()) {
+                sample.lengths(edge) += is_stiffness ? 0.0 : 0.5e-3 * normal(random);
+            }
+            return sample;
+        };
+        constexpr int count = 200;
+        built.length_draws.resize(net.edge_count(), count);
+        for (auto column : built.length_draws.colwise()) {
+            const Sample sample = draw();
+            column = sample.lengths;
+            built.perturbations.push_back(sample.perturbation);
+        }
+        const double most = is_stiffness ? 8e3 : 9e3;
+        const Limits limits = limits_between(built.net, 15e-3, 2.5e3, most);
+        const FormTarget target(net, net.nodes());
+        const Plan plan = plan_strokes(built, target, limits);
+        EXPECT_TRUE(plan.is_feasible);
+        EXPECT_GE(plan.limit_probability, 0.95);
+        if (!is_stiffness) {
+            EXPECT_NEAR(plan.normal_std, 0.5e-3, 0.2e-3);
+        }
+        int kept = 0;
+        for (int i = 0; i < count; ++i) {
+            Sample sample = draw();
+            for (const PlannedStroke& stroke : plan.strokes) {
+                sample.lengths(stroke.edge) += stroke.stroke;
+            }
+            const CableNet truth = net_under(built.net, sample.perturbation, sample.lengths);
+            const Eigen::VectorXd after = tensions(
+                truth, truth.unstressed_lengths(),
+                EquilibriumSolver(truth).solve(truth.unstressed_lengths(), plan.form).form);
+            kept += after.minCoeff() >= 2.5e3 && after.maxCoeff() <= most ? 1 : 0;
+        }
+        EXPECT_GE(kept, 0.9 * count);  // 95 % required; 186 to 194 are two deviations
+        // The estimate alone comes closer to the limits.
+        built.length_draws.resize(net.edge_count(), 0);
+        built.perturbations.clear();
+        const Plan careless = plan_strokes(built, target, limits);
+        if (is_stiffness) {
+            EXPECT_LT(plan.tensions.maxCoeff(), careless.tensions.maxCoeff());
+        } else {
+            EXPECT_GT(plan.tensions.minCoeff(), careless.tensions.minCoeff());
+        }
     }
 }
 
-TEST(Plan, KeepsReactionsWithinTheirLimitsUnderLaterLoads) {
+TEST(Plan, KeepsReactionsAndTensionsWithinTheirLimitsUnderLaterLoads) {
     const CableNet net = hypar(6, 6);
     const BuiltNet built = random_built(net, 5, 2e-3);
     const FormTarget target(net, net.nodes());
@@ -371,18 +346,28 @@ TEST(Plan, KeepsReactionsWithinTheirLimitsUnderLaterLoads) {
     CableNetData loaded = built.net.data();
     loaded.loads = wet;
     const CableNet under(loaded);
-    // One edge at each support: its tension is the reaction.
-    const auto most_then = [&](const Plan& plan) {
+    const auto tensions_then = [&](const Plan& plan) {
         const Eigen::VectorXd lengths = lengths_after(built, plan);
-        const Eigen::VectorXd then = tensions(
-            under, lengths, EquilibriumSolver(under).solve(lengths, built.net.nodes()).form);
-        return then(net.adjustable_edges()).maxCoeff();
+        return tensions(under, lengths,
+                        EquilibriumSolver(under).solve(lengths, built.net.nodes()).form);
     };
-    const double most = 0.98 * most_then(plan_strokes(built, target, limits));
+    // One edge at each support: its tension is the reaction.
+    const auto largest_reaction = [&](const Plan& plan) {
+        return tensions_then(plan)(net.adjustable_edges()).maxCoeff();
+    };
+    const Plan free = plan_strokes(built, target, limits);
+    const double most_tension = 0.97 * tensions_then(free).maxCoeff();
+    limits.load_cases[0].tension.upper.setConstant(most_tension);
+    const Plan of_tensions = plan_strokes(built, target, limits);
+    EXPECT_TRUE(of_tensions.is_feasible);
+    EXPECT_LT(tensions_then(of_tensions).maxCoeff(), most_tension + 0.1);
+
+    limits.load_cases[0].tension = limits.tension;
+    const double most = 0.98 * largest_reaction(free);
     limits.reactions = {{.name = "all", .supports = net.supports(), .upper = most}};
     const Plan plan = plan_strokes(built, target, limits);
     EXPECT_TRUE(plan.is_feasible);
-    EXPECT_LT(most_then(plan), most + 0.1);
+    EXPECT_LT(largest_reaction(plan), most + 0.1);
     // Where they cannot be kept, it says under which loads.
     limits.reactions[0].upper = 0.5 * most;
     limits.shortest_stroke.setConstant(-1e-4);
@@ -397,7 +382,7 @@ TEST(Plan, KeepsReactionsWithinTheirLimitsUnderLaterLoads) {
 TEST(Plan, IsNotMadeOnAFailedIdentificationUnlessThatIsAccepted) {
     const CableNet net = hypar(3, 3);
     BuiltNet built = random_built(net, 1, 1e-3);
-    built.failed_since = "the noise is contradicted";
+    built.failed_because = "the noise is contradicted";
     const FormTarget target(net, net.nodes());
     const Limits limits = limits_of_stroke(net, net.adjustable_edges().size(), 5e-3);
     EXPECT_THAT([&] { static_cast<void>(plan_strokes(built, target, limits)); },
@@ -405,66 +390,47 @@ TEST(Plan, IsNotMadeOnAFailedIdentificationUnlessThatIsAccepted) {
     EXPECT_FALSE(plan_strokes(built, target, limits, {.accept_failed = true}).strokes.empty());
 }
 
-TEST(Plan, StandsOnAFailedIdentificationWhereItsTestsFailed) {
+TEST(Plan, IsBasedOnAFailedIdentificationWhereItsChecksFailed) {
     const CableNet net = hypar(3, 3);
     Identification identification;
     identification.trust.findings = {
         {.severity = Trust::Verdict::doubtful, .reason = "a length is odd", .next = ""}};
-    EXPECT_EQ(built_net_of(net, identification).failed_since, "");
+    EXPECT_EQ(built_net_of(net, identification).failed_because, "");
     identification.trust.findings = {{.severity = Trust::Verdict::failed,
                                       .reason = "The noise is contradicted.",
                                       .next = "Estimate it."}};
-    EXPECT_EQ(built_net_of(net, identification).failed_since,
+    EXPECT_EQ(built_net_of(net, identification).failed_because,
               "The noise is contradicted. Estimate it.");
 }
 
-TEST(Plan, RefusesOptionsThatCannotBeMeant) {
+TEST(Plan, RefusesOptionsOutOfRange) {
     const CableNet net = hypar(3, 3);
-    const BuiltNet built = random_built(net, 1, 1e-3);
+    BuiltNet built = random_built(net, 1, 1e-3);
+    const auto planned = [&](const PlanOptions& options) {
+        const size_t edges =
+            options.edges.empty() ? net.adjustable_edges().size() : options.edges.size();
+        return plan_strokes(built, FormTarget(net, net.nodes()), limits_of_stroke(net, edges, 5e-3),
+                            options);
+    };
     const auto expect_refused = [&](const PlanOptions& options, const char* text) {
-        EXPECT_THAT(
-            [&] {
-                static_cast<void>(plan_strokes(
-                    built, FormTarget(net, net.nodes()),
-                    limits_of_stroke(net,
-                                     options.edges.empty() ? net.adjustable_edges().size()
-                                                           : options.edges.size(),
-                                     5e-3),
-                    options));
-            },
-            ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
+        EXPECT_THAT([&] { static_cast<void>(planned(options)); },
+                    ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
     };
     expect_refused({.edges = {99}}, "edge 99");
     expect_refused({.edges = {2, 2}}, "at most once");
     expect_refused({.confidence = 1.0}, "confidence is 1");
-    expect_refused({.actuator_std = -1.0}, "play");
+    expect_refused({.actuator_std = -1.0}, "actuator std is -1 m");
     expect_refused({.actuator_std = 1.0}, "a quarter of the shortest edge");
     expect_refused({.turn = TurnSize{.pitch = 5.0, .smallest = 0.25}}, "a turn is 5 m");
     expect_refused({.turn = TurnSize{.pitch = 0.0, .smallest = 0.25}}, "a turn is 0");
     expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = 2.0}}, "smallest part");
     expect_refused({.turn = TurnSize{.pitch = 5e-3, .smallest = -0.25}}, "smallest part");
-    const PlanOptions any_part{.turn = TurnSize{.pitch = 5e-3, .smallest = 0.0}};
-    EXPECT_NO_THROW(static_cast<void>(
-        plan_strokes(built, FormTarget(net, net.nodes()),
-                     limits_of_stroke(net, net.adjustable_edges().size(), 5e-3), any_part)));
+    EXPECT_NO_THROW(static_cast<void>(planned({.turn = TurnSize{.pitch = 5e-3, .smallest = 0.0}})));
     expect_refused({.tolerance = 0.0}, "tolerance is 0");
-    BuiltNet with_draws = built;
-    with_draws.length_draws = Eigen::MatrixXd::Ones(2, 50);
-    EXPECT_THAT(
-        [&] {
-            static_cast<void>(
-                plan_strokes(with_draws, FormTarget(net, net.nodes()),
-                             limits_of_stroke(net, net.adjustable_edges().size(), 5e-3)));
-        },
-        ThrowsMessage<std::invalid_argument>(HasSubstr("one an edge")));
-    with_draws.length_draws = Eigen::MatrixXd::Ones(net.edge_count(), 50);
-    EXPECT_THAT(
-        [&] {
-            static_cast<void>(plan_strokes(
-                with_draws, FormTarget(net, net.nodes()),
-                limits_of_stroke(net, net.adjustable_edges().size(), 5e-3), {.confidence = 0.99}));
-        },
-        ThrowsMessage<std::invalid_argument>(HasSubstr("50 draws tell no more than 0.98")));
+    built.length_draws = Eigen::MatrixXd::Ones(2, 50);
+    expect_refused({}, "one per edge");
+    built.length_draws = Eigen::MatrixXd::Ones(net.edge_count(), 50);
+    expect_refused({.confidence = 0.99}, "50 posterior samples show at most 0.98");
 }
 
 }  // namespace

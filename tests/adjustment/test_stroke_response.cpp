@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against first derivatives that do not tell what turning does: a plan then turns the wrong
-// way, or calls a limit kept that is broken.
+// Guards against wrong derivatives by strokes: a plan would then turn the wrong way, or count a
+// broken limit as kept.
 #include "adjustment/stroke_response.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a search that says it has converged where it never began.
+// Guards against a search that reports convergence without an equilibrium to start from.
 #include "adjustment/stroke_search.hpp"
 
 #include <gtest/gtest.h>

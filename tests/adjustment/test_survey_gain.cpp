@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against targets that are recommended though they tell nothing, and gains that are none.
+// Guards against suggested targets that give no information, and against wrong gains.
 #include "adjustment/survey_gain.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index columns, std::uint
     return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
-/// Numbers that are sums of coordinates: what is left is that of the normal distribution with the
-/// draws' covariance.
+/// For linear functions of coordinates the remaining variance is that of the conditional normal
+/// distribution with the samples' covariance.
 TEST(SurveyGain, IsThatOfTheConditionalDistribution) {
     constexpr int places = 5;
     constexpr double noise = 0.4;
@@ -30,7 +30,7 @@ TEST(SurveyGain, IsThatOfTheConditionalDistribution) {
     ASSERT_EQ(gains.size(), 2U);
     const Eigen::MatrixXd y = forms.colwise() - forms.rowwise().mean();
     const Eigen::MatrixXd x = numbers.colwise() - numbers.rowwise().mean();
-    const auto left_over = [&](const std::vector<int>& seen) {
+    const auto remaining = [&](const std::vector<int>& seen) {
         std::vector<int> rows;
         for (const int s : seen) {
             rows.insert(rows.end(), {3 * s, 3 * s + 1, 3 * s + 2});
@@ -45,13 +45,13 @@ TEST(SurveyGain, IsThatOfTheConditionalDistribution) {
         return std::sqrt(left.trace() / 4.0);
     };
     for (int s = 0; s < places; ++s) {
-        EXPECT_LE(gains[0].left_over, left_over({s}) + 1e-9);
+        EXPECT_LE(gains[0].remaining_std, remaining({s}) + 1e-9);
     }
-    EXPECT_NEAR(gains[0].left_over, left_over({gains[0].place}), 1e-8);
-    EXPECT_NEAR(gains[1].left_over, left_over({gains[0].place, gains[1].place}), 1e-8);
+    EXPECT_NEAR(gains[0].remaining_std, remaining({gains[0].place}), 1e-8);
+    EXPECT_NEAR(gains[1].remaining_std, remaining({gains[0].place, gains[1].place}), 1e-8);
 }
 
-TEST(SurveyGain, IsNoneWhereTargetsTellNothing) {
+TEST(SurveyGain, IsNoneWhereTargetsGiveNoInformation) {
     EXPECT_TRUE(
         gains_of_targets(normal_matrix(60, 200, 4), normal_matrix(20, 200, 5), 0.5, 5).empty());
     EXPECT_TRUE(gains_of_targets(normal_matrix(60, 1, 4), normal_matrix(20, 1, 5), 0.5, 5).empty());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a net that is brought to another point of a surface than the nearest, and against
-// normals that jump, or cancel out, where faces meet.
+// Guards against points of a surface that are not the nearest, and against normals that jump, or
+// cancel out, where faces meet.
 #include "taut/adjustment/target_surface.hpp"
 
 #include <gmock/gmock.h>
@@ -44,7 +44,7 @@ double saddle(double x, double y) {
     return 0.3 * x * y;
 }
 
-TEST(TargetSurface, TellsTheNearestOfAllPoints) {
+TEST(TargetSurface, FindsTheNearestOfAllPoints) {
     const TargetSurface surface = surface_of(12, saddle);
     test::Random random(3);
     std::uniform_real_distribution<double> place(-0.2, 1.2);
@@ -65,7 +65,7 @@ TEST(TargetSurface, TellsTheNearestOfAllPoints) {
     }
 }
 
-TEST(TargetSurface, TellsADistanceWhoseGradientIsItsNormal) {
+TEST(TargetSurface, HasADistanceWhoseGradientIsItsNormal) {
     const TargetSurface surface = surface_of(5, saddle);
     test::Random random(4);
     std::uniform_real_distribution<double> inside(0.1, 0.9);

@@ -41,18 +41,19 @@ protected:
 
     CableNet net = hilo_quarter();
     BuiltNet built{
-        .net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = "none were made"};
+        .net = net, .length_draws = {}, .perturbations = {}, .no_draws_because = "none were made"};
     Limits limits;
     Plan plan;
 };
 
-TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryMoment) {
+TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryStep) {
     ASSERT_TRUE(plan.is_feasible);
     for (const int crews : {1, 3}) {
-        const TurnOrder order = order_turns(built, limits, plan, {.crews = crews, .step = 1.25e-3});
+        const TurnOrder order =
+            order_turns(built, limits, plan, {.crews = crews, .turn_step = 1.25e-3});
         EXPECT_TRUE(order.is_safe);
         std::map<int, double> done;
-        // What was beyond a limit before the work may be so on the way, but no further.
+        // A limit that was broken before the work may stay broken, but by no more.
         const Eigen::VectorXd before =
             tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
         const Eigen::VectorXd least = before.cwiseMin(1e3);
@@ -64,7 +65,7 @@ TEST_F(TurnOrderOfHilo, EndsAtThePlanAndKeepsLimitsAtEveryMoment) {
             EXPECT_LE(turning.crew, crews);
             done[turning.edge] += turning.stroke;
             lengths(turning.edge) += turning.stroke;
-            if (i + 1 < order.turnings.size() && order.turnings[i + 1].moment == turning.moment) {
+            if (i + 1 < order.turnings.size() && order.turnings[i + 1].step == turning.step) {
                 continue;
             }
             form = EquilibriumSolver(built.net).solve(lengths, form).form;
@@ -86,17 +87,17 @@ TEST_F(TurnOrderOfHilo, WalksFromNeighbourToNeighbour) {
 }
 
 TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
-    // Limits that the way cannot keep, though the net keeps them before and after.
+    // The net keeps these limits before and after the work, but on no way.
     const Eigen::VectorXd before =
         tensions(built.net, built.net.unstressed_lengths(), built.net.nodes());
-    plan.strokes.resize(20);  // each is tried at most moments, which takes long
+    plan.strokes.resize(20);  // each is tried at most steps, which takes long
     limits.tension.lower = 0.999 * before.cwiseMin(plan.tensions);
     limits.tension.upper = 1.001 * before.cwiseMax(plan.tensions);
-    plan.held = {{.lower = limits.tension.lower, .upper = limits.tension.upper}};
+    plan.effective_limits = {{.lower = limits.tension.lower, .upper = limits.tension.upper}};
     const TurnOrder order = order_turns(built, limits, plan);
     EXPECT_FALSE(order.is_safe);
-    EXPECT_GE(order.worst.moment, 0);
-    // The end of the range that is named is the one that is broken.
+    EXPECT_GE(order.worst.step, 0);
+    // It names the limit that is broken.
     const LimitBreach& worst = order.worst.breach;
     ASSERT_EQ(worst.kind, LimitBreach::Kind::tension);
     const double lower = limits.tension.lower(worst.index);
@@ -106,7 +107,7 @@ TEST_F(TurnOrderOfHilo, SaysWhereNoOrderIsSafe) {
     EXPECT_EQ(order.safe_probability, 0.0);
 }
 
-/// A net whose lengths are known to half a millimetre, and a plan that holds its limits so.
+/// A net whose lengths are known to 0.5 mm, and a plan that keeps its limits in the samples.
 class TurnOrderOfDraws : public ::testing::Test {
 protected:
     TurnOrderOfDraws() {
@@ -122,7 +123,7 @@ protected:
         plan = plan_strokes(built, FormTarget(net, net.nodes()), limits);
     }
 
-    /// Lengths as they may be, one set a column.
+    /// Samples of the lengths, one per column.
     [[nodiscard]] Eigen::MatrixXd lengths_drawn(int count, std::uint64_t seed) const {
         test::Random random(seed);
         std::normal_distribution<double> error(0.0, 0.5e-3);
@@ -146,7 +147,7 @@ protected:
             for (size_t i = 0; i < order.turnings.size() && is_kept; ++i) {
                 lengths(order.turnings[i].edge) += order.turnings[i].stroke;
                 if (i + 1 < order.turnings.size() &&
-                    order.turnings[i + 1].moment == order.turnings[i].moment) {
+                    order.turnings[i + 1].step == order.turnings[i].step) {
                     continue;
                 }
                 form = EquilibriumSolver(built.net).solve(lengths, form).form;
@@ -159,12 +160,12 @@ protected:
 
     static constexpr double least = 2.2e3;
     CableNet net = hypar(6, 6);
-    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_since = {}};
+    BuiltNet built{.net = net, .length_draws = {}, .perturbations = {}, .no_draws_because = {}};
     Limits limits;
     Plan plan;
 };
 
-TEST_F(TurnOrderOfDraws, IsSafeInAsManyDrawsAsItSays) {
+TEST_F(TurnOrderOfDraws, IsSafeInAsManySamplesAsItSays) {
     ASSERT_TRUE(plan.is_feasible);
     for (const int crews : {1, 2}) {
         const TurnOrder order = order_turns(built, limits, plan, {.crews = crews});
@@ -173,10 +174,10 @@ TEST_F(TurnOrderOfDraws, IsSafeInAsManyDrawsAsItSays) {
     }
 }
 
-TEST_F(TurnOrderOfDraws, KeepsItsConfidenceInOtherDrawsThanItsOwn) {
+TEST_F(TurnOrderOfDraws, KeepsItsConfidenceInOtherSamplesThanItsOwn) {
     const TurnOrder order = order_turns(built, limits, plan);
     ASSERT_TRUE(order.is_safe);
-    EXPECT_GE(part_kept(order, lengths_drawn(200, 12)), 0.9);  // 95 % wanted
+    EXPECT_GE(part_kept(order, lengths_drawn(200, 12)), 0.9);  // 95 % required
 }
 
 TEST_F(TurnOrderOfDraws, IsNotSafeWhereTheConfidenceCannotBeKept) {
@@ -187,22 +188,22 @@ TEST_F(TurnOrderOfDraws, IsNotSafeWhereTheConfidenceCannotBeKept) {
     ASSERT_LT(plan.limit_probability, 1.0);
     EXPECT_FALSE(order.is_safe);
     EXPECT_GT(order.safe_probability, 0.0);
-    ASSERT_GE(order.worst.moment, 0);
+    ASSERT_GE(order.worst.step, 0);
     EXPECT_EQ(order.worst.breach.limit, least);
     EXPECT_LT(order.worst.breach.probability, 1.0);
     EXPECT_GT(order.worst.breach.probability, 0.0);
 }
 
-TEST_F(TurnOrderOfHilo, RefusesCrewsAndStepsThatCannotBeMeant) {
+TEST_F(TurnOrderOfHilo, RefusesOptionsOutOfRange) {
     EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.crews = 0})); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("0 crews")));
-    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.step = -1.0})); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("step")));
+    EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.turn_step = -1.0})); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("smallest turn is -1 m")));
     EXPECT_THAT([&] { static_cast<void>(order_turns(built, limits, plan, {.confidence = 1.0})); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("confidence is 1")));
     EXPECT_THAT(
         [&] { static_cast<void>(order_turns(built, limits, plan, {.actuator_std = -1.0})); },
-        ThrowsMessage<std::invalid_argument>(HasSubstr("standard deviation")));
+        ThrowsMessage<std::invalid_argument>(HasSubstr("actuator std is -1 m")));
 }
 
 TEST_F(TurnOrderOfHilo, RefusesAPlanOfAnotherNetOrOtherLimits) {
@@ -216,8 +217,9 @@ TEST_F(TurnOrderOfHilo, RefusesAPlanOfAnotherNetOrOtherLimits) {
     expect_refused([&](Plan& p) { p.strokes[0].edge = edges; }, "expected 0 to");
     expect_refused([](Plan& p) { p.strokes[1].edge = p.strokes[0].edge; }, "twice");
     expect_refused([](Plan& p) { p.strokes[0].stroke = std::nan(""); }, "by nan m");
-    expect_refused([](Plan& p) { p.held.clear(); }, "0 states of loads, expected 1");
-    expect_refused([](Plan& p) { p.held[0].lower.conservativeResize(3); }, "limits of 3 and");
+    expect_refused([](Plan& p) { p.effective_limits.clear(); }, "0 sets of loads, expected 1");
+    expect_refused([](Plan& p) { p.effective_limits[0].lower.conservativeResize(3); },
+                   "limits of 3 and");
 }
 
 }  // namespace

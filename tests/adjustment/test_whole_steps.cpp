@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against whole steps that give up more of the form than they must.
+// Guards against rounding to whole steps that loses more of the form than necessary.
 #include "adjustment/whole_steps.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::UnorderedElementsAre;
 
-// Those that are nearest give up least, and the others can still make up for it.
+// The nearest change least, and the others can still compensate for them.
 TEST(WholeSteps, FixTheStrokesNearestToAMultipleFirst) {
     std::vector<int> open(12);
     std::iota(open.begin(), open.end(), 0);

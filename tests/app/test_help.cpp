@@ -11,7 +11,7 @@ using namespace taut::test;
 
 const std::vector<std::string> commands{"example", "import", "inspect", "form",     "export",
                                         "sample",  "train",  "survey",  "identify", "reproduce",
-                                        "compare", "trials", "report"};
+                                        "compare", "report"};
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 

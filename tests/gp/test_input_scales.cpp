@@ -113,20 +113,20 @@ TEST(EstimateInputScales, OfOneGroupOrNothingToLearnAreAllOne) {
 TEST(EstimateInputScales, EndsWhereItIsGivenUp) {
     const Eigen::MatrixXd inputs = normal_matrix(4, 30, 1);
     for (const int last : {2, 7}) {  // while it looks for a start, and afterwards
-        std::vector<int> told;
+        std::vector<int> reported;
         const Progress progress{
             .tell =
                 [&](std::string_view stage, int done, int total) {
                     EXPECT_EQ(stage, "scales of the kernel");
                     EXPECT_LT(done, total);
-                    told.push_back(done);
+                    reported.push_back(done);
                 },
-            .stop_requested = [&] { return static_cast<int>(told.size()) == last; }};
+            .stop_requested = [&] { return static_cast<int>(reported.size()) == last; }};
         EXPECT_THROW(
             (void)estimate_input_scales(inputs, outputs_of(inputs), {0, 1, 2, 3}, progress),
             Interrupted);
-        EXPECT_EQ(static_cast<int>(told.size()), last);
-        EXPECT_EQ(told.back(), last - 1);
+        EXPECT_EQ(static_cast<int>(reported.size()), last);
+        EXPECT_EQ(reported.back(), last - 1);
     }
 }
 

@@ -164,20 +164,6 @@ TEST(LengthScaleSearch, TakesTheEndOfTheRangeWhereTheValueFallsTowardsIt) {
     EXPECT_EQ(other.best[0], right_end);
 }
 
-TEST(LengthScaleSearch, IsContentAtOnceWhereNothingDependsOnTheLengthScale) {
-    const auto found = search({[](double) { return ValueAndSlope{.value = 7.0, .slope = 0.0}; }});
-    EXPECT_TRUE(found.content);
-    EXPECT_LE(found.looked_at.size(), 7);
-}
-
-TEST(LengthScaleSearch, StopsEarlierForALargerTolerance) {
-    const std::vector<Function> valley{[](double x) {
-        return ValueAndSlope{.value = std::cosh(2.0 * x - 0.3),
-                             .slope = 2.0 * std::sinh(2.0 * x - 0.3)};
-    }};
-    EXPECT_LT(search(valley, 1e-1).looked_at.size(), search(valley, 1e-9).looked_at.size());
-}
-
 RC_GTEST_PROP(LengthScaleSearch, StaysWithinItsRange, ()) {
     std::vector<Function> outputs;
     const auto m = *rc::gen::inRange(1, 6);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against processes of low rank that are surer than exact ones, that are further off than
-// they tell, or that learn less than they could.
+// Guards against processes of low rank that are surer than exact ones, that err by more than they
+// report, or that learn less than they could.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ TEST_F(LowRank, PredictsNearlyAsTheExactOne) {
     }
 }
 
-TEST_F(LowRank, TellsAboutTheLeaveOneOutErrorOfTheExactOneOfItsHyperparameters) {
+TEST_F(LowRank, HasAboutTheLeaveOneOutErrorOfTheExactOneOfItsHyperparameters) {
     const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 200));
     for (Eigen::Index j = 0; j < m_outputs.cols(); ++j) {
         const Process& process = fitted.processes[j];
@@ -145,7 +145,7 @@ TEST(LowRankVariance, IsThatOfThePriorWhereDirectionsExplainMoreThanThereIs) {
     EXPECT_EQ(fitted.predict(fitted.inputs).std.minCoeff(), 2.0);
 }
 
-TEST_F(LowRank, TellsTheLeaveOneOutErrorOfInputsThatStandAlone) {
+TEST_F(LowRank, HasTheLeaveOneOutErrorOfInputsThatStandAlone) {
     // One of twenty far out, where most are not among those that the directions come from.
     for (Eigen::Index i = 0; i < n; ++i) {
         m_inputs.col(i) *= i % 20 == 7 ? 50.0 : 0.01;
@@ -161,7 +161,7 @@ TEST_F(LowRank, TellsTheLeaveOneOutErrorOfInputsThatStandAlone) {
     }
 }
 
-TEST_F(LowRank, TakesInputsOfWhichEverySecondIsTheSame) {
+TEST_F(LowRank, TakesInputsOfWhichManyAreTheSame) {
     for (Eigen::Index i = 0; i < n; i += 2) {
         m_inputs.col(i).setConstant(0.1);
     }
@@ -169,9 +169,14 @@ TEST_F(LowRank, TakesInputsOfWhichEverySecondIsTheSame) {
     for (const Process& process : fit(m_inputs, m_outputs, low_rank(200, 100)).processes) {
         EXPECT_LT(process.leave_one_out_rmse, 0.1);
     }
+    m_inputs.rightCols(n - 6).setConstant(0.1);
+    m_inputs.col(200) = Eigen::Vector3d::Ones();
+    const Prediction found = fit(m_inputs, some_outputs(m_inputs), low_rank(200, 50)).predict(m_at);
+    EXPECT_TRUE(found.mean.allFinite());
+    EXPECT_TRUE(found.std.allFinite());
 }
 
-TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItTells) {
+TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItReports) {
     for (const int rank : {5, 20, 100}) {
         const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, rank));
         const Prediction found = fitted.predict(m_inputs);
@@ -187,7 +192,7 @@ TEST_F(LowRank, IsNoFurtherOffTheExactOneOfItsHyperparametersThanItTells) {
     }
 }
 
-TEST_F(LowRank, TellsNoLessNoiseThanItLeavesOut) {
+TEST_F(LowRank, HasNoLessNoiseThanItLeavesOut) {
     const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 20));
     for (const Process& process : fitted.processes) {
         const auto& [lambda, signal, noise] = process.hyperparameters;
@@ -195,7 +200,7 @@ TEST_F(LowRank, TellsNoLessNoiseThanItLeavesOut) {
     }
 }
 
-TEST_F(LowRank, TellsHowMuchItLeavesOut) {
+TEST_F(LowRank, ReportsHowMuchItLeavesOut) {
     EXPECT_EQ(fit(m_inputs, m_outputs, low_rank(n, 1)).left_out(), 0.0);
     const FittedProcesses fitted = fit(m_inputs, m_outputs, low_rank(200, 1));
     double expected = 0.0;
@@ -204,17 +209,6 @@ TEST_F(LowRank, TellsHowMuchItLeavesOut) {
     }
     EXPECT_NEAR(fitted.left_out(), expected, 1e-12);
     EXPECT_GT(expected, 1e-3);
-}
-
-TEST_F(LowRank, IsCloserTheHigherItsRank) {
-    const auto largest_error = [&](int rank) {
-        double largest = 0.0;
-        for (const Process& process : fit(m_inputs, m_outputs, low_rank(200, rank)).processes) {
-            largest = std::max(largest, process.approximation_error);
-        }
-        return largest;
-    };
-    EXPECT_LT(largest_error(150), 0.1 * largest_error(15));
 }
 
 TEST_F(LowRank, MarksAConstantOutputAndTakesOneThatIsConstantOnAPart) {
@@ -228,15 +222,6 @@ TEST_F(LowRank, MarksAConstantOutputAndTakesOneThatIsConstantOnAPart) {
     EXPECT_TRUE(fitted.predict(m_at).mean.allFinite());
     m_outputs(Eigen::all, {0, 3}) = m_outputs(Eigen::all, {2, 2}).eval();
     EXPECT_TRUE(fit(m_inputs, m_outputs, low_rank(200, 50)).predict(m_at).std.allFinite());
-}
-
-TEST_F(LowRank, TakesInputsOfWhichMostAreTheSame) {
-    m_inputs.rightCols(n - 6).setConstant(0.1);
-    m_inputs.col(200) = Eigen::Vector3d::Ones();
-    const FittedProcesses fitted = fit(m_inputs, some_outputs(m_inputs), low_rank(200, 50));
-    const Prediction found = fitted.predict(m_at);
-    EXPECT_TRUE(found.mean.allFinite());
-    EXPECT_TRUE(found.std.allFinite());
 }
 
 TEST_F(LowRank, GivesUpWhereAStopIsRequestedAfterTheSearch) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a spectrum of low rank that misses directions that count, or tells less of what it
-// leaves out than there is: predictions would be surer than the exact ones.
+// Guards against a spectrum of low rank that misses directions that count, or understates what it
+// leaves out: predictions would be surer than the exact ones.
 #include "gp/low_rank_spectrum.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(CorrelationProduct, GivesUpWhereAStopIsRequested) {
         Interrupted);
 }
 
-TEST(LowRankSpectrum, LeavesOutNothingBelowZeroAndNoMoreThanItTells) {
+TEST(LowRankSpectrum, LeavesOutNothingBelowZeroAndNoMoreThanItReports) {
     for (const Eigen::Index dimensions : {1, 3, 20}) {
         const Eigen::MatrixXd inputs = normal_matrix(dimensions, n, 1);
         for (const double lambda : {1e-3, 0.05, 0.3, 1.0, 5.0}) {
@@ -80,7 +80,7 @@ TEST(LowRankSpectrum, LeavesOutAtMostTwiceAsMuchAsTheBestOfItsRank) {
     }
 }
 
-TEST(LowRankSpectrum, LeavesOutNoMoreThanItTellsOfInputsThatAreTogetherOutsideItsPart) {
+TEST(LowRankSpectrum, LeavesOutNoMoreThanItReportsOfInputsThatAreTogetherOutsideItsPart) {
     constexpr Eigen::Index many = 1500;
     constexpr Eigen::Index rank = 200;
     constexpr double lambda = 3.0;

@@ -44,22 +44,16 @@ TEST(KernelSpectrum, HasNoEigenvalueBelowZeroWhereTheMatrixIsSingularToRounding)
     EXPECT_NEAR(spectrum.eigenvalues.maxCoeff(), 20.0, 1e-5);
 }
 
-TEST(KernelSpectrum, RefusesAnInverseLengthScaleThatIsNotPositiveAndFinite) {
+TEST(KernelSpectrum, RefusesWhatIsNoCorrelationMatrix) {
     for (const double lambda : {0.0, -1.0, nan, infinity}) {
         EXPECT_THROW((void)kernel_spectrum(some_distances(), lambda), std::invalid_argument)
             << lambda;
     }
-}
-
-TEST(KernelSpectrum, RefusesDistancesThatAreNotFinite) {
     for (const double distance : {nan, infinity}) {
         Eigen::MatrixXd distances = some_distances();
         distances(4, 2) = distance;
         EXPECT_THROW((void)kernel_spectrum(distances, 1.0), std::invalid_argument) << distance;
     }
-}
-
-TEST(KernelSpectrum, RefusesDistancesThatAreNoPairs) {
     EXPECT_THROW((void)kernel_spectrum(Eigen::MatrixXd::Zero(3, 2), 1.0), std::invalid_argument);
     EXPECT_THROW((void)kernel_spectrum(Eigen::MatrixXd(), 1.0), std::invalid_argument);
 }

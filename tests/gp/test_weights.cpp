@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against weights that do not solve their equations, and residuals that tell less than what
-// is left.
+// Guards against weights that do not solve their equations, and residuals that are understated.
 #include "gp/weights.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +56,7 @@ TEST(WeightsBySpectrum, OfALowRankSolveThoseOfTheMatrixThatItStandsFor) {
     }
 }
 
-TEST(RefinedWeights, TellTheirResidualsWhichAreSmallerThanBefore) {
+TEST(RefinedWeights, ReportTheirResidualsWhichAreSmallerThanBefore) {
     const Equations it;
     const KernelSpectrum spectrum = low_rank_spectrum(it.inputs, lambda, 30);
     const Eigen::MatrixXd before = weights_by_spectrum(spectrum, it.outputs, it.noise_ratios);

@@ -265,7 +265,6 @@ COMMANDS = [
     (["survey", "net.json", "form.csv", "--noise", "0.2mm", "-o", "out.csv"], ["net.json", "form.csv"], ["out.csv"]),
     (["control", "net.json", "-o", "study", "--trials", "1", "--rounds", "1", "--draws", "10", "--quiet"], ["net.json"], ["study/"]),
     (["compare", "net.json", "-o", "study", "--noise", "0.3mm", "--training", "10", "--surveys", "1", "--quiet"], ["net.json"], ["study/"]),
-    (["trials", "net.json", "-o", "study", "--surveys", "1", "--quiet"], ["net.json"], ["study/"]),
     (["reproduce", "--net", "net.json", "--samples", "12", "--validation", "2", "-o", "study", "--quiet"], ["net.json"], ["study/"]),
     *((["inspect", "net45.json", "--survey", name], [name], []) for name in (
         "drawing.dxf", "english.txt", "gama.xml", "german.csv", "gsi16.gsi", "gsi8.gsi", "jobxml.jxl", "landxml.xml", "scan.pts", "scan.xyz",

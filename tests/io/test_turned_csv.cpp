@@ -30,16 +30,21 @@ TEST(TurnedCsv, IsReadByTheNamesOfEdges) {
     EXPECT_EQ(turned[1].std, 0.0002);
 }
 
-TEST(TurnedCsv, AddsUpThePassesOfAList) {
-    const auto turned = parse_turned(two_node_net(),
-                                     "crew,pass,step,edge,action,rotation,stroke_mm,turns\n"
-                                     "1,1,1,aA,lengthen,,2.5,0.5\n"
-                                     "1,1,2,bD,shorten,,-1.25,0.25\n"
-                                     "1,2,3,aA,lengthen,,1.25,0.25\n",
-                                     "turns.csv");
-    ASSERT_EQ(turned.size(), 2U);
-    EXPECT_DOUBLE_EQ(turned[0].stroke, 3.75e-3);
-    EXPECT_DOUBLE_EQ(turned[1].stroke, -1.25e-3);
+TEST(TurnedCsv, AddsUpThePassesOfAListOfAnyVersion) {
+    for (const std::string list :
+         {"number,crew,pass,step,edge,support,action,rotation,turns,stroke_mm,scale_reading_mm\n"
+          "1,1,1,1,aA,A,lengthen,,0.5,2.5,2.5\n"
+          "2,1,1,2,bD,D,shorten,,0.25,-1.25,-1.25\n"
+          "3,1,2,3,aA,A,lengthen,,0.25,1.25,3.75\n",
+          "crew,pass,moment,edge,sense,rotation,stroke_mm,turns\n"  // of 0.2.0
+          "1,1,1,aA,lengthen,,2.5,0.5\n"
+          "1,1,2,bD,shorten,,-1.25,0.25\n"
+          "1,2,3,aA,lengthen,,1.25,0.25\n"}) {
+        const auto turned = parse_turned(two_node_net(), list, "turns.csv");
+        ASSERT_EQ(turned.size(), 2U);
+        EXPECT_DOUBLE_EQ(turned[0].stroke, 3.75e-3);
+        EXPECT_DOUBLE_EQ(turned[1].stroke, -1.25e-3);
+    }
 }
 
 TEST(TurnedCsv, RefusesWhatCannotBeMeant) {

@@ -131,7 +131,6 @@ protected:
 TEST_F(RanksThatFail, AllAtOnceAreToldInOneLine) {
     expect_fails_as_taut({"sample", "nothing.json", "-n", "5", "-o", "data.h5"});
     expect_fails_as_taut({"sample", "net.json", "-n", "five", "-o", "data.h5"});
-    expect_fails_as_taut({"trials", "net.json", "-o", "out", "--surveys", "0"});
     expect_fails_as_taut({"compare", "net.json", "-o", "out", "--training", "1"});
 }
 
@@ -139,8 +138,6 @@ TEST_F(RanksThatFail, WhereTheFirstAloneFailsAllEnd) {
     expect_fails_as_taut({"sample", "net.json", "-n", "5", "-o", "nowhere/data.h5"});
     write("data.h5", "no data set");
     expect_fails_as_taut({"sample", "net.json", "-n", "5", "-o", "data.h5", "--resume"});
-    std::filesystem::create_directories(folder() / "out/trials.csv");
-    expect_fails_as_taut({"trials", "net.json", "-o", "out", "--surveys", "2"});
 }
 
 TEST_F(RanksThatFail, WhereAnotherFailsTheFirstTellsIt) {

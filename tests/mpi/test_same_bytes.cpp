@@ -105,12 +105,6 @@ TEST_P(OverRanks, ControlGivesTheSameNumbers) {
     EXPECT_EQ(by_ranks(words, "out/control.csv"), by_taut(words, "out/control.csv"));
 }
 
-TEST_P(OverRanks, TrialsGiveTheSameNumbers) {
-    must_run({"taut", "example", "hypar:4x5", "-o", "other.json"});
-    expect_same_json({"trials", "net.json", "other.json", "-o", "out", "--surveys", "5"},
-                     "out/trials.json");
-}
-
 INSTANTIATE_TEST_SUITE_P(Processes, OverRanks, testing::Values("1", "2", "3", "4"),
                          [](const auto& processes) { return processes.param; });
 

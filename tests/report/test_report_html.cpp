@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a page that runs what stands in a net's name, that needs more than itself, or that
-// holds another result than the one it was made from. What the page shows is tested in a browser,
-// in tests/viewer.
+// Guards against a page that runs text of a net's name, that needs other files, or that holds
+// another result than the one it was made from. What the page shows is tested in a browser, in
+// tests/viewer.
 
 #include "taut/report/report_html.hpp"
 
@@ -31,7 +31,7 @@ protected:
     }
 };
 
-/// What stands in the page as its result.
+/// The result in the page.
 json result_in(const std::string& page) {
     const std::string start = R"(<script type="application/json" id="result">)";
     const size_t from = page.find(start) + start.size();

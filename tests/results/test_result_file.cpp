@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a damaged or foreign result that is taken for a good one, that crashes the reader,
-// or whose message does not tell where and what is wrong.
+// Guards against a damaged or foreign result that is accepted, that crashes the reader, or whose
+// message does not say where and what is wrong.
 
 #include "taut/results/result_file.hpp"
 
@@ -106,7 +106,7 @@ TEST(ResultFile, OfSimulatedJobsGivesItsNumbersBack) {
     EXPECT_EQ(read.strategies[2].rounds[2].broken_trials, 5);
 }
 
-TEST(ResultFile, OfAnIdentificationMayLackWhatOnlySomeMethodsTell) {
+TEST(ResultFile, OfAnIdentificationMayLackWhatOnlySomeMethodsGive) {
     json result = good("identification");
     for (const char* key : {"residuals", "missing_nodes", "unmatched"}) {
         result["survey"].erase(key);
@@ -126,10 +126,10 @@ TEST(ResultFile, OfAnOlderTautLacksPriorAndFrame) {
     result["survey"].erase("control");
     const ResultFile file = parse_result(result.dump(), "result.json");
     EXPECT_EQ(std::get<IdentificationResult>(file.content).trust.verdict(),
-              Trust::Verdict::doubtful);  // nobody knows what the checks found
+              Trust::Verdict::doubtful);  // its checks are not known
 }
 
-TEST(ResultFile, TellsTargetsThatWereLeftOutFromThoseInUse) {
+TEST(ResultFile, MarksTargetsThatWereLeftOut) {
     json result = good("identification");
     const int node = result["survey"]["residuals"][2]["node"];
     result["survey"]["outliers"] = {{{"node", node}, {"distance", 0.05}, {"statistic", 90.0}}};
@@ -139,7 +139,7 @@ TEST(ResultFile, TellsTargetsThatWereLeftOutFromThoseInUse) {
     }
 }
 
-TEST(ResultFile, TellsAdjustableEdgesAndSupportsThatAreNotAsDesigned) {
+TEST(ResultFile, HasAdjustableEdgesAndSupportsThatAreNotAsDesigned) {
     json result = good("identification");
     const int edge = result["cable_net"]["adjustable"][1];
     result["diagnostics"]["boundary"] = json::array(
@@ -273,21 +273,18 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"OfAnotherFormat", "study", "/format", "taut-net",
                R"(/format: is 'taut-net', expected "taut-study", "taut-identification")"},
         Damage{"WithoutFormat", "study", "/format", gone, "/format: is missing"},
-        Damage{"OfALaterVersion", "study", "/version", 2, "/version: is 2, expected 1"},
+        Damage{"OfALaterVersion", "study", "/version", 3, "/version: is 3, expected 1 to 2"},
         Damage{"WithoutVersion", "comparison", "/version", gone, "/version: is missing"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Study, DamagedResult,
     ::testing::Values(
-        Damage{"WithoutNet", "study", "/cable_net", gone, "/cable_net: is missing"},
         Damage{"WithABrokenNet", "study", "/cable_net/edges/1", json{0, 99}, "/cable_net/edges/1"},
         Damage{"WithAnothersCounts", "study", "/net/fingerprint", "0000000000000000",
                "/net/fingerprint: is '0000000000000000'"},
         Damage{"WithNullForANumber", "study", "/sample/true/2", nullptr,
                "/sample/true/2: is null, expected a number"},
-        Damage{"WithTextForANumber", "study", "/errors/std/0", "1",
-               "/errors/std/0: is the text '1'"},
         Damage{"WithAListTooShort", "study", "/sample/identified", json{0.1},
                "/sample/identified: has 1 entries, expected a number for each interior edge: 7"},
         Damage{"WithAFormTooShort", "study", "/nominal_form", json::array(),
@@ -297,10 +294,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithErrorsOfTooFewSamples", "study", "/errors/all/0", json{0.1, 0.2},
                "/errors/all/0: has 2 entries"},
         Damage{"WithoutMethods", "study", "/methods", json::object(), "/methods: is empty"},
-        Damage{"WithAMethodWithoutError", "study", "/methods/gp_as_in_paper/mse", gone,
-               "/methods/gp_as_in_paper/mse: is missing"},
         Damage{"WithoutValidation", "study", "/samples/validation", 0, "/samples/validation"},
-        Damage{"WithANegativeCount", "study", "/samples/total", -1, "/samples/total: is -1"},
         Damage{"WithACountBeyondAllReason", "study", "/samples/total", 3'000'000'000,
                "/samples/total: is 3000000000, expected a whole number of 0 to 2147483647"},
         Damage{"WithMoreForTrainingThanThereAre", "study", "/samples/training", 100'000,
@@ -311,29 +305,16 @@ INSTANTIATE_TEST_SUITE_P(
                "/methods/gp_as_in_paper/coverage_95: is 1.5, expected a number of 0 to 1, or null"},
         Damage{"WithAReversedFormError", "study", "/form_error/nominal/min", 1e9,
                "/form_error/nominal/min: is 1000000000, expected at most max"},
-        Damage{"WithATensionBelowZero", "study", "/sample/true_tension/3", -5.0,
-               "/sample/true_tension/3: is -5.0, expected a number of at least 0"},
         Damage{"WithASupportMoved", "study", "/sample/true_form/0/0", 99.0,
-               "/sample/true_form/0: is "},
-        Damage{"WithANumberForADate", "study", "/date", 5, "/date: is 5, expected text"}),
+               "/sample/true_form/0: is "}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Identification, DamagedResult,
     ::testing::Values(
-        Damage{"WithoutEdges", "identification", "/edges", json::array(),
-               "/edges: has 0 entries, expected one for each interior edge: 7"},
         Damage{"WithoutAnEdge", "identification", "/edges",
                without_last(good("identification")["edges"]),
                "/edges: has 6 entries, expected one for each interior edge: 7"},
-        Damage{"WithNegativeNoise", "identification", "/noise", -1e-3,
-               "/noise: is -0.001, expected a number of at least 0"},
-        Damage{"WithNegativeNoiseOfTheSurvey", "identification", "/survey/noise", -1e-3,
-               "/survey/noise: is -0.001, expected a number of at least 0"},
-        Damage{"WithANegativeCount", "identification", "/survey/used", -1,
-               "/survey/used: is -1, expected a whole number of 0 to 2147483647"},
-        Damage{"WithANegativeCountOfTheNet", "identification", "/net/free_nodes", -3,
-               "/net/free_nodes: is -3, expected a whole number of 0 to 2147483647"},
         Damage{"WithMoreTargetsThanNodes", "identification", "/survey/used", 100,
                "/survey/missing: is 0, expected -94, the free nodes that were not used"},
         Damage{"WithAnEdgeBetweenOtherNodes", "identification", "/edges/0/nodes", json{0, 1},
@@ -352,35 +333,24 @@ INSTANTIATE_TEST_SUITE_P(
                "/edges/1: is the edge"},
         Damage{"WithAnUnknownStatus", "identification", "/edges/0/status", "broken",
                R"(/edges/0/status: is the text 'broken', expected "determined" or )"},
-        Damage{"WithANegativeStd", "identification", "/edges/0/std", -1.0,
-               "/edges/0/std: is -1.0, expected a number of at least 0"},
         Damage{"WithAReversedInterval", "identification", "/edges/0/lower", 1.0, "/edges/0: has"},
-        Damage{"WithANullDeviation", "identification", "/edges/0/length_deviation", nullptr,
-               "/edges/0/length_deviation: is null"},
-        Damage{"WithoutSurvey", "identification", "/survey", gone, "/survey: is missing"},
         Damage{"WithAnOutlierBeyondTheNet", "identification", "/survey/outliers",
                json::parse(R"([{"node": 999}])"), "/survey/outliers/0/node: is 999"},
         Damage{"WithAHiddenNodeBeyondTheNet", "identification", "/survey/missing_nodes", json{-1},
                "/survey/missing_nodes/0: is -1"},
-        Damage{"WithAResidualWithoutDirection", "identification", "/survey/residuals/0/dz", gone,
-               "/survey/residuals/0/dz: is missing"},
-        Damage{"WithAnUnknownOfNoName", "identification", "/uncertain",
+        Damage{"WithAnUncertainParameterOfNoName", "identification", "/uncertain",
                json::parse(R"([{"name": "wind", "group": null, "given": "wind:5%", "mean": 0,
                                 "std": 1, "unit": "1", "observed": true}])"),
-               "/uncertain/0/told: 'wind:5%' is nothing"},
-        Damage{"WithAnUnknownOfAnEdgeBeyondTheNet", "identification", "/uncertain",
+               "/uncertain/0/given: 'wind:5%' is no uncertain parameter"},
+        Damage{"WithAnUncertainParameterOfNoEdgeOfTheNet", "identification", "/uncertain",
                json::parse(R"([{"name": "stiffness-each", "group": null, "edge": 999,
                                 "given": "stiffness-each:3%", "mean": 0, "std": 0.01, "unit": "1",
                                 "observed": true}])"),
                "/uncertain/0/edge: is 999"},
-        Damage{"WithAnUnknownOfNoNode", "identification", "/uncertain",
+        Damage{"WithAnUncertainParameterOfNoNode", "identification", "/uncertain",
                json::parse(R"([{"name": "supports", "group": null, "given": "supports:1mm",
                                 "mean": 0, "std": 0.001, "unit": "m", "observed": true}])"),
                "/uncertain/0/node: is missing"},
-        Damage{"WithAnUnknownThatNobodyKnowsOfObserved", "identification", "/uncertain",
-               json::parse(R"([{"name": "stiffness", "group": null, "given": "stiffness:3%",
-                                "mean": 0, "std": 0.01, "unit": "1", "observed": 1}])"),
-               "/uncertain/0/observed: is 1, expected true or false"},
         Damage{"WithTooFewTensions", "identification", "/tension", json{1.0},
                "/tension: has 1 entries"},
         Damage{"WithAReversedIntervalOfTheMeanTension", "identification", "/mean_tension",
@@ -393,15 +363,9 @@ INSTANTIATE_TEST_SUITE_P(
                json::parse(R"([{"edge": 4, "tension": 1, "tension_std": 1, "tension_lower": 0,
                                 "tension_upper": 2, "slack_probability": 0}])"),
                "/adjustable_edges/0/edge: is 4, expected each adjustable edge"},
-        Damage{
-            "WithAVerdictOfNoKind", "identification", "/trust/verdict", "fine",
-            R"(/trust/verdict: is the text 'fine', expected "passed" or "doubtful" or "failed")"},
         Damage{"WithATensionBelowZero", "identification", "/tension",
                json(std::vector<double>(good("identification")["cable_net"]["edges"].size(), -1.0)),
                "/tension/0: is -1.0, expected a number of at least 0"},
-        Damage{"WithAMeanTensionBelowZero", "identification", "/mean_tension",
-               json::parse(R"({"mean": -1, "std": 1, "lower": -2, "upper": 1})"),
-               "/mean_tension/lower: is -2, expected a number of at least 0"},
         Damage{"WithASupportMovedInItsForm", "identification", "/form/0/2", 5.0, "/form/0: is 4.9"},
         Damage{"WithAStdBesideNarrowerBounds", "identification", "/edges/1/std", 0.5,
                "/edges/1/std: is 0.5, expected at most 0.002"},
@@ -429,9 +393,6 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithANumberForAMoveOfASupport", "identification", "/diagnostics/boundary",
                boundary(R"({"node": 0, "id": "0", "deviation": 0.01, "std": 0.001})"),
                "/diagnostics/boundary/0/deviation: is 0.01, expected a number for each axis"},
-        Damage{"WithATextInAMoveOfASupport", "identification", "/diagnostics/boundary",
-               boundary(R"({"node": 0, "id": "0", "deviation": [0, 0, "far"], "std": [1, 1, 1]})"),
-               "/diagnostics/boundary/0/deviation/2: is the text 'far', expected a number"},
         Damage{"WithAnEpochsBoundaryOutlierOfNothing", "identification", "/epochs",
                json::parse(R"([{"used": 1, "turned": [], "outliers": [], "change_ratio": 0,
                                 "changes": [], "trust": {"verdict": "passed", "findings": []},
@@ -464,32 +425,25 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithALeastTensionAboveTheMost", "plan", "/tension/least", 1e9,
                "/tension/least: is 1000000000, expected at most most, which is "},
         Damage{"WithMoreTouchedThanTurned", "plan", "/touched", 100, "/touched: is 100, expected "},
-        Damage{"WithATensionBelowZero", "plan", "/tension/edges/1/as_built", -1.0,
-               "/tension/edges/1/as_built: is -1.0, expected a number of at least 0"},
         Damage{"ThatMovesASupport", "plan", "/planned_form/0/0", 99.0, "/planned_form/0: is "},
         Damage{"ThatCallsAnEdgeByAnothersId", "plan", "/turns/0/edge_id", "no edge",
                "/turns/0/edge_id: is 'no edge', expected '"},
         Damage{"ThatTurnsNoEdge", "plan", "/turns/0/edge", 999,
                "/turns/0/edge: is 999, expected an edge of the net"},
-        Damage{"ThatTurnsSomehow", "plan", "/turns/0/action", "tighten", "/turns/0/action: is"},
         Damage{"WithABreachOfNoEdge", "plan", "/violations/0/edge", 999,
                "/violations/0/edge: is 999"},
-        Damage{"WithAWorstMomentOfNoEdge", "plan", "/order/worst/breach/edge", 999,
+        Damage{"WithAWorstStepOfNoEdge", "plan", "/order/worst/breach/edge", 999,
                "/order/worst/breach/edge: is 999"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Control, DamagedResult,
     ::testing::Values(
-        Damage{"WithoutStrategies", "control", "/strategies", json::array(),
-               "/strategies: is empty"},
-        Damage{"OfAnUnknownStrategy", "control", "/strategies/0/strategy", "hope",
-               "/strategies/0/strategy: is"},
         Damage{"OfAStrategyTwice", "control", "/strategies/1/strategy", "true lengths",
                "/strategies/1/strategy: is 'true lengths' again"},
         Damage{"WithoutTrials", "control", "/settings/trials", 0,
                "/settings: has 2 rounds and 0 trials"},
-        Damage{"OfMoreRoundsThanTold", "control", "/settings/rounds", 1,
+        Damage{"OfMoreRoundsThanItsSettings", "control", "/settings/rounds", 1,
                "/strategies/0/rounds: has 3 entries, expected one for each round from 0 to 1"},
         Damage{"OfFarTooManyTrials", "control", "/settings/trials", 2147483647,
                "/strategies/0/states: has 15 entries"},
@@ -498,27 +452,15 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"WithTrialsOutOfOrder", "control", "/strategies/0/states/3/trial", 2,
                "/strategies/0/states/3/trial: is 2, expected 1: by trial, then round"},
         Damage{"WithMoreBrokenThanTrials", "control", "/strategies/0/rounds/1/broken_trials", 6,
-               "/strategies/0/rounds/1/broken_trials: is 6, expected at most the 5 trials"},
-        Damage{"WithMoreFailedThanTrials", "control", "/strategies/0/rounds/1/failed", 6,
-               "/strategies/0/rounds/1/failed: is 6"},
-        Damage{"WithANegativeDistance", "control", "/strategies/0/states/0/normal_rmse", -1.0,
-               "/strategies/0/states/0/normal_rmse: is -1"}),
+               "/strategies/0/rounds/1/broken_trials: is 6, expected at most the 5 trials"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(
     Comparison, DamagedResult,
-    ::testing::Values(
-        Damage{"WithoutRows", "comparison", "/rows", json::array(), "/rows: is empty"},
-        Damage{"WithNegativeNoise", "comparison", "/rows/0/noise", -1e-3,
-               "/rows/0/noise: is -0.001, expected a number of at least 0"},
-        Damage{"WithoutNoise", "comparison", "/rows/0/noise", gone, "/rows/0/noise: is missing"},
-        Damage{"WithANumberForAMethod", "comparison", "/rows/0/method", 1,
-               "/rows/0/method: is 1, expected text"},
-        Damage{"WithCoverageBeyondAll", "comparison", "/rows/0/coverage", 1.5,
-               "/rows/0/coverage: is 1.5, expected a number of 0 to 1, or null"},
-        Damage{"WithMoreFailedThanSurveys", "comparison", "/rows/0/failed", 1000,
-               "/rows/0/failed: is 1000, expected at most surveys"},
-        Damage{"WithTextForAnError", "comparison", "/rows/0/mse", "small", "/rows/0/mse"}),
+    ::testing::Values(Damage{"WithNegativeNoise", "comparison", "/rows/0/noise", -1e-3,
+                             "/rows/0/noise: is -0.001, expected a number of at least 0"},
+                      Damage{"WithMoreFailedThanSurveys", "comparison", "/rows/0/failed", 1000,
+                             "/rows/0/failed: is 1000, expected at most surveys"}),
     name_of);
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a result that does not tell what it was reckoned with: the prior of the lengths,
-// and the frame that the survey was moved into.
+// Guards against a result without the prior that it was computed with, or without the frame that
+// the survey was moved into.
 
 #include "taut/results/results_json.hpp"
 
@@ -35,7 +35,7 @@ json written(const CableNet& net, const Survey& survey, const Identification& id
     return json::parse(text);
 }
 
-TEST(IdentificationJson, TellsThePriorOfEachMethod) {
+TEST(IdentificationJson, HasThePriorOfEachMethod) {
     const CableNet net = hypar(3, 4);
     const LengthPrior prior = parse_length_prior("normal:2mm");
     for (const double noise : {0.0, 1e-4}) {
@@ -49,7 +49,7 @@ TEST(IdentificationJson, TellsThePriorOfEachMethod) {
     }
 }
 
-TEST(IdentificationJson, TellsTheFrameThatTheSurveyWasMovedInto) {
+TEST(IdentificationJson, HasTheFrameThatTheSurveyWasMovedInto) {
     const CableNet net = hypar(3, 4);
     Survey survey = whole_survey(net, 1e-4);
     const Identification result =
@@ -66,18 +66,18 @@ TEST(IdentificationJson, TellsTheFrameThatTheSurveyWasMovedInto) {
                        {.id = "P2", .residual = {0.0, 0.0, 1e-3}}};
     survey.frame = frame;
     const json document = written(net, survey, result);
-    const json& told = document["frame"];
+    const json& saved = document["frame"];
     for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(told["from"][i], frame.motion.from(i));
-        EXPECT_EQ(told["to"][i], frame.motion.to(i));
+        EXPECT_EQ(saved["from"][i], frame.motion.from(i));
+        EXPECT_EQ(saved["to"][i], frame.motion.to(i));
         for (int k = 0; k < 3; ++k) {
-            EXPECT_EQ(told["rotation"][i][k], frame.motion.rotation(i, k));
+            EXPECT_EQ(saved["rotation"][i][k], frame.motion.rotation(i, k));
         }
     }
-    EXPECT_EQ(told["fit"]["count"], 2);
-    EXPECT_NEAR(told["fit"]["rms"].get<double>(), std::sqrt(26e-6 / 2.0), 1e-12);
-    EXPECT_EQ(told["control"][0], (json{{"id", "P1"}, {"dx", 3e-3}, {"dy", 0.0}, {"dz", 4e-3}}));
-    EXPECT_EQ(told["control"], document["survey"]["control"]);
+    EXPECT_EQ(saved["fit"]["count"], 2);
+    EXPECT_NEAR(saved["fit"]["rms"].get<double>(), std::sqrt(26e-6 / 2.0), 1e-12);
+    EXPECT_EQ(saved["control"][0], (json{{"id", "P1"}, {"dx", 3e-3}, {"dy", 0.0}, {"dz", 4e-3}}));
+    EXPECT_EQ(saved["control"], document["survey"]["control"]);
 }
 
 }  // namespace

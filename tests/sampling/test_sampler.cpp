@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against data that teach something wrong: forms that do not belong to their lengths,
-// samples that depend on threads or on where a run was broken off, deviations from a form that is
-// not the nominal one.
+// Guards against wrong training data: forms that do not belong to their lengths, samples that
+// depend on threads or on where a run was interrupted, deviations from a form that is not the
+// nominal one.
 
 #include "sampling/uniform_prior.hpp"
 #include "taut/sampling/sampler.hpp"
@@ -79,20 +79,7 @@ CableNet loaded(const CableNet& net) {
     return CableNet(content);
 }
 
-TEST(Sampler, BeginsWithAnEmptyDataSetOfItsNetPriorAndSeed) {
-    const CableNet net = hypar(3, 4);
-    const Sampler sampler(net, uniform_5mm, 42);
-    const DataSet data = sampler.empty();
-    EXPECT_EQ(data.size(), 0);
-    EXPECT_EQ(data.net_fingerprint, net.fingerprint());
-    EXPECT_EQ(data.prior, uniform_5mm);
-    EXPECT_EQ(data.seed, 42U);
-    EXPECT_EQ(data.nominal_form, free_coordinates(net, sampler.nominal().form));
-    EXPECT_EQ(data.form_deviations.rows(), 3 * net.free_node_count());
-    EXPECT_EQ(data.length_deviations.rows(), net.interior_edge_count());
-}
-
-TEST(Sampler, DrawsTheLengthsThatSeedAndSampleStandFor) {
+TEST(Sampler, DrawsTheLengthsOfItsPriorSeedAndSample) {
     const CableNet net = hypar(3, 4);
     const DataSet data = draw(net, 5, uniform_5mm, 9);
     for (int k = 0; k < data.size(); ++k) {
@@ -102,21 +89,12 @@ TEST(Sampler, DrawsTheLengthsThatSeedAndSampleStandFor) {
     }
 }
 
-TEST(Sampler, GivesFormsInEquilibriumWithTheirLengths) {
+TEST(Sampler, GivesFormsInEquilibriumAlsoWhereEdgesAreSlack) {
     const CableNet net = hypar(3, 4);
     expect_balance(net, draw(net, 40));
-}
-
-TEST(Sampler, GivesFormsInEquilibriumWhereEdgesAreSlack) {
-    const CableNet net = hypar(3, 4);
     const DataSet data = draw(net, 40, {LengthPrior::Kind::uniform, 0.02});
     ASSERT_GT(data.with_slack(), 10);
     expect_balance(net, data);
-}
-
-TEST(Sampler, GivesFormsThatDifferFromTheNominalOne) {
-    const DataSet data = draw(hypar(3, 4), 40);
-    EXPECT_GT(data.form_deviations.colwise().norm().minCoeff(), 1e-4);
 }
 
 TEST(Sampler, CountsTheSlackEdgesOfEachSample) {
@@ -134,7 +112,7 @@ TEST(Sampler, CountsTheSlackEdgesOfEachSample) {
     EXPECT_LT(with_slack, data.size());
 }
 
-TEST(Sampler, TellsWhichSamplesAreMechanisms) {
+TEST(Sampler, MarksSamplesThatAreMechanisms) {
     // A chain of two free nodes: the middle edge and one at a support are slack when it is too
     // long.
     CableNetData content;
@@ -172,42 +150,11 @@ TEST(Sampler, GivesTheSameBitsInOneCallAndInMany) {
     const CableNet net = hypar(4, 5);
     const Sampler sampler(net, uniform_5mm, 1);
     DataSet in_parts = sampler.empty();
-    for (const int count : {1, 2, 17, 17, 40}) {
+    for (const int count : {1, 2, 17, 17, 4}) {
         sampler.extend(in_parts, count);
     }
+    Sampler(net, uniform_5mm, 1).extend(in_parts, 40);  // another one goes on
     expect_same(in_parts, draw(net, 40));
-}
-
-TEST(Sampler, GivesTheSameBitsWhenAnotherSamplerGoesOn) {
-    const CableNet net = hypar(4, 5);
-    DataSet data = draw(net, 10);
-    Sampler(net, uniform_5mm, 1).extend(data, 25);
-    expect_same(data, draw(net, 25));
-}
-
-TEST(Sampler, GivesOtherSamplesForAnotherSeed) {
-    const DataSet one = draw(hypar(3, 4), 3, uniform_5mm, 1);
-    const DataSet two = draw(hypar(3, 4), 3, uniform_5mm, 2);
-    EXPECT_NE(one.length_deviations, two.length_deviations);
-    EXPECT_NE(one.form_deviations, two.form_deviations);
-}
-
-TEST(Sampler, KeepsADataSetThatHoldsEnough) {
-    const CableNet net = hypar(3, 4);
-    const Sampler sampler(net, uniform_5mm, 1);
-    DataSet data = draw(net, 10);
-    sampler.extend(data, 4);
-    expect_same(data, draw(net, 10));
-}
-
-TEST(Sampler, LeavesTheDataSetAsItWasWhenAStopWasRequested) {
-    const CableNet net = hypar(3, 4);
-    const Sampler sampler(net, uniform_5mm, 1);
-    DataSet data = draw(net, 10);
-    EXPECT_THROW(sampler.extend(data, 20, {.stop_requested = [] { return true; }}), Interrupted);
-    expect_same(data, draw(net, 10));
-    sampler.extend(data, 20);
-    expect_same(data, draw(net, 20));
 }
 
 TEST(Sampler, KeepsWholeBlocksWhenStoppedWhileItWorks) {
@@ -229,19 +176,19 @@ TEST(Sampler, KeepsWholeBlocksWhenStoppedWhileItWorks) {
     expect_same(data, draw(net, 120));
 }
 
-TEST(Sampler, TellsHowManySamplesThereAreUntilAllAre) {
+TEST(Sampler, ReportsHowManySamplesThereAreUntilAllAre) {
     const CableNet net = hypar(3, 4);
-    std::vector<int> told;
+    std::vector<int> reported;
     const Progress progress{.tell = [&](std::string_view stage, int done, int total) {
         EXPECT_EQ(stage, "sampling");
         EXPECT_EQ(total, 50);
-        told.push_back(done);
+        reported.push_back(done);
     }};
     expect_same(draw_samples(Sampler(net, uniform_5mm, 1), 50, progress), draw(net, 50));
-    ASSERT_GE(told.size(), 3U);
-    EXPECT_THAT(std::vector(told.begin(), told.begin() + 2), testing::ElementsAre(0, 16));
-    EXPECT_EQ(std::ranges::adjacent_find(told, std::ranges::greater_equal()), told.end());
-    EXPECT_EQ(told.back(), 50);
+    ASSERT_GE(reported.size(), 3U);
+    EXPECT_THAT(std::vector(reported.begin(), reported.begin() + 2), testing::ElementsAre(0, 16));
+    EXPECT_EQ(std::ranges::adjacent_find(reported, std::ranges::greater_equal()), reported.end());
+    EXPECT_EQ(reported.back(), 50);
 }
 
 TEST(Sampler, LeavesTheDataSetAsItWasWhereASampleCannotBeDrawn) {
@@ -291,11 +238,8 @@ std::string refusal(const CableNet& net, const LengthPrior& of) {
     return "not refused";
 }
 
-TEST(Sampler, RefusesANetWithoutInteriorEdges) {
-    EXPECT_THAT(refusal(hypar(1, 1), uniform_5mm), testing::HasSubstr("no interior edge"));
-}
-
 TEST(Sampler, RefusesAPriorThatReachesTheShortestInteriorLengthAndNamesBoth) {
+    EXPECT_THAT(refusal(hypar(1, 1), uniform_5mm), testing::HasSubstr("no interior edge"));
     CableNetData content = hypar(3, 4).data();
     const int interior = hypar(3, 4).interior_edges()[5];
     content.unstressed_lengths(interior) = 0.1;
@@ -306,22 +250,13 @@ TEST(Sampler, RefusesAPriorThatReachesTheShortestInteriorLengthAndNamesBoth) {
                 testing::AllOf(testing::HasSubstr("normal:20mm"), testing::HasSubstr("166 mm"),
                                testing::HasSubstr("100 mm")));
     EXPECT_EQ(refusal(net, {LengthPrior::Kind::uniform, 0.0999}), "not refused");
-}
-
-TEST(Sampler, AsksNothingOfTheLengthsOfAdjustableEdges) {
-    CableNetData content = hypar(3, 4).data();
+    // Adjustable edges may be shorter.
+    content = hypar(3, 4).data();
     content.unstressed_lengths(content.adjustable.front()) = 0.05;
     EXPECT_EQ(refusal(CableNet(content), {LengthPrior::Kind::uniform, 0.06}), "not refused");
 }
 
-TEST(Sampler, RefusesAPriorWhoseScaleIsNoPositiveNumber) {
-    for (const double scale : {0.0, -0.005, std::nan(""), -HUGE_VAL}) {
-        EXPECT_THAT(refusal(hypar(3, 4), {LengthPrior::Kind::uniform, scale}),
-                    testing::HasSubstr("positive"));
-    }
-}
-
-TEST(Sampler, TellsWhereTheNominalNetFindsNoEquilibrium) {
+TEST(Sampler, RefusesANominalNetWithoutEquilibrium) {
     // Stiffnesses of thirty orders, and loads beside which the soft ones are nothing.
     CableNetData content = hypar(3, 4).data();
     content.loads.setConstant(3, content.nodes.cols(), 1e15);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against an unknown that is taken for another, or taken though it makes no sense.
+// Guards against an uncertain parameter that is taken for another, or accepted though it makes no
+// sense.
 
 #include "taut/sampling/uncertain_parameter.hpp"
 
@@ -26,10 +27,10 @@ std::string refusal_of(const auto& action) {
     } catch (const std::invalid_argument& error) {
         return error.what();
     }
-    return "taken";
+    return "accepted";
 }
 
-TEST(UncertainParameter, IsReadBackAsItIsTold) {
+TEST(UncertainParameter, IsReadBackAsWritten) {
     for (const std::string text :
          {"stiffness:5%", "stiffness:0.5%@ridge", "stiffness-each:3%", "temperature:10K",
           "temperature:2.5K@a@b", "supports:1mm", "adjustable:0.5mm", "loads:20N", "loads:10%"}) {
@@ -43,27 +44,27 @@ TEST(UncertainParameter, IsReadBackAsItIsTold) {
 
 struct BadUncertainParameter {
     const char* text;
-    const char* told;
+    const char* message;
 };
 
 class RefusedUncertainParameter : public testing::TestWithParam<BadUncertainParameter> {};
 
 TEST_P(RefusedUncertainParameter, WithWhatIsWrong) {
     EXPECT_THAT(refusal_of([] { return parse_uncertain_parameter(GetParam().text); }),
-                AllOf(HasSubstr(GetParam().text), HasSubstr(GetParam().told)));
+                AllOf(HasSubstr(GetParam().text), HasSubstr(GetParam().message)));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     UncertainParameter, RefusedUncertainParameter,
     testing::Values(BadUncertainParameter{"wind:5%", "no uncertain parameter"},
-                    BadUncertainParameter{"stiffness", "tells no width"},
+                    BadUncertainParameter{"stiffness", "has no width"},
                     BadUncertainParameter{"stiffness@ridge", "no uncertain parameter"},
                     BadUncertainParameter{"stiffness:", "percentage"},
                     BadUncertainParameter{"stiffness:5", "percentage"},
                     BadUncertainParameter{"stiffness:0%", "positive"},
                     BadUncertainParameter{"stiffness:-5%", "positive"},
                     BadUncertainParameter{"stiffness:nan%", "percentage"},
-                    BadUncertainParameter{"stiffness:30%", "as wide as 30 %"},
+                    BadUncertainParameter{"stiffness:30%", "width of 30 %"},
                     BadUncertainParameter{"stiffness:5%@", "no group"},
                     BadUncertainParameter{"temperature:10", "temperature"},
                     BadUncertainParameter{"supports:1mm@ridge", "takes no group"},
@@ -78,7 +79,7 @@ CableNet net_with(const auto& change) {
 
 TEST(UncertainParameter, IsRefusedWhereTheNetHasNothingOfIt) {
     const CableNet net = net_with([](CableNetData& data) { data.groups["ridge"] = {0, 1}; });
-    const auto told = [&net](std::vector<std::string> texts) {
+    const auto refusal = [&net](std::vector<std::string> texts) {
         std::vector<UncertainParameter> uncertain;
         for (const std::string& text : texts) {
             uncertain.push_back(parse_uncertain_parameter(text));
@@ -88,13 +89,14 @@ TEST(UncertainParameter, IsRefusedWhereTheNetHasNothingOfIt) {
             return 0;
         });
     };
-    EXPECT_EQ(told({"stiffness:5%", "stiffness:5%@ridge", "supports:1mm", "loads:20N"}), "taken");
-    EXPECT_THAT(told({"stiffness:5%@valley"}), HasSubstr("expected one of ridge"));
-    EXPECT_THAT(told({"stiffness:5%", "stiffness:3%"}), HasSubstr("twice"));
-    EXPECT_THAT(told({"temperature:10K"}), HasSubstr("no expansion"));
-    EXPECT_THAT(told({"loads:10%"}), HasSubstr("the net has none"));
-    EXPECT_THAT(told({"adjustable:400mm"}), HasSubstr("third of the shortest"));
-    EXPECT_THAT(told({"loads:1000kN"}), HasSubstr("third of the largest axial stiffness"));
+    EXPECT_EQ(refusal({"stiffness:5%", "stiffness:5%@ridge", "supports:1mm", "loads:20N"}),
+              "accepted");
+    EXPECT_THAT(refusal({"stiffness:5%@valley"}), HasSubstr("expected one of ridge"));
+    EXPECT_THAT(refusal({"stiffness:5%", "stiffness:3%"}), HasSubstr("twice"));
+    EXPECT_THAT(refusal({"temperature:10K"}), HasSubstr("no expansion"));
+    EXPECT_THAT(refusal({"loads:10%"}), HasSubstr("the net has none"));
+    EXPECT_THAT(refusal({"adjustable:400mm"}), HasSubstr("third of the shortest"));
+    EXPECT_THAT(refusal({"loads:1000kN"}), HasSubstr("third of the largest axial stiffness"));
     // Made by hand, past the parser.
     const auto by_hand = [&net](const UncertainParameter& parameter) {
         return refusal_of([&] {
@@ -106,7 +108,7 @@ TEST(UncertainParameter, IsRefusedWhereTheNetHasNothingOfIt) {
                 HasSubstr("no positive width"));
     EXPECT_THAT(by_hand({UncertainParameter::Kind::supports, 1e-3, "ridge"}),
                 HasSubstr("takes no group"));
-    EXPECT_THAT(told({"supports:2m"}), HasSubstr("third of the shortest"));
+    EXPECT_THAT(refusal({"supports:2m"}), HasSubstr("third of the shortest"));
     const CableNet fixed = net_with([](CableNetData& data) { data.adjustable.clear(); });
     EXPECT_THAT(refusal_of([&] {
                     check_uncertain_parameters(fixed,
@@ -128,7 +130,7 @@ TEST(UncertainParameter, OfASiteIsWhatIsNotGiven) {
                                               parse_uncertain_parameter("stiffness:10%@ridge")})),
         "loads:20N, stiffness:10%@ridge, stiffness-each:2%, temperature:5K, "
         "adjustable:0.5mm, supports:1mm");
-    // Of a model of 4 mm edges no more than the net bears.
+    // With edges of 4 mm the assumptions are narrower.
     data.nodes *= 1e-2;
     data.unstressed_lengths *= 1e-2;
     const CableNet small(data);
@@ -137,9 +139,9 @@ TEST(UncertainParameter, OfASiteIsWhatIsNotGiven) {
     EXPECT_LT(std_of(assumed, UncertainParameter::Kind::supports), 1e-3);
 }
 
-TEST(ModelPerturbation, AsToldLeaveTheNetAsItIs) {
+TEST(ModelPerturbation, UnperturbedLeaveTheNetAsItIs) {
     const CableNet net = hypar(3, 4);
-    const CableNet same = net_under(net, as_told(net), net.unstressed_lengths());
+    const CableNet same = net_under(net, unperturbed(net), net.unstressed_lengths());
     EXPECT_EQ(same.unstressed_lengths(), net.unstressed_lengths());
     EXPECT_EQ(same.axial_stiffness(), net.axial_stiffness());
     EXPECT_EQ(same.nodes(), net.nodes());
@@ -156,7 +158,7 @@ TEST(ModelPerturbation, ChangeTheNetByWhatTheyAre) {
         data.tension_law.assign(data.edges.size(), -1);
         data.tension_law[2] = 0;
     });
-    ModelPerturbation c = as_told(net);
+    ModelPerturbation c = unperturbed(net);
     c.stiffness(1) = std::log(1.1);
     c.stiffness(2) = std::log(0.9);
     c.thermal(3) = 1e-3;
@@ -179,7 +181,7 @@ TEST(ModelPerturbation, ChangeTheNetByWhatTheyAre) {
         1e-9);
 }
 
-TEST(ModelPerturbation, AreDrawnWithTheWidthsTold) {
+TEST(ModelPerturbation, AreDrawnWithTheGivenWidths) {
     const CableNet net = net_with([](CableNetData& data) {
         data.loads = Points::Constant(3, data.nodes.cols(), -7.0);
         data.expansion =

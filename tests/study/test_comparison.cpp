@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Guards against a comparison whose methods do not see the same surveys, that trains on what it
-// surveys, or tells other numbers for another number of threads.
+// surveys, or that depends on the number of threads.
 
 #include "taut/study/comparison.hpp"
 
@@ -95,7 +95,7 @@ TEST_F(SmallComparison, TrainsOnTheFirstSamplesAndSurveysTheLast) {
     EXPECT_NEAR(found.mrse, errors.mrse, 1e-6 * errors.mrse);
 }
 
-TEST_F(SmallComparison, TellsTheBestPossibleOfASurveyWhateverTheMethod) {
+TEST_F(SmallComparison, HasTheBoundOfASurveyForAnyMethod) {
     const auto best = [this](const std::string& method, const SurveyKind& kind) {
         return row_of(m_comparison, method, kind).best_possible;
     };
@@ -135,15 +135,6 @@ TEST_F(SmallComparison, DoesNotDependOnTheNumberOfThreads) {
     }
 }
 
-TEST_F(SmallComparison, TellsHowLongItsStagesTook) {
-    const auto& seconds = m_comparison.seconds;
-    EXPECT_GT(seconds.sampling, 0.0);
-    EXPECT_GT(seconds.training, 0.0);
-    EXPECT_GT(seconds.identification, 0.0);
-    EXPECT_GE(seconds.total, seconds.sampling + seconds.training + seconds.identification);
-    EXPECT_GT(row_of(m_comparison, "gp", {}).result.training_seconds, 0.0);
-}
-
 TEST(Comparison, CountsSurveysWithSlackEdges) {
     ComparisonSettings settings = small_comparison;
     settings.prior.scale = 0.01;
@@ -158,7 +149,7 @@ TEST(Comparison, CountsSurveysWithSlackEdges) {
     EXPECT_GT(balance.errors.mse, 1e-9);
 }
 
-TEST(Comparison, TellsItsProgressToItsEndAndStopsWhereRequested) {
+TEST(Comparison, ReportsItsProgressToItsEndAndStopsWhereRequested) {
     std::vector<int> last(2, 0);
     const auto tell = [&](std::string_view stage, int done, int total) {
         if (stage == "identification") {
@@ -182,7 +173,7 @@ TEST(Comparison, TellsItsProgressToItsEndAndStopsWhereRequested) {
     }
 }
 
-TEST(ComparisonSettings, ChooseWhatTheOtherAxesAreHeldAt) {
+TEST(ComparisonSettings, ChooseTheCommonValuesOfTheOtherAxes) {
     EXPECT_EQ(ComparisonSettings{}.common_training(), 950);
     EXPECT_EQ(ComparisonSettings{}.common_noise(), 5e-4);
     EXPECT_EQ(small_comparison.common_training(), 60);

@@ -100,7 +100,7 @@ TEST(Control, RefusesSettingsThatCannotBeMeant) {
     const double infinite = std::numeric_limits<double>::infinity();
     for (const double value : {nan, infinite, -1.0}) {
         expect_refused([&](ControlSettings& s) { s.noise_std = value; }, "noise");
-        expect_refused([&](ControlSettings& s) { s.actuator_std = value; }, "play");
+        expect_refused([&](ControlSettings& s) { s.actuator_std = value; }, "actuator std");
         expect_refused([&](ControlSettings& s) { s.least_tension = value; }, "least tension");
         expect_refused([&](ControlSettings& s) { s.most_tension = value; }, "largest tension");
     }

@@ -196,7 +196,7 @@ TEST_F(Trials, CountFormsOutOfBalanceAndLeaveThemOutOfTheFormError) {
     EXPECT_NEAR(result.form_error.max, 0.01, 1e-15);
 }
 
-TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBestPossible) {
+TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBound) {
     auto trials = simulated({.noise_std = 5e-4, .hidden_part = 0.2});
     for (Trial& trial : trials) {
         trial.slack.assign(trial.slack.size(), true);
@@ -223,7 +223,7 @@ TEST_F(Trials, HaveTheMeanVarianceAtTheTruthAsTheirBestPossible) {
         mean_of_taut += variances(0) / 5.0;
         mean_of_taut += trial.slack[1] ? 0.0 : variances(1) / 5.0;
     }
-    const auto best = best_possible(m_net, m_prior, trials);
+    const auto best = cramer_rao_bound(m_net, m_prior, trials);
     ASSERT_TRUE(best);
     EXPECT_NEAR(best->mse, mean, 1e-6 * mean);
     EXPECT_NEAR(best->mse_of_taut, mean_of_taut, 1e-6 * mean_of_taut);

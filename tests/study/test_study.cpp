@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against a study that tells better numbers than there are: training on what it validates
-// with, numbers of other samples than it says, an experiment that cannot be repeated.
+// Guards against a study whose numbers are too good: training on validation samples, numbers of
+// other samples than it says, an experiment that cannot be repeated.
 
 #include "taut/study/study.hpp"
 
@@ -68,7 +68,7 @@ TEST_F(SmallStudy, IsTheModelTrainedOnTheTrainingSamples) {
     EXPECT_LT((own.std - expected.std).norm() / std::sqrt(own.std.size()), 0.1 * std);
 }
 
-TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
+TEST_F(SmallStudy, ReportsTheErrorsOfItsEstimates) {
     const LengthErrors expected = length_errors(truth(), m_study.estimates.mean);
     const LengthErrors& errors = m_study.as_in_paper().errors;
     EXPECT_EQ(m_study.as_in_paper().name, "gp_as_in_paper");
@@ -81,7 +81,7 @@ TEST_F(SmallStudy, TellsTheErrorsOfItsEstimates) {
     EXPECT_GT(errors.mrse, 0.0);
 }
 
-TEST_F(SmallStudy, TriesEveryWayOnTheSameSamples) {
+TEST_F(SmallStudy, TriesEveryMethodOnTheSameSamples) {
     std::vector<std::string> names;
     for (const MethodResult& method : m_study.methods) {
         names.push_back(method.name);
@@ -91,34 +91,6 @@ TEST_F(SmallStudy, TriesEveryWayOnTheSameSamples) {
     EXPECT_THAT(names, testing::ElementsAre("gp_as_in_paper", "gp", "balance", "map"));
     EXPECT_LT(m_study.methods[2].mse_of_taut, 1e-20);
     EXPECT_LT(m_study.methods[3].mse_of_taut, 1e-14);
-}
-
-TEST_F(SmallStudy, CountsHowManyLengthsLieInTheirInterval) {
-    const Eigen::MatrixXd true_deviations = truth();
-    int inside = 0;
-    for (Eigen::Index i = 0; i < true_deviations.rows(); ++i) {
-        for (Eigen::Index k = 0; k < true_deviations.cols(); ++k) {
-            const double half = 1.959963984540054 * m_study.estimates.std(i, k);
-            inside +=
-                std::abs(true_deviations(i, k) - m_study.estimates.mean(i, k)) <= half ? 1 : 0;
-        }
-    }
-    EXPECT_DOUBLE_EQ(m_study.as_in_paper().coverage,
-                     inside / static_cast<double>(true_deviations.size()));
-    EXPECT_GT(m_study.as_in_paper().coverage, 0.85);
-}
-
-TEST_F(SmallStudy, TellsTheNominalFormErrorOfTheFirstValidationSample) {
-    const Eigen::VectorXd true_form =
-        m_study.data.nominal_form + m_study.data.form_deviations.col(48);
-    const Eigen::VectorXd expected = node_distances(true_form, m_study.data.nominal_form);
-    ASSERT_EQ(m_study.nominal_form_error.size(), m_net.free_node_count());
-    EXPECT_LT((m_study.nominal_form_error - expected).cwiseAbs().maxCoeff(), 1e-15);
-    const FormErrorSummary summary = summarise(expected);
-    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.max, summary.max);
-    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.min, summary.min);
-    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.mean, summary.mean);
-    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.rmse, summary.rmse);
 }
 
 /// Form errors with the lengths identified from validation sample k, found anew.
@@ -131,15 +103,19 @@ Eigen::VectorXd identified_form_error(const Study& study, int k) {
         free_coordinates(net, predicted.form));
 }
 
-TEST_F(SmallStudy, TellsTheIdentifiedFormErrorOfTheFirstValidationSample) {
-    const Eigen::VectorXd expected = identified_form_error(m_study, 0);
-    EXPECT_LT((m_study.identified_form_error - expected).cwiseAbs().maxCoeff(), 1e-10);
-    EXPECT_DOUBLE_EQ(m_study.form_errors.identified.mean, m_study.identified_form_error.mean());
-    EXPECT_DOUBLE_EQ(m_study.form_errors.identified.max, m_study.identified_form_error.maxCoeff());
+TEST_F(SmallStudy, ReportsTheFormErrorsOfTheFirstValidationSample) {
+    const Eigen::VectorXd nominal =
+        node_distances(m_study.data.nominal_form + m_study.data.form_deviations.col(48),
+                       m_study.data.nominal_form);
+    EXPECT_LT((m_study.nominal_form_error - nominal).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_DOUBLE_EQ(m_study.form_errors.nominal.rmse, summarise(nominal).rmse);
+    const Eigen::VectorXd identified = identified_form_error(m_study, 0);
+    EXPECT_LT((m_study.identified_form_error - identified).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_NEAR(m_study.form_errors.identified.max, identified.maxCoeff(), 1e-10);
     EXPECT_LT(m_study.form_errors.identified.mean, 0.3 * m_study.form_errors.nominal.mean);
 }
 
-TEST_F(SmallStudy, TellsTheMeanFormErrorsOfAllValidationSamples) {
+TEST_F(SmallStudy, ReportsTheMeanFormErrorsOfAllValidationSamples) {
     FormErrors mean;
     const auto count = static_cast<int>(m_study.validation.size());
     for (int k = 0; k < count; ++k) {
@@ -174,29 +150,7 @@ TEST_F(SmallStudy, GivesTheSameNumbersForTheSameSeed) {
     EXPECT_EQ(again.identified_form_error, m_study.identified_form_error);
 }
 
-TEST_F(SmallStudy, GivesOtherNumbersForAnotherSeed) {
-    StudySettings settings = small;
-    settings.seed = 4;
-    EXPECT_NE(run_study(m_net, settings).as_in_paper().errors.mse,
-              m_study.as_in_paper().errors.mse);
-}
-
-TEST_F(SmallStudy, TellsHowLongItsStagesTook) {
-    const auto& seconds = m_study.seconds;
-    EXPECT_GT(seconds.sampling, 0.0);
-    EXPECT_GT(seconds.training, 0.0);
-    EXPECT_GT(seconds.identification, 0.0);
-    EXPECT_GE(seconds.total, seconds.sampling + seconds.training + seconds.identification);
-}
-
-TEST(Study, IdentifiesTheBuiltInNetBetterThanItsDesign) {
-    const Study study = run_study(hilo_quarter(), {.samples = 200, .validation = 10});
-    EXPECT_LT(study.form_errors.identified.mean, study.form_errors.nominal.mean);
-    EXPECT_LT(study.mean_form_errors.identified.mean, study.mean_form_errors.nominal.mean);
-    EXPECT_LT(study.as_in_paper().errors.mrse, 1.0) << "no better than no identification";
-}
-
-TEST(Study, TellsItsStagesInOrderAndToTheirEnd) {
+TEST(Study, ReportsItsStagesInOrderAndToTheirEnd) {
     std::vector<std::string> stages;
     int last_done = -1;
     int last_total = 0;
@@ -249,44 +203,18 @@ std::string refusal(const StudySettings& settings) {
     return "not refused";
 }
 
-TEST(StudySettings, AreThoseOfThePaperByDefault) {
-    const StudySettings settings;
-    EXPECT_EQ(settings.samples, 1000);
-    EXPECT_EQ(settings.validation, 50);
-    EXPECT_EQ(settings.prior.to_string(), "uniform:5mm");
-    EXPECT_EQ(refusal(settings), "not refused");
-}
-
 TEST(StudySettings, RefuseTooFewSamples) {
-    for (const int samples : {2, 1, 0, -1, -1000}) {
-        EXPECT_THAT(refusal({.samples = samples, .validation = 1}),
-                    testing::AllOf(testing::HasSubstr(std::to_string(samples) + " samples"),
-                                   testing::HasSubstr("at least 3")));
-    }
+    EXPECT_EQ(refusal({}), "not refused");
     EXPECT_EQ(refusal({.samples = 3, .validation = 1}), "not refused");
-}
-
-TEST(StudySettings, RefuseNoValidationSamples) {
-    EXPECT_THAT(refusal({.samples = 10, .validation = 0}),
-                testing::HasSubstr("0 validation samples"));
-    EXPECT_THAT(refusal({.samples = 10, .validation = -1}),
-                testing::HasSubstr("-1 validation samples"));
-}
-
-TEST(StudySettings, RefuseValidationSamplesThatLeaveFewerThanTwoToTrainOn) {
     EXPECT_EQ(refusal({.samples = 10, .validation = 8}), "not refused");
-    for (const int validation : {9, 10, 11, 2'000'000'000}) {
+    EXPECT_THAT(refusal({.samples = 2, .validation = 1}),
+                testing::HasSubstr("2 samples, expected at least 3"));
+    for (const int validation : {-1, 0, 9, 2'000'000'000}) {
         EXPECT_THAT(refusal({.samples = 10, .validation = validation}),
-                    testing::AllOf(testing::HasSubstr(std::to_string(validation) +
-                                                      " validation samples of 10")));
+                    testing::HasSubstr(std::to_string(validation) + " validation samples of 10"));
     }
-}
-
-TEST(StudySettings, RefuseAPriorWithoutAPositiveScale) {
-    for (const double scale : {0.0, -0.005, std::nan("")}) {
-        EXPECT_THAT(refusal({.prior = {LengthPrior::Kind::bimodal, scale}}),
-                    testing::HasSubstr("bimodal prior"));
-    }
+    EXPECT_THAT(refusal({.prior = {LengthPrior::Kind::bimodal, 0.0}}),
+                testing::HasSubstr("bimodal prior"));
 }
 
 TEST(Study, ChecksItsSettingsBeforeItBegins) {

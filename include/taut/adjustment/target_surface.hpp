@@ -15,17 +15,17 @@ namespace taut {
 /// The point of a surface that is nearest to another point.
 struct SurfacePoint {
     Eigen::Vector3d place;  ///< on the surface [m]
-    /// Unit normal of the surface there, on either side: of the face; at an edge or corner of faces
-    /// the direction to the other point, or the mean of the faces where that is on the surface, or
-    /// beyond its border.
+    /// Unit normal of the surface there, on either side. Within a face it is that of the face. At
+    /// an edge or corner it is the direction to the other point; where that lies on the surface, or
+    /// beyond its border, the mean of the faces.
     Eigen::Vector3d normal;
-    double distance = 0.0;       ///< to it [m]
-    double beyond_border = 0.0;  ///< how far the other point is beyond the border, across `normal`
+    double distance = 0.0;       ///< to the other point [m]
+    double beyond_border = 0.0;  ///< of the other point, across `normal`; 0 inside [m]
 };
 
-/// A surface of triangles, to be searched for its nearest points. Vertices at the same place are
-/// one; the sides of faces need not agree. One object serves several threads at once. Once moved
-/// from, it may only be assigned to or destroyed.
+/// A surface of triangles, searched for its nearest points. Vertices at the same place are one, and
+/// the orientations of faces need not agree. One object serves several threads at once. A
+/// moved-from object may only be assigned to or destroyed.
 class TAUT_ADJUSTMENT_EXPORT TargetSurface {
 public:
     /// @param vertices 3 x v [m]
@@ -36,16 +36,14 @@ public:
     ~TargetSurface();
     TargetSurface(const TargetSurface&) = delete;
     TargetSurface& operator=(const TargetSurface&) = delete;
-    /// Leaves the other one without triangles.
     TargetSurface(TargetSurface&&) noexcept;
-    /// Leaves the other one without triangles.
     TargetSurface& operator=(TargetSurface&&) noexcept;
 
     /// The point of the surface that is nearest to another.
     /// @param point finite, not checked [m]
     [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point) const;
 
-    /// Those with an area, at least one.
+    /// Triangles with an area, at least one.
     [[nodiscard]] int triangle_count() const;
     /// Triangles without area, which were left out.
     [[nodiscard]] int left_out() const;

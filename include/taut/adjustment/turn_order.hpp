@@ -11,54 +11,53 @@
 
 namespace taut {
 
-/// One thing that a crew does at one turnbuckle.
+/// One action of a crew at one turnbuckle.
 struct Turning {
     int edge = 0;         ///< index in the net
     double stroke = 0.0;  ///< [m]
     int pass = 1;         ///< over the net, from 1
     int crew = 1;         ///< from 1
-    int moment = 0;       ///< those of one moment are turned at once, one a crew; from 0
+    int step = 0;         ///< from 0; in one step each crew turns at most one edge
 };
 
-/// The worst that forces do on the way: in the estimate, else in most draws.
-struct WorstMoment {
-    int moment = -1;     ///< of TurnOrder::turnings; -1: nothing is worse than before the work
-    LimitBreach breach;  ///< then; its probability is that it is kept at that moment
+/// The step with the worst breach: in the estimate, else in most samples.
+struct WorstStep {
+    int step = -1;       ///< Turning::step; -1: no limit is broken
+    LimitBreach breach;  ///< its probability is that the limit is kept at this step
 };
 
-/// In which order strokes are turned.
+/// The order in which strokes are turned.
 struct TurnOrder {
     std::vector<Turning> turnings;  ///< in the order of the work
-    int passes = 0;                 ///< over the net: 1, 2, 4 or 8; 0 where nothing is to be turned
+    int passes = 0;                 ///< over the net: 1, 2, 4 or 8; 0 where nothing is turned
     double walk = 0.0;              ///< of all crews, along straight lines between stations [m]
-    /// That no force is beyond its limits at any moment, but for what was beyond before the work
-    /// began and then is no worse: the part of the draws; 0 or 1 without draws.
+    /// Probability that no step breaks a limit: the part of the samples; 0 or 1 without samples. A
+    /// limit that was broken before the work counts as kept while it is broken by no more.
     double safe_probability = 0.0;
-    /// So it is in the estimate, and over the draws with the confidence wanted.
+    /// No step breaks a limit in the estimate, nor in the samples with the required probability.
     bool is_safe = false;
-    WorstMoment worst;  ///< where it is not
+    WorstStep worst;  ///< where the order is not safe
 };
 
-/// Who turns, and how finely.
+/// Crews, and how finely they turn.
 struct TurnOrderOptions {
     int crews = 1;              ///< that work at the same time, 1 to 100
-    double step = 0.0;          ///< of what is turned at once; 0: any [m]
-    double confidence = 0.95;   ///< with which the work is to be safe, over the draws
+    double turn_step = 0.0;     ///< smallest change of length; 0: any [m]
+    double confidence = 0.95;   ///< required probability that the work is safe
     double actuator_std = 0.0;  ///< as PlanOptions::actuator_std [m]
-    std::uint64_t seed = 1;     ///< of the play of the turnbuckles
+    std::uint64_t seed = 1;     ///< of the random errors of the strokes
 };
 
-/// Looks for passes over the net in which no cable leaves its limits at any moment: neighbouring
-/// stations together, in one pass if that can be, else in two, four or eight, each with its part of
-/// every stroke. Exact equilibrium after every moment, of the estimate and of the draws. Where no
-/// order is safe with the confidence, the one that is safe in most draws. docs/theory.md
-/// (turn-order).
-/// @param built, limits as the plan was made with
+/// Orders the turnings so that no step breaks a limit, from neighbour to neighbour: in one pass
+/// over the net if possible, else in two, four or eight, each with its part of every stroke. Every
+/// step is checked in exact equilibrium, of the estimate and of the samples. Where no order is safe
+/// with the required probability, the safest one found. docs/theory.md (turn-order).
+/// @param built, limits that the plan was made with
 /// @param plan of this net
-/// @param progress told of the stage "ordering", 0 of 0
-/// @throws std::invalid_argument for crews below 1 or above 100, a step or play that is negative, a
-///   confidence outside (0, 1), and what
-///   plan_strokes() refuses of limits; for a plan of another net or other limits
+/// @param progress gets the stage "ordering", 0 of 0
+/// @throws std::invalid_argument for crews below 1 or above 100, a negative turn_step or
+///   actuator_std, a confidence outside (0, 1), what plan_strokes() refuses of limits, and a plan
+///   of another net or other limits
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT TurnOrder order_turns(const BuiltNet& built,
                                                            const Limits& limits, const Plan& plan,

@@ -25,16 +25,16 @@ enum class FitStatus {
 /// "fitted", "constant output", "non-finite output".
 [[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(FitStatus status);
 
-/// One process, trained.
+/// One trained process.
 struct Process {
-    FitStatus status = FitStatus::fitted;  ///< whether it could be trained
+    FitStatus status = FitStatus::fitted;
     Hyperparameters hyperparameters;       ///< zero where not fitted, as the numbers below
     double negative_log_likelihood = 0.0;  ///< of its output, at these hyperparameters
     double leave_one_out_rmse = 0.0;  ///< of the mean at each training input, trained without it
     int spectrum = -1;                ///< which of FittedProcesses::spectra it uses
-    /// By low rank: bound of what its mean is off from the exact one with the same hyperparameters,
-    /// root mean square over the training inputs; else 0. Its variance and leave-one-out error
-    /// contain it.
+    /// By low rank: bound of the error of its mean against the exact one with the same
+    /// hyperparameters, root mean square over the training inputs; else 0. Its variance and
+    /// leave-one-out error contain it.
     double approximation_error = 0.0;
 };
 
@@ -63,39 +63,39 @@ struct TAUT_CORE_EXPORT FittedProcesses {
     /// The largest rank of its spectra, where these are not whole; else nothing.
     [[nodiscard]] std::optional<Eigen::Index> rank() const;
 
-    /// Largest part of a correlation matrix, of its trace, that spectra which are not whole leave
-    /// out: with a larger one than that of the noise, the rank is too low for the length scale, and
-    /// signal is taken for noise. 0 where all are whole.
+    /// Largest part of the trace of a correlation matrix that a spectrum leaves out; 0 where all
+    /// are whole. Where it is larger than the part of the noise, the rank is too low for the length
+    /// scale: signal is taken for noise.
     [[nodiscard]] double left_out() const;
 };
 
-/// Where hyperparameters are looked for, and for how long.
+/// Range and effort of the search for hyperparameters.
 struct FitSettings {
     /// The feasible set Theta. Lower end: lambda times the median distance of two training inputs;
     /// there the kernel is a polynomial of low degree, and longer length scales change nothing.
     double smallest_scaled_lambda = 3e-3;
-    /// Upper end: lambda times the median distance of an input to its nearest neighbour; there they
-    /// are all but independent, and shorter length scales change nothing either.
+    /// Upper end: lambda times the median distance of an input to its nearest neighbour; there the
+    /// outputs are almost independent, and shorter length scales change nothing either.
     double largest_scaled_lambda = 3.0;
     std::optional<NoiseRatioBounds> noise_ratio;  ///< default_noise_ratio_bounds(n) if not given
     /// The search for lambda ends when no output is expected to gain more than this, relative to
-    /// its negative log likelihood, or after so many decompositions. One output alone takes 7 to
-    /// 10, a few dozen with hyperparameters of their own share 12 at a loss of some hundredths in
-    /// log likelihood. Two are made at a time, each by one thread; where they cost less than at
-    /// n = 1000, allow more.
+    /// its negative log likelihood, or after max_spectra decompositions.
     double relative_tolerance = 1e-7;
-    int max_spectra = 12;  ///< decompositions at most, 1 or more
-    /// Inputs that are decomposed, at most, 2 or more: with more of them processes are fitted by
-    /// low rank, docs/theory.md (low-rank), with length scales from so many of them, or 2000.
+    /// At most so many decompositions, 1 or more. One output alone takes 7 to 10. A few dozen with
+    /// hyperparameters of their own share 12 at a loss of some hundredths in log likelihood. Two
+    /// are made at a time, each by one thread; where they cost less than at n = 1000, allow more.
+    int max_spectra = 12;
+    /// More inputs than this, 2 or more, are fitted by low rank, docs/theory.md (low-rank). Length
+    /// scales then come from so many of them, at most 2000.
     int most_decomposed = 3000;
-    int rank = 1500;  ///< there: directions of each spectrum, 1 or more
+    int rank = 1500;  ///< directions of each low-rank spectrum, 1 or more
 };
 
 /// Algorithm 1 of the paper: estimates each output's hyperparameters by maximum marginal likelihood
 /// (eq. max_marginal_likelihood) and conditions its process on the data.
 /// @param inputs d x n, finite, not all the same; n >= 2
-/// @param outputs n x m; an output that cannot be fitted is marked and leaves the others standing
-/// @param progress told of the stage "training" before each decomposition
+/// @param outputs n x m; an output that cannot be fitted is marked and does not affect the others
+/// @param progress gets the stage "training" before each decomposition
 /// @throws std::invalid_argument for sizes that differ, for inputs as excluded above, and for
 ///   settings out of range
 /// @throws Interrupted where a stop was requested

@@ -15,10 +15,11 @@ namespace taut::gp {
 /// scales.
 struct ScalesLikelihood {
     double value = 0.0;        ///< the sum; the smaller, the likelier
-    Eigen::VectorXd gradient;  ///< one a group (G)
+    Eigen::VectorXd gradient;  ///< one per group (G)
 };
 
-/// With the squared exponential kernel that scales each input dimension for itself (eq. SEkernel),
+/// The likelihood with the squared exponential kernel that scales each input dimension (eq.
+/// SEkernel),
 ///
 ///     exp(-1/2 sum_i (s_g(i) (x_i - x'_i))^2),  g(i) the group of dimension i
 ///
@@ -38,9 +39,9 @@ scales_likelihood(const Eigen::Ref<const Eigen::MatrixXd>& inputs,
 /// of one group share a scale. With the inputs so scaled, fit() estimates each output's own
 /// lambda, so that lambda_i of eq. SEkernel is that lambda times the dimension's scale. Where there
 /// are more than 500 inputs, 500 of them are used.
-/// @param progress told of the stage "scales of the kernel" before each evaluation of the
+/// @param progress gets the stage "scales of the kernel" before each evaluation of the
 ///   likelihood
-/// @throws std::invalid_argument as fit(), and for groups that are not one a dimension, from 0 on
+/// @throws std::invalid_argument as fit(), and for groups that are not one per dimension, from 0 on
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd estimate_input_scales(
     const Eigen::Ref<const Eigen::MatrixXd>& inputs,

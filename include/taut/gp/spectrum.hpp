@@ -11,11 +11,11 @@ namespace taut::gp {
 
 /// The eigendecomposition R = Q diag(d) Q' of the correlation matrix of the training inputs. All
 /// that a Gaussian process needs of K = sigma_f^2 R, for any sigma_f, sigma_w and any output,
-/// follows from it in O(n^2): this is why one decomposition serves hundreds of outputs.
+/// follows from it in O(n^2): so one decomposition serves hundreds of outputs.
 ///
-/// Of more inputs than can be decomposed only the r directions that count, docs/theory.md
-/// (low-rank), and how large the others are: R = Q diag(d) Q' + tail_mean (I - Q Q') but for a
-/// remainder, and R - Q diag(d) Q' is at most tail_largest.
+/// For more inputs than can be decomposed it holds the r largest directions, docs/theory.md
+/// (low-rank), and the size of the others: R is about Q diag(d) Q' + tail_mean (I - Q Q'), and the
+/// eigenvalues of R - Q diag(d) Q' are at most tail_largest.
 struct KernelSpectrum {
     double inverse_length_scale = 0.0;  ///< lambda
     Eigen::VectorXd eigenvalues;   ///< d (r), ascending; rounding errors below zero set to zero

@@ -9,13 +9,13 @@
 
 namespace taut {
 
-/// Whether this build holds the report's viewer: it takes Node.js to build that.
+/// Whether this build contains the report's viewer, which needs Node.js to build.
 [[nodiscard]] TAUT_REPORT_EXPORT bool has_report_viewer();
 
-/// A result as one HTML page that needs nothing else and asks for nothing over the network: the
-/// viewer (viewer/) and the result itself, from which the viewer makes summary, 3D view, charts,
-/// tables and lists. Text of the result, the names in it say, is never
-/// taken for markup, and the page's content security policy lets no script run but the viewer.
+/// A result as one self-contained HTML page that loads nothing over the network: the viewer
+/// (viewer/) and the result, from which the viewer makes summary, 3D view, charts, tables and
+/// lists. Text of the result is never taken for markup, and the page's content security policy
+/// allows no script but the viewer.
 /// @return the page in UTF-8
 /// @throws std::runtime_error where has_report_viewer() is false
 [[nodiscard]] TAUT_REPORT_EXPORT std::string report_html(const ResultFile& result);

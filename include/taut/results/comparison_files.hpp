@@ -10,12 +10,12 @@
 
 namespace taut {
 
-/// comparison.json: format "taut-comparison", version 1; all numbers in SI units. Numbers that a
-/// row does not have, since its method gave none, are null.
+/// comparison.json: format "taut-comparison", version 2; all numbers in SI units. Numbers that the
+/// method of a row does not give are null.
 [[nodiscard]] TAUT_IO_EXPORT std::string comparison_to_json(const Comparison& comparison,
                                                             const RunRecord& run = {});
 
-/// The rows of it as a table, with the same names; what is null there is empty here.
+/// Its rows as a table with the same names; null is an empty field.
 [[nodiscard]] TAUT_IO_EXPORT std::string comparison_to_csv(const Comparison& comparison);
 
 }  // namespace taut

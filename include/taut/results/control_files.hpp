@@ -11,14 +11,14 @@
 
 namespace taut {
 
-/// control.json: format "taut-control", version 1; all numbers in SI units. One entry a strategy,
-/// with means by round, and one a trial and round.
+/// control.json: format "taut-control", version 2; all numbers in SI units. One entry per strategy,
+/// with the means of each round, and one per trial and round.
 [[nodiscard]] TAUT_IO_EXPORT std::string control_to_json(const std::vector<ControlRecord>& records,
                                                          const CableNet& net,
                                                          const ControlSettings& settings,
                                                          const RunRecord& run = {});
 
-/// One row a strategy, trial and round, with the same names.
+/// One row per strategy, trial and round, with the same names.
 [[nodiscard]] TAUT_IO_EXPORT std::string control_to_csv(const std::vector<ControlRecord>& records);
 
 }  // namespace taut

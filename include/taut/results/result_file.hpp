@@ -16,8 +16,8 @@
 
 namespace taut {
 
-/// What a saved study tells, as far as its figures need it. Lengths are in the order of the
-/// interior edges, form errors in that of the free nodes.
+/// The parts of a saved study that its figures need. Lengths are in the order of the interior
+/// edges, form errors in that of the free nodes.
 struct StudyResult {
     CableNet net;         ///< as designed
     Points nominal_form;  ///< equilibrium of the nominal lengths (3 x n) [m]
@@ -33,20 +33,19 @@ struct StudyResult {
     Eigen::MatrixXd errors;     ///< all of them (m_I x samples), or m_I x 0 where not saved [m]
 };
 
-/// What a saved identification tells, as far as its figures need it.
+/// The parts of a saved identification that figures and plans need.
 struct IdentificationResult {
     CableNet net;                              ///< as designed
     std::vector<IdentifiedEdge> edges;         ///< in the order of the file
     Points form;                               ///< predicted (3 x n) [m]
-    std::vector<ParameterEstimate> uncertain;  ///< what was unknown besides lengths
-    /// Adjustable edges of another length than told, and supports at another place.
+    std::vector<ParameterEstimate> uncertain;  ///< estimates besides lengths
+    /// Adjustable edges and supports that are not as designed.
     std::vector<BoundaryOutlier> boundary_outliers;
     std::vector<EdgeTurned> turned;  ///< since the net was as designed, until the last survey
     Trust trust;                     ///< empty in results of older versions
-    int draws = 0;                   ///< that were made with it
-    /// Of them, fingerprint_of(); empty in results of older versions.
-    std::string draws_fingerprint;
-    /// At one surveyed node.
+    int draws = 0;                   ///< number of posterior samples
+    std::string draws_fingerprint;   ///< fingerprint_of() them; empty in older versions
+    /// Residual of one surveyed node.
     struct Residual {
         int node = 0;                                 ///< index of a free node
         Eigen::Vector3d surveyed_less_predicted;      ///< [m]
@@ -56,7 +55,7 @@ struct IdentificationResult {
     std::vector<Residual> residuals;  ///< in the order of the file
 };
 
-/// What a saved comparison of methods tells.
+/// The parts of a saved comparison of methods.
 struct ComparisonResult {
     /// One method on surveys of one kind.
     struct Row {
@@ -71,7 +70,7 @@ struct ComparisonResult {
     std::vector<Row> rows;  ///< as Comparison::rows, in the order of the file
 };
 
-/// What a saved plan tells, as far as its figures need it.
+/// The parts of a saved plan that its figures need.
 struct PlanResult {
     CableNet net;           ///< as designed
     Points built_form;      ///< before turning, of the estimate (3 x n) [m]
@@ -82,25 +81,25 @@ struct PlanResult {
     struct Tension {
         double as_built = 0.0;              ///< before turning, of the estimate [N]
         double planned = 0.0;               ///< after turning, of the estimate [N]
-        std::optional<double> lower;        ///< 95 % interval; empty without draws
+        std::optional<double> lower;        ///< 95 % interval; empty without samples
         std::optional<double> upper;        ///< its upper end; empty likewise
-        double limit_lower = 0.0;           ///< as told, not as narrowed by the plan
+        double limit_lower = 0.0;           ///< as given, without the plan's margin
         std::optional<double> limit_upper;  ///< empty: no limit
     };
     std::vector<Tension> tensions;  ///< of each edge [N]
 };
 
-/// What saved simulated jobs tell, as far as their figures need it.
+/// The parts of saved simulated jobs that their figures need.
 struct ControlResult {
     /// The nets after a round.
     struct Round {
         double normal_rmse = 0.0;  ///< along the target's normal, over nodes and trials [m]
         std::vector<double> normal_rmse_of_trials;  ///< [m]
-        int broken_trials = 0;                      ///< with an edge beyond its limits
-        double turned = 0.0;  ///< sum of the sizes of the strokes, mean over the trials [m]
-        int failed = 0;       ///< trials in which nothing could be planned
+        int broken_trials = 0;                      ///< in which an edge breaks a limit
+        double turned = 0.0;                        ///< sum of |stroke|, mean over the trials [m]
+        int failed = 0;                             ///< trials in which nothing could be planned
     };
-    /// All that was planned on one knowledge of the net.
+    /// One strategy.
     struct Strategy {
         std::string name;           ///< to_string() of the ControlStrategy
         std::vector<Round> rounds;  ///< from round 0, as built
@@ -117,9 +116,9 @@ struct ResultFile {
 };
 
 /// Reads a result in one of the formats "taut-study", "taut-identification", "taut-comparison",
-/// "taut-plan" and "taut-control", version 1. It must keep to their schema (result.schema.json,
-/// installed beside the library), and to what a schema cannot tell: sizes and indices those of the
-/// net, one edge for each interior one, one state for each trial and round.
+/// "taut-plan" and "taut-control", version 1 or 2. It must follow their schema (result.schema.json,
+/// installed beside the library) and the rules that a schema cannot express: sizes and indices of
+/// the net, one entry per interior edge, one state per trial and round.
 /// @param file_name for messages
 /// @throws InputError at a line and column for what is no JSON, and at a JSON pointer for what is
 ///   missing, of another type or size, or breaks a rule

@@ -12,19 +12,19 @@
 
 namespace taut {
 
-/// How a result came about; a field that is empty is left out of the file.
+/// Date and command of a result; an empty field is left out of the file.
 struct RunRecord {
     std::string date;     ///< "2026-11-21 06:30 UTC"
     std::string command;  ///< the command line
 };
 
-/// results.json of a study: format "taut-study", version 1; all numbers in SI units.
+/// results.json of a study: format "taut-study", version 2; all numbers in SI units.
 [[nodiscard]] TAUT_IO_EXPORT std::string study_to_json(const Study& study,
                                                        const RunRecord& run = {});
 
-/// result.json of an identification: format "taut-identification", version 1; all numbers in SI
+/// result.json of an identification: format "taut-identification", version 2; all numbers in SI
 /// units.
-/// @param net, survey that it is of, which is not checked
+/// @param net, survey of the identification, not checked
 [[nodiscard]] TAUT_IO_EXPORT std::string identification_to_json(
     const CableNet& net, const Survey& survey, const Identification& identification,
     const RunRecord& run = {});

@@ -11,12 +11,12 @@
 
 namespace taut {
 
-/// What the paper plots of its experiment, as CSV files (name, content), all numbers in m:
+/// The data of the paper's plots as CSV files (name, content), all numbers in m:
 ///
 ///     edges.csv   per interior edge: ends, unstressed length; true, estimated, std and error of
 ///                 the first validation sample; mean and std of the error over all of them
 ///     errors.csv  per interior edge: its error in each validation sample
-///     nodes.csv   per free node: nominal place, nominal and identified form error of that sample
+///     nodes.csv   per free node: nominal place, nominal and identified form error of this sample
 [[nodiscard]] TAUT_IO_EXPORT std::vector<std::pair<std::string, std::string>> study_to_csv(
     const Study& study);
 

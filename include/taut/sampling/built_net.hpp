@@ -10,8 +10,9 @@
 
 namespace taut {
 
-/// A net as it might be built, for trials: the unstressed lengths of its interior edges drawn from
-/// a prior, all else as designed. No sample that a Sampler draws with this seed is the same.
+/// A net as it might be built, for simulations: the unstressed lengths of its interior edges drawn
+/// from a prior, all else as designed. It differs from all samples that a Sampler draws with this
+/// seed.
 /// @throws std::invalid_argument as check_prior()
 [[nodiscard]] TAUT_CORE_EXPORT CableNet built_net(const CableNet& net, const LengthPrior& prior,
                                                   std::uint64_t seed);

@@ -32,23 +32,23 @@ struct TAUT_CORE_EXPORT DataSet {
     [[nodiscard]] int size() const { return static_cast<int>(form_deviations.cols()); }
     /// Samples with at least one slack edge.
     [[nodiscard]] int with_slack() const;
-    /// Samples whose forces do not balance: not to be learnt from.
+    /// Samples whose forces do not balance: not used for training.
     [[nodiscard]] int not_converged() const;
     /// Indices in [first, last) of the samples whose forces balance. Slack mechanisms are among
-    /// them: their loose nodes' places are one choice of many, but always the one that the solver
-    /// comes to from the linear prediction, and all other nodes tell as much as in any sample.
+    /// them. The places of their loose nodes are one choice of many, but always the one that the
+    /// solver finds from the linear prediction; all other nodes are as good as in any sample.
     /// @throws std::out_of_range for a first below 0, or a last beyond the samples
     [[nodiscard]] std::vector<int> converged_in(int first, int last) const;
 };
 
-/// Whether length deviations of a net can be drawn from a prior.
+/// Checks that length deviations of a net can be drawn from a prior.
 /// @throws std::invalid_argument where the net has no interior edge, as LengthPrior::check(), and
-///   where the prior's reach is not below the shortest interior unstressed length, named with both,
-///   or the prior so narrow that rounding errors hide it
+///   where the prior's reach is not below the shortest interior unstressed length (both are named),
+///   or the prior is so narrow that rounding errors hide it
 TAUT_CORE_EXPORT void check_prior(const CableNet& net, const LengthPrior& prior);
 
 /// The length deviations of one sample (m_I) [m]. They depend on the prior, the seed and the
-/// sample's index alone, and so on no other sample, thread or run.
+/// sample's index alone, not on other samples, threads or runs.
 /// @param count m_I, 0 or more
 /// @throws std::invalid_argument as LengthPrior::check(), and for a negative count
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd draw_length_deviations(const LengthPrior& prior,

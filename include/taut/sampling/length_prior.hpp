@@ -10,19 +10,18 @@
 
 namespace taut {
 
-/// The probability prior of the length deviations, independent and the same for every interior
-/// edge, with mean zero.
+/// The prior distribution of the length deviations (fabrication tolerance): independent, the same
+/// for every interior edge, with mean zero.
 struct TAUT_CORE_EXPORT LengthPrior {
-    /// The shape of the prior.
     enum class Kind {
         uniform,  ///< U(-scale, scale), the paper's
         normal,   ///< N(0, scale^2)
         bimodal,  ///< N(-scale, (scale/5)^2) or N(+scale, (scale/5)^2), equally likely
     };
-    Kind kind = Kind::uniform;  ///< its shape
+    Kind kind = Kind::uniform;  ///< shape
     double scale = 0.005;       ///< [m]
 
-    /// Whether the scale is positive and finite; the functions below ask for it and do not check.
+    /// Checks that the scale is positive and finite; the functions below rely on it.
     /// @throws std::invalid_argument naming prior and scale
     void check() const;
 
@@ -32,13 +31,12 @@ struct TAUT_CORE_EXPORT LengthPrior {
     /// No deviation drawn exceeds this [m].
     [[nodiscard]] double reach() const;
 
-    /// The deviation that a random number u, uniform in (0, 1), stands for [m].
+    /// The quantile at u in (0, 1): of a uniform random number a draw from the prior [m].
     [[nodiscard]] double draw(double u) const;
 
     /// "uniform:5mm"; parse_length_prior() reads it back.
     [[nodiscard]] std::string to_string() const;
 
-    /// Kind and scale, to the last bit.
     friend bool operator==(const LengthPrior&, const LengthPrior&) = default;
 };
 

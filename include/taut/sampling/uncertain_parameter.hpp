@@ -11,21 +11,20 @@
 
 namespace taut {
 
-/// What is not known of a net besides its lengths: numbers with independent normal distributions
-/// around what the net tells.
+/// What is not known exactly of a net besides its lengths (a nuisance parameter): numbers with
+/// independent normal distributions around the design.
 struct TAUT_CORE_EXPORT UncertainParameter {
-    /// What the numbers are.
     enum class Kind {
-        stiffness,  ///< one factor of EA, or of the tension law, common to edges: its logarithm
-        stiffness_each,  ///< one such factor an edge
-        temperature,     ///< one deviation for edges, which expand by it [K]
-        supports,        ///< of each coordinate of each support [m]
-        adjustable,      ///< of the unstressed length of each adjustable edge [m]
+        stiffness,       ///< logarithm of one factor of EA, or of the tension law, common to edges
+        stiffness_each,  ///< one such factor per edge
+        temperature,     ///< one deviation from the design temperature, common to edges [K]
+        supports,        ///< each coordinate of each support [m]
+        adjustable,      ///< the unstressed length of each adjustable edge [m]
         loads,           ///< one relative deviation of all loads
-        loads_each,      ///< of each coordinate of the load on each free node [N]
+        loads_each,      ///< each coordinate of the load on each free node [N]
     };
     Kind kind = Kind::stiffness;  ///< what the numbers are
-    double std = 0.0;             ///< in the unit of the kind
+    double std = 0.0;             ///< standard deviation, in the unit of the kind
     std::string group;            ///< of edges, of the net; empty: all
 
     /// "stiffness", "stiffness-each", "temperature", "supports", "adjustable", "loads".
@@ -33,11 +32,10 @@ struct TAUT_CORE_EXPORT UncertainParameter {
     /// "stiffness:5%@ridge"; parse_uncertain_parameter() reads it back.
     [[nodiscard]] std::string to_string() const;
 
-    /// All fields, to the last bit.
     friend bool operator==(const UncertainParameter&, const UncertainParameter&) = default;
 };
 
-/// All, "stiffness:5%, supports:1mm", or "none".
+/// "stiffness:5%, supports:1mm", or "none".
 [[nodiscard]] TAUT_CORE_EXPORT std::string to_string(
     const std::vector<UncertainParameter>& uncertain);
 
@@ -47,7 +45,7 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 ///   a relative one of 30 % or more, and a group where the kind has none
 [[nodiscard]] TAUT_CORE_EXPORT UncertainParameter parse_uncertain_parameter(std::string_view text);
 
-/// Whether these can be unknown of a net.
+/// Checks that these parameters can be uncertain of a net.
 /// @throws std::invalid_argument for two of one name and group (of loads: of one kind), a group
 ///   that the net does not have, a temperature where no edge of it expands, adjustable lengths
 ///   where the net has none, or wider than a third of the shortest, supports wider than a third of
@@ -55,25 +53,24 @@ struct TAUT_CORE_EXPORT UncertainParameter {
 TAUT_CORE_EXPORT void check_uncertain_parameters(const CableNet& net,
                                                  const std::vector<UncertainParameter>& uncertain);
 
-/// What is uncertain on a site of which nothing else is given: stiffness 5 % in common and 2 % of
-/// each edge; 5 K where edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm;
-/// of lengths and places no more than a tenth of the shortest edge that they are of.
-/// @param given goes before: of what has its name nothing is assumed
-/// @return `given`, then what is assumed
+/// Adds the default assumptions for a site: stiffness 5 % in common and 2 % of each edge; 5 K where
+/// edges expand; lengths of adjustable edges 0.5 mm; places of supports 1 mm. Lengths and places at
+/// most a tenth of the shortest edge concerned.
+/// @param given takes precedence: nothing is assumed of a parameter with a name in it
+/// @return `given`, then the assumptions
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<UncertainParameter> with_site_assumptions(
     const CableNet& net, std::vector<UncertainParameter> given);
 
-/// The edges that an unknown of stiffness or temperature is about, ascending: those of its group,
-/// or all.
+/// The edges that a stiffness or temperature applies to, ascending: those of its group, or all.
 /// @throws std::out_of_range for a group that the net does not have
 [[nodiscard]] TAUT_CORE_EXPORT std::vector<int> edges_of(const CableNet& net,
                                                          const UncertainParameter& parameter);
 
-/// The standard deviation of one kind; 0 where it is known.
+/// The standard deviation of one kind; 0 where it is exact.
 [[nodiscard]] TAUT_CORE_EXPORT double std_of(const std::vector<UncertainParameter>& uncertain,
                                              UncertainParameter::Kind kind);
 
-/// Standard deviation of each edge's own stiffness, relative (m); 0 where it is known.
+/// Standard deviation of each edge's own stiffness, relative (m); 0 where it is exact.
 /// @throws std::out_of_range as edges_of()
 [[nodiscard]] TAUT_CORE_EXPORT Eigen::VectorXd own_stiffness_stds(
     const CableNet& net, const std::vector<UncertainParameter>& uncertain);

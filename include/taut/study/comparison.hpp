@@ -15,19 +15,21 @@
 
 namespace taut {
 
-/// Over what the methods of identification are compared. Not over all combinations, but along three
-/// axes: noise, at common_training() samples; training samples, without noise (if that is one of
-/// the noises) and at common_noise(); hidden nodes, at both common ones. Only the third hides
-/// nodes. And where more than lengths is unknown, at both common ones: nets that differ in it, with
-/// that told to the methods and not. And where there are several surveys: one, two, ... of each net
-/// at once, at the common noise.
+/// The surveys on which the methods of identification are compared. Not all combinations, but
+/// points along axes:
+/// - noise, at common_training() samples;
+/// - training samples, without noise (if that is one of the noises) and at common_noise();
+/// - hidden nodes, at both common values;
+/// - with uncertain parameters, at both common values: nets that differ in them, once with the
+///   uncertainty given to the methods and once without;
+/// - with several epochs, at the common noise: one, two, ... surveys of each net at once.
 struct TAUT_ADJUSTMENT_EXPORT ComparisonSettings {
     std::vector<double> noises{0.0, 0.1e-3, 0.2e-3, 0.5e-3, 1e-3, 2e-3};  ///< [m]
-    /// Drawn to train on, with those that do not converge; 2 to 20,000 each.
+    /// Numbers of samples to train on, including those that do not converge; 2 to 20,000 each.
     std::vector<int> training_samples{100, 200, 500, 950, 2000};
-    std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is there anyway
-    int surveys = 50;        ///< of samples that no model was trained on; the same for all methods
-    LengthPrior prior = {};  ///< of the length deviations; all methods are told
+    std::vector<double> hidden_parts{0.1};  ///< of the free nodes; 0 is always included
+    int surveys = 50;        ///< of other samples than for training; the same for all methods
+    LengthPrior prior = {};  ///< of the length deviations, given to all methods
     std::uint64_t seed = 1;  ///< of samples and surveys
     std::vector<UncertainParameter> uncertain = {};  ///< besides the lengths; empty: no such axis
     int epochs = 1;                                  ///< surveys of one net; 1: no such axis
@@ -37,48 +39,49 @@ struct TAUT_ADJUSTMENT_EXPORT ComparisonSettings {
     /// 0.5 mm where that is among the noises; else the largest [m].
     [[nodiscard]] double common_noise() const;
 
-    /// Whether a comparison can be made of these.
+    /// Checks the settings.
     /// @throws std::invalid_argument for an empty list, noise that is negative or not finite, fewer
     ///   than two training samples, a hidden part outside [0, 1), no survey, fewer than one epoch
     ///   or more than ten, epochs without noise; and as LengthPrior::check()
     void check() const;
 };
 
-/// Whether the surveyed nets differ from the design in more than lengths, and whether a method was
-/// told in what.
-enum class ModelErrors { none, untold, told };
+/// Whether the surveyed nets differ from the design in more than lengths, and whether that
+/// uncertainty was given to a method.
+enum class ModelErrors { none, not_given, given };
 
-/// "none", "untold", "told".
+/// "none", "not given", "given".
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::string_view to_string(ModelErrors errors);
 
 /// One method on surveys of one kind.
 struct ComparisonRow {
     SurveyKind kind;                               ///< noise and hidden nodes
-    ModelErrors model_errors = ModelErrors::none;  ///< whether more than lengths differs
+    ModelErrors model_errors = ModelErrors::none;  ///< differences in more than lengths
     std::optional<int> training_samples;           ///< empty: the method learns from none
     int epochs = 1;                                ///< surveys of each net that are used at once
     bool is_turned = false;                        ///< whether edges were turned between them
     MethodResult result;                           ///< over all these surveys
-    /// Of these surveys, whatever the method. Empty without noise and hidden nodes, where every
-    /// length can be known but that of a slack edge; and where it could not be computed.
-    std::optional<BestPossible> best_possible;
+    /// Cramer-Rao bound of these surveys, for any method. Empty without noise and hidden nodes,
+    /// where all lengths but those of slack edges follow exactly; and where it could not be
+    /// computed.
+    std::optional<CramerRaoBound> best_possible;
 };
 
-/// The methods of identification beside each other on one net.
+/// The methods of identification compared on one net.
 struct Comparison {
     CableNet net;                 ///< as designed
     ComparisonSettings settings;  ///< its lists ascending, without repetitions
-    /// The axis of noise, then of training samples, then of hidden nodes, each kind of survey once;
-    /// of each "gp_as_in_paper", "gp", "balance", "map".
+    /// The axes of noise, of training samples and of hidden nodes, each kind of survey once, with
+    /// "gp_as_in_paper", "gp", "balance" and "map" each.
     std::vector<ComparisonRow> rows;
-    /// Of nets that differ in more than lengths: of each method untold, then of "gp" and "map"
-    /// told.
+    /// Of nets that differ in more than lengths: of each method without that given, then of "gp"
+    /// and "map" with it.
     std::vector<ComparisonRow> model_error_rows;
-    /// Of several surveys: "map" of one, then of two as the net stands and with turns in between,
-    /// and so on.
+    /// Of several epochs: "map" of one survey, then of two without and with turns in between, and
+    /// so on.
     std::vector<ComparisonRow> epoch_rows;
     int samples = 0;             ///< drawn
-    int not_converged = 0;       ///< of these, neither trained on nor surveyed
+    int not_converged = 0;       ///< of these, left out
     int surveys = 0;             ///< of each kind
     int surveys_with_slack = 0;  ///< in whose true form an edge is slack
     /// Wall time [s].
@@ -87,15 +90,14 @@ struct Comparison {
         double training = 0.0;        ///< of all models
         double identification = 0.0;  ///< by all methods
         double total = 0.0;           ///< of the whole comparison
-    } seconds;                        ///< that the parts took
+    } seconds;                        ///< of the parts
 };
 
 /// Compares all methods on simulated surveys of one net.
 /// @throws std::invalid_argument as ComparisonSettings::check(), check_uncertain_parameters(),
-/// Sampler and
-///   simulate_trials()
+///   Sampler and simulate_trials()
 /// @throws std::runtime_error where too few samples converge
-/// @param progress told of the stages "sampling", "training" and "identification"
+/// @param progress gets the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT Comparison compare_methods(const CableNet& net,
                                                                 const ComparisonSettings& settings,

@@ -19,7 +19,7 @@ struct LengthErrors {
     /// are left out of the mean.
     double mrse = 0.0;
 
-    /// max_i |mean(e_i)|; there must be an edge, which is not checked [m].
+    /// max_i |mean(e_i)|; that there is an edge is not checked [m].
     [[nodiscard]] double mean_max_abs() const { return mean.cwiseAbs().maxCoeff(); }
     /// Mean of std(e_i) over the edges; likewise [m].
     [[nodiscard]] double std_mean() const { return std.mean(); }

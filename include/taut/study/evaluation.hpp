@@ -14,8 +14,8 @@
 
 namespace taut {
 
-/// How well one method identified the lengths of many surveys. What failed is counted, and in none
-/// of the other numbers.
+/// How well one method identified the lengths of many surveys. Failures are counted, and left out
+/// of all other numbers.
 struct MethodResult {
     std::string name;           ///< Method::name
     int surveys = 0;            ///< tried
@@ -23,49 +23,47 @@ struct MethodResult {
     std::string first_failure;  ///< in words; empty where none failed
 
     LengthErrors errors;  ///< empty vectors where all failed
-    /// The same as errors.mse, over the edges that carry tension in the true form: no form shows
-    /// the length of a slack one [m2].
+    /// errors.mse over the edges that are taut in the true form: no form shows the length of a
+    /// slack one [m2].
     double mse_of_taut = 0.0;
-    double coverage = 0.0;  ///< part of the true length deviations inside their 95 % interval
-    FormErrorSummary
-        form_error;  ///< of the predicted form: each number's mean over the surveys [m]
-    int forms_not_converged = 0;  ///< identified, but left out of form_error: not in balance
+    double coverage = 0.0;        ///< part of the true length deviations inside their 95 % interval
+    FormErrorSummary form_error;  ///< of the predicted form, mean over the surveys [m]
+    int forms_not_converged = 0;  ///< predicted forms out of balance: left out of form_error
 
     double training_seconds = 0.0;  ///< Method::training_seconds
-    double seconds = 0.0;  ///< mean of one identification, in its thread while others do others
+    double seconds = 0.0;  ///< mean wall time of one identification, while other threads work
 
-    /// How many did not fail.
     [[nodiscard]] int identified() const { return surveys - failed; }
 };
 
-/// What a method made of surveys: the sum, and each by itself.
+/// The results of a method on surveys, together and one by one.
 struct Evaluation {
     MethodResult result;                                         ///< over all surveys
-    std::vector<std::optional<Identification>> identifications;  ///< of each trial; empty: failed
+    std::vector<std::optional<Identification>> identifications;  ///< one per trial; empty: failed
 };
 
 /// Tries a method on surveys, in parallel on the threads of oneTBB where it does not use them
 /// itself. The outcome does not depend on their number. What a method throws counts as a failure,
 /// but for std::bad_alloc.
 /// @param method of this net, called from several threads at once unless it uses all of them itself
-/// @param progress told of the stage "identification" after each trial
+/// @param progress gets the stage "identification" after each trial
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT Evaluation evaluate(const CableNet& net, const Method& method,
                                                          const std::vector<Trial>& trials,
                                                          const Progress& progress = {});
 
-/// The least mean squared error that can be expected, to first order: the mean over edges and
-/// surveys of best_possible_variances() at the truth [m2].
-struct BestPossible {
+/// Cramer-Rao bound of the mean squared error of the lengths: the mean over edges and surveys of
+/// best_possible_variances() at the truth [m2].
+struct CramerRaoBound {
     double mse = 0.0;          ///< over all interior edges
-    double mse_of_taut = 0.0;  ///< over the edges that carry tension in the true form
+    double mse_of_taut = 0.0;  ///< over the edges that are taut in the true form
 };
 
-/// The least error that can be expected of these surveys.
+/// The bound for these surveys.
 /// @param trials of this net, at least one
 /// @return nothing where the statics of a true form are singular: a slack mechanism
 /// @throws std::invalid_argument as best_possible_variances()
-[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::optional<BestPossible> best_possible(
+[[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::optional<CramerRaoBound> cramer_rao_bound(
     const CableNet& net, const LengthPrior& prior, const std::vector<Trial>& trials);
 
 }  // namespace taut

@@ -18,21 +18,20 @@ namespace taut {
 
 /// A method of identification, ready to be tried on surveys of one net. It and its copies refer to
 /// the net and the model that it was made with, which must outlive them; prior and uncertain are
-/// copied. It throws and tells what identify() does. Several threads may call one at once unless
+/// copied. It throws and returns what identify() does. Several threads may call one at once unless
 /// uses_all_threads says otherwise.
 struct Method {
     std::string name;                     ///< "gp_as_in_paper", "gp", "balance" or "map"
-    std::optional<int> training_samples;  ///< what it learnt from; empty: it learns from none
-    double training_seconds = 0.0;        ///< wall time, a share of it where models
-                                          ///< were trained together; set by who trained [s]
+    std::optional<int> training_samples;  ///< that it was trained on; empty: none are needed
+    double training_seconds = 0.0;        ///< wall time, a share where trained with others [s]
     bool needs_all_nodes = false;         ///< takes no survey with hidden nodes
-    /// Its dense algebra uses all threads; it may be called from one at a time only, copies
-    /// included.
+    /// Its dense algebra uses all threads: it and its copies may be called from one thread at a
+    /// time only.
     bool uses_all_threads = false;
-    /// Identifies lengths from the surveys of a trial; makes no use of its truth.
+    /// Identifies lengths from the surveys of a trial, without using its truth.
     std::function<Identification(const Trial&)> identify;
-    /// The same of each of many trials, by its index, where what they have in common is done faster
-    /// at once; empty where nothing is. What it gives refers to the trials.
+    /// The same for many trials, by their index, where common work is faster done at once; may be
+    /// empty. The function it returns refers to the trials.
     std::function<std::function<Identification(size_t)>(const std::vector<Trial>&)> identify_each;
 };
 
@@ -50,7 +49,7 @@ struct Method {
                                                                     const LengthPrior& prior);
 
 /// "map".
-/// @param uncertain what is told to be unknown besides the lengths
+/// @param uncertain besides the lengths
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT Method
 method_by_maximum_a_posteriori(const CableNet& net, const LengthPrior& prior,
                                const std::vector<UncertainParameter>& uncertain = {});

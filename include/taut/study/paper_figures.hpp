@@ -6,7 +6,7 @@
 
 namespace taut {
 
-/// What the paper reports of its own experiment (section 5), in SI units, to stand beside ours.
+/// The paper's figures of its experiment (section 5), in SI units, for comparison.
 struct PaperFigures {
     int free_nodes = 300;      ///< n_I
     int interior_edges = 536;  ///< m_I

@@ -17,14 +17,14 @@
 
 namespace taut {
 
-/// How large the experiment is.
+/// Size and prior of the experiment.
 struct TAUT_ADJUSTMENT_EXPORT StudySettings {
     int samples = 1000;      ///< drawn in all
-    int validation = 50;     ///< of these the last, kept from training
+    int validation = 50;     ///< the last of these, not used for training
     LengthPrior prior;       ///< of the length deviations
     std::uint64_t seed = 1;  ///< of the samples
 
-    /// Whether the experiment can be made of these.
+    /// Checks the settings.
     /// @throws std::invalid_argument for less than 3 samples, no validation sample, or fewer than
     ///   two samples left to train on, and as LengthPrior::check()
     void check() const;
@@ -39,12 +39,12 @@ struct FormErrors {
 /// The paper's numerical experiment (section 5) on one net.
 struct Study {
     CableNet net;                 ///< as designed
-    StudySettings settings;       ///< as they were told
+    StudySettings settings;       ///< as given
     DataSet data;                 ///< all samples, those for validation last
     LengthModel model;            ///< as in the paper
     std::vector<int> validation;  ///< indices of the validation samples, those that converged
     /// Every method of identification on exact surveys of the validation samples: "gp_as_in_paper",
-    /// "gp", "balance", "map". All below is of the first, the paper's.
+    /// "gp", "balance", "map". All members below are of the first, the paper's.
     std::vector<MethodResult> methods;
     LengthEstimates estimates;  ///< of the validation samples (m_I x n_v) [m]
     /// Per free node (n_I) for the first validation sample, the paper's k = 1 [m].
@@ -61,7 +61,7 @@ struct Study {
         double training = 0.0;        ///< of the models of "gp_as_in_paper" and "gp"
         double identification = 0.0;  ///< by all methods
         double total = 0.0;           ///< of the whole experiment
-    } seconds;                        ///< that the parts took
+    } seconds;                        ///< of the parts
 };
 
 /// Runs the experiment: draws the data set (Algorithm 2), trains on all samples but the validation
@@ -70,7 +70,7 @@ struct Study {
 /// @throws std::invalid_argument as StudySettings::check() and Sampler
 /// @throws std::runtime_error where the nominal net finds no equilibrium, too few samples converge,
 ///   or the method of the paper fails on one
-/// @param progress told of the stages "sampling", "training" and "identification"
+/// @param progress gets the stages "sampling", "training" and "identification"
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT Study run_study(const CableNet& net,
                                                      const StudySettings& settings,

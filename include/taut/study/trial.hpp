@@ -12,12 +12,11 @@
 
 namespace taut {
 
-/// What an instrument does to the form of a trial.
+/// Noise and hidden nodes of a survey.
 struct SurveyKind {
     double noise_std = 0.0;    ///< normal noise on every coordinate of a free node [m]
     double hidden_part = 0.0;  ///< of the free nodes, not surveyed; in [0, 1)
 
-    /// Both numbers, to the last bit.
     friend bool operator==(const SurveyKind&, const SurveyKind&) = default;
 };
 
@@ -25,16 +24,15 @@ struct SurveyKind {
 struct Trial {
     Eigen::VectorXd deviations;  ///< true length deviations of the interior edges (m_I) [m]
     Points form;                 ///< true form (3 x n) [m]
-    /// Of the interior edges (m_I): without tension in the true form, which hides their lengths.
-    std::vector<bool> slack;
-    Survey survey;  ///< noise is stated as it is
-    /// Where there are several surveys: all of them; form, slack and survey are of the last.
+    std::vector<bool> slack;     ///< interior edges without tension in the true form (m_I)
+    Survey survey;               ///< with its true noise as the standard deviation
+    /// All surveys where there are several; form, slack and survey are of the last.
     std::vector<Epoch> epochs;
 };
 
-/// Surveys of samples of a data set. Noise and hidden nodes of a trial follow from the seed and the
-/// sample alone, so that trials of two kinds differ in nothing but the kind: the noise is the same
-/// but for its size.
+/// Simulates surveys of samples of a data set. Noise and hidden nodes of a trial follow from the
+/// seed and the sample alone. So trials of two kinds differ in nothing but the kind: the noise is
+/// the same up to its size.
 /// @param data of this net, which is not checked
 /// @param samples which, 0 to data.size() - 1, not checked; their forces must balance
 /// @throws std::invalid_argument as simulate_survey(), and for noise so large that surveyed points
@@ -44,7 +42,7 @@ struct Trial {
     const SurveyKind& kind, std::uint64_t seed);
 
 /// The same trials, surveyed once more: as they stand, or after every adjustable edge was turned by
-/// a stroke drawn from [-5 mm, 5 mm], at most a twentieth of its length, which is told.
+/// a known random stroke within 5 mm and a twentieth of its length either way.
 /// @throws std::invalid_argument as simulate_trials(), and where a net as turned finds no
 ///   equilibrium
 [[nodiscard]] TAUT_ADJUSTMENT_EXPORT std::vector<Trial> surveyed_again(const CableNet& net,

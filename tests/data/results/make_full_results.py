@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The taut authors
 # SPDX-License-Identifier: MIT
-"""Makes the results beside this script, in which every key of result.schema.json is filled.
+"""Makes the results beside this script, in which every key of result.schema.json has a value.
 
-What the program writes of a small net, and by hand what it does not find there. A new key goes into
-one of the functions below, then: make_full_results.py PROGRAM
+The program writes them for a small net; values that do not occur there are filled in here. Add a new
+key to one of the functions below, then run: make_full_results.py PROGRAM
 """
 
 import json
@@ -15,7 +15,7 @@ from pathlib import Path
 
 HERE = Path(__file__).parent
 PROGRAM = Path(sys.argv[1]).resolve()
-LAW = ["--prior", "uniform:3mm"]
+PRIOR = ["--prior", "uniform:3mm"]
 
 
 def taut(folder, *words):
@@ -50,8 +50,8 @@ def free(net):
 
 
 def identify(folder, net):
-    """By one survey with all that can be asked of it, and by two."""
-    taut(folder, "form", "net.json", *LAW, "--seed", 2, "-o", "built.csv", "--lengths", "truth.csv")
+    """From one survey with all options, and from two."""
+    taut(folder, "form", "net.json", *PRIOR, "--seed", 2, "-o", "built.csv", "--lengths", "truth.csv")
     taut(
         folder,
         "survey",
@@ -69,16 +69,16 @@ def identify(folder, net):
     )
     asked = [net["edge_ids"][e] for e in interior(net)[:2]]
     (folder / "asked.txt").write_text("\n".join(asked) + "\n")
-    unknowns = ["stiffness:5%@all", "stiffness-each:3%", "supports:0.5mm"]
-    told = [word for name in unknowns for word in ("--uncertain", name)]
-    common = [*LAW, "--draws", 20, "--quiet"]
+    names = ["stiffness:5%@all", "stiffness-each:3%", "supports:0.5mm"]
+    uncertain = [word for name in names for word in ("--uncertain", name)]
+    common = [*PRIOR, "--draws", 20, "--quiet"]
     taut(
         folder,
         "identify",
         "net.json",
         "one.csv",
         *common,
-        *told,
+        *uncertain,
         "--covariance-of",
         "asked.txt",
         "-o",
@@ -211,7 +211,7 @@ def full_identification(folder, net):
         "contradicted_slack": [inner[2]],
     }
     result["draws"]["reason"] = "made up"
-    result["edges"][1]["status"] = "unobserved"
+    result["edges"][1]["status"] = "not_determined"
     result["edges"][2]["status"] = "slack"
     survey = result["survey"]
     survey.update(outliers=[outlier], control=control, warnings=["made up"])
@@ -225,14 +225,14 @@ def full_identification(folder, net):
             "swapped_with": net["node_ids"][nodes[3]],
         }
     ]
-    # Supports stand where all that is said of them puts them.
+    # Places of the supports by all parts of the result.
     for i in net["supports"]:
         result["form"][i] = [
             x + t for x, t in zip(net["nodes"][i], offset["translation"], strict=True)
         ]
-    for unknown in result["uncertain"]:
-        if unknown["name"] == "supports":
-            result["form"][unknown["node"]]["xyz".index(unknown["axis"])] += unknown["mean"]
+    for one in result["uncertain"]:
+        if one["name"] == "supports":
+            result["form"][one["node"]]["xyz".index(one["axis"])] += one["mean"]
     result["form"][support["node"]][1] += 0.0005
     return result
 
@@ -297,7 +297,7 @@ def full_study(folder):
         "reproduce",
         "--net",
         "net.json",
-        *LAW,
+        *PRIOR,
         "--samples",
         12,
         "--validation",
@@ -325,7 +325,7 @@ def full_comparison(folder):
         "supports:1mm",
         "--quiet",
     ]
-    taut(folder, "compare", "net.json", *LAW, *wanted, "-o", "comparison")
+    taut(folder, "compare", "net.json", *PRIOR, *wanted, "-o", "comparison")
     comparison = read(folder / "comparison/comparison.json")
     comparison["epoch_rows"] = [{**comparison["rows"][0], "epochs": 2, "turned": True}]
     for rows in ("rows", "model_error_rows", "epoch_rows"):
@@ -347,14 +347,14 @@ def full_control(folder):
         "--noise",
         "0.2mm",
     ]
-    taut(folder, "control", "net.json", *LAW, *wanted, "-o", "control", "--quiet")
+    taut(folder, "control", "net.json", *PRIOR, *wanted, "-o", "control", "--quiet")
     control = read(folder / "control/control.json")
     control["settings"]["step"] = 0.001
     return control
 
 
 def lines(document):
-    """A key a line, that a change of one is seen."""
+    """One line per key, so that a change shows in a diff."""
     keys = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in document.items()]
     return "{\n" + ",\n".join(keys) + "\n}\n"
 

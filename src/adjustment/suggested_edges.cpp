@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "taut/adjustment/further_edges.hpp"
+#include "taut/adjustment/suggested_edges.hpp"
 
 #include <fmt/core.h>
 
@@ -21,10 +21,10 @@ namespace taut {
 namespace {
 
 constexpr size_t exact_tries = 5;
-constexpr double smallest_further_gain = 1e-3;  ///< of the cost
+constexpr double smallest_suggested_gain = 1e-3;  ///< of the cost
 constexpr Eigen::Index columns_at_once = 256;
 
-/// Edges that may be turned, those that were added last, with the best strokes found for them.
+/// Edges that may be turned, the added ones last, and the best strokes found for them.
 struct TurnedSet {
     std::vector<int> edges;
     Eigen::VectorXd shortest;
@@ -32,17 +32,17 @@ struct TurnedSet {
     StrokedState state;
 };
 
-class FurtherSearch {
+class SuggestionSearch {
 public:
-    FurtherSearch(const BuiltNet& built, const FormTarget& target, const Limits& limits,
-                  const Plan& plan)
+    SuggestionSearch(const BuiltNet& built, const FormTarget& target, const Limits& limits,
+                     const Plan& plan)
         : m_net(&built.net), m_target(&target), m_limits(&limits), m_plan(&plan) {
         for (const LoadCase& load_case : limits.load_cases) {
             m_case_nets.push_back(with_loads(built.net, load_case.loads));
         }
     }
 
-    /// The plan's edges, its strokes freed from whole steps.
+    /// The edges of the plan, with its strokes no longer in whole steps.
     [[nodiscard]] TurnedSet planned(const std::vector<int>& edges) {
         TurnedSet set{.edges = edges,
                       .shortest = m_limits->shortest_stroke,
@@ -56,7 +56,7 @@ public:
         return set;
     }
 
-    /// The same with another edge.
+    /// A set with one more edge.
     [[nodiscard]] TurnedSet with(const TurnedSet& set, int edge) {
         const Eigen::Index k = std::ssize(set.edges);
         TurnedSet wider{.edges = set.edges, .shortest = set.shortest, .longest = set.longest};
@@ -71,9 +71,9 @@ public:
         return wider;
     }
 
-    /// Edges that are not in the set, those first that lower the cost most to first order
-    /// (further-edges): with the residual z of the others' strokes, and their columns taken out of
-    /// the edge's own a, by (a . z)^2 / |a|^2 as far as its stroke goes.
+    /// Edges that are not in the set, by how much they lower the cost to first order
+    /// (further-edges): by (a . z)^2 / |a|^2 with the residual z and the edge's column a, from
+    /// which the columns of the set are projected out; less where the stroke is limited.
     [[nodiscard]] std::vector<int> ranked(const TurnedSet& set) const {
         const StrokedNet& stroked = set.state.nets.front();
         const FormTarget target = m_target->at(stroked.equilibrium.form);
@@ -92,19 +92,19 @@ public:
             }
             return columns;
         };
-        // Only strokes that are not at their end give way to the new one.
-        std::vector<int> giving_way;
+        // Only strokes that are not at their limits can adapt to the new one.
+        std::vector<int> adapting;
         for (Eigen::Index k = 0; k < std::ssize(set.edges); ++k) {
             constexpr double at_its_end = 1e-6;  // [m]
             const double stroke = set.state.strokes(k);
             if (stroke > set.shortest(k) + at_its_end && stroke < set.longest(k) - at_its_end) {
-                giving_way.push_back(set.edges[static_cast<size_t>(k)]);
+                adapting.push_back(set.edges[static_cast<size_t>(k)]);
             }
         }
         const Eigen::MatrixXd theirs =
-            giving_way.empty() ? Eigen::MatrixXd() : weighted_columns(giving_way);
+            adapting.empty() ? Eigen::MatrixXd() : weighted_columns(adapting);
         const auto without_theirs = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
-            if (giving_way.empty()) {
+            if (adapting.empty()) {
                 return columns;
             }
             return columns - theirs * minimum_norm_solution(theirs, columns);
@@ -157,14 +157,14 @@ private:
                 .violation_weight = m_violation_weight};
     }
 
-    /// The best strokes of a set, beginning at some.
+    /// Finds the best strokes of a set, from a start.
     void improve(TurnedSet& set, const Eigen::VectorXd& strokes) {
         std::vector<LimitedResponse> responses;
         for (size_t i = 0; i <= m_case_nets.size(); ++i) {
             responses.push_back(
                 {.response = StrokeResponse(i == 0 ? *m_net : m_case_nets[i - 1], set.edges,
                                             supports_of(m_limits->reactions)),
-                 .range = m_plan->held[i],
+                 .range = m_plan->effective_limits[i],
                  .start = m_plan->form});
         }
         StrokeTask task = task_of(set);
@@ -191,12 +191,11 @@ private:
 
 }  // namespace
 
-std::vector<FurtherEdge> further_edges(const BuiltNet& built, const FormTarget& target,
-                                       const Limits& limits, const PlanOptions& options,
-                                       const Plan& plan, int count, const Progress& progress) {
+std::vector<SuggestedEdge> suggested_edges(const BuiltNet& built, const FormTarget& target,
+                                           const Limits& limits, const PlanOptions& options,
+                                           const Plan& plan, int count, const Progress& progress) {
     if (count < 1) {
-        throw std::invalid_argument(
-            fmt::format("{} further edges are asked for, expected at least 1", count));
+        throw std::invalid_argument(fmt::format("{} suggested edges, expected at least 1", count));
     }
     const std::vector<int>& edges =
         options.edges.empty() ? built.net.adjustable_edges() : options.edges;
@@ -206,15 +205,15 @@ std::vector<FurtherEdge> further_edges(const BuiltNet& built, const FormTarget& 
     for (const PlannedStroke& stroke : plan.strokes) {
         if (std::ranges::find(edges, stroke.edge) == edges.end()) {
             throw std::invalid_argument(
-                fmt::format("the plan turns edge '{}', which may not be turned",
+                fmt::format("the plan turns edge '{}', which is not one of its adjustable edges",
                             built.net.edge_id(stroke.edge)));
         }
     }
-    FurtherSearch search(built, target, limits, plan);
+    SuggestionSearch search(built, target, limits, plan);
     TurnedSet set = search.planned(edges);
-    std::vector<FurtherEdge> result;
+    std::vector<SuggestedEdge> result;
     for (int i = 0; i < count; ++i) {
-        progress("further edges", i, count);
+        progress("suggested edges", i, count);
         std::optional<TurnedSet> best;
         const std::vector<int> ranked = search.ranked(set);
         for (size_t k = 0; k < std::min(exact_tries, ranked.size()); ++k) {
@@ -223,7 +222,7 @@ std::vector<FurtherEdge> further_edges(const BuiltNet& built, const FormTarget& 
                 best = std::move(wider);
             }
         }
-        if (!best || search.merit(*best) > (1.0 - smallest_further_gain) * search.merit(set)) {
+        if (!best || search.merit(*best) > (1.0 - smallest_suggested_gain) * search.merit(set)) {
             break;
         }
         set = std::move(*best);
@@ -234,7 +233,7 @@ std::vector<FurtherEdge> further_edges(const BuiltNet& built, const FormTarget& 
                  deviation_from(target, built.net, set.state.nets.front().equilibrium.form)
                      .normal_rmse});
     }
-    progress("further edges", count, count);
+    progress("suggested edges", count, count);
     return result;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against money spent on an edge that helps little beside another.
-#include "taut/adjustment/further_edges.hpp"
+// Guards against suggested edges that help less than others.
+#include "taut/adjustment/suggested_edges.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,10 +27,10 @@ BuiltNet built_of(const CableNet& net, const Eigen::VectorXd& deviations) {
     return {.net = CableNet(std::move(data)),
             .length_draws = {},
             .perturbations = {},
-            .no_draws_since = "of a test"};
+            .no_draws_because = "of a test"};
 }
 
-TEST(FurtherEdges, BeginWithTheOneEdgeThatIsWrong) {
+TEST(SuggestedEdges, BeginWithTheOneEdgeThatIsWrong) {
     const CableNet net = hypar(6, 6);
     Eigen::VectorXd deviations = Eigen::VectorXd::Zero(net.interior_edge_count());
     const int at = net.interior_edge_count() / 2;
@@ -39,14 +39,15 @@ TEST(FurtherEdges, BeginWithTheOneEdgeThatIsWrong) {
     const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
     const Plan plan = plan_strokes(built, target, limits);
-    const std::vector<FurtherEdge> further = further_edges(built, target, limits, {}, plan, 1);
-    ASSERT_EQ(further.size(), 1U);
-    EXPECT_EQ(further[0].edge, net.interior_edges()[at]);
-    EXPECT_NEAR(further[0].stroke, -4e-3, 0.2e-3);
-    EXPECT_LT(further[0].normal_rmse_after, 0.05 * plan.planned.normal_rmse);
+    const std::vector<SuggestedEdge> suggested =
+        suggested_edges(built, target, limits, {}, plan, 1);
+    ASSERT_EQ(suggested.size(), 1U);
+    EXPECT_EQ(suggested[0].edge, net.interior_edges()[at]);
+    EXPECT_NEAR(suggested[0].stroke, -4e-3, 0.2e-3);
+    EXPECT_LT(suggested[0].normal_rmse_after, 0.05 * plan.planned.normal_rmse);
 }
 
-TEST(FurtherEdges, AreTheBestOfAllTriedOneByOne) {
+TEST(SuggestedEdges, AreTheBestOfAllTriedOneByOne) {
     const CableNet net = hypar(4, 4);
     test::Random random(12);
     const BuiltNet built =
@@ -55,10 +56,11 @@ TEST(FurtherEdges, AreTheBestOfAllTriedOneByOne) {
     constexpr double stroke = 6e-3;
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), stroke);
     const Plan plan = plan_strokes(built, target, limits);
-    const std::vector<FurtherEdge> further = further_edges(built, target, limits, {}, plan, 2);
-    ASSERT_EQ(further.size(), 2U);
+    const std::vector<SuggestedEdge> suggested =
+        suggested_edges(built, target, limits, {}, plan, 2);
+    ASSERT_EQ(suggested.size(), 2U);
     PlanOptions options{.edges = net.adjustable_edges()};
-    for (const FurtherEdge& one : further) {
+    for (const SuggestedEdge& one : suggested) {
         EXPECT_LE(std::abs(one.stroke), stroke + 1e-9);
         double least = std::numeric_limits<double>::infinity();
         double with_it = 0.0;
@@ -87,28 +89,20 @@ TEST(FurtherEdges, AreTheBestOfAllTriedOneByOne) {
     }
 }
 
-TEST(FurtherEdges, AreNoneWhereNothingIsWrong) {
+TEST(SuggestedEdges, AreNoneWhereNothingIsWrongAndRefuseOtherPlans) {
     const CableNet net = hypar(4, 4);
     const BuiltNet built = built_of(net, Eigen::VectorXd::Zero(net.interior_edge_count()));
     const FormTarget target(net, built.net.nodes());
     const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 5e-3);
-    const Plan plan = plan_strokes(built, target, limits);
-    EXPECT_THAT([&] { static_cast<void>(further_edges(built, target, limits, {}, plan, 0)); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("0 further edges")));
-    for (const FurtherEdge& further : further_edges(built, target, limits, {}, plan, 1)) {
-        EXPECT_LT(std::abs(further.stroke), 1e-6);
-    }
-}
-
-TEST(FurtherEdges, RefuseAPlanThatTurnsOtherEdges) {
-    const CableNet net = hypar(4, 4);
-    const BuiltNet built = built_of(net, Eigen::VectorXd::Zero(net.interior_edge_count()));
-    const FormTarget target(net, net.nodes(), {.normal = 1.0, .tangential = 1.0});
-    const Limits limits = limits_of_stroke(built.net, net.adjustable_edges().size(), 10e-3);
     Plan plan = plan_strokes(built, target, limits);
+    EXPECT_THAT([&] { static_cast<void>(suggested_edges(built, target, limits, {}, plan, 0)); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("0 suggested edges")));
+    for (const SuggestedEdge& one : suggested_edges(built, target, limits, {}, plan, 1)) {
+        EXPECT_LT(std::abs(one.stroke), 1e-6);
+    }
     plan.strokes = {{.edge = net.interior_edges().front(), .stroke = 1e-3}};
-    EXPECT_THAT([&] { static_cast<void>(further_edges(built, target, limits, {}, plan, 1)); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("may not be turned")));
+    EXPECT_THAT([&] { static_cast<void>(suggested_edges(built, target, limits, {}, plan, 1)); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("not one of its adjustable")));
 }
 
 }  // namespace
