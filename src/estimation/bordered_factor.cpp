@@ -22,7 +22,7 @@ void BorderedFactor::set_border_count(int count) {
     border.assign(count, {});
     corner.setIdentity(count, count);
     extension_rates.setZero(std::ssize(m_edges), count);
-    reading_rates.setZero(std::ssize(m_edges), count);
+    force_rates.setZero(std::ssize(m_edges), count);
 }
 
 bool BorderedFactor::factorize() {
@@ -95,14 +95,14 @@ void BorderedFactor::add_border(Covariance& covariance) const {
             }
             length(k) = y.lengths(e);
             extension(k) = inner.extension_rate(e).dot(difference) - y.lengths(e);
-            reading(k) = inner.reading_place_rates.col(e).dot(difference) +
-                         inner.reading_length_rates(e) * y.lengths(e);
+            reading(k) = inner.force_place_rates.col(e).dot(difference) +
+                         inner.force_length_rates(e) * y.lengths(e);
         }
         if (m_unknown[e]) {
             covariance.lengths(e) += squared(length)(0, 0);
             covariance.extensions(e) += squared(extension - extension_rates.row(e))(0, 0);
         }
-        covariance.readings(e) += squared(reading - reading_rates.row(e))(0, 0);
+        covariance.forces(e) += squared(reading - force_rates.row(e))(0, 0);
     }
 }
 

@@ -38,7 +38,7 @@ public:
     /// What extensions and readings change by each of the uncertain of the border, besides by those
     /// of K (edges x columns).
     Eigen::MatrixXd extension_rates;
-    Eigen::MatrixXd reading_rates;
+    Eigen::MatrixXd force_rates;
 
     /// @return false where a pivot is singular
     [[nodiscard]] bool factorize();

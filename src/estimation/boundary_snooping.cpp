@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "estimation/data_snooping.hpp"
-#include "estimation/rival_scores.hpp"
+#include "estimation/comparable_scores.hpp"
 #include "numerics/dense.hpp"
 #include "numerics/small_dense.hpp"
 
@@ -129,7 +129,7 @@ void BoundarySnooping::take_score(Hypothesis& hypothesis, const LinearisedStatic
             hypothesis.found.statistic += along * along / information / scale;
         }
     }
-    hypothesis.score = rival_score(hypothesis.found.statistic, threshold_of(hypothesis));
+    hypothesis.score = comparable_score(hypothesis.found.statistic, threshold_of(hypothesis));
 }
 
 /// Of what is in the border already.
@@ -152,26 +152,26 @@ void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedSta
     hypothesis.found.std.head(count) = unit * covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     hypothesis.found.statistic =
         (values.transpose() * symmetric_solution(covariance, values)).value() / scale;
-    hypothesis.found.rival = hypothesis.rival;
-    hypothesis.score = rival_score(hypothesis.found.statistic, threshold_of(hypothesis));
+    hypothesis.found.confounded_with = hypothesis.confounded_with;
+    hypothesis.score = comparable_score(hypothesis.found.statistic, threshold_of(hypothesis));
 }
 
 /// What moves a support along an edge does what the edge's other length does.
-int BoundarySnooping::rival_of(const Hypothesis& hypothesis) const {
+int BoundarySnooping::confounded_with_of(const Hypothesis& hypothesis) const {
     constexpr double nearly = 0.5;  // of the score
-    int rival = -1;
+    int confounded_with = -1;
     double best = nearly * hypothesis.score;
     for (const Hypothesis& other : m_hypotheses) {
         const Hypothesis& support = other.is_support() ? other : hypothesis;
         const Hypothesis& edge = other.is_support() ? hypothesis : other;
-        const bool is_rival = other.kind != hypothesis.kind &&
+        const bool is_confounded = other.kind != hypothesis.kind &&
                               std::ranges::find(support.edges, edge.index) != support.edges.end();
-        if (is_rival && other.score > best) {
+        if (is_confounded && other.score > best) {
             best = other.score;
-            rival = other.index;
+            confounded_with = other.index;
         }
     }
-    return rival;
+    return confounded_with;
 }
 
 void BoundarySnooping::set_member(const Hypothesis& hypothesis, bool is_member) {
@@ -203,18 +203,18 @@ Eigen::VectorXd BoundarySnooping::scores() const {
     return scores;
 }
 
-bool BoundarySnooping::release(const Eigen::VectorXd& rivals, bool one_by_one) {
+bool BoundarySnooping::release(const Eigen::VectorXd& other_scores, bool one_by_one) {
     if (!m_is_active) {
         return false;
     }
-    const Eigen::VectorXd all = scores().cwiseMax(rivals);
+    const Eigen::VectorXd all = scores().cwiseMax(other_scores);
     const Eigen::VectorXd nearby = largest_nearby(m_net, all);
     const double least = std::max(1.0, one_by_one ? least_of_largest * all.maxCoeff() : 0.0);
     bool has_changed = false;
     for (Hypothesis& hypothesis : m_hypotheses) {
         const bool is_open = !is_released(hypothesis) && !hypothesis.is_readmitted;
-        if (is_open && hypothesis.score > least && is_blamed(hypothesis, nearby)) {
-            hypothesis.rival = rival_of(hypothesis);
+        if (is_open && hypothesis.score > least && is_suspect(hypothesis, nearby)) {
+            hypothesis.confounded_with = confounded_with_of(hypothesis);
             set_member(hypothesis, true);
             has_changed = true;
         }
@@ -223,7 +223,7 @@ bool BoundarySnooping::release(const Eigen::VectorXd& rivals, bool one_by_one) {
 }
 
 /// @param nearby the largest score near each node (n)
-bool BoundarySnooping::is_blamed(const Hypothesis& hypothesis,
+bool BoundarySnooping::is_suspect(const Hypothesis& hypothesis,
                                  const Eigen::VectorXd& nearby) const {
     const auto is_largest_at_ends = [&](int edge) {
         return std::ranges::all_of(m_net.edges()[edge],
@@ -257,7 +257,7 @@ bool BoundarySnooping::releases_too_many() const {
                             most_released_part * static_cast<double>(m_hypotheses.size()));
 }
 
-int BoundarySnooping::beyond_count() const {
+int BoundarySnooping::not_released_count() const {
     return static_cast<int>(std::ranges::count_if(m_hypotheses, [&](const Hypothesis& hypothesis) {
         return !is_released(hypothesis) && hypothesis.score > 1.0;
     }));

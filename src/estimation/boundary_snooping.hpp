@@ -39,7 +39,7 @@ public:
     [[nodiscard]] Eigen::VectorXd scores() const;
     /// As of LengthSnooping.
     /// @param one_by_one only what has the largest score of all
-    [[nodiscard]] bool release(const Eigen::VectorXd& rivals, bool one_by_one);
+    [[nodiscard]] bool release(const Eigen::VectorXd& other_scores, bool one_by_one);
     /// As of LengthSnooping.
     [[nodiscard]] bool readmit();
     void readmit_all() { set_released({}); }
@@ -51,7 +51,7 @@ public:
     /// Whether so much is not as told that none of it is to be named alone.
     [[nodiscard]] bool releases_too_many() const;
     /// Of what was not released: how much is above its threshold.
-    [[nodiscard]] int beyond_count() const;
+    [[nodiscard]] int not_released_count() const;
     /// Sum of the thresholds of all that is released.
     [[nodiscard]] double released_cost() const;
     /// DetectableErrors::adjustable or support, of those that are as told.
@@ -65,9 +65,9 @@ private:
         int index = 0;
         std::vector<int> edges;  ///< of a support
         BoundaryOutlier found;
-        double score = 0.0;  ///< (rivals)
+        double score = 0.0;  ///< (score)
         TestedItem tested;   ///< while it is as told
-        int rival = -1;      ///< when it was released
+        int confounded_with = -1;      ///< when it was released
         bool is_readmitted = false;
 
         [[nodiscard]] bool is_support() const { return kind == BoundaryOutlier::Kind::support; }
@@ -84,8 +84,8 @@ private:
                     double scale) const;
     void take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
                        const Iterate& fitted, double scale) const;
-    [[nodiscard]] int rival_of(const Hypothesis& hypothesis) const;
-    [[nodiscard]] bool is_blamed(const Hypothesis& hypothesis, const Eigen::VectorXd& nearby) const;
+    [[nodiscard]] int confounded_with_of(const Hypothesis& hypothesis) const;
+    [[nodiscard]] bool is_suspect(const Hypothesis& hypothesis, const Eigen::VectorXd& nearby) const;
     void set_member(const Hypothesis& hypothesis, bool is_member);
 
     const CableNet& m_net;

@@ -37,7 +37,7 @@ public:
     /// Keeps references to survey, noise (3 x n, positive where surveyed [m]) and readings.
     /// @param false_alarm_rate 0: no test
     DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
-                 const std::vector<ForceMeasurement>& readings, double false_alarm_rate);
+                 const std::vector<ForceMeasurement>& forces, double false_alarm_rate);
 
     [[nodiscard]] double threshold() const { return m_threshold; }
     /// Whether there is a test at all: an exact survey has no noise to measure residuals by.
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const std::vector<bool>& rejected() const { return m_rejected; }  ///< by node (n)
     [[nodiscard]] int rejected_count() const;
     /// By reading, in their order.
-    [[nodiscard]] const std::vector<bool>& rejected_readings() const { return m_rejected_readings; }
+    [[nodiscard]] const std::vector<bool>& rejected_forces() const { return m_rejected_forces; }
 
     /// Whether more targets are rejected than can have gross errors: not they are wrong then, but
     /// net, frame, prior or noise.
@@ -71,12 +71,12 @@ public:
 
     /// The same for the readings: tensions of the fit and their posterior variances (m). And for
     /// all of them together: whether they fit only if each is off by the same part, (common-bias).
-    void evaluate_readings(const Eigen::VectorXd& tensions, const Eigen::VectorXd& variances,
+    void evaluate_forces(const Eigen::VectorXd& tensions, const Eigen::VectorXd& variances,
                            const SumVariance& sum_variance, double inflation = 1.0);
 
     /// Part by which all readings are too high, and its standard deviation, where they were
     /// rejected together for that.
-    [[nodiscard]] const std::optional<ForceBias>& reading_bias() const { return m_reading_bias; }
+    [[nodiscard]] const std::optional<ForceBias>& force_bias() const { return m_force_bias; }
 
     /// Rejects the targets above the threshold, of those two edges or less apart only the largest,
     /// since a gross error shows in the residuals around it, too. Where there are none, readmits
@@ -88,16 +88,16 @@ public:
     /// @return whether anything changed
     [[nodiscard]] bool revise() { return reject(Eigen::VectorXd()) || readmit(); }
     /// Its first half.
-    /// @param rivals scores of other tests by node (n), that a target has to stand out from, too;
+    /// @param other_scores scores of other tests by node (n), that a target has to stand out from, too;
     ///   empty: none
-    [[nodiscard]] bool reject(const Eigen::VectorXd& rivals);
+    [[nodiscard]] bool reject(const Eigen::VectorXd& other_scores);
     /// Its second half.
     [[nodiscard]] bool readmit();
     /// Rejects one target, or takes it back.
     void set_rejected(int node, bool is_rejected) { m_rejected[node] = is_rejected; }
     /// Of each target, from the last fit (n).
     [[nodiscard]] const Eigen::VectorXd& statistics() const { return m_statistics; }
-    /// The (rivals) score of the target in use at each node (n), to be held against
+    /// The score, (score), of the target in use at each node (n), to be held against
     /// those of other tests.
     [[nodiscard]] Eigen::VectorXd scores() const;
 
@@ -108,18 +108,18 @@ public:
         /// Statistics of targets that cannot be told apart from something else that is wrong, and
         /// are not readmitted; else 0 (n).
         Eigen::VectorXd for_good;
-        std::vector<bool> readings;
+        std::vector<bool> forces;
         std::optional<ForceBias> bias;
     };
     [[nodiscard]] Rejected all_rejected() const {
-        return {m_rejected, m_rejected_for_good, m_rejected_readings, m_reading_bias};
+        return {m_rejected, m_rejected_for_good, m_rejected_forces, m_force_bias};
     }
     /// Rejects these, and no others.
     void set_rejected(Rejected rejected) {
         m_rejected = std::move(rejected.targets);
         m_rejected_for_good = std::move(rejected.for_good);
-        m_rejected_readings = std::move(rejected.readings);
-        m_reading_bias = rejected.bias;
+        m_rejected_forces = std::move(rejected.forces);
+        m_force_bias = rejected.bias;
     }
     /// Sum of the thresholds of all that is rejected.
     [[nodiscard]] double rejected_cost() const;
@@ -132,7 +132,7 @@ public:
     [[nodiscard]] double detectable() const;
 
     [[nodiscard]] std::vector<Outlier> outliers() const;  ///< the largest statistic first
-    [[nodiscard]] std::vector<ForceOutlier> reading_outliers() const;  ///< likewise
+    [[nodiscard]] std::vector<ForceOutlier> force_outliers() const;  ///< likewise
     /// Root mean square of the standardised residuals in use, over their expectation.
     /// docs/theory.md, (redundancy).
     [[nodiscard]] double noise_ratio() const;
@@ -143,20 +143,20 @@ private:
     [[nodiscard]] bool is_rejected(int node) const { return m_rejected[node]; }
     /// T of a target at another node's expected place, as if that were its own.
     [[nodiscard]] double statistic_at(int target, int node) const;
-    void tell_swapped(std::vector<Outlier>& outliers) const;
+    void mark_swapped(std::vector<Outlier>& outliers) const;
     [[nodiscard]] int suspicious_count() const;
     [[nodiscard]] bool is_too_many(int targets) const;
-    [[nodiscard]] std::vector<int> largest_above_threshold(const Eigen::VectorXd& rivals) const;
+    [[nodiscard]] std::vector<int> largest_above_threshold(const Eigen::VectorXd& other_scores) const;
     [[nodiscard]] double median_statistic() const;
-    [[nodiscard]] bool reject_all_readings(double than);
-    [[nodiscard]] bool reject_worst_reading(double than);
-    [[nodiscard]] bool readmit_readings();
+    [[nodiscard]] bool reject_all_forces(double than);
+    [[nodiscard]] bool reject_worst_force(double than);
+    [[nodiscard]] bool readmit_forces();
 
     const Survey& m_survey;
     const Points& m_noise;
-    const std::vector<ForceMeasurement>& m_readings;
+    const std::vector<ForceMeasurement>& m_forces;
     double m_threshold;
-    double m_reading_threshold;
+    double m_force_threshold;
     std::vector<std::vector<int>> m_neighbours;  ///< nodes next to each node
     std::vector<bool> m_rejected;
     std::vector<bool> m_readmitted;       ///< for good
@@ -169,13 +169,13 @@ private:
         Eigen::Matrix3d covariance;  // [m2]
     };
     std::map<int, ExpectedPlace> m_expected_places;  ///< by node
-    std::vector<bool> m_rejected_readings;
-    std::vector<bool> m_readmitted_readings;  ///< for good
-    Eigen::VectorXd m_reading_statistics;
+    std::vector<bool> m_rejected_forces;
+    std::vector<bool> m_readmitted_forces;  ///< for good
+    Eigen::VectorXd m_force_statistics;
     Eigen::VectorXd m_expected;     ///< tensions of the edges that were read, by the fit [N]
     ForceBias m_found_bias;         ///< of the readings in use
     double m_bias_statistic = 0.0;  ///< its square in its variances
-    std::optional<ForceBias> m_reading_bias;
+    std::optional<ForceBias> m_force_bias;
     std::vector<TestedItem> m_in_use;
     double m_residual_scale = 1.0;  ///< squared, of a fit as if the noise were larger
     double m_squares = 0.0;

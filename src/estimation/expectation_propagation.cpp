@@ -18,7 +18,7 @@ constexpr int most_rounds = 30;
 constexpr int most_iterations = 20;
 
 /// Where the means move by no more than this part of their standard deviations, root mean square.
-constexpr double settled_part = 0.02;
+constexpr double converged_part = 0.02;
 
 /// A part of each change is left out, so that edges that are known only together do not swing
 /// between each other.
@@ -154,22 +154,22 @@ Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
         return result;
     }
     TautSites taut(knowledge, observations);
-    bool has_settled = false;
+    bool has_converged = false;
     for (int round = 0; round < most_rounds; ++round) {
         Distance distance;
         update_length_sites(net, knowledge, statics, result.iterate, result.observations, distance);
         taut.update(statics, result.iterate, result.observations, distance);
         const double moved = distance.rms();
         // One step a round; the last ones are gauss_newton()'s.
-        if (moved <= settled_part || !follow_sites(statics, result)) {
+        if (moved <= converged_part || !follow_sites(statics, result)) {
             GaussNewtonResult fit = gauss_newton(statics, result.observations, result.iterate,
                                                  tolerance, most_iterations);
             result.iterate = std::move(fit.iterate);
-            has_settled = fit.converged && moved <= settled_part;
+            has_converged = fit.converged && moved <= converged_part;
             break;
         }
     }
-    if (!has_settled) {
+    if (!has_converged) {
         result = {.observations = observations, .iterate = fitted};
         (void)statics.linearise(fitted, observations);
     }

@@ -97,11 +97,11 @@ LengthPrior of_std(LengthPrior::Kind kind, double std) {
     return {kind, std / LengthPrior{kind, 1.0}.std()};
 }
 
-struct Steps {
+struct Moments {
     double mean = 0.0;
     double std = 0.0;
 };
-Steps moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+Moments moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
     const double mean = weights.dot(values) / weights.sum();
     const double variance = weights.dot((values.array() - mean).square().matrix()) / weights.sum();
     return {.mean = mean, .std = std::sqrt(variance)};

@@ -17,7 +17,7 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
     const Eigen::VectorXd variances = statics.length_variances();
     const Eigen::VectorXd extension_variances = statics.extension_variances();
     const Eigen::VectorXd prior_variances = statics.blur().length_variances(
-        net.interior_edge_count());  // (blurred-prior), (own-stiffness)
+        net.interior_edge_count());  // (blurred-law), (own-stiffness)
     const Eigen::VectorXd lengths =
         statics.common().cold(edge_lengths(net, fitted.form), fitted.common);
     const std::vector<bool> can_be_slack =

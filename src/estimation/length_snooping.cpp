@@ -10,7 +10,7 @@
 
 #include "estimation/data_snooping.hpp"
 #include "estimation/detectable_error.hpp"
-#include "estimation/rival_scores.hpp"
+#include "estimation/comparable_scores.hpp"
 #include "taut/net/cable_runs.hpp"
 
 namespace taut {
@@ -291,7 +291,7 @@ bool LengthSnooping::is_swap(const LengthSuspect& pair, const Eigen::Matrix2d& s
 }
 
 double LengthSnooping::score_of(const LengthSuspect& suspect) const {
-    return rival_score(suspect.statistic, threshold_of(suspect));
+    return comparable_score(suspect.statistic, threshold_of(suspect));
 }
 
 std::vector<int> LengthSnooping::nodes_of(const LengthSuspect& suspect) const {
@@ -326,15 +326,15 @@ Eigen::VectorXd LengthSnooping::scores() const {
 bool LengthSnooping::may_release(const LengthSuspect& suspect,
                                  const std::vector<bool>& released) const {
     return !suspect.is_readmitted && !released[suspect.edge] &&
-           !(suspect.is_pair() && released[suspect.other]) && is_beyond(suspect);
+           !(suspect.is_pair() && released[suspect.other]) && is_outlier(suspect);
 }
 
-bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
+bool LengthSnooping::release(const Eigen::VectorXd& other_scores) {
     if (!is_active()) {
         return false;
     }
     std::vector<bool> released = this->released();
-    const Eigen::VectorXd nearby = largest_nearby(m_net, scores().cwiseMax(rivals));
+    const Eigen::VectorXd nearby = largest_nearby(m_net, scores().cwiseMax(other_scores));
     Eigen::VectorXd beyond = Eigen::VectorXd::Zero(m_net.node_count());
     for (const LengthSuspect& suspect : m_suspects) {
         if (may_release(suspect, released)) {
@@ -343,7 +343,7 @@ bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
             }
         }
     }
-    const Eigen::VectorXd beyond_nearby = largest_nearby(m_net, beyond);
+    const Eigen::VectorXd largest_core_nearby = largest_nearby(m_net, beyond);
     bool has_changed = false;
     for (LengthSuspect& suspect : m_suspects) {
         if (!may_release(suspect, released)) {
@@ -354,7 +354,7 @@ bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
             // A normal prior bears what the true one, which ends, does not: where nothing nearby is
             // beyond its threshold by that, the edge furthest beyond its prior is the one.
             return own >= nearby(node) ||
-                   (nearby(node) < 1.0 && suspect.core_statistic >= beyond_nearby(node));
+                   (nearby(node) < 1.0 && suspect.core_statistic >= largest_core_nearby(node));
         };
         if (std::ranges::all_of(nodes_of(suspect), stands_out)) {
             suspect.is_released = true;
@@ -406,7 +406,7 @@ bool LengthSnooping::is_slip(const LengthSuspect& pair) const {
 bool LengthSnooping::readmit() {
     bool has_changed = false;
     for (LengthSuspect& suspect : m_suspects) {
-        if (suspect.is_released && !suspect.is_beside_target && !is_beyond(suspect)) {
+        if (suspect.is_released && !suspect.is_beside_target && !is_outlier(suspect)) {
             suspect.is_released = false;
             suspect.is_readmitted = true;
             has_changed = true;
@@ -543,12 +543,12 @@ std::vector<LengthOutlier> LengthSnooping::outliers() const {
             {.edge = edge, .deviation = found.mean, .std = found.std, .statistic = statistic});
     }
     std::ranges::stable_sort(result, std::greater{}, &LengthOutlier::statistic);
-    tell_swapped(result);
+    mark_swapped(result);
     return result;
 }
 
 /// (swap): of the edges that were released, those two of which each has the other's length.
-void LengthSnooping::tell_swapped(std::vector<LengthOutlier>& outliers) const {
+void LengthSnooping::mark_swapped(std::vector<LengthOutlier>& outliers) const {
     constexpr double apart = 5.0;   // standard deviations that the lengths differ by, at least
     constexpr double nearly = 3.0;  // standard deviations of both, and of their prior
     const double prior = std::ranges::max(m_priors, {}, &LengthPrior::std).std();

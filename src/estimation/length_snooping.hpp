@@ -53,14 +53,14 @@ public:
     void evaluate(const std::vector<LengthLikelihood>& told, const LinearisedStatics& statics,
                   const Observations& observations, const Iterate& fitted);
 
-    /// The largest (rivals) score of the edges in use at each node (n), to be held
+    /// The largest score, (score), of the edges in use at each node (n), to be held
     /// against those of other tests.
     [[nodiscard]] Eigen::VectorXd scores() const;
 
     /// Releases what is beyond its prior and stands out more than all else within two edges.
-    /// @param rivals scores of other tests by node (n)
+    /// @param other_scores scores of other tests by node (n)
     /// @return whether there was any
-    [[nodiscard]] bool release(const Eigen::VectorXd& rivals);
+    [[nodiscard]] bool release(const Eigen::VectorXd& other_scores);
     /// Pairs of one run at a node, but for those of which an edge is released in another pair: what
     /// (slip) tries.
     /// @return places among suspects()
@@ -104,7 +104,7 @@ private:
         return suspect.is_pair() ? m_pair_threshold : m_threshold;
     }
     [[nodiscard]] double score_of(const LengthSuspect& suspect) const;
-    [[nodiscard]] bool is_beyond(const LengthSuspect& suspect) const {
+    [[nodiscard]] bool is_outlier(const LengthSuspect& suspect) const {
         return std::max(suspect.statistic, suspect.core_statistic) > threshold_of(suspect);
     }
     [[nodiscard]] bool may_release(const LengthSuspect& suspect,
@@ -122,7 +122,7 @@ private:
                    const Iterate& fitted) const;
     [[nodiscard]] bool is_swap(const LengthSuspect& pair, const Eigen::Matrix2d& scatter) const;
     [[nodiscard]] double swapped_difference(const LengthSuspect& pair) const;
-    void tell_swapped(std::vector<LengthOutlier>& outliers) const;
+    void mark_swapped(std::vector<LengthOutlier>& outliers) const;
 
     const CableNet& m_net;
     std::vector<LengthPrior> m_priors;

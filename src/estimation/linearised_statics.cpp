@@ -128,16 +128,16 @@ double LinearisedStatics::unstressed_length(int edge, const Iterate& iterate) co
 }
 
 TensionLaw::Tangent LinearisedStatics::law_tangent(int edge, double strain) const {
-    if (!m_held_laws.empty()) {  // (drawn-law)
-        const auto& [at, tangent] = m_held_laws[edge];
+    if (!m_fixed_laws.empty()) {  // (drawn-law)
+        const auto& [at, tangent] = m_fixed_laws[edge];
         return {.tension = tangent.tension + tangent.slope * (strain - at), .slope = tangent.slope};
     }
     const double strain_std = m_blur.strain_stds.size() > 0 ? m_blur.strain_stds(edge) : 0.0;
     return m_net.tension_law(edge)->blurred(strain, strain_std);
 }
 
-void LinearisedStatics::hold_laws(const Iterate& iterate) {
-    std::vector<HeldLaw> held(m_net.edge_count());
+void LinearisedStatics::fix_tension_laws(const Iterate& iterate) {
+    std::vector<FixedLaw> held(m_net.edge_count());
     const Eigen::VectorXd lengths = edge_lengths(m_net, iterate.form);
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (m_net.tension_law(e) != nullptr) {
@@ -147,7 +147,7 @@ void LinearisedStatics::hold_laws(const Iterate& iterate) {
             held[e] = {.strain = strain, .tangent = law_tangent(e, strain)};
         }
     }
-    m_held_laws = std::move(held);
+    m_fixed_laws = std::move(held);
 }
 
 /// docs/theory.md, (edge rates)
@@ -258,7 +258,7 @@ void LinearisedStatics::set_weights(const Observations& observations) {
         squared_unit * prior_variances(observations).cwiseInverse();
     matrix.load_variances = m_multiplier_unit * m_multiplier_unit *
                             observations.load_variance(Eigen::all, m_free_nodes);
-    matrix.reading_weights = observations.tension_weights / (m_multiplier_unit * m_multiplier_unit);
+    matrix.force_weights = observations.tension_weights / (m_multiplier_unit * m_multiplier_unit);
 }
 
 void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
@@ -270,8 +270,8 @@ void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
     const Eigen::Matrix3d stiffness = e.stiffness();
     matrix.edge_stiffness[edge] = unit * stiffness;
     matrix.length_rates.col(edge) = unit * e.length_rate();
-    matrix.reading_place_rates.col(edge) = unit * e.axial * e.direction;
-    matrix.reading_length_rates(edge) = m_interior_of[edge] >= 0 ? unit * e.by_length : 0.0;
+    matrix.force_place_rates.col(edge) = unit * e.axial * e.direction;
+    matrix.force_length_rates(edge) = m_interior_of[edge] >= 0 ? unit * e.by_length : 0.0;
     for (const int node : {s, t}) {
         if (node < m_local.free_count) {
             matrix.node_stiffness[node] +=
@@ -284,7 +284,7 @@ void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
         const double rate = add_to_column(edge, e, variation, observations.tension_weights(edge),
                                           m_matrix.border[k]);
         m_tension_rates(edge, k) = rate;
-        m_matrix.reading_rates(edge, k) = m_multiplier_unit * rate;
+        m_matrix.force_rates(edge, k) = m_multiplier_unit * rate;
         m_matrix.extension_rates(edge, k) =
             (e.direction.dot(variation.motion) - variation.length) / m_length_unit;
     }
@@ -320,7 +320,7 @@ Eigen::Vector3d LinearisedStatics::force_of(const EdgeRates& e,
 /// Adds what an edge does to the column of a number.
 /// @return by which its tension changes [N]
 double LinearisedStatics::add_to_column(int edge, const EdgeRates& e,
-                                        const EdgeVariation& variation, double reading_weight,
+                                        const EdgeVariation& variation, double force_weight,
                                         BorderedFactor::Inner& column) const {
     const auto [s, t] = m_local.edges[edge];
     const SaddlePointFactor& matrix = m_matrix.inner;
@@ -331,14 +331,14 @@ double LinearisedStatics::add_to_column(int edge, const EdgeRates& e,
             column.multipliers.col(node) += sign * force;
         }
     }
-    if (reading_weight > 0.0) {
-        const double read = matrix.reading_weights(edge) * m_multiplier_unit * rate;
+    if (force_weight > 0.0) {
+        const double read = matrix.force_weights(edge) * m_multiplier_unit * rate;
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < column.places.cols()) {
-                column.places.col(node) += sign * read * matrix.reading_place_rates.col(edge);
+                column.places.col(node) += sign * read * matrix.force_place_rates.col(edge);
             }
         }
-        column.lengths(edge) += read * matrix.reading_length_rates(edge);
+        column.lengths(edge) += read * matrix.force_length_rates(edge);
     }
     return rate;
 }
@@ -423,8 +423,8 @@ bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& ob
     std::ranges::fill(matrix.edge_stiffness, Eigen::Matrix3d::Zero());
     std::ranges::fill(matrix.node_stiffness, Eigen::Matrix3d::Zero());
     matrix.length_rates.setZero();
-    matrix.reading_place_rates.setZero();
-    matrix.reading_length_rates.setZero();
+    matrix.force_place_rates.setZero();
+    matrix.force_length_rates.setZero();
     const auto node_count = std::ssize(m_nodes);
     for (BorderedFactor::Inner& column : m_matrix.border) {
         column = {.places = Eigen::Matrix3Xd::Zero(3, node_count),
@@ -432,7 +432,7 @@ bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& ob
                   .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)};
     }
     m_tension_rates.setZero(m_net.edge_count(), m_common.count());
-    m_matrix.reading_rates.setZero();
+    m_matrix.force_rates.setZero();
     m_matrix.extension_rates.setZero();
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!m_slack[e]) {
@@ -491,7 +491,7 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
             forces.col(t) -= force;
         }
     }
-    // (unknown): a load gives way to its reaction.
+    // (uncertain-parameters): a load gives way to its reaction.
     forces -= observations.load_mean - iterate.loads;
     const Points measured = observations.weighted(observations.form - iterate.form);
     const Points of_supports =
@@ -515,15 +515,15 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
             }
         }
     }
-    add_readings(iterate, observations, result);
+    add_force_measurements(iterate, observations, result);
     if (observations.evidence) {
         add_evidence(iterate, observations, result);
     }
     return result;
 }
 
-/// (reading)
-void LinearisedStatics::add_readings(const Iterate& iterate, const Observations& observations,
+/// (force-measurement)
+void LinearisedStatics::add_force_measurements(const Iterate& iterate, const Observations& observations,
                                      BorderedFactor::Vector& right_side) const {
     const SaddlePointFactor& matrix = m_matrix.inner;
     for (int e = 0; e < m_net.edge_count(); ++e) {
@@ -531,15 +531,15 @@ void LinearisedStatics::add_readings(const Iterate& iterate, const Observations&
             continue;
         }
         const double misfit = observations.tension(e) - rates(e, iterate).tension;
-        const double pull = matrix.reading_weights(e) * m_multiplier_unit * misfit;
+        const double pull = matrix.force_weights(e) * m_multiplier_unit * misfit;
         const auto [s, t] = m_local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < std::ssize(m_nodes)) {
                 right_side.inner.places.col(node) +=
-                    sign * pull * matrix.reading_place_rates.col(e);
+                    sign * pull * matrix.force_place_rates.col(e);
             }
         }
-        right_side.inner.lengths(e) += pull * matrix.reading_length_rates(e);
+        right_side.inner.lengths(e) += pull * matrix.force_length_rates(e);
         right_side.border +=
             observations.tension_weights(e) * misfit * m_tension_rates.row(e).transpose();
     }
@@ -589,9 +589,9 @@ double LinearisedStatics::squared_norm(const Observations& observations,
             const auto [s, t] = m_net.edges()[e];
             const int i = m_interior_of[e];
             const double tension =
-                unit * (m_matrix.inner.reading_place_rates.col(e).dot(change.form.col(s) -
+                unit * (m_matrix.inner.force_place_rates.col(e).dot(change.form.col(s) -
                                                                       change.form.col(t)) +
-                        (i >= 0 ? m_matrix.inner.reading_length_rates(e) * change.deviations(i)
+                        (i >= 0 ? m_matrix.inner.force_length_rates(e) * change.deviations(i)
                                 : 0.0)) +
                 m_tension_rates.row(e).dot(change.common);
             sum += observations.tension_weights(e) * tension * tension;
@@ -606,10 +606,10 @@ double LinearisedStatics::objective(const Observations& observations,
                          .deviations = iterate.deviations - observations.mean,
                          .loads = iterate.loads - observations.load_mean,
                          .common = iterate.common - observations.common_mean};
-    Observations without_readings = observations;
-    without_readings.tension_weights.setZero();
-    without_readings.support_weights.setZero();
-    without_readings.set_evidence(nullptr);
+    Observations without_forces = observations;
+    without_forces.tension_weights.setZero();
+    without_forces.support_weights.setZero();
+    without_forces.set_evidence(nullptr);
     double of_evidence = 0.0;
     if (observations.evidence) {
         const Eigen::VectorXd x = iterate.lengths_and_common(observations.evidence_pull.size());
@@ -617,7 +617,7 @@ double LinearisedStatics::objective(const Observations& observations,
                       observations.evidence_pull.dot(x);
     }
     const Eigen::VectorXd read = observations.tension - tensions(iterate);
-    return of_evidence + 0.5 * (squared_norm(without_readings, misfit) +
+    return of_evidence + 0.5 * (squared_norm(without_forces, misfit) +
                                 observations.support_weights
                                     .cwiseProduct(support_misfit(iterate, observations).cwiseAbs2())
                                     .sum() +
@@ -654,7 +654,7 @@ Eigen::Matrix3d LinearisedStatics::form_covariance(int node) const {
 }
 
 Eigen::VectorXd LinearisedStatics::tension_variances() const {
-    return m_covariance.readings / (m_multiplier_unit * m_multiplier_unit);
+    return m_covariance.forces / (m_multiplier_unit * m_multiplier_unit);
 }
 
 /// V + V Z V, Z the inverse over the multipliers.
@@ -672,27 +672,27 @@ Eigen::VectorXd LinearisedStatics::covariances_with(const Eigen::VectorXd& weigh
     const auto node_count = std::ssize(m_nodes);
     BorderedFactor::Vector sum{
         .inner = {.places = Eigen::Matrix3Xd::Zero(3, node_count),
-                  .lengths = weights.cwiseProduct(matrix.reading_length_rates),
+                  .lengths = weights.cwiseProduct(matrix.force_length_rates),
                   .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)},
         .border = m_multiplier_unit * m_tension_rates.transpose() * weights};
     for (int e = 0; e < m_net.edge_count(); ++e) {
         const auto [s, t] = m_local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < node_count) {
-                sum.inner.places.col(node) += sign * weights(e) * matrix.reading_place_rates.col(e);
+                sum.inner.places.col(node) += sign * weights(e) * matrix.force_place_rates.col(e);
             }
         }
     }
     const BorderedFactor::Vector varied = m_matrix.solve(sum);
     Eigen::VectorXd result(m_net.edge_count());
     for (int e = 0; e < m_net.edge_count(); ++e) {
-        double of_edge = matrix.reading_length_rates(e) * varied.inner.lengths(e) +
+        double of_edge = matrix.force_length_rates(e) * varied.inner.lengths(e) +
                          m_multiplier_unit * m_tension_rates.row(e).dot(varied.border);
         const auto [s, t] = m_local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < node_count) {
                 of_edge +=
-                    sign * matrix.reading_place_rates.col(e).dot(varied.inner.places.col(node));
+                    sign * matrix.force_place_rates.col(e).dot(varied.inner.places.col(node));
             }
         }
         result(e) = of_edge / (m_multiplier_unit * m_multiplier_unit);

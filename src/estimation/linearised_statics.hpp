@@ -45,7 +45,7 @@ struct LawBlur {
 ///   P dd + B' lambda = P (d_mean - d)
 ///   H dr + B dd      = -h
 ///
-/// with what (unknown) and (reading) add where supports, loads or common numbers are unknown and
+/// with what (uncertain-parameters) and (force-measurement) add where supports, loads or common numbers are unknown and
 /// forces are read; and the inverse of their matrix holds the posterior covariances of r and d
 /// (covariance). H lambda and B' lambda at the lambda of the linearisation stand on the right side:
 /// what is left there is then as small as the change that is solved for, and so are the rounding
@@ -101,7 +101,7 @@ public:
 
     /// From now on tension laws are seen by their tangents at an iterate, however far from it:
     /// draws around it then have the mean tension that the fit found. docs/theory.md (drawn-law)
-    void hold_laws(const Iterate& iterate);
+    void fix_tension_laws(const Iterate& iterate);
 
     /// With a width [m] above 0 no edge carries pressure: with e = l - l_0 its tension is
     ///
@@ -209,7 +209,7 @@ private:
     [[nodiscard]] Eigen::Vector3d force_of(const EdgeRates& e,
                                            const EdgeVariation& variation) const;
     double add_to_column(int edge, const EdgeRates& e, const EdgeVariation& variation,
-                         double reading_weight, BorderedFactor::Inner& column) const;
+                         double force_weight, BorderedFactor::Inner& column) const;
     [[nodiscard]] BorderedFactor::Vector empty_vector() const;
     struct ScoreColumn;
     void add_edge_to_score(ScoreColumn& column, int edge, const EdgeVariation& variation,
@@ -231,7 +231,7 @@ private:
     }
     [[nodiscard]] BorderedFactor::Vector right_side(const Iterate& iterate,
                                                     const Observations& observations) const;
-    void add_readings(const Iterate& iterate, const Observations& observations,
+    void add_force_measurements(const Iterate& iterate, const Observations& observations,
                       BorderedFactor::Vector& right_side) const;
     void set_reactions(const Eigen::Matrix3Xd& multipliers);
 
@@ -246,11 +246,11 @@ private:
     std::vector<int> m_nodes;        ///< the same, then the supports where these are unknown
     std::vector<bool> m_slack;
     LawBlur m_blur;
-    struct HeldLaw {
+    struct FixedLaw {
         double strain = 0.0;
         TensionLaw::Tangent tangent{};
     };
-    std::vector<HeldLaw> m_held_laws;  ///< one an edge; empty: they are not held
+    std::vector<FixedLaw> m_fixed_laws;  ///< one an edge; empty: they are not held
     double m_corner_width = 0.0;
     BorderedFactor m_matrix;
     BorderedFactor::Covariance m_covariance;

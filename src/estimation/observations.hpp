@@ -21,7 +21,7 @@ struct LengthEvidence {
 };
 
 /// What is known of form, lengths and all else apart from the statics: independent normal
-/// distributions. docs/theory.md, (observation), (prior), (unknown), (reading).
+/// distributions. docs/theory.md, (observation), (prior), (uncertain-parameters), (force-measurement).
 struct Observations {
     Points form;  ///< 3 x n, as measured; anything where the weight is 0 [m]
     /// 3 x n, the diagonal of S, the inverse covariance of each measured place: 1 / variance of

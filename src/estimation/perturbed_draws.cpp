@@ -48,7 +48,7 @@ double smallest_noise(const CableNet& net, const Observations& observations) {
 }
 
 /// (perturbed): as if surveyed, read and known beforehand once more.
-/// @param unknown variances of lengths that nobody knows, (blurred-prior), (own-stiffness)
+/// @param unknown variances of lengths that nobody knows, (blurred-law), (own-stiffness)
 Observations perturbed(const CableNet& net, const Observations& observations,
                        const Eigen::VectorXd& unknown, RandomNumbers& random) {
     Observations result = observations;
@@ -114,8 +114,8 @@ Observations with_drawn_mean(const Observations& observations, RandomNumbers& ra
 
 /// A length of the prior beyond that of the form, if the prior has any.
 double slack_deviation(const LengthPrior& prior, double slack_from, RandomNumbers& random) {
-    constexpr int most_trials = 1000;
-    for (int trial = 0; trial < most_trials; ++trial) {
+    constexpr int most_attempts = 1000;
+    for (int trial = 0; trial < most_attempts; ++trial) {
         if (const double deviation = prior.draw(random.uniform()); deviation > slack_from) {
             return deviation;
         }
@@ -142,7 +142,7 @@ public:
           m_statics(statics),
           m_sites(sites),
           m_knowledge(knowledge),
-          m_unknown_lengths(statics.blur().length_variances(net.interior_edge_count())),
+          m_blur_variances(statics.blur().length_variances(net.interior_edge_count())),
           m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
           m_fitted(fitted),
           m_all_taut(all_taut(net, fitted)),
@@ -161,7 +161,7 @@ private:
     };
     void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
                    const Progress& progress) const;
-    [[nodiscard]] PerturbedDraws gathered(const std::vector<std::optional<Draw>>& draws,
+    [[nodiscard]] PerturbedDraws collected(const std::vector<std::optional<Draw>>& draws,
                                           bool refit_all) const;
     struct Workspace {
         explicit Workspace(const CableNet& net) : solver(net) {}
@@ -172,7 +172,7 @@ private:
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    [[nodiscard]] Eigen::VectorXd tell_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
+    [[nodiscard]] Eigen::VectorXd separate_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
                                                bool refit, RandomNumbers& random) const;
     [[nodiscard]] std::vector<bool> slack_in(const Eigen::VectorXd& deviations,
                                              const Eigen::VectorXd& spans, bool refit) const;
@@ -188,7 +188,7 @@ private:
     const LinearisedStatics& m_statics;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
-    Eigen::VectorXd m_unknown_lengths;     ///< m_I, variances of those that nobody knows [m2]
+    Eigen::VectorXd m_blur_variances;     ///< m_I, variances of those that nobody knows [m2]
     Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
     Iterate m_all_taut;
@@ -243,12 +243,12 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
     return std::move(fit.iterate);
 }
 
-/// From what the draw gave, (own-stiffness) and (blurred-prior) included, to the edges' own
+/// From what the draw gave, (own-stiffness) and (blurred-law) included, to the edges' own
 /// lengths: of an edge with a tension law the one with which it carries what it does in the draw;
 /// of a slack edge what the prior of lengths tells beyond the form.
 /// @param prior_mean of the length deviations (m_I) [m]
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
-Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
+Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
                                            bool refit, RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
     const Eigen::VectorXd spans =
@@ -262,7 +262,7 @@ Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd
         const LengthPrior& prior = m_knowledge.priors[i];
         double& deviation = drawn.deviations(i);
         if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
-            const double part = of_stiffness(i) / (m_sites.variance(i) + m_unknown_lengths(i));
+            const double part = of_stiffness(i) / (m_sites.variance(i) + m_blur_variances(i));
             const double length = part * (deviation - prior_mean(i)) +
                                   std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
             own_stiffness(edge) = -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
@@ -344,7 +344,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                                                      Workspace& workspace) const {
     RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
     const Observations of_mean = with_drawn_mean(m_sites, random);
-    const Observations again = perturbed(m_net, of_mean, m_unknown_lengths, random);
+    const Observations again = perturbed(m_net, of_mean, m_blur_variances, random);
     auto fit = refit_all ? std::nullopt : followed(again);
     const bool refit = !fit;
     if (refit && can_be_fitted(m_net)) {
@@ -355,7 +355,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
     }
     Iterate& drawn = *fit;
     const Iterate by_fit = drawn;
-    const Eigen::VectorXd own_stiffness = tell_lengths(drawn, of_mean.mean, refit, random);
+    const Eigen::VectorXd own_stiffness = separate_lengths(drawn, of_mean.mean, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -404,7 +404,7 @@ void Perturbation::add_draws(std::vector<std::optional<Draw>>& draws, int count,
     });
 }
 
-PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& draws,
+PerturbedDraws Perturbation::collected(const std::vector<std::optional<Draw>>& draws,
                                       bool refit_all) const {
     std::vector<const Draw*> found;
     found.reserve(draws.size());
@@ -442,17 +442,17 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
 PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) const {
     std::vector<std::optional<Draw>> draws;
     add_draws(draws, std::min(count, pilot_draws), refit_all, progress);
-    PerturbedDraws pilot = gathered(draws, refit_all);
-    if (pilot.in_doubt() || count <= pilot_draws) {
+    PerturbedDraws pilot = collected(draws, refit_all);
+    if (pilot.is_unreliable() || count <= pilot_draws) {
         return pilot;
     }
     add_draws(draws, count, refit_all, progress);
-    return gathered(draws, refit_all);
+    return collected(draws, refit_all);
 }
 
 }  // namespace
 
-bool PerturbedDraws::in_doubt() const {
+bool PerturbedDraws::is_unreliable() const {
     const auto asked = static_cast<double>(count() + left_out);
     return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure);
 }
@@ -463,7 +463,7 @@ PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics
                                     const Progress& progress) {
     const Perturbation perturbation(net, statics, sites, knowledge, fitted, seed);
     PerturbedDraws linear = perturbation.run(draws, false, progress);
-    return linear.in_doubt() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
+    return linear.is_unreliable() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
                                                    : linear;
 }
 

@@ -31,7 +31,7 @@ struct PerturbedDraws {
 
     /// Whether more than one, and more than 2 %, were left out, or forms lie farther than 0.3
     /// standard deviations from what the draws gave: then they are not of this posterior.
-    [[nodiscard]] bool in_doubt() const;
+    [[nodiscard]] bool is_unreliable() const;
     [[nodiscard]] int count() const { return static_cast<int>(tensions.cols()); }
 };
 

@@ -16,11 +16,11 @@ double PriorKnowledge::length_std() const {
 }
 
 std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
-                                          const std::vector<bool>& rejected_readings) const {
+                                          const std::vector<bool>& rejected_forces) const {
     constexpr double surely_taut = 4.0;  // standard deviations
     for (size_t k = 0; k < forces.readings.size(); ++k) {
         const ForceMeasurement& reading = forces.readings[k];
-        const bool is_rejected = !rejected_readings.empty() && rejected_readings[k];
+        const bool is_rejected = !rejected_forces.empty() && rejected_forces[k];
         if (!is_rejected && reading.tension > surely_taut * reading.std) {
             slack[reading.edge] = false;
         }

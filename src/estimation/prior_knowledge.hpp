@@ -35,9 +35,9 @@ struct PriorKnowledge {
     [[nodiscard]] double length_std() const;
     /// Corrects which edges (m) are taken to be slack by what was seen; and by what was read, where
     /// that is more than four standard deviations above nothing.
-    /// @param rejected_readings by reading; empty: none
+    /// @param rejected_forces by reading; empty: none
     [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack,
-                                            const std::vector<bool>& rejected_readings = {}) const;
+                                            const std::vector<bool>& rejected_forces = {}) const;
 };
 
 /// Of the net's own interior edges (m_I), where those of the fit may be more.
@@ -48,7 +48,7 @@ struct PriorKnowledge {
 [[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey);
 
 /// A survey without the targets that are rejected (one flag a node), and all that is known besides,
-/// docs/theory.md (prior), (unknown), (reading).
+/// docs/theory.md (prior), (uncertain-parameters), (force-measurement).
 /// @param common_parameters how many there are
 [[nodiscard]] Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
                                    const std::vector<bool>& rejected,

@@ -10,7 +10,7 @@ namespace taut {
 namespace {
 
 /// What is told so weakly says nothing of the prior.
-constexpr double weakest_telling = 2.0;    // standard deviations of the prior
+constexpr double widest_used = 2.0;    // standard deviations of the prior
 constexpr double surely_taut_prior = 4.0;  // standard deviations
 
 /// Of all priors, so that one mis-cut edge does not speak for another prior.
@@ -53,7 +53,7 @@ PriorLikelihood::PriorLikelihood(const LengthPrior& prior,
                                  const std::vector<bool>& left_out)
     : m_prior_std(prior.std()) {
     for (size_t i = 0; i < told.size(); ++i) {
-        if (!left_out[i] && told[i].std < weakest_telling * m_prior_std &&
+        if (!left_out[i] && told[i].std < widest_used * m_prior_std &&
             told[i].extension > surely_taut_prior) {
             m_lengths.emplace_back(told[i].mean, told[i].std);
         }

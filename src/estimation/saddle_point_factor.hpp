@@ -74,11 +74,11 @@ public:
     std::vector<Eigen::Matrix3d> edge_stiffness;
     /// One an edge: the block of B of its first node, and -1 times that of its second (3 x edges).
     Eigen::Matrix3Xd length_rates;
-    Eigen::VectorXd reading_weights;  ///< w, one an edge; 0: no reading
+    Eigen::VectorXd force_weights;  ///< w, one an edge; 0: no reading
     /// One an edge: the entries of a at its first node, and -1 times those at its second (3 x
     /// edges); and the entry at its length.
-    Eigen::Matrix3Xd reading_place_rates;
-    Eigen::VectorXd reading_length_rates;
+    Eigen::Matrix3Xd force_place_rates;
+    Eigen::VectorXd force_length_rates;
 
     /// @return false where a pivot is singular
     [[nodiscard]] bool factorize();
@@ -98,7 +98,7 @@ public:
         /// Variances of the distance of the two nodes, along -B, less the length deviation: one an
         /// edge; 0 for known lengths.
         Eigen::VectorXd extensions;
-        Eigen::VectorXd readings;  ///< variances a' Z a, one an edge
+        Eigen::VectorXd forces;    ///< variances a' Z a, one an edge
     };
     /// Entries of the inverse, after factorize(), docs/theory.md (covariance): S and P being
     /// inverse covariances, the covariances under H r + B d = c. With Z the inverse over the
@@ -129,7 +129,7 @@ private:
     void assemble(int node, const Places& places, FrontMatrix& front) const;
     void assemble_edge(int edge, int node, const Places& places, FrontMatrix& front) const;
     void assemble_length(int edge, const Places& places, FrontMatrix& front) const;
-    void assemble_reading(int edge, int node, const Places& places, FrontMatrix& front) const;
+    void assemble_force(int edge, int node, const Places& places, FrontMatrix& front) const;
     void assemble_condensed(int edge, int node, const Places& places, FrontMatrix& front) const;
     [[nodiscard]] double length_pivot(int edge) const;
     [[nodiscard]] EdgeFunction length_row(int edge) const;

@@ -33,7 +33,7 @@ constexpr int most_blurs = 8;
 constexpr double largest_misfit_at_first = 0.3;
 constexpr double continuation_factor = 0.3;
 
-/// (rounded-prior): widths of the corner, in the smallest standard deviation of the survey at last,
+/// (rounded-law): widths of the corner, in the smallest standard deviation of the survey at last,
 /// and from one to the next; (decrement) at last and on the way there.
 constexpr double corner_in_noise = 0.3;
 constexpr double corner_factor = 0.3;
@@ -61,13 +61,13 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey,
 }
 
 /// A wide prior is no prior, and lets lengths explain everything.
-bool tests_what_was_told(const Survey& survey, const SurveyFitSettings& settings) {
+bool tests_priors(const Survey& survey, const SurveyFitSettings& settings) {
     return survey.is_noisy() && settings.prior_width == 1.0;
 }
 
 /// One false alarm in all tests together, as seldom as among the targets.
-double alarm_rate_of_what_was_told(const Survey& survey, const SurveyFitSettings& settings) {
-    return tests_what_was_told(survey, settings) ? settings.false_alarm_rate : 0.0;
+double prior_alarm_rate(const Survey& survey, const SurveyFitSettings& settings) {
+    return tests_priors(survey, settings) ? settings.false_alarm_rate : 0.0;
 }
 
 }  // namespace
@@ -83,8 +83,8 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net, knowledge.uncertain, knowledge.frame_is_unknown, {}, knowledge.coupling()),
       m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
-      m_length_snooping(net, knowledge.priors, alarm_rate_of_what_was_told(survey, settings)),
-      m_boundary_snooping(net, knowledge.uncertain, alarm_rate_of_what_was_told(survey, settings)) {
+      m_length_snooping(net, knowledge.priors, prior_alarm_rate(survey, settings)),
+      m_boundary_snooping(net, knowledge.uncertain, prior_alarm_rate(survey, settings)) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.uncertain));
 }
 
@@ -93,7 +93,7 @@ Iterate SurveyFit::nominal() const {
 }
 
 std::vector<bool> SurveyFit::as_seen(std::vector<bool> slack) const {
-    return m_knowledge.as_seen(std::move(slack), m_snooping.rejected_readings());
+    return m_knowledge.as_seen(std::move(slack), m_snooping.rejected_forces());
 }
 
 /// Edges (m) that a form shows to be slack, and no one saw taut.
@@ -111,14 +111,14 @@ std::vector<bool> SurveyFit::measured_slack(double inflation) const {
 
 GaussNewtonResult SurveyFit::run() {
     GaussNewtonResult fitted = fit_and_snoop(nominal(), 1.0);
-    if (!is_settled(fitted)) {
-        fitted = by_rounded_laws();
+    if (!is_sound(fitted)) {
+        fitted = by_rounded_tension_laws();
     } else {
         if (m_boundary_snooping.is_active()) {
-            doubt_boundary(fitted);
+            try_boundary(fitted);
         }
-        if (m_length_snooping.is_active() && !nodes_in_doubt().empty()) {
-            doubt_clamps(fitted);
+        if (m_length_snooping.is_active() && !suspect_nodes().empty()) {
+            try_clamps(fitted);
         }
     }
     if (!fitted.converged) {
@@ -166,7 +166,7 @@ Eigen::VectorXd SurveyFit::blamed() const {
 
 /// (boundary): where it may explain what is wrong, fits again with it in doubt, too: with all that
 /// stands out released at once, and with one thing after the other. Takes what costs least.
-void SurveyFit::doubt_boundary(GaussNewtonResult& fitted) {
+void SurveyFit::try_boundary(GaussNewtonResult& fitted) {
     m_boundary_test = BoundaryTest::at_once;
     evaluate(fitted, 1.0);
     m_boundary_test = BoundaryTest::none;
@@ -186,7 +186,7 @@ void SurveyFit::doubt_boundary(GaussNewtonResult& fitted) {
         m_boundary_test = BoundaryTest::none;
     }
     fitted = fit_as(best);
-    if (!is_settled(fitted)) {  // as before
+    if (!is_sound(fitted)) {  // as before
         readmit_all();
         fitted = fit_and_snoop(nominal(), 1.0);
     }
@@ -194,7 +194,7 @@ void SurveyFit::doubt_boundary(GaussNewtonResult& fitted) {
 }
 
 SurveyFit::Explanation SurveyFit::explanation_of(const GaussNewtonResult& fitted) const {
-    const bool is_one = is_settled(fitted) && !m_boundary_snooping.releases_too_many();
+    const bool is_one = is_sound(fitted) && !m_boundary_snooping.releases_too_many();
     return {.cost = is_one ? cost_of(fitted) : std::numeric_limits<double>::infinity(),
             .rejected = m_snooping.all_rejected(),
             .lengths = m_length_snooping.suspects(),
@@ -220,7 +220,7 @@ GaussNewtonResult SurveyFit::fit_as(const Explanation& explanation) {
 
 /// (slip): nodes at which a target was left out, or edges were released; those of the largest
 /// statistics.
-std::vector<int> SurveyFit::nodes_in_doubt() const {
+std::vector<int> SurveyFit::suspect_nodes() const {
     constexpr size_t most = 8;
     std::vector<std::pair<double, int>> nodes;
     for (const Outlier& outlier : m_snooping.outliers()) {
@@ -248,7 +248,7 @@ std::vector<int> SurveyFit::nodes_in_doubt() const {
 /// (slip): fits again with a clamp that slipped in place of what was found at its node, and with
 /// the target there left out. Takes what costs least; where a target and a clamp cost much the
 /// same, neither is relied on.
-void SurveyFit::doubt_clamps(GaussNewtonResult& fitted) {
+void SurveyFit::try_clamps(GaussNewtonResult& fitted) {
     // Chi-squared of two degrees of freedom, which a target has more than a clamp, exceeds it in 3
     // of 1,000.
     constexpr double inseparable = 11.6;
@@ -272,13 +272,13 @@ void SurveyFit::doubt_clamps(GaussNewtonResult& fitted) {
             other.slack[m_net.interior_edges()[pair.other]] = false;
         }
         const GaussNewtonResult fit = fit_as(other);
-        if (is_settled(fit)) {
+        if (is_sound(fit)) {
             evaluate(fit, 1.0);
         }
         return explanation_of(fit);
     };
     bool has_changed = false;
-    for (const int node : nodes_in_doubt()) {
+    for (const int node : suspect_nodes()) {
         const bool is_surveyed = std::ranges::binary_search(m_survey.surveyed, node);
         m_length_snooping.set_suspects(best.lengths);
         for (const size_t place : m_length_snooping.pairs_at(node)) {
@@ -308,10 +308,10 @@ void SurveyFit::doubt_clamps(GaussNewtonResult& fitted) {
         }
     }
     fitted = fit_as(best);
-    if (has_changed && is_settled(fitted)) {
+    if (has_changed && is_sound(fitted)) {
         fitted = fit_and_snoop(fitted.iterate, m_statics.slack(), 1.0);
     }
-    if (!is_settled(fitted)) {
+    if (!is_sound(fitted)) {
         fitted = fit_as(before);
     }
     m_boundary_test = boundary_test;
@@ -336,7 +336,7 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
         m_statics.set_slack(slack);
         fitted = gauss_newton(m_statics, observed, std::move(from), inflation * m_tolerance,
                               m_settings.max_iterations, m_settings.progress);
-        follow_laws(fitted, observed, inflation);
+        follow_tension_laws(fitted, observed, inflation);
         const std::vector<bool> shown = shown_slack(fitted.iterate);
         for (size_t e = 0; e < slack.size(); ++e) {
             taut_for_good[e] = taut_for_good[e] || (slack[e] && !shown[e]);
@@ -358,7 +358,7 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
 
 /// (blurred-law): fits again with tension laws as the strains found so far show them. Where that
 /// does not settle, what was found with the wider blur stands.
-void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& observed,
+void SurveyFit::follow_tension_laws(GaussNewtonResult& fitted, const Observations& observed,
                             double inflation) {
     const auto refit = [&](const LawBlur& blur) {
         m_statics.set_blur(blur);
@@ -382,7 +382,7 @@ void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& obser
     }
 }
 
-/// (rounded-prior): from the widest corner to one that is lost in the noise. Later fits begin where
+/// (rounded-law): from the widest corner to one that is lost in the noise. Later fits begin where
 /// the corner is already.
 GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation) {
     const Observations observed = observations(inflation);
@@ -489,24 +489,24 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
 /// No slack sets, which can cycle, and no pressure, under which a net can buckle; every step lowers
 /// the objective. What it finds is a start for the fit with a slack set, whose result is taken
 /// where that settles; else that of a continuation with slack sets; else the rounded one.
-GaussNewtonResult SurveyFit::by_rounded_laws() {
+GaussNewtonResult SurveyFit::by_rounded_tension_laws() {
     readmit_all();
     m_corner_width = widest_corner();
     GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal(), 1.0); });
-    const bool is_rounded_settled = is_settled(rounded);
+    const bool is_rounded_sound = is_sound(rounded);
     const Explanation found = explanation_of(rounded);
-    if (is_rounded_settled) {
+    if (is_rounded_sound) {
         GaussNewtonResult fitted =
             fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), 1.0);
-        if (is_settled(fitted)) {
+        if (is_sound(fitted)) {
             return fitted;
         }
     }
     GaussNewtonResult fitted = from_coarse_to_fine();
-    if (is_settled(fitted)) {
+    if (is_sound(fitted)) {
         return fitted;
     }
-    if (!is_rounded_settled) {
+    if (!is_rounded_sound) {
         return without_slack_set([this] { return from_coarse_to_fine(); });
     }
     take_over(found);
@@ -587,7 +587,7 @@ Observations SurveyFit::observations(double inflation) const {
                                   m_statics.common().count());
     const std::vector<ForceMeasurement>& readings = m_knowledge.forces.readings;
     for (size_t k = 0; k < readings.size(); ++k) {
-        if (m_snooping.rejected_readings()[k]) {
+        if (m_snooping.rejected_forces()[k]) {
             result.tension_weights(readings[k].edge) = 0.0;
         }
     }
@@ -605,7 +605,7 @@ void SurveyFit::evaluate(const GaussNewtonResult& fitted, double inflation) {
         fitted.iterate.form, [this](int node) { return m_statics.form_covariance(node); },
         inflation);
     if (!m_knowledge.forces.readings.empty()) {
-        m_snooping.evaluate_readings(
+        m_snooping.evaluate_forces(
             m_statics.tensions(fitted.iterate), m_statics.tension_variances(),
             [this](const Eigen::VectorXd& weights) {
                 return m_statics.covariances_with(weights).dot(weights);

@@ -71,7 +71,7 @@ private:
     [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack) const;
     [[nodiscard]] std::vector<bool> shown_slack(const Iterate& iterate) const;
     [[nodiscard]] std::vector<bool> measured_slack(double inflation) const;
-    void follow_laws(GaussNewtonResult& fitted, const Observations& observed, double inflation);
+    void follow_tension_laws(GaussNewtonResult& fitted, const Observations& observed, double inflation);
     void evaluate(const GaussNewtonResult& fitted, double inflation);
     [[nodiscard]] GaussNewtonResult fit(const Iterate& start, std::vector<bool> slack,
                                         double inflation);
@@ -79,7 +79,7 @@ private:
     [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, std::vector<bool> slack,
                                                   double inflation);
     [[nodiscard]] GaussNewtonResult fit_and_snoop(const Iterate& start, double inflation);
-    [[nodiscard]] GaussNewtonResult by_rounded_laws();
+    [[nodiscard]] GaussNewtonResult by_rounded_tension_laws();
     [[nodiscard]] GaussNewtonResult from_coarse_to_fine();
     template <class Fit>
     [[nodiscard]] GaussNewtonResult without_slack_set(Fit fit) {
@@ -102,15 +102,15 @@ private:
     [[nodiscard]] Explanation explanation_of(const GaussNewtonResult& fitted) const;
     void take_over(const Explanation& explanation);
     [[nodiscard]] GaussNewtonResult fit_as(const Explanation& explanation);
-    [[nodiscard]] std::vector<int> nodes_in_doubt() const;
-    void doubt_clamps(GaussNewtonResult& fitted);
+    [[nodiscard]] std::vector<int> suspect_nodes() const;
+    void try_clamps(GaussNewtonResult& fitted);
     void readmit_all();
     [[nodiscard]] Eigen::VectorXd blamed() const;
     [[nodiscard]] double cost_of(const GaussNewtonResult& fitted) const;
-    void doubt_boundary(GaussNewtonResult& fitted);
+    void try_boundary(GaussNewtonResult& fitted);
     void take_over_releases();
     [[nodiscard]] Iterate with_released(Iterate iterate) const;
-    [[nodiscard]] bool is_settled(const GaussNewtonResult& fitted) const {
+    [[nodiscard]] bool is_sound(const GaussNewtonResult& fitted) const {
         return fitted.converged && !m_snooping.rejects_too_many();
     }
     [[nodiscard]] double widest_corner() const;
@@ -131,7 +131,7 @@ private:
     bool m_contradicts_too_many = false;
     enum class BoundaryTest { none, at_once, one_by_one };
     BoundaryTest m_boundary_test = BoundaryTest::none;
-    bool m_is_rounded = false;    ///< (rounded-prior) takes the place of the slack set
+    bool m_is_rounded = false;    ///< (rounded-law) takes the place of the slack set
     double m_corner_width = 0.0;  ///< where the rounded fits have got to [m]
 };
 

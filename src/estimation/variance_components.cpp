@@ -9,7 +9,7 @@ namespace taut {
 namespace {
 
 constexpr int most_scalings = 12;
-constexpr double settled_scale = 0.01;
+constexpr double converged_scale = 0.01;
 constexpr double largest_scaling = 3.0;  // of a round
 
 /// A group of observations of one scale: the squares of their standardised residuals, and how many
@@ -83,7 +83,7 @@ VarianceComponents estimate_components(const CableNet& net, LinearisedStatics& s
         result.noise.ratio *= noise.ratio() > 0.0 ? noise_scaling : 0.0;
         result.lengths.ratio *= lengths.ratio() > 0.0 ? length_scaling : 0.0;
         if (std::max(std::abs(noise_scaling - 1.0), std::abs(length_scaling - 1.0)) <
-            settled_scale) {
+            converged_scale) {
             break;
         }
         for (int node = 0; node < net.node_count(); ++node) {

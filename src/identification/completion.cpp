@@ -9,7 +9,7 @@
 
 namespace taut {
 
-void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
+void set_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
                    bool contradicts_too_many) {
     result.outliers = snooping.outliers();
     result.outlier_threshold = snooping.is_active() ? snooping.threshold() : 0.0;
@@ -29,7 +29,7 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
     }
 }
 
-void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
+void set_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
                 const std::vector<LengthLikelihood>& likelihoods) {
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];

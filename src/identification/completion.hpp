@@ -13,11 +13,11 @@ namespace taut {
 
 /// Takes over what data snooping found at the end of a search.
 /// @param contradicts_too_many as DataSnooping::contradicts_too_many(): the status says so
-void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
+void set_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
                    bool contradicts_too_many);
 
 /// Fills the edges of a result from their likelihoods and priors (m_I), docs/theory.md (posterior).
-void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
+void set_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
                 const std::vector<LengthLikelihood>& likelihoods);
 
 /// Predicts the form of a result's edges and uncertain, from a start, and compares it with the

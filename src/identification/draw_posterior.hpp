@@ -38,7 +38,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
 
 /// Tells a result what follows from draws that it has already: nothing where they are in doubt.
 /// @param prior_std standard deviation of the prior of all lengths [m]
-void tell_draws(Identification& result, const CableNet& net, const Survey& survey,
+void set_summary_of_draws(Identification& result, const CableNet& net, const Survey& survey,
                 double prior_std);
 
 }  // namespace taut

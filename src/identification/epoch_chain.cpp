@@ -31,7 +31,7 @@ bool is_common_number(const UncertainParameter& parameter) {
            parameter.kind == UncertainParameter::Kind::loads;
 }
 
-double largest_play(std::span<const Epoch> epochs) {
+double largest_actuator_std(std::span<const Epoch> epochs) {
     double play = 0.0;
     for (const Epoch& epoch : epochs) {
         for (const EdgeTurned& one : epoch.turned) {
@@ -61,7 +61,7 @@ double widest_turn(const CableNet& net) {
     return digit * std::floor(width / digit);  // as one would tell it
 }
 
-CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
+CableNet balanced_net(const CableNet& net, std::span<const EdgeTurned> turned) {
     if (turned.empty()) {
         return net;
     }
@@ -77,7 +77,7 @@ CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
 }
 
 EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
-                       const IdentifyOptions& options, const LengthPrior& prior, double least_play,
+                       const IdentifyOptions& options, const LengthPrior& prior, double least_actuator_std,
                        const std::vector<Changes>& changes)
     : m_net(net),
       m_options(options),
@@ -87,7 +87,7 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
       m_common(static_cast<int>(std::ranges::count_if(options.uncertain, is_common_number))),
       m_changes(epochs.size()) {
     const bool is_told = std_of(m_uncertain, UncertainParameter::Kind::adjustable) > 0.0;
-    double play = std::max(least_play, largest_play(epochs));
+    double play = std::max(least_actuator_std, largest_actuator_std(epochs));
     for (const Changes& of_survey : changes) {
         play = std::max(play, of_survey.play);
         for (const LengthChange& change : of_survey.lengths) {
@@ -99,13 +99,13 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
         m_uncertain.push_back(
             {.kind = UncertainParameter::Kind::adjustable, .std = play, .group = {}});
     }
-    m_has_play = is_told || play > 0.0;
+    m_has_actuator_std = is_told || play > 0.0;
     m_edges = net_to_fit(net, m_uncertain).interior_edges();
     Eigen::VectorXd stds = adjustable_stds(net, options.uncertain);
     std::vector<std::vector<EdgeTurned>> steps;
     for (const Epoch& epoch : epochs) {
         steps.push_back(epoch.turned);
-        m_states.push_back({.net = settled_net(net, all_turned(steps)),
+        m_states.push_back({.net = balanced_net(net, all_turned(steps)),
                             .survey = &epoch.survey,
                             .turned = &epoch.turned,
                             .prior = first_prior(stds),
@@ -115,9 +115,9 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
                             .own = no_evidence(size()),
                             .found = {}});
     }
-    for (size_t k = 0; k < m_states.size() && m_has_play; ++k) {
+    for (size_t k = 0; k < m_states.size() && m_has_actuator_std; ++k) {
         for (const int edge : net.adjustable_edges()) {
-            add_variance(k, edge, least_play);
+            add_variance(k, edge, least_actuator_std);
         }
         for (const EdgeTurned& one : epochs[k].turned) {
             add_variance(k, one.edge, one.std);
@@ -179,9 +179,9 @@ void EpochChain::let_go(const std::vector<Changes>& changes) {
     }
 }
 
-Told EpochChain::told(int k) const {
+Given EpochChain::told(int k) const {
     const State& state = m_states[k];
-    Told result(m_prior);
+    Given result(m_prior);
     result.uncertain = m_uncertain;
     if (k + 1 == count()) {
         result.forces = m_options.forces;
@@ -203,7 +203,7 @@ Told EpochChain::told(int k) const {
     return result;
 }
 
-void EpochChain::fit(size_t k, const Told& told, const Progress& progress) {
+void EpochChain::fit(size_t k, const Given& told, const Progress& progress) {
     if (progress.stopped()) {
         throw Interrupted();
     }
@@ -213,7 +213,7 @@ void EpochChain::fit(size_t k, const Told& told, const Progress& progress) {
     state.own = std::move(epoch.own);
 }
 
-bool EpochChain::has_settled() const {
+bool EpochChain::has_converged() const {
     return std::ranges::all_of(m_states, [](const State& state) {
         return state.found.status == IdentificationStatus::converged;
     });
@@ -239,8 +239,8 @@ std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest::Changes
 }
 
 /// So that no target is blamed for a turn that was told wrong.
-Told EpochChain::told_of_form_alone(int k) const {
-    Told result = told(k);
+Given EpochChain::given_for_form_alone(int k) const {
+    Given result = told(k);
     for (const int edge : m_net.adjustable_edges()) {
         result.own_stds(edge) = std::max(result.own_stds(edge), m_widest_turn);
     }
@@ -258,13 +258,13 @@ std::vector<int> EpochChain::turned_edges(size_t k) const {
 
 bool EpochChain::find_changes(const Progress& progress) {
     for (int k = 0; k < count(); ++k) {
-        fit(k, told_of_form_alone(k), progress);
+        fit(k, given_for_form_alone(k), progress);
     }
-    if (!has_settled()) {
+    if (!has_converged()) {
         return false;
     }
     find_changes_at(0, EvidenceTest(m_states[0].prior, no_evidence(size()), m_states[0].own),
-                    m_has_play ? m_net.adjustable_edges() : std::vector<int>());
+                    m_has_actuator_std ? m_net.adjustable_edges() : std::vector<int>());
     for (size_t k = 1; k < m_states.size(); ++k) {
         State& before = m_states[k - 1];
         State& state = m_states[k];
@@ -290,9 +290,9 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
         return;
     }
     changes.agreement = test.agreement();
-    tell_stroke_factor(changes, test, *m_states[k].turned);
+    set_stroke_factor(changes, test, *m_states[k].turned);
     std::vector<Eigen::Index> places;
-    for (const int edge : m_has_play ? turned_edges(k) : std::vector<int>()) {
+    for (const int edge : m_has_actuator_std ? turned_edges(k) : std::vector<int>()) {
         if (std::ranges::find(changes.lengths, edge, &LengthChange::edge) ==
             changes.lengths.end()) {
             places.push_back(place_of(edge));
@@ -305,7 +305,7 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
 }
 
 /// Whether all strokes are off by one factor, as with a pitch that was told wrong.
-void EpochChain::tell_stroke_factor(Changes& changes, const EvidenceTest& test,
+void EpochChain::set_stroke_factor(Changes& changes, const EvidenceTest& test,
                                     const std::vector<EdgeTurned>& turned) const {
     Eigen::VectorXd strokes = Eigen::VectorXd::Zero(size());
     for (const EdgeTurned& one : turned) {

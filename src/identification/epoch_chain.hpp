@@ -16,7 +16,7 @@ namespace taut {
 
 /// The net with what was turned, its nodes where it then stands: a fit begins there.
 /// @throws std::runtime_error where it finds no equilibrium
-[[nodiscard]] CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned);
+[[nodiscard]] CableNet balanced_net(const CableNet& net, std::span<const EdgeTurned> turned);
 
 /// More lengths than this, and it is not they who changed.
 [[nodiscard]] bool are_too_many_changes(const CableNet& net, size_t changes);
@@ -40,11 +40,11 @@ public:
     };
 
     /// @param prior of the interior edges' length deviations
-    /// @param least_play of all adjustable edges at each survey; 0: those not turned are known [m]
+    /// @param least_actuator_std of all adjustable edges at each survey; 0: those not turned are known [m]
     /// @param changes that are known: lengths change from there on, and turns have as much more
     /// play
     EpochChain(const CableNet& net, std::span<const Epoch> epochs, const IdentifyOptions& options,
-               const LengthPrior& prior, double least_play,
+               const LengthPrior& prior, double least_actuator_std,
                const std::vector<Changes>& changes = {});
 
     /// Each survey by itself, without what is told of adjustable edges, held against those before
@@ -69,7 +69,7 @@ public:
     /// The net at a survey, its fit, and all that was told of it.
     [[nodiscard]] const CableNet& net_at(int k) const { return m_states[k].net; }
     [[nodiscard]] const Identification& found(int k) const { return m_states[k].found; }
-    [[nodiscard]] Told told(int k) const;
+    [[nodiscard]] Given told(int k) const;
 
 private:
     struct State {
@@ -94,14 +94,14 @@ private:
     [[nodiscard]] Eigen::VectorXd first_prior(const Eigen::VectorXd& stds) const;
     void add_variance(size_t k, int edge, double std);
     void let_go(const std::vector<Changes>& changes);
-    void fit(size_t k, const Told& told, const Progress& progress);
-    [[nodiscard]] Told told_of_form_alone(int k) const;
-    [[nodiscard]] bool has_settled() const;
+    void fit(size_t k, const Given& told, const Progress& progress);
+    [[nodiscard]] Given given_for_form_alone(int k) const;
+    [[nodiscard]] bool has_converged() const;
     [[nodiscard]] double movement_since(const Eigen::VectorXd& before) const;
     [[nodiscard]] Eigen::VectorXd last_lengths() const;
     /// @param edges that may have changed
     void find_changes_at(size_t k, EvidenceTest test, const std::vector<int>& edges);
-    void tell_stroke_factor(Changes& changes, const EvidenceTest& test,
+    void set_stroke_factor(Changes& changes, const EvidenceTest& test,
                             const std::vector<EdgeTurned>& turned) const;
     [[nodiscard]] std::optional<LengthChange> worst_change(const EvidenceTest::Changes& changes,
                                                            const std::vector<int>& edges) const;
@@ -112,7 +112,7 @@ private:
     const IdentifyOptions& m_options;
     LengthPrior m_prior;
     double m_widest_turn;  ///< widest_turn()
-    bool m_has_play;       ///< whether lengths of adjustable edges are unknown
+    bool m_has_actuator_std;       ///< whether lengths of adjustable edges are unknown
     std::vector<UncertainParameter> m_uncertain;
     int m_common;              ///< uncertain common to many edges
     std::vector<int> m_edges;  ///< of unknown length

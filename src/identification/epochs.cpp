@@ -108,7 +108,7 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
 }
 
 /// Far below what a survey shows.
-double small_play(const std::vector<Epoch>& epochs) {
+double small_actuator_std(const std::vector<Epoch>& epochs) {
     constexpr double part_of_noise = 0.05;
     double noise = std::numeric_limits<double>::infinity();
     for (const Epoch& epoch : epochs) {
@@ -150,13 +150,13 @@ void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
 /// How lengths changed before a survey, beside what was given.
 void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, size_t k) {
     const std::string between = fmt::format("Between surveys {} and {}", k, k + 1);
-    const bool is_beyond_chance = epoch.change_ratio > epoch.change_limit;
+    const bool is_significant = epoch.change_ratio > epoch.change_limit;
     const Trust::Finding contradiction{.kind = FindingKind::epoch,
                                        .severity = Verdict::doubtful,
                                        .value = epoch.change_ratio,
                                        .reason = contradiction_text(k, epoch.change_ratio),
                                        .next = what_to_check};
-    if (is_beyond_chance && epoch.change_ratio > far_too_much) {
+    if (is_significant && epoch.change_ratio > far_too_much) {
         trust.findings.push_back(contradiction);
         trust.findings.back().severity = Verdict::failed;
         return;
@@ -196,7 +196,7 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
                                    "into account.",
                                    between, 1e3 * epoch.excess_actuator_std),
              .next = "Give it as the standard deviation of what was turned."});
-    } else if (is_beyond_chance) {
+    } else if (is_significant) {
         trust.findings.push_back(contradiction);
     }
 }
@@ -260,7 +260,7 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
         steps.push_back(epochs[k].turned);
         if (k > 0) {
             scales[k] = with_epoch(k, [&] {
-                return identify(settled_net(net, all_turned(steps)), epochs[k].survey, of_form,
+                return identify(balanced_net(net, all_turned(steps)), epochs[k].survey, of_form,
                                 progress)
                     .noise_scale;
             });
@@ -281,7 +281,7 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
         Identification found = chain.found(k);
         if (k == 0) {
             found.contradicted_prior = first.contradicted_prior;
-            found.prior_was_told = first.prior_was_told;
+            found.prior_was_given = first.prior_was_given;
         }
         const Survey& survey = epochs[static_cast<size_t>(k)].survey;
         const EpochChain::Changes& changed = changes[static_cast<size_t>(k)];
@@ -335,7 +335,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         options.estimate_noise ? with_noise_found(net, epochs, alone, noise_scales, progress)
                                : std::vector<Epoch>(epochs.begin(), epochs.end());
     EpochChain each(net, scaled, options, prior,
-                    net.adjustable_edges().empty() ? 0.0 : small_play(scaled));
+                    net.adjustable_edges().empty() ? 0.0 : small_actuator_std(scaled));
     const bool is_compared = each.find_changes(progress);
     const int last = each.count() - 1;
     Identification result;
@@ -403,7 +403,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     result.prior = first.prior;
     result.prior.nodes = {{.prior = prior}};
     result.contradicted_prior = first.contradicted_prior;
-    result.prior_was_told = options.prior.has_value();
+    result.prior_was_given = options.prior.has_value();
     result.turned = all_turned(steps);
     result.noise_scale = noise_scales.back();
     result.method = to_string(IdentificationMethod::map);

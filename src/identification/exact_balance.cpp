@@ -155,7 +155,7 @@ private:
 
 /// @param edge that balances with no positive length; -1: none
 /// @return whether there is one
-bool tell_impossible_edge(Identification& result, const CableNet& net, int edge) {
+bool has_impossible_edge(Identification& result, const CableNet& net, int edge) {
     if (edge < 0) {
         return false;
     }
@@ -168,7 +168,7 @@ bool tell_impossible_edge(Identification& result, const CableNet& net, int edge)
 }
 
 /// Whether the predicted form is the surveyed one.
-void tell_exactness(Identification& result, const CableNet& net, const LengthPrior& prior) {
+void check_exact_form(Identification& result, const CableNet& net, const LengthPrior& prior) {
     if (result.status != IdentificationStatus::converged) {
         return;
     }
@@ -188,14 +188,14 @@ Identification identify_by_exact_balance(const CableNet& net, const Survey& surv
                                          const LengthPrior& prior) {
     ExactForm exact(net, survey, prior);
     Identification result{.method = "balance", .prior = prior};
-    if (tell_impossible_edge(result, net, exact.impossible_edge())) {
+    if (has_impossible_edge(result, net, exact.impossible_edge())) {
         return result;
     }
     result.length_prior = prior;
-    tell_edges(result, net, std::vector(net.interior_edge_count(), prior),
+    set_edges(result, net, std::vector(net.interior_edge_count(), prior),
                exact.likelihoods(prior));
     predict_form(result, net, survey, exact.form());
-    tell_exactness(result, net, prior);
+    check_exact_form(result, net, prior);
     return result;
 }
 
@@ -206,7 +206,7 @@ Identification check_exactness(const CableNet& net, const Survey& survey,
     const BalancedDeviations balanced =
         balanced_deviations(net, survey.form, BalanceEquations(net, survey.form, slack));
     Identification result{.prior = prior};
-    if (tell_impossible_edge(result, net, balanced.impossible_edge)) {
+    if (has_impossible_edge(result, net, balanced.impossible_edge)) {
         return result;
     }
     for (int i = 0; i < net.interior_edge_count(); ++i) {
@@ -217,7 +217,7 @@ Identification check_exactness(const CableNet& net, const Survey& survey,
                                 .length_deviation = deviation});
     }
     predict_form(result, net, survey, survey.form);
-    tell_exactness(result, net, prior);
+    check_exact_form(result, net, prior);
     return result;
 }
 

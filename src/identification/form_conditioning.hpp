@@ -42,7 +42,7 @@ public:
 private:
     void condition();
     void fill_in(double noise_variance, const Eigen::VectorXd& residual,
-                 const std::vector<int>& untold);
+                 const std::vector<int>& unobserved);
     void condition_by_factor(const Eigen::VectorXd& residual);
     void evaluate();
     /// That of all coordinates that are surveyed, where it is the same (m2).
@@ -58,7 +58,7 @@ private:
     Eigen::VectorXd m_mean;          ///< 3 n_I [m]
     Eigen::VectorXd m_diagonal;      ///< s (3 n_I) [m2]
     Eigen::MatrixXd m_root;          ///< T (any x 3 n_I) [m]
-    std::vector<ForceMeasurement> m_no_readings;
+    std::vector<ForceMeasurement> m_no_forces;
     DataSnooping m_snooping;
 };
 

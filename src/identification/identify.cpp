@@ -172,7 +172,7 @@ std::optional<Identification> audit(const CableNet& net, const Survey& survey,
     if (!survey.is_noisy()) {
         return std::nullopt;
     }
-    Told told(prior.prior);
+    Given told(prior.prior);
     told.hyperprior = prior.around;
     told.uncertain = uncertain;
     Identification fit = identify_by_maximum_a_posteriori(net, survey, told, {}, {}, progress);
@@ -198,7 +198,7 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     result.frame_check = fit.frame_check;
     result.length_outliers = fit.length_outliers;
     result.boundary_outliers = fit.boundary_outliers;
-    result.boundary_beyond = fit.boundary_beyond;
+    result.boundary_not_released = fit.boundary_not_released;
     for (const LengthOutlier& outlier : fit.length_outliers) {
         const auto is_same = [&](const IdentifiedEdge& edge) { return edge.edge == outlier.edge; };
         const auto edge = std::ranges::find_if(result.edges, is_same);
@@ -223,7 +223,7 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthPri
     constexpr int most_rounds = 8;
     constexpr double settled = 0.01;
     constexpr double least_known = 0.25;  // the std of a noise that one may still act on, relative
-    Told told(prior);
+    Given told(prior);
     told.uncertain = options.uncertain;
     told.forces = options.forces;
     Survey scaled = survey;
@@ -260,7 +260,7 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
                                      prior.prior.to_string());
             break;
         case IdentificationMethod::map: {
-            Told told(prior.prior);
+            Given told(prior.prior);
             told.hyperprior = prior.around;
             told.has_trend = prior.has_trend;
             told.uncertain = options.uncertain;
@@ -526,7 +526,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (survey.is_noisy()) {
         take_out_mean_bias(result, net, survey, options.uncertain, progress);
     }
-    result.prior_was_told = options.prior.has_value();
+    result.prior_was_given = options.prior.has_value();
     result.method = to_string(method);
     result.method_reason = reason;
     result.assumptions = assumptions_of(options.uncertain, options.uncertain, result);

@@ -30,7 +30,7 @@ namespace taut {
 namespace {
 
 /// The likely reason, and what would help.
-std::string why_unsettled(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
+std::string why_not_converged(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
     const double stretch =
         (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
     std::string text = "found no lengths that settle: iteration limit; ";
@@ -82,7 +82,7 @@ bool is_believable(const SurveySearch& with, const SurveySearch& without, const 
 
 /// Of edges seen taut or slack those that a fit which knows nothing of it finds to be otherwise;
 /// where there are none, all.
-void tell_contradicted(Identification& result, const SurveySearch& without, const Forces& seen) {
+void set_contradicted_marks(Identification& result, const SurveySearch& without, const Forces& seen) {
     constexpr double surely = 3.0;  // standard deviations
     const Eigen::VectorXd tensions = without.fit->statics().tensions(without.fitted.iterate);
     const Eigen::VectorXd stds =
@@ -112,7 +112,7 @@ FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fit
             .rotation_std = common.rotation_unit() * stds.tail<3>()};
 }
 
-/// What a fit shows of noise and prior, whether they were told right or not.
+/// What a fit shows of noise and prior, whether they were given right or not.
 struct Diagnostics {
     VarianceComponents scales;
     PriorCheck prior;
@@ -123,7 +123,7 @@ struct Diagnostics {
 };
 
 /// (common-mean): score and information of a shift of the prior.
-void tell_mean(PriorCheck& check, const LinearisedStatics& statics,
+void set_mean(PriorCheck& check, const LinearisedStatics& statics,
                const Observations& observations, const Iterate& fitted,
                const std::vector<bool>& left_out) {
     Eigen::VectorXd weights = observations.variance.cwiseInverse();
@@ -142,46 +142,46 @@ void tell_mean(PriorCheck& check, const LinearisedStatics& statics,
 }
 
 /// (components), (prior-check). The fit stands as it was afterwards.
-Diagnostics doubt_of(const CableNet& net, const CableNet& fit_net, const Told& given,
+Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const Given& given,
                      SurveyFit& fit, Iterate fitted) {
     const LengthPrior& prior = given.prior;
-    Diagnostics doubt;
+    Diagnostics shown;
     const Iterate at = fitted;
-    const Observations told = fit.observations();
-    Observations scaled = told;
-    doubt.frame = check_frame(fit_net, fit.statics(), at, told, fit.snooping().residual_scale());
+    const Observations given = fit.observations();
+    Observations scaled = given;
+    shown.frame = check_frame(fit_net, fit.statics(), at, given, fit.snooping().residual_scale());
     std::vector<bool> left_out = fit.length_snooping().released();
-    doubt.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
+    shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
         const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
         if (is_adjustable && !left_out[i] && !fit.statics().slack()[edge]) {
-            doubt.adjustable_stds(i) = fit.knowledge().priors[i].std();
+            shown.adjustable_stds(i) = fit.knowledge().priors[i].std();
         }
         left_out[i] =
             left_out[i] || fit.statics().slack()[edge] || fit.knowledge().priors[i] != prior;
     }
-    doubt.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
+    shown.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
     const PriorLikelihood likelihood(
         prior, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted),
         left_out);
-    doubt.prior = check_prior_by_lengths(prior, likelihood);
-    doubt.prior.beyond = fit.length_snooping().given_up();
-    tell_mean(doubt.prior, fit.statics(), scaled, fitted, left_out);
+    shown.prior = check_prior_by_lengths(prior, likelihood);
+    shown.prior.outliers = fit.length_snooping().given_up();
+    set_mean(shown.prior, fit.statics(), scaled, fitted, left_out);
     if (given.hyperprior) {
-        doubt.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), told, at,
-                                        left_out, prior, doubt.scales.lengths, likelihood);
+        shown.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), given, at,
+                                        left_out, prior, shown.scales.lengths, likelihood);
     }
-    if (fit.statics().linearise(at, told)) {
+    if (fit.statics().linearise(at, given)) {
         fit.statics().invert();
     }
-    doubt.left_out = std::move(left_out);
-    return doubt;
+    shown.left_out = std::move(left_out);
+    return shown;
 }
 
 /// (detectable)
 DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const SurveyFit& fit,
-                               const Diagnostics& doubt) {
+                               const Diagnostics& shown) {
     DetectableErrors result{
         .target = fit.snooping().detectable(),
         .length = fit.length_snooping().detectable(net.interior_edges()),
@@ -192,20 +192,20 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
     const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
     const double reach = arms.colwise().norm().maxCoeff();
     const double scale_std =
-        doubt.frame.scale_std > 0.0 ? std::hypot(doubt.frame.scale_std, survey.scale_std) : 0.0;
+        shown.frame.scale_std > 0.0 ? std::hypot(shown.frame.scale_std, survey.scale_std) : 0.0;
     result.scale = detectable_error(std::vector<BoundedEstimate>{
-        {.bound = std::max(beyond_chance_std * scale_std,
+        {.bound = std::max(significant_std * scale_std,
                            negligible_scale * survey.rms_noise_std() / reach),
          .std = scale_std}});
     const double mean = detectable_error(std::vector<BoundedEstimate>{
-        {.bound = std::max(beyond_chance_std * doubt.prior.mean_std,
-                           negligible_mean * doubt.prior.checked.std()),
-         .std = doubt.prior.mean_std}});
+        {.bound = std::max(significant_std * shown.prior.mean_std,
+                           negligible_mean * shown.prior.checked.std()),
+         .std = shown.prior.mean_std}});
     constexpr double of_steel = 12e-6;  // [1/K]
     double expansion = 0.0;             // mean, by 1 K [m]
-    const Eigen::VectorXd& told = net.data().expansion;
+    const Eigen::VectorXd& given = net.data().expansion;
     for (const int edge : net.interior_edges()) {
-        const double of_edge = told.size() > 0 ? told(edge) : of_steel;
+        const double of_edge = given.size() > 0 ? given(edge) : of_steel;
         expansion += of_edge * net.unstressed_lengths()(edge) / net.interior_edge_count();
     }
     if (expansion > 0.0) {
@@ -215,7 +215,7 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
 }
 
 /// Of the net to fit the edges, by their number among the interior ones, of which a form tells no
-/// more than a bound, or may not: what is told of their length is not normal. An adjustable edge
+/// more than a bound, or may not: what is given of their length is not normal. An adjustable edge
 /// only where it is slack: its turns tell more of it than a form that is fitted without them.
 std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet& fit_net,
                                             const LinearisedStatics& statics,
@@ -300,7 +300,7 @@ LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fi
 
 /// What was released: interior edges, and what of the boundary is not as given; adjustable edges of
 /// uncertain lengths are edges of the fit like others.
-void tell_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
+void set_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
     result.boundary_outliers = fit.boundary_snooping().outliers();
     for (const LengthOutlier& outlier : fit.length_snooping().outliers()) {
         if (std::ranges::binary_search(net.interior_edges(), outlier.edge)) {
@@ -330,23 +330,23 @@ void leave_out_released(Identification& result) {
 
 /// @param own what the survey tells by itself, with its number of common uncertain; null: not
 /// wanted
-Identification identify_by_map(const CableNet& net, const Survey& survey, const Told& told,
+Identification identify_by_map(const CableNet& net, const Survey& survey, const Given& given,
                                const SurveyFitSettings& settings, const PosteriorSettings& wanted,
                                LengthEvidence* own, int common_count, const Progress& progress) {
     check_survey(net, survey);
-    check_uncertain_parameters(net, told.uncertain);
+    check_uncertain_parameters(net, given.uncertain);
     Identification result;
-    const bool only_lengths = told.uncertain.empty() && told.forces.empty() && !told.evidence;
+    const bool only_lengths = given.uncertain.empty() && given.forces.empty() && !given.evidence;
     if (survey.is_exact() && survey.is_whole() && only_lengths) {
-        result = identify_by_exact_balance(net, survey, told.prior);
+        result = identify_by_exact_balance(net, survey, given.prior);
         result.method = "map";
         return result;
     }
-    const CableNet fit_net = net_to_fit(net, told.uncertain);
+    const CableNet fit_net = net_to_fit(net, given.uncertain);
     PriorKnowledge all = knowledge_of(
-        fit_net, told.prior, told.uncertain, told.forces,
-        told.own_stds.size() > 0 ? told.own_stds : adjustable_stds(net, told.uncertain));
-    all.evidence = told.evidence;
+        fit_net, given.prior, given.uncertain, given.forces,
+        given.own_stds.size() > 0 ? given.own_stds : adjustable_stds(net, given.uncertain));
+    all.evidence = given.evidence;
     all.frame_is_unknown = survey.frame_is_unknown;
     PriorKnowledge unseen = all;
     unseen.forces.taut.clear();
@@ -355,10 +355,10 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     fitting.progress = {.tell = {}, .stop_requested = progress.stop_requested};
     SurveySearch found = search_fit(fit_net, survey, all, fitting);
     Identification verdict;
-    if (!told.forces.taut.empty() || !told.forces.slack.empty()) {
+    if (!given.forces.taut.empty() || !given.forces.slack.empty()) {
         SurveySearch without = search_fit(fit_net, survey, unseen, fitting);
-        if (!is_believable(found, without, told.forces)) {
-            tell_contradicted(verdict, without, told.forces);
+        if (!is_believable(found, without, given.forces)) {
+            set_contradicted_marks(verdict, without, given.forces);
             found = std::move(without);
         }
     }
@@ -366,8 +366,8 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     const PriorKnowledge& knowledge = fit.knowledge();
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
-    const Diagnostics doubt =
-        fitted.converged ? doubt_of(net, fit_net, told, fit, fitted.iterate) : Diagnostics();
+    const Diagnostics shown =
+        fitted.converged ? diagnostics_of(net, fit_net, given, fit, fitted.iterate) : Diagnostics();
     if (own != nullptr) {
         const Eigen::Index size = fit_net.interior_edge_count() + common_count;
         *own =
@@ -383,25 +383,25 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
         observations = std::move(settled.observations);
     }
     result =
-        identification_of(net, fit_net, survey, told.prior, knowledge, fit, fitted, observations);
-    result.readings = static_cast<int>(told.forces.readings.size());
-    result.reading_outliers = fit.snooping().reading_outliers();
-    result.reading_bias = fit.snooping().reading_bias();
-    result.prior = doubt.estimate.value_or(exact_prior(told.prior));
-    const LengthTrend trend = told.has_trend && fitted.converged
+        identification_of(net, fit_net, survey, given.prior, knowledge, fit, fitted, observations);
+    result.force_measurements = static_cast<int>(given.forces.readings.size());
+    result.force_outliers = fit.snooping().force_outliers();
+    result.force_bias = fit.snooping().force_bias();
+    result.prior = shown.estimate.value_or(exact_prior(given.prior));
+    const LengthTrend trend = given.has_trend && fitted.converged
                                   ? trend_of(fit_net, fit.statics(), observations, fitted.iterate,
-                                             doubt.left_out, doubt.adjustable_stds, told.prior)
+                                             shown.left_out, shown.adjustable_stds, given.prior)
                                   : LengthTrend();
     result.prior.common = trend.found;
     if (fitted.converged) {
-        result.detectable = detectable_of(net, survey, fit, doubt);
+        result.detectable = detectable_of(net, survey, fit, shown);
     }
-    result.scales = doubt.scales;
-    result.prior_check = doubt.prior;
-    result.frame_check = doubt.frame;
-    result.frame_check.scale_std = std::hypot(doubt.frame.scale_std, survey.scale_std);
-    tell_outliers(result, net, fit);
-    result.boundary_beyond = fit.boundary_snooping().beyond_count();
+    result.scales = shown.scales;
+    result.prior_check = shown.prior;
+    result.frame_check = shown.frame;
+    result.frame_check.scale_std = std::hypot(shown.frame.scale_std, survey.scale_std);
+    set_outliers(result, net, fit);
+    result.boundary_not_released = fit.boundary_snooping().not_released_count();
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
     if (fit.statics().common().has_frame()) {
@@ -416,7 +416,7 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
         observations.mean_root = trend.columns * trend.root;
     }
     if (!fit_net.is_linear()) {
-        fit.statics().hold_laws(fitted.iterate);  // (drawn-prior)
+        fit.statics().fix_tension_laws(fitted.iterate);  // (drawn-law)
     }
     draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
                    fitted.iterate, wanted, progress);
@@ -433,17 +433,17 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
 }  // namespace
 
 Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
-                                                const Told& told, const SurveyFitSettings& settings,
+                                                const Given& given, const SurveyFitSettings& settings,
                                                 const PosteriorSettings& wanted,
                                                 const Progress& progress) {
-    return identify_by_map(net, survey, told, settings, wanted, nullptr, 0, progress);
+    return identify_by_map(net, survey, given, settings, wanted, nullptr, 0, progress);
 }
 
-IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, const Told& told,
+IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, const Given& given,
                                    int common_count, const Progress& progress) {
     IdentifiedEpoch result;
     result.identification =
-        identify_by_map(net, survey, told, {}, {}, &result.own, common_count, progress);
+        identify_by_map(net, survey, given, {}, {}, &result.own, common_count, progress);
     return result;
 }
 
@@ -454,9 +454,9 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
     Identification result;
     if (!fitted.converged) {
         result.status = IdentificationStatus::iteration_limit;
-        result.message = why_unsettled(net, survey, prior);
+        result.message = why_not_converged(net, survey, prior);
     }
-    tell_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
+    set_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
     std::vector<LengthLikelihood> likelihoods =
         length_likelihoods(fit_net, knowledge, fit.statics(), observations,
                            fitted.iterate);  // (covariance), (likelihood), (posterior)
@@ -468,7 +468,7 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
         likelihoods = std::move(interior);
     }
     result.length_prior = prior;
-    tell_edges(result, net, interior_priors(net, knowledge), likelihoods);
+    set_edges(result, net, interior_priors(net, knowledge), likelihoods);
     for (IdentifiedEdge& edge : result.edges) {
         // Seen, where the form leaves next to no length of the prior for it.
         if (std::ranges::find(knowledge.forces.slack, edge.edge) != knowledge.forces.slack.end()) {

@@ -21,7 +21,7 @@
 namespace taut {
 
 /// What is told besides net and survey.
-struct Told {
+struct Given {
     LengthPrior prior;  ///< of the length deviations
     std::vector<UncertainParameter> uncertain;
     Forces forces;
@@ -36,7 +36,7 @@ struct Told {
     std::shared_ptr<const LengthEvidence> evidence;
 
     /// The prior, and nothing else.
-    Told(const LengthPrior& with_prior)
+    Given(const LengthPrior& with_prior)
         : prior(with_prior) {}  // NOLINT(google-explicit-constructor)
 };
 
@@ -47,7 +47,7 @@ struct Told {
 /// @throws std::invalid_argument as SurveyFit, check_uncertain_parameters()
 /// @throws std::runtime_error where the statics are singular at the surveyed form
 [[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_maximum_a_posteriori(
-    const CableNet& net, const Survey& survey, const Told& told,
+    const CableNet& net, const Survey& survey, const Given& told,
     const SurveyFitSettings& settings = {}, const PosteriorSettings& wanted = {},
     const Progress& progress = {});
 
@@ -59,7 +59,7 @@ struct IdentifiedEpoch {
 };
 [[nodiscard]] TAUT_CORE_EXPORT IdentifiedEpoch identify_one_epoch(const CableNet& net,
                                                                   const Survey& survey,
-                                                                  const Told& told,
+                                                                  const Given& told,
                                                                   int common_count,
                                                                   const Progress& progress = {});
 

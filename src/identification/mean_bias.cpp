@@ -64,7 +64,7 @@ void take_out_mean_bias(Identification& result, const CableNet& net, const Surve
     if (!again) {
         return;
     }
-    Told told(result.length_prior);
+    Given told(result.length_prior);
     told.uncertain = uncertain;
     const Identification fit =
         identify_by_maximum_a_posteriori(net, *again, told, {}, {}, progress);

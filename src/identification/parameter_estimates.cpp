@@ -27,7 +27,7 @@ Share share_of(double part, double prior_variance, double deviation_from_prior, 
 }
 
 /// The root of a variance; where that was lost in rounding errors, what was known before.
-double told_or(double variance, double before) {
+double std_or(double variance, double before) {
     return variance > 0.0 ? std::sqrt(variance) : before;
 }
 
@@ -40,7 +40,7 @@ double rounded_up(double width, int digits) {
 
 /// Of an adjustable edge: as the unknown was given, to three digits, since it may have been found
 /// from the surveys; or where it is set free to two, so that those given alike stand together.
-double width_to_tell(double std, double told) {
+double reported_width(double std, double told) {
     constexpr double alike = 1e-3;
     return std::abs(std - told) < alike * told ? rounded_up(told, 3) : rounded_up(std, 2);
 }
@@ -54,7 +54,7 @@ public:
           m_statics(statics),
           m_sites(sites),
           m_fitted(fitted),
-          m_unknown_lengths(statics.blur().length_variances(sites.variance.size())),
+          m_blur_variances(statics.blur().length_variances(sites.variance.size())),
           m_length_variances(statics.length_variances()) {}
 
     [[nodiscard]] std::vector<ParameterEstimate> run() && {
@@ -92,13 +92,13 @@ private:
         m_result.push_back(
             {.parameter = parameter,
              .mean = parameter.std * m_fitted.common(k),
-             .std = told_or(parameter.std * parameter.std * m_statics.common_covariance()(k, k),
+             .std = std_or(parameter.std * parameter.std * m_statics.common_covariance()(k, k),
                             parameter.std)});
     }
 
     /// What of an edge's deviation a part of its prior variance stands for.
     [[nodiscard]] Share share(int edge, double part) const {
-        const double prior = m_sites.variance(edge) + m_unknown_lengths(edge);
+        const double prior = m_sites.variance(edge) + m_blur_variances(edge);
         // Lost in rounding errors: then nothing is told.
         const double found = m_length_variances(edge);
         return share_of(part, prior, m_fitted.deviations(edge) - m_sites.mean(edge),
@@ -116,7 +116,7 @@ private:
                 const double own = std::pow(parameter.std / stds(edge), 2);
                 const Share length = share(edge, part);
                 estimate.mean = -own * by_length * length.mean;
-                estimate.std = told_or(own * own * by_length * by_length * length.variance +
+                estimate.std = std_or(own * own * by_length * by_length * length.variance +
                                            (1.0 - own) * parameter.std * parameter.std,
                                        parameter.std);
             }
@@ -136,7 +136,7 @@ private:
         for (const int edge : edges) {
             const Share length = share(edge, m_sites.variance(edge));
             UncertainParameter told = parameter;
-            told.std = width_to_tell(m_knowledge.priors[edge].std(), parameter.std);
+            told.std = reported_width(m_knowledge.priors[edge].std(), parameter.std);
             m_result.push_back({.parameter = told,
                                 .edge = edge,
                                 .mean = m_sites.mean(edge) + length.mean,
@@ -176,7 +176,7 @@ private:
     const LinearisedStatics& m_statics;
     const Observations& m_sites;
     const Iterate& m_fitted;
-    Eigen::VectorXd m_unknown_lengths;
+    Eigen::VectorXd m_blur_variances;
     Eigen::VectorXd m_length_variances;
     std::vector<ParameterEstimate> m_result;
 };

@@ -12,7 +12,7 @@
 namespace taut {
 
 /// The net with all lengths unknown, where those of adjustable edges are, or where each edge has a
-/// stiffness of its own, which acts as a length; else the net itself. docs/theory.md, (unknown).
+/// stiffness of its own, which acts as a length; else the net itself. docs/theory.md, (uncertain-parameters).
 [[nodiscard]] CableNet net_to_fit(const CableNet& net,
                                   const std::vector<UncertainParameter>& uncertain);
 

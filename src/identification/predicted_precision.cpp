@@ -94,7 +94,7 @@ public:
         return result;
     }
 
-    void tell_tensions(PredictedPrecision& result, double reading_noise) const {
+    void add_tensions(PredictedPrecision& result, double relative_force_std) const {
         const Eigen::VectorXd variances = m_statics.tension_variances();
         const Eigen::VectorXd with_mean = m_statics.covariances_with_mean_tension();
         const double of_mean = with_mean.mean();
@@ -108,16 +108,16 @@ public:
             if (is_read[e] || !(m_tensions(e) > 0.0) || !(variances(e) > 0.0)) {
                 continue;
             }
-            const double noise = reading_noise * m_tensions(e);
+            const double noise = relative_force_std * m_tensions(e);
             const double left =
                 of_mean - with_mean(e) * with_mean(e) / (variances(e) + noise * noise);
-            result.readings.push_back({.edge = e,
+            result.force_candidates.push_back({.edge = e,
                                        .tension = m_tensions(e),
                                        .std = std::sqrt(variances(e)),
-                                       .mean_std_with_reading = std::sqrt(std::max(0.0, left))});
+                                       .mean_std_if_measured = std::sqrt(std::max(0.0, left))});
         }
-        std::ranges::sort(result.readings, {}, [](const TensionPrecision& t) {
-            return std::pair(t.mean_std_with_reading, t.edge);
+        std::ranges::sort(result.force_candidates, {}, [](const TensionPrecision& t) {
+            return std::pair(t.mean_std_if_measured, t.edge);
         });
     }
 
@@ -147,7 +147,7 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
                                        const Survey& survey, const LengthPrior& prior,
                                        const Forces& forces,
                                        const std::vector<UncertainParameter>& uncertain,
-                                       double reading_noise) {
+                                       double relative_force_std) {
     if (net.interior_edge_count() == 0) {
         throw std::invalid_argument(
             "the net has no interior edge: every unstressed length is known and set");
@@ -172,7 +172,7 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
              .std = std,
              .status = is_slack ? EdgeStatus::slack : probable_status(prior, std)});
     }
-    prediction.tell_tensions(result, reading_noise);
+    prediction.add_tensions(result, relative_force_std);
     return result;
 }
 

@@ -21,7 +21,7 @@ namespace {
 constexpr double negligible = 0.1;
 
 /// Mean and standard deviation of a mixture.
-class Steps {
+class Moments {
 public:
     void add(double weight, double mean, double std) {
         m_mean += weight * mean;
@@ -42,7 +42,7 @@ private:
 
 template <class Get>
 std::pair<double, double> mixed(const std::vector<WeightedIdentification>& parts, const Get& get) {
-    Steps moments;
+    Moments moments;
     for (const WeightedIdentification& part : parts) {
         const auto [mean, std] = get(part.result);
         moments.add(part.weight, mean, std);
@@ -117,8 +117,8 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
     const std::vector<int> shares = shared_out(draws, weights);
     PosteriorDraws all = *parts.front().result.draws;
     for (const WeightedIdentification& part : parts) {
-        if (all.doubt.empty()) {
-            all.doubt = part.result.draws->doubt;
+        if (all.reason.empty()) {
+            all.reason = part.result.draws->reason;
         }
         if (part.result.draws->is_refitted) {
             all.how = part.result.draws->how;
@@ -126,7 +126,7 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
         }
     }
     // Without rows where it has none in any part, 0 in a part that has none.
-    const auto gathered = [&](const auto& of_draws) {
+    const auto collected = [&](const auto& of_draws) {
         Eigen::Index rows = 0;
         Eigen::Index columns = 0;
         std::vector<Eigen::Index> counts;
@@ -151,12 +151,12 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
         return result;
     };
     const auto perturbation = [&](Eigen::MatrixXd ModelPerturbations::* member) {
-        return gathered([member](const PosteriorDraws& draws) -> const Eigen::MatrixXd& {
+        return collected([member](const PosteriorDraws& draws) -> const Eigen::MatrixXd& {
             return draws.perturbations.*member;
         });
     };
     const auto member = [&](Eigen::MatrixXd PosteriorDraws::* of) {
-        return gathered(
+        return collected(
             [of](const PosteriorDraws& draws) -> const Eigen::MatrixXd& { return draws.*of; });
     };
     PosteriorDraws result = all;
@@ -172,16 +172,16 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
 }
 
 /// Without parts of little probability whose draws are in doubt.
-std::vector<WeightedIdentification> without_doubtful(std::vector<WeightedIdentification> parts) {
-    const auto is_doubtful = [](const WeightedIdentification& part) {
-        return part.result.draws && !part.result.draws->doubt.empty();
+std::vector<WeightedIdentification> without_unreliable(std::vector<WeightedIdentification> parts) {
+    const auto is_unreliable = [](const WeightedIdentification& part) {
+        return part.result.draws && !part.result.draws->reason.empty();
     };
     double doubtful = 0.0;
     for (const WeightedIdentification& part : parts) {
-        doubtful += is_doubtful(part) ? part.weight : 0.0;
+        doubtful += is_unreliable(part) ? part.weight : 0.0;
     }
     if (doubtful > 0.0 && doubtful < negligible) {
-        std::erase_if(parts, is_doubtful);
+        std::erase_if(parts, is_unreliable);
         for (WeightedIdentification& part : parts) {
             part.weight /= 1.0 - doubtful;
         }
@@ -236,12 +236,12 @@ std::vector<int> shared_out(int draws, const std::vector<double>& weights) {
 
 Identification mixture_of(const CableNet& net, const Survey& survey,
                           std::vector<WeightedIdentification> parts, int draws) {
-    parts = without_doubtful(std::move(parts));
+    parts = without_unreliable(std::move(parts));
     Identification result = parts.front().result;
     if (parts.size() == 1) {
         return result;
     }
-    Steps prior;
+    Moments prior;
     for (const auto& [weight, part] : parts) {
         prior.add(weight, 0.0, part.length_prior.std());
     }
@@ -267,7 +267,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     }
     if (result.draws) {
         result.draws = drawn_by(parts, draws);
-        tell_draws(result, net, survey, prior.std());
+        set_summary_of_draws(result, net, survey, prior.std());
     }
     const Points start = result.predicted.form;
     predict_form(result, net, survey, start);

@@ -187,9 +187,9 @@ TEST_F(OnALargerHypar, TheCovarianceIsThatOfTheDenseInverse) {
 // difference.
 TEST_F(OnALargerHypar, LengthsThatGoFirstLeaveWhatThoseThatGoLastDo) {
     m_factor.load_variances.setConstant(0.3);
-    m_factor.reading_weights.setConstant(0.4);
-    m_factor.reading_place_rates.setRandom();
-    m_factor.reading_length_rates.setRandom();
+    m_factor.force_weights.setConstant(0.4);
+    m_factor.force_place_rates.setRandom();
+    m_factor.force_length_rates.setRandom();
     const SaddlePointFactor::Vector right_side{
         .places = Eigen::Matrix3Xd::Random(3, n),
         .lengths = Eigen::VectorXd::Random(m_net.edge_count()),
@@ -209,7 +209,7 @@ TEST_F(OnALargerHypar, LengthsThatGoFirstLeaveWhatThoseThatGoLastDo) {
     for (const int e : m_net.interior_edges()) {
         for (const auto member :
              {&SaddlePointFactor::Covariance::lengths, &SaddlePointFactor::Covariance::extensions,
-              &SaddlePointFactor::Covariance::readings}) {
+              &SaddlePointFactor::Covariance::forces}) {
             const double expected = (last_covariance.*member)(e);
             EXPECT_NEAR((first_covariance.*member)(e), expected, 1e-7 * expected);
         }

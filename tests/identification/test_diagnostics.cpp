@@ -609,7 +609,7 @@ TEST(Diagnostics, OfTheFrameLeavesTensionsTold) {
     options.prior = prior;
     options.draws = 40;
     const Identification result = identify(net(), s.survey, options);
-    ASSERT_EQ(result.drawn.tensions.size(), before.drawn.tensions.size()) << result.draws->doubt;
+    ASSERT_EQ(result.drawn.tensions.size(), before.drawn.tensions.size()) << result.draws->reason;
     EXPECT_NEAR(result.drawn.mean_tension.mean, before.drawn.mean_tension.mean,
                 4.0 * before.drawn.mean_tension.std);
 }
@@ -627,7 +627,7 @@ TEST(MeasuredSupports, OfUnknownPlaceLeaveTensionsTold) {
         options.draws = 20;
         options.uncertain = {parse_uncertain_parameter("supports:1mm")};
         const Identification result = identify(net(), s.survey, options);
-        EXPECT_EQ(result.drawn.tensions.size(), 664U) << result.draws->doubt;
+        EXPECT_EQ(result.drawn.tensions.size(), 664U) << result.draws->reason;
         EXPECT_LT(result.uncertain.front().std, 0.6e-3);  // measured to 0.5 mm
     }
 }

@@ -424,7 +424,7 @@ TEST(Epochs, DrawAsWidelyAsTheyTell) {
     options.draws = 200;
     const Identification result = identify_epochs(net(), job.epochs, options);
     ASSERT_TRUE(result.draws);
-    EXPECT_EQ(result.draws->doubt, "");
+    EXPECT_EQ(result.draws->reason, "");
     double ratio = 0.0;
     for (size_t i = 0; i < result.edges.size(); ++i) {
         const Eigen::VectorXd drawn =

@@ -104,7 +104,7 @@ TEST(ExactBalance, FindsThoseOfTheHiloRoofThoughDozensOfEdgesAreSlack) {
 }
 
 /// Errors of one survey's lengths go together: of four, more than 93 % of the intervals hold.
-void expect_to_settle_with_little_noise(const CableNet& net) {
+void expect_convergence_with_little_noise(const CableNet& net) {
     const LengthPrior prior{.kind = LengthPrior::Kind::uniform, .scale = 5e-3};
     constexpr double noise = 0.1e-3;
     constexpr int surveys = 4;
@@ -135,12 +135,12 @@ void expect_to_settle_with_little_noise(const CableNet& net) {
 }
 
 TEST(MaximumAPosteriori, SettlesOnASteelRoofWithLittleNoiseThoughEdgesAreSlack) {
-    expect_to_settle_with_little_noise(test::steel_lattice());
+    expect_convergence_with_little_noise(test::steel_lattice());
 }
 
 TEST(MaximumAPosteriori, SettlesOnTheHiloRoofWithLittleNoiseThoughDozensOfEdgesAreSlack) {
     TAUT_NEEDS_HILO_ROOF();
-    expect_to_settle_with_little_noise(test::hilo_roof());
+    expect_convergence_with_little_noise(test::hilo_roof());
 }
 
 // Normal equations square the condition, and theirs are shifted by 1e-13 of their largest entry: of

@@ -124,7 +124,7 @@ TEST_P(UncertainParameters, AreInTheIntervalsOfLengthsAndTensions) {
             const double deviation = truth.simulated.deviations(static_cast<Eigen::Index>(i));
             lengths.add(edge.lower <= deviation && deviation <= edge.upper);
         }
-        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
+        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->reason;
         for (const DrawnTension& told : found.drawn.tensions) {
             const double tension = truth.tensions(told.edge);
             tensions.add(told.tension.lower <= tension && tension <= told.tension.upper);
@@ -234,8 +234,8 @@ TEST_F(Readings, AreBelievedAsFarAsTheyAreTrue) {
     const Forces forces{.readings = {read(3, 0.001), read(30, 0.001)}, .taut = {}, .slack = {}};
     const Identification with = found(forces);
     ASSERT_FALSE(with.drawn.tensions.empty());
-    EXPECT_EQ(with.readings, 2);
-    EXPECT_TRUE(with.reading_outliers.empty());
+    EXPECT_EQ(with.force_measurements, 2);
+    EXPECT_TRUE(with.force_outliers.empty());
     for (const ForceMeasurement& reading : forces.readings) {
         const DrawnEstimate& before = without.drawn.tensions[reading.edge].tension;
         const DrawnEstimate& after = with.drawn.tensions[reading.edge].tension;
@@ -255,13 +255,13 @@ TEST_F(Readings, PromiseWhatTheyThenTell) {
     EXPECT_NEAR(precision.mean_tension_std, then.drawn.mean_tension.std,
                 0.25 * then.drawn.mean_tension.std);
     // And the next best edge holds what it promises, at the design.
-    const TensionPrecision& best = precision.readings.front();
+    const TensionPrecision& best = precision.force_candidates.front();
     forces.readings.push_back(
         {.edge = best.edge, .tension = best.tension, .std = 0.02 * best.tension});
     const PredictedPrecision next = predicted_precision(m_net, solve_equilibrium(m_net).form,
                                                         m_truth.simulated.survey, prior, forces);
-    EXPECT_NEAR(next.mean_tension_std, best.mean_std_with_reading,
-                1e-6 * best.mean_std_with_reading);
+    EXPECT_NEAR(next.mean_tension_std, best.mean_std_if_measured,
+                1e-6 * best.mean_std_if_measured);
     EXPECT_LT(next.mean_tension_std, precision.mean_tension_std);
 }
 
@@ -271,12 +271,12 @@ TEST_F(Readings, ThatContradictAllElseAreLeftOutAndNamed) {
         forces.readings.push_back(read(edge, 0.01));
     }
     const Identification sound = found(forces, 0);
-    EXPECT_TRUE(sound.reading_outliers.empty());
+    EXPECT_TRUE(sound.force_outliers.empty());
     forces.readings[4].tension *= 3.0;
     const Identification mended = found(forces, 0);
-    ASSERT_EQ(mended.reading_outliers.size(), 1U);
-    EXPECT_EQ(mended.reading_outliers[0].edge, forces.readings[4].edge);
-    EXPECT_NEAR(mended.reading_outliers[0].expected, m_truth.tensions(forces.readings[4].edge),
+    ASSERT_EQ(mended.force_outliers.size(), 1U);
+    EXPECT_EQ(mended.force_outliers[0].edge, forces.readings[4].edge);
+    EXPECT_NEAR(mended.force_outliers[0].expected, m_truth.tensions(forces.readings[4].edge),
                 0.5 * m_truth.tensions(forces.readings[4].edge));
     EXPECT_TRUE(mended.outliers.empty());  // no sound target is blamed
 }
@@ -291,13 +291,13 @@ TEST_F(Readings, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
             forces.readings.back().std *= factor;
         }
         const Identification result = found(forces, 100);
-        ASSERT_TRUE(result.reading_bias) << factor;
-        EXPECT_EQ(result.reading_outliers.size(), forces.readings.size());
+        ASSERT_TRUE(result.force_bias) << factor;
+        EXPECT_EQ(result.force_outliers.size(), forces.readings.size());
         EXPECT_TRUE(result.outliers.empty());
         // Linearised, so for a small bias only: true tensions are 1 - part times those read.
         if (factor > 0.5) {
-            EXPECT_NEAR(1.0 - result.reading_bias->part, 1.0 / factor,
-                        5.0 * result.reading_bias->std);
+            EXPECT_NEAR(1.0 - result.force_bias->part, 1.0 / factor,
+                        5.0 * result.force_bias->std);
         }
         EXPECT_NEAR(result.drawn.mean_tension.mean, m_truth.tensions.mean(),
                     4.0 * result.drawn.mean_tension.std);

@@ -107,7 +107,7 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
             reference.net, reference.survey,
             {.prior = reference.prior, .prior_exact = reference.prior_exact, .draws = 2000});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
-        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
+        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->reason;
         // What lengths have in common, (length-trend), is told to first order.
         const double of_mean = reference.prior_exact ? 0.15 : 0.25;
         const double of_end = reference.prior_exact ? 0.3 : 0.45;
@@ -187,7 +187,7 @@ TEST(PosteriorDraws, TellIntervalsThatHoldTheTrueTensions) {
     for (int seed = 0; seed < surveys; ++seed) {
         const auto s = test::simulate(net, prior, 5e-4, static_cast<std::uint64_t>(seed));
         const Identification found = identify(net, s.survey, {.prior = prior, .draws = 200});
-        ASSERT_TRUE(found.draws && found.draws->doubt.empty());
+        ASSERT_TRUE(found.draws && found.draws->reason.empty());
         const Eigen::VectorXd truth =
             tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
         for (const DrawnTension& of_edge : found.drawn.tensions) {
@@ -211,7 +211,7 @@ TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
         const Identification found = identify(net, s.survey, {.prior = prior, .draws = 100});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         ASSERT_TRUE(found.draws);
-        EXPECT_THAT(found.draws->doubt, testing::HasSubstr("does not show which edges are slack"));
+        EXPECT_THAT(found.draws->reason, testing::HasSubstr("does not show which edges are slack"));
         EXPECT_TRUE(found.drawn.tensions.empty());
         const Eigen::VectorXd truth =
             tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
@@ -234,7 +234,7 @@ TEST(PosteriorDraws, ShowTensionsOfSoundSurveys) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
         const auto s = test::simulate(net, prior, 5e-4, seed);
         const Identification found = identify(net, s.survey, {.assume_site = true, .draws = 100});
-        EXPECT_EQ(found.draws.value().doubt, "") << seed;
+        EXPECT_EQ(found.draws.value().reason, "") << seed;
     }
 }
 

@@ -85,7 +85,7 @@ TEST(ProcessesOnSite, IntervalsHoldAndErrorsAreNearTheBestPossible) {
 }
 
 TEST(ProcessesOnSite, IntervalsAllButHoldWithFewSamplesAndLittleNoise) {
-    // 75 coordinates: the samples alone leave most directions of the remainder untold.
+    // 75 coordinates: the samples alone leave most directions of the remainder unobserved.
     const CableNet net = hypar(5, 5);
     const Sampler sampler(net, uniform_prior, 1);
     DataSet data = sampler.empty();

@@ -32,7 +32,7 @@ LengthPrior uniform_prior(double bound) {
 
 /// What an identification makes of simulated surveys.
 struct Tally {
-    int unsettled = 0;
+    int not_converged = 0;
     int sound_lost = 0;    ///< targets without a gross error that were left out
     int gross_missed = 0;  ///< targets with one that were not
     int far_off = 0;       ///< lengths more than five standard deviations from the truth
@@ -63,7 +63,7 @@ Tally tally(const CableNet& net, const LengthPrior& prior, double noise_std, int
             moved = move_targets(net, s.survey, one_of, static_cast<std::uint64_t>(seed));
         }
         const Identification result = identify_by_maximum_a_posteriori(net, s.survey, prior);
-        tally.unsettled += result.status == IdentificationStatus::converged ? 0 : 1;
+        tally.not_converged += result.status == IdentificationStatus::converged ? 0 : 1;
         const auto found =
             static_cast<int>(std::ranges::count_if(result.outliers, [&](const Outlier& outlier) {
                 return std::ranges::binary_search(moved, outlier.node);
@@ -83,7 +83,7 @@ Tally tally(const CableNet& net, const LengthPrior& prior, double noise_std, int
 }
 
 void expect_sound(const Tally& found, double coverage_tolerance) {
-    EXPECT_EQ(found.unsettled, 0);
+    EXPECT_EQ(found.not_converged, 0);
     EXPECT_EQ(found.sound_lost, 0);
     EXPECT_EQ(found.gross_missed, 0);
     EXPECT_NEAR(found.inside, 0.95, coverage_tolerance);

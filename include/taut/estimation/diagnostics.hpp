@@ -10,7 +10,7 @@
 namespace taut {
 
 /// Chance explains no more than so many standard deviations.
-inline constexpr double beyond_chance_std = 4.0;
+inline constexpr double significant_std = 4.0;
 /// A mean of all length deviations that does no harm, in standard deviations of their prior: of
 /// 50,000 lengths the linearised mean is known to less than it is right.
 inline constexpr double negligible_mean = 0.15;
@@ -41,7 +41,7 @@ struct TAUT_CORE_EXPORT PriorCheck {
     double gain = 0.0;      ///< of its log likelihood over that of the prior checked
     double mean = 0.0;      ///< that all deviations have in common [m]
     double mean_std = 0.0;  ///< of that, if it is none [m]
-    int beyond = 0;         ///< edges beyond the prior, where these were too many to be mis-cut
+    int outliers = 0;       ///< lengths outside the prior, where these are too many to be mis-cut
 
     /// Whether the mean is none that chance would give.
     [[nodiscard]] bool has_mean() const;

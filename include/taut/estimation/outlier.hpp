@@ -21,7 +21,7 @@ struct Outlier {
 /// A reading of a force that contradicts all else.
 struct ForceOutlier {
     int edge = 0;            ///< whose force was read
-    double read = 0.0;       ///< [N]
+    double measured = 0.0;   ///< [N]
     double expected = 0.0;   ///< what all else tells [N]
     double statistic = 0.0;  ///< squared difference in its variances
 };
@@ -55,7 +55,7 @@ struct BoundaryOutlier {
     double statistic = 0.0;                         ///< its square in standard deviations
     /// The support of the edge, or an adjustable edge at the support, that would explain it nearly
     /// as well; -1: none.
-    int rival = -1;
+    int confounded_with = -1;
 };
 
 /// What all readings of forces have in common against all else: a wrong unit, a calibration.

@@ -41,7 +41,7 @@ struct PosteriorDraws {
     std::uint64_t seed = 1;            ///< that the draws follow from
     std::string how;                   ///< they were made, in words
     bool is_refitted = false;          ///< each by a fit of its own: they then tell lengths, too
-    std::string doubt;                 ///< why they are not to be relied on; empty: they are
+    std::string reason;                ///< why they are not reliable; empty: they are
 
     /// How many draws.
     [[nodiscard]] int count() const { return static_cast<int>(length_deviations.cols()); }

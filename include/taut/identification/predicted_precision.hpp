@@ -27,7 +27,7 @@ struct TensionPrecision {
     double tension = 0.0;  ///< in the form that it is reckoned at [N]
     double std = 0.0;      ///< of the tension, after the survey and the readings told [N]
     /// Of the mean tension, if this edge's were read besides [N].
-    double mean_std_with_reading = 0.0;
+    double mean_std_if_measured = 0.0;
 };
 
 /// What a survey can tell of all lengths and tensions, before it is made.
@@ -38,7 +38,7 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
     double mean_tension = 0.0;      ///< over all edges, in the form that it is reckoned at [N]
     double mean_tension_std = 0.0;  ///< after the survey and the readings told [N]
     /// All taut edges of which no reading is told, those first of which one would tell most.
-    std::vector<TensionPrecision> readings;
+    std::vector<TensionPrecision> force_candidates;
 
     /// How many edges have a status.
     [[nodiscard]] int count(EdgeStatus status) const;
@@ -55,7 +55,7 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
 /// @param forces of which edges tensions are read, and their noise; the tensions are not used
-/// @param reading_noise standard deviation of one more reading, as a part of the tension
+/// @param relative_force_std standard deviation of one more reading, as a part of the tension
 /// @throws std::invalid_argument as best_possible_variances(), check_forces(),
 /// check_uncertain_parameters(),
 ///   and where the net has no interior edge
@@ -64,6 +64,6 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
 [[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision predicted_precision(
     const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
     const LengthPrior& prior, const Forces& forces = {},
-    const std::vector<UncertainParameter>& uncertain = {}, double reading_noise = 0.02);
+    const std::vector<UncertainParameter>& uncertain = {}, double relative_force_std = 0.02);
 
 }  // namespace taut

@@ -142,7 +142,7 @@ struct Identification {
     /// Adjustable edges and supports that are not as told; the worst first. Their intervals and
     /// what else is told take them so.
     std::vector<BoundaryOutlier> boundary_outliers;
-    int boundary_beyond = 0;  ///< of the others, what contradicts the survey and was not set free
+    int boundary_not_released = 0;  ///< of the others, what contradicts the survey and was not set free
 
     DetectableErrors detectable;  ///< what the checks would have found; infinite where not computed
 
@@ -155,12 +155,12 @@ struct Identification {
     /// The prior told, or the default where none was, if the survey contradicts it: `prior` is then
     /// the one that the survey shows.
     std::optional<PriorCheck> contradicted_prior;
-    bool prior_was_told = false;  ///< false: `prior` began as the default, or the model's
+    bool prior_was_given = false;  ///< false: `prior` began as the default, or the model's
 
-    int readings = 0;                            ///< of forces, that were told
-    std::vector<ForceOutlier> reading_outliers;  ///< those left out, the worst first
+    int force_measurements = 0;                  ///< how many were given
+    std::vector<ForceOutlier> force_outliers;  ///< those left out, the worst first
     /// Where all of them were left out, since they fit only if each is off by the same part.
-    std::optional<ForceBias> reading_bias;
+    std::optional<ForceBias> force_bias;
     /// Edges seen taut or slack where the survey tells otherwise: then nothing that was seen is
     /// used.
     std::vector<int> contradicted_taut;

@@ -10,8 +10,8 @@ namespace taut {
 
 /// By which tests of targets, lengths and the boundary stand against each other: above 1 where the
 /// statistic is above its threshold, and larger where more of the misfit is explained, whatever the
-/// degrees of freedom. docs/theory.md, (rivals).
-[[nodiscard]] double rival_score(double statistic, double threshold);
+/// degrees of freedom. docs/theory.md, (score).
+[[nodiscard]] double comparable_score(double statistic, double threshold);
 
 /// What is wrong shows in the tests around it, too, so that only the largest of a neighbourhood is
 /// blamed.
