@@ -5,26 +5,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "estimation/data_snooping.hpp"
 #include "estimation/comparable_scores.hpp"
+#include "estimation/data_snooping.hpp"
 #include "numerics/dense.hpp"
 #include "numerics/small_dense.hpp"
 
 namespace taut {
 namespace {
 
-/// Of all adjustable edges and supports; more, and none of them is to be named alone.
+/// Part of all adjustable edges and supports that can be outliers; more, and none is named alone.
 constexpr double most_released_part = 0.25;
 constexpr int a_few_released = 3;
 
-/// Supports stand where they were built more surely than anything is told of the rest.
+/// Supports are less likely to be wrong than anything else: they get a tenth of the false alarms.
 constexpr double false_alarm_part_of_supports = 0.1;
 
-/// What is less than the largest score of all may come of that, however far away: at both ends of
-/// a cable, say.
+/// A score below this part of the largest may be caused by it, however far away, at the other end
+/// of a cable for instance.
 constexpr double least_of_largest = 0.9;
 
-/// A direction of which a survey tells no more than this is not tested [m].
+/// A direction that the survey determines no better than this is not tested [m].
 constexpr double weakest_shown = 1.0;
 
 }  // namespace
@@ -56,9 +56,7 @@ BoundarySnooping::BoundarySnooping(const CableNet& net,
 }
 
 bool BoundarySnooping::is_released(const Hypothesis& hypothesis) const {
-    const std::vector<int>& members =
-        hypothesis.is_support() ? m_released.moved : m_released.turned;
-    return std::ranges::binary_search(members, hypothesis.index);
+    return std::ranges::binary_search(released_like(hypothesis), hypothesis.index);
 }
 
 void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate& fitted,
@@ -81,11 +79,10 @@ void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate&
     }
 }
 
-/// Of a shift of where an uncertain support was expected: with P the precision of that place and C
-/// the covariance of the place found, the gradient is P (found - expected) and has the covariance
-/// P - P C P. With the frame unknown its variance is in C, which is little where the survey shows
-/// the place: directions of which it shows less than a quarter are not tested. docs/theory.md,
-/// (boundary)
+/// Score of a shift of an uncertain support: with P the precision of its prior place and C the
+/// posterior covariance of the place, the gradient is P (found - expected), with the covariance
+/// P - P C P. C includes the variance of an unknown frame. Directions of which the survey shows
+/// less than a quarter are not tested. docs/theory.md, (boundary)
 LinearisedStatics::Score BoundarySnooping::score_of_place(int node,
                                                           const LinearisedStatics& statics,
                                                           const Iterate& fitted,
@@ -132,12 +129,11 @@ void BoundarySnooping::take_score(Hypothesis& hypothesis, const LinearisedStatic
     hypothesis.score = comparable_score(hypothesis.found.statistic, threshold_of(hypothesis));
 }
 
-/// Of what is in the border already.
+/// The test of a released one: its estimate is a parameter of the fit.
 void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
                                      const Iterate& fitted, double scale) const {
     const CommonParameters& common = statics.common();
-    const std::vector<int>& members =
-        hypothesis.is_support() ? m_released.moved : m_released.turned;
+    const std::vector<int>& members = released_like(hypothesis);
     const auto place =
         static_cast<int>(std::ranges::lower_bound(members, hypothesis.index) - members.begin());
     const int count = hypothesis.is_support() ? 3 : 1;
@@ -156,7 +152,8 @@ void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedSta
     hypothesis.score = comparable_score(hypothesis.found.statistic, threshold_of(hypothesis));
 }
 
-/// What moves a support along an edge does what the edge's other length does.
+/// A support moved along an edge has the effect of another length of that edge.
+/// @return the edge or support that would explain nearly as much; -1: none
 int BoundarySnooping::confounded_with_of(const Hypothesis& hypothesis) const {
     constexpr double nearly = 0.5;  // of the score
     int confounded_with = -1;
@@ -164,8 +161,9 @@ int BoundarySnooping::confounded_with_of(const Hypothesis& hypothesis) const {
     for (const Hypothesis& other : m_hypotheses) {
         const Hypothesis& support = other.is_support() ? other : hypothesis;
         const Hypothesis& edge = other.is_support() ? hypothesis : other;
-        const bool is_confounded = other.kind != hypothesis.kind &&
-                              std::ranges::find(support.edges, edge.index) != support.edges.end();
+        const bool is_confounded =
+            other.kind != hypothesis.kind &&
+            std::ranges::find(support.edges, edge.index) != support.edges.end();
         if (is_confounded && other.score > best) {
             best = other.score;
             confounded_with = other.index;
@@ -224,7 +222,7 @@ bool BoundarySnooping::release(const Eigen::VectorXd& other_scores, bool one_by_
 
 /// @param nearby the largest score near each node (n)
 bool BoundarySnooping::is_suspect(const Hypothesis& hypothesis,
-                                 const Eigen::VectorXd& nearby) const {
+                                  const Eigen::VectorXd& nearby) const {
     const auto is_largest_at_ends = [&](int edge) {
         return std::ranges::all_of(m_net.edges()[edge],
                                    [&](int node) { return hypothesis.score >= nearby(node); });
@@ -263,8 +261,8 @@ int BoundarySnooping::not_released_count() const {
     }));
 }
 
-bool BoundarySnooping::is_suspicious(const Eigen::VectorXd& blamed) const {
-    const Eigen::VectorXd near = largest_nearby(m_net, largest_nearby(m_net, blamed));
+bool BoundarySnooping::is_suspicious(const Eigen::VectorXd& suspects) const {
+    const Eigen::VectorXd near = largest_nearby(m_net, largest_nearby(m_net, suspects));
     return std::ranges::any_of(m_hypotheses, [&](const Hypothesis& hypothesis) {
         const int node =
             hypothesis.is_support() ? hypothesis.index : m_net.edges()[hypothesis.index][0];

@@ -15,57 +15,47 @@
 namespace taut {
 namespace {
 
-/// A direction in which the fit follows a target to this part of its variance cannot be tested.
+/// A direction of which less than this part of the variance is redundant cannot be tested.
 constexpr double smallest_redundancy = 1e-3;
 
-/// More targets with gross errors than this part: not they are wrong, but net, frame, prior or
-/// noise.
+/// Part of the targets that can have gross errors; more, and net, frame, prior or noise are wrong.
 constexpr double most_outliers = 0.25;
 
 /// Of three degrees of freedom.
 constexpr double median_of_chi_squared = 2.366;
 
-/// Noise may be told five times too small; what is farther off is no survey of the net.
+/// The noise given may be five times too small, squared; a survey that is farther off does not fit.
 constexpr double largest_scale_of_noise = 25.0;
 
-/// Of the median of so many statistics, over what it is where the noise is told right: five
-/// standard deviations, and as much as a quarter of the targets with gross errors adds.
+/// Largest median of the statistics by chance, over its expectation: five standard deviations, plus
+/// what a quarter of targets with gross errors adds.
 double largest_scale_by_chance(size_t targets) {
     constexpr double std_of_median = 1.12;  // over the median, of one; pdf 0.188 at 2.366
     constexpr double by_gross_errors = 1.5;
     return by_gross_errors + 5.0 * std_of_median / std::sqrt(static_cast<double>(targets));
 }
 
-std::vector<std::vector<int>> neighbours_of(const CableNet& net) {
-    std::vector<std::vector<int>> neighbours(net.node_count());
-    for (const auto& [s, t] : net.edges()) {
-        neighbours[s].push_back(t);
-        neighbours[t].push_back(s);
-    }
-    return neighbours;
-}
-
 }  // namespace
 
-double snooping_threshold(double false_alarm_rate, size_t targets, int degrees_of_freedom) {
+double snooping_threshold(double false_alarm_rate, size_t tests, int degrees_of_freedom) {
     if (!(false_alarm_rate > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
-    const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / static_cast<double>(targets));
+    const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / static_cast<double>(tests));
     return boost::math::quantile(boost::math::complement(
         boost::math::chi_squared_distribution<>(degrees_of_freedom), of_one));
 }
 
 DataSnooping::DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
                            const std::vector<ForceMeasurement>& forces, double false_alarm_rate)
-    : m_survey(survey),
+    : m_net(net),
+      m_survey(survey),
       m_noise(noise),
       m_forces(forces),
       m_threshold(snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0,
                                      survey.surveyed.size() + forces.size())),
       m_force_threshold(snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0,
-                                             survey.surveyed.size() + forces.size(), 1)),
-      m_neighbours(neighbours_of(net)),
+                                           survey.surveyed.size() + forces.size(), 1)),
       m_rejected(net.node_count(), false),
       m_readmitted(net.node_count(), false),
       m_rejected_for_good(Eigen::VectorXd::Zero(net.node_count())),
@@ -112,7 +102,7 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
         const Eigen::Matrix3d Q =
             Eigen::Matrix3d::Identity() + sign * (whiten * covariance(node) * whiten.transpose());
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
-        Eigen::Matrix3d testable = Eigen::Matrix3d::Zero();  // Q but for directions not tested
+        Eigen::Matrix3d testable = Eigen::Matrix3d::Zero();  // Q without directions not tested
         for (int k = 0; k < 3; ++k) {
             const double variance = eigen.eigenvalues()(k);
             if (variance > smallest_redundancy) {
@@ -135,7 +125,7 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
         m_residual_scale = std::max(scale, 1.0 / (inflation * inflation));
     } else {  // (robust-scale)
         const bool is_given_too_small = scale > largest_scale_by_chance(m_survey.surveyed.size()) &&
-                                       scale < largest_scale_of_noise;
+                                        scale < largest_scale_of_noise;
         m_residual_scale = is_given_too_small ? scale : 1.0;
     }
     m_statistics /= m_residual_scale;
@@ -147,11 +137,11 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
 }
 
 void DataSnooping::evaluate_forces(const Eigen::VectorXd& tensions,
-                                     const Eigen::VectorXd& variances,
-                                     const SumVariance& sum_variance, double inflation) {
+                                   const Eigen::VectorXd& variances,
+                                   const SumVariance& sum_variance, double inflation) {
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(tensions.size());
-    double along = 0.0;  // c' W e, c the tensions read
-    double told = 0.0;   // c' W c
+    double along = 0.0;  // c' W e, c the measured tensions
+    double known = 0.0;  // c' W c
     int in_use = 0;
     for (Eigen::Index k = 0; k < std::ssize(m_forces); ++k) {
         const ForceMeasurement& force = m_forces[k];
@@ -161,20 +151,20 @@ void DataSnooping::evaluate_forces(const Eigen::VectorXd& tensions,
         m_expected(k) = tensions(force.edge);
         const double residual = force.tension - m_expected(k);
         m_force_statistics(k) = variance > smallest_redundancy * noise
-                                      ? residual * residual / variance / m_residual_scale
-                                      : 0.0;  // (snooping)
+                                    ? residual * residual / variance / m_residual_scale
+                                    : 0.0;  // (snooping)
         if (!m_rejected_forces[k]) {
             weights(force.edge) = force.tension / noise;
             along += force.tension * residual / noise;
-            told += force.tension * force.tension / noise;
+            known += force.tension * force.tension / noise;
             ++in_use;
         }
     }
     m_bias_statistic = 0.0;
     if (in_use > 1) {  // (common-bias)
-        const double redundant = told - sum_variance(weights);
+        const double redundant = known - sum_variance(weights);
         constexpr double rounding = 1e-7;
-        if (redundant > rounding * told) {
+        if (redundant > rounding * known) {
             m_found_bias = {.part = along / redundant, .std = 1.0 / std::sqrt(redundant)};
             m_bias_statistic = along * along / redundant / m_residual_scale;
         }
@@ -197,22 +187,17 @@ double DataSnooping::median_statistic() const {
     return *middle;
 }
 
-/// Of the targets in use that were not readmitted, those above the threshold with the largest
-/// statistic of all in use that are two edges away or less.
-/// @param other_scores scores of other tests by node, that are to be no larger; empty: none
+/// Targets in use, and not readmitted before, that are above the threshold and have the largest
+/// score within two edges.
+/// @param other_scores of other tests by node, which must not be larger; empty: none
 std::vector<int> DataSnooping::largest_above_threshold(const Eigen::VectorXd& other_scores) const {
     const Eigen::VectorXd own_scores = scores();
-    const Eigen::VectorXd all = other_scores.size() > 0 ? own_scores.cwiseMax(other_scores) : own_scores;
+    const Eigen::VectorXd all =
+        other_scores.size() > 0 ? own_scores.cwiseMax(other_scores) : own_scores;
+    const Eigen::VectorXd nearby = largest_nearby(m_net, largest_nearby(m_net, all));
     std::vector<int> result;
     for (const int node : m_survey.surveyed) {
-        const double own = own_scores(node);
-        const auto is_no_smaller = [&](int other) { return own >= all(other); };
-        const bool is_largest =
-            is_no_smaller(node) && std::ranges::all_of(m_neighbours[node], [&](int near) {
-                return is_no_smaller(near) &&
-                       std::ranges::all_of(m_neighbours[near], is_no_smaller);
-            });
-        if (own > 1.0 && is_largest) {
+        if (own_scores(node) > 1.0 && own_scores(node) >= nearby(node)) {
             result.push_back(node);
         }
     }
@@ -257,8 +242,9 @@ bool DataSnooping::readmit() {
     return has_changed;
 }
 
-/// Where they stand out together by more than each by itself.
-/// @param than score that they have to exceed
+/// Rejects all force measurements where they stand out together more than each by itself.
+/// @param than score to exceed
+/// @return whether it did
 bool DataSnooping::reject_all_forces(double than) {
     const double score = comparable_score(m_bias_statistic, m_force_threshold);
     double worst = than;
@@ -279,12 +265,12 @@ double DataSnooping::rejected_cost() const {
     if (!is_active()) {
         return 0.0;
     }
-    const auto readings = std::ranges::count(m_rejected_forces, true);
-    return m_threshold * rejected_count() + m_force_threshold * static_cast<double>(readings);
+    const auto forces = std::ranges::count(m_rejected_forces, true);
+    return m_threshold * rejected_count() + m_force_threshold * static_cast<double>(forces);
 }
 
-/// @param than score that it has to exceed
-/// @return whether there is one
+/// @param than score to exceed
+/// @return whether there was one
 bool DataSnooping::reject_worst_force(double than) {
     Eigen::Index worst = -1;
     for (Eigen::Index k = 0; k < std::ssize(m_forces); ++k) {
@@ -326,6 +312,7 @@ void DataSnooping::readmit_all() {
     m_rejected_forces.assign(m_forces.size(), false);
     m_force_bias.reset();
 }
+
 void DataSnooping::reopen() {
     m_readmitted.assign(m_readmitted.size(), false);
     m_readmitted_forces.assign(m_forces.size(), false);

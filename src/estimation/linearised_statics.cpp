@@ -523,8 +523,9 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
 }
 
 /// (force-measurement)
-void LinearisedStatics::add_force_measurements(const Iterate& iterate, const Observations& observations,
-                                     BorderedFactor::Vector& right_side) const {
+void LinearisedStatics::add_force_measurements(const Iterate& iterate,
+                                               const Observations& observations,
+                                               BorderedFactor::Vector& right_side) const {
     const SaddlePointFactor& matrix = m_matrix.inner;
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!(observations.tension_weights(e) > 0.0) || m_slack[e]) {
@@ -535,8 +536,7 @@ void LinearisedStatics::add_force_measurements(const Iterate& iterate, const Obs
         const auto [s, t] = m_local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < std::ssize(m_nodes)) {
-                right_side.inner.places.col(node) +=
-                    sign * pull * matrix.force_place_rates.col(e);
+                right_side.inner.places.col(node) += sign * pull * matrix.force_place_rates.col(e);
             }
         }
         right_side.inner.lengths(e) += pull * matrix.force_length_rates(e);
@@ -589,10 +589,10 @@ double LinearisedStatics::squared_norm(const Observations& observations,
             const auto [s, t] = m_net.edges()[e];
             const int i = m_interior_of[e];
             const double tension =
-                unit * (m_matrix.inner.force_place_rates.col(e).dot(change.form.col(s) -
-                                                                      change.form.col(t)) +
-                        (i >= 0 ? m_matrix.inner.force_length_rates(e) * change.deviations(i)
-                                : 0.0)) +
+                unit *
+                    (m_matrix.inner.force_place_rates.col(e).dot(change.form.col(s) -
+                                                                 change.form.col(t)) +
+                     (i >= 0 ? m_matrix.inner.force_length_rates(e) * change.deviations(i) : 0.0)) +
                 m_tension_rates.row(e).dot(change.common);
             sum += observations.tension_weights(e) * tension * tension;
         }

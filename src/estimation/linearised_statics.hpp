@@ -45,11 +45,11 @@ struct LawBlur {
 ///   P dd + B' lambda = P (d_mean - d)
 ///   H dr + B dd      = -h
 ///
-/// with what (uncertain-parameters) and (force-measurement) add where supports, loads or common numbers are unknown and
-/// forces are read; and the inverse of their matrix holds the posterior covariances of r and d
-/// (covariance). H lambda and B' lambda at the lambda of the linearisation stand on the right side:
-/// what is left there is then as small as the change that is solved for, and so are the rounding
-/// errors.
+/// with what (uncertain-parameters) and (force-measurement) add where supports, loads or common
+/// numbers are unknown and forces are read; and the inverse of their matrix holds the posterior
+/// covariances of r and d (covariance). H lambda and B' lambda at the lambda of the linearisation
+/// stand on the right side: what is left there is then as small as the change that is solved for,
+/// and so are the rounding errors.
 ///
 /// Here edges carry pressure as well as tension, so that all of it is smooth; edges of the slack
 /// set carry neither. What a shown pressure means is settled afterwards, for each edge by itself.
@@ -232,7 +232,7 @@ private:
     [[nodiscard]] BorderedFactor::Vector right_side(const Iterate& iterate,
                                                     const Observations& observations) const;
     void add_force_measurements(const Iterate& iterate, const Observations& observations,
-                      BorderedFactor::Vector& right_side) const;
+                                BorderedFactor::Vector& right_side) const;
     void set_reactions(const Eigen::Matrix3Xd& multipliers);
 
     const CableNet& m_net;

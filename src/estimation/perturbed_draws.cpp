@@ -162,7 +162,7 @@ private:
     void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
                    const Progress& progress) const;
     [[nodiscard]] PerturbedDraws collected(const std::vector<std::optional<Draw>>& draws,
-                                          bool refit_all) const;
+                                           bool refit_all) const;
     struct Workspace {
         explicit Workspace(const CableNet& net) : solver(net) {}
         EquilibriumSolver solver;
@@ -172,8 +172,9 @@ private:
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    [[nodiscard]] Eigen::VectorXd separate_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
-                                               bool refit, RandomNumbers& random) const;
+    [[nodiscard]] Eigen::VectorXd separate_lengths(Iterate& drawn,
+                                                   const Eigen::VectorXd& prior_mean, bool refit,
+                                                   RandomNumbers& random) const;
     [[nodiscard]] std::vector<bool> slack_in(const Eigen::VectorXd& deviations,
                                              const Eigen::VectorXd& spans, bool refit) const;
     [[nodiscard]] double length_of_tension(int edge, double length, double tension,
@@ -188,7 +189,7 @@ private:
     const LinearisedStatics& m_statics;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
-    Eigen::VectorXd m_blur_variances;     ///< m_I, variances of those that nobody knows [m2]
+    Eigen::VectorXd m_blur_variances;      ///< m_I, variances of those that nobody knows [m2]
     Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
     Iterate m_all_taut;
@@ -249,7 +250,7 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
 /// @param prior_mean of the length deviations (m_I) [m]
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
 Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
-                                           bool refit, RandomNumbers& random) const {
+                                               bool refit, RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
     const Eigen::VectorXd spans =
         m_statics.common().cold(lengths, drawn.common) - m_net.unstressed_lengths();
@@ -405,7 +406,7 @@ void Perturbation::add_draws(std::vector<std::optional<Draw>>& draws, int count,
 }
 
 PerturbedDraws Perturbation::collected(const std::vector<std::optional<Draw>>& draws,
-                                      bool refit_all) const {
+                                       bool refit_all) const {
     std::vector<const Draw*> found;
     found.reserve(draws.size());
     for (const auto& one : draws) {
@@ -464,7 +465,7 @@ PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics
     const Perturbation perturbation(net, statics, sites, knowledge, fitted, seed);
     PerturbedDraws linear = perturbation.run(draws, false, progress);
     return linear.is_unreliable() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
-                                                   : linear;
+                                                        : linear;
 }
 
 }  // namespace taut

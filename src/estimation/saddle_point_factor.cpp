@@ -122,7 +122,7 @@ void SaddlePointFactor::assemble_length(int edge, const Places& places, FrontMat
 
 /// The entries of w a a' in a node's block.
 void SaddlePointFactor::assemble_force(int edge, int node, const Places& places,
-                                         FrontMatrix& front) const {
+                                       FrontMatrix& front) const {
     const int own = places.of(layout().place[node]);
     const int other = layout().other_end(edge, node);
     const double w = force_weights(edge);
@@ -170,10 +170,9 @@ double SaddlePointFactor::length_pivot(int edge) const {
 
 /// g, and p.
 SaddlePointFactor::EdgeFunction SaddlePointFactor::length_row(int edge) const {
-    return {
-        .place = force_weights(edge) * force_length_rates(edge) * force_place_rates.col(edge),
-        .multiplier = length_rates.col(edge),
-        .length = length_pivot(edge)};
+    return {.place = force_weights(edge) * force_length_rates(edge) * force_place_rates.col(edge),
+            .multiplier = length_rates.col(edge),
+            .length = length_pivot(edge)};
 }
 
 bool SaddlePointFactor::factorize() {

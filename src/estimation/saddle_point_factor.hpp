@@ -98,7 +98,7 @@ public:
         /// Variances of the distance of the two nodes, along -B, less the length deviation: one an
         /// edge; 0 for known lengths.
         Eigen::VectorXd extensions;
-        Eigen::VectorXd forces;    ///< variances a' Z a, one an edge
+        Eigen::VectorXd forces;  ///< variances a' Z a, one an edge
     };
     /// Entries of the inverse, after factorize(), docs/theory.md (covariance): S and P being
     /// inverse covariances, the covariances under H r + B d = c. With Z the inverse over the
