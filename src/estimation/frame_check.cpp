@@ -12,7 +12,7 @@
 namespace taut {
 namespace {
 
-/// Chance gives more once in 10,000 surveys: a chi-squared of six degrees of freedom.
+/// Chance exceeds this once in 10,000 surveys: chi-squared of six degrees of freedom.
 constexpr double significant_motion = 27.9;
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace taut {
 namespace {
 
-/// Chance explains no more log likelihood than so much.
+/// Gain of log likelihood that chance does not explain; and from which on the prior is untenable.
 constexpr double significant_gain = 8.0;
 constexpr double untenable_gain = 20.0;
 

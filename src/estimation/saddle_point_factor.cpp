@@ -52,17 +52,17 @@ double SaddlePointFactor::precision() const {
         }
     }
     for (int node = 0; node < m_lengths_last.node_count(); ++node) {
-        double told = place_weights.col(node).maxCoeff() / least_known;
-        if (told > 0.0 && m_lengths_last.is_free(node)) {
+        double observed = place_weights.col(node).maxCoeff() / least_known;
+        if (observed > 0.0 && m_lengths_last.is_free(node)) {
             const Eigen::Vector3d stiffness =
                 Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
                     .computeDirect(node_stiffness[node], Eigen::EigenvaluesOnly)
                     .eigenvalues();
             const double condition =
                 stiffness.cwiseAbs().maxCoeff() / stiffness.cwiseAbs().minCoeff();
-            told *= condition * condition;
+            observed *= condition * condition;
         }
-        precision = !(told <= precision) ? told : precision;
+        precision = !(observed <= precision) ? observed : precision;
     }
     return precision;
 }
@@ -89,7 +89,7 @@ void SaddlePointFactor::assemble(int node, const Places& places, FrontMatrix& fr
     }
 }
 
-/// What H and B have of an edge in a node's block.
+/// The entries of H and B of an edge in a node's block.
 void SaddlePointFactor::assemble_edge(int edge, int node, const Places& places,
                                       FrontMatrix& front) const {
     const int own = places.of(layout().place[node]);
@@ -239,14 +239,14 @@ SaddlePointFactor::Vector SaddlePointFactor::scatter(const Eigen::VectorXd& unce
             const EdgeFunction row = length_row(e);
             double left = right_side.lengths(e);
             for (const int node : layout().edges[e]) {
-                double told = 0.0;
+                double taken = 0.0;
                 if (layout().has_block(node)) {
-                    told += row.place.dot(vector.places.col(node));
+                    taken += row.place.dot(vector.places.col(node));
                 }
                 if (layout().is_free(node)) {
-                    told += row.multiplier.dot(vector.multipliers.col(node));
+                    taken += row.multiplier.dot(vector.multipliers.col(node));
                 }
-                left -= sign_at(layout(), e, node) * told;
+                left -= sign_at(layout(), e, node) * taken;
             }
             vector.lengths(e) = left / row.length;
         }
@@ -258,8 +258,9 @@ SaddlePointFactor::Vector SaddlePointFactor::solve(const Vector& right_side) con
     return scatter(m_factor->solve(gather(right_side)), right_side);
 }
 
-/// Of a function f of the uncertain at an edge, in the front of its earlier end: f Z f'. Where the
-/// length went first it is (f_x - f_d g / p) Z (f_x - f_d g / p)' + f_d^2 / p, (condensed).
+/// The variance f Z f' of a function f of the unknowns at an edge, in the front of its earlier end.
+/// Where the length went first it is (f_x - f_d g / p) Z (f_x - f_d g / p)' + f_d^2 / p,
+/// (condensed).
 double SaddlePointFactor::variance(int edge, const EdgeFunction& function, const Places& places,
                                    const FrontMatrix& inverse) const {
     EdgeFunction f = function;
