@@ -47,18 +47,18 @@ std::optional<double> ConditionedForm::common_noise_variance() const {
 /// On the targets that are not rejected.
 void ConditionedForm::condition() {
     m_observed.clear();
-    std::vector<bool> is_told(m_net.free_node_count(), false);
+    std::vector<bool> is_observed(m_net.free_node_count(), false);
     for (const int node : m_survey.surveyed) {
         if (!m_snooping.rejected()[node]) {
             m_observed.push_back(node);
-            is_told[m_net.free_index(node)] = true;
+            is_observed[m_net.free_index(node)] = true;
         }
     }
     Eigen::VectorXd residual =
         free_coordinates(m_net, m_survey.form) - m_nominal_form - m_before.mean;
     std::vector<int> unobserved;  // coordinates
     for (int i = 0; i < m_net.free_node_count(); ++i) {
-        for (int k = 3 * i; !is_told[i] && k < 3 * i + 3; ++k) {
+        for (int k = 3 * i; !is_observed[i] && k < 3 * i + 3; ++k) {
             residual(k) = 0.0;
             unobserved.push_back(k);
         }
@@ -70,10 +70,10 @@ void ConditionedForm::condition() {
     }
 }
 
-/// (filled-in) With the same variance v of all coordinates' noise, K = C + v I of all of them, told
-/// or not, has the precisions p = 1 / (c + v) along the directions. What was not told is filled in
-/// by what the rest lets expect, -P_uu^-1 P_uo r_o with P = K^-1 = D' diag(p) D, and is then off by
-/// P_uu^-1.
+/// (filled-in) With the same noise variance v of all coordinates, K = C + v I of all of them,
+/// observed or not, has the precisions p = 1 / (c + v) along the directions. The unobserved ones
+/// are filled in by their conditional mean, -P_uu^-1 P_uo r_o with P = K^-1 = D' diag(p) D, whose
+/// error has the covariance P_uu^-1.
 /// @param unobserved coordinates u, at which the residual is 0
 void ConditionedForm::fill_in(double noise_variance, const Eigen::VectorXd& residual,
                               const std::vector<int>& unobserved) {

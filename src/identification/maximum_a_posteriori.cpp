@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,18 +34,17 @@ namespace {
 std::string why_not_converged(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
     const double stretch =
         (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
-    std::string text = "found no lengths that settle: iteration limit; ";
+    std::string text = "The fit did not converge within its iteration limit. ";
     if (stretch < prior.std()) {
         text += fmt::format(
-            "the cables stretch by {:.2g} mm in the mean and their lengths deviate by {:.2g} mm, "
-            "so "
-            "that any of them may be slack: a narrower --law would help, if it is true",
+            "The mean stretch of the cables is {:.2g} mm and the prior of their lengths +-{:.2g} "
+            "mm, so any of them may be slack. A narrower prior would help, if it is true.",
             1e3 * stretch, 1e3 * prior.std());
     } else {
-        text += "are net, loads, frame and noise right";
+        text += "Check net, loads, frame and noise.";
     }
     if (!survey.is_whole()) {
-        text += fmt::format("; a survey of the {} missing nodes would help", survey.missing.size());
+        text += fmt::format(" A survey of the {} missing nodes would help.", survey.missing.size());
     }
     return text;
 }
@@ -62,12 +62,12 @@ SurveySearch search_fit(const CableNet& net, const Survey& survey, const PriorKn
     return result;
 }
 
-/// What was seen is believed where the survey does not speak against it: where the fit that keeps
-/// to it costs no more, beyond chance, than the one that knows nothing of it.
+/// Whether the survey does not contradict the marks of slack and taut edges: whether the fit with
+/// them costs no more, beyond chance, than the fit without.
 bool is_believable(const SurveySearch& with, const SurveySearch& without, const Forces& seen) {
-    constexpr double beyond_chance = 20.0;  // a normal error of 4.5 standard deviations
-    constexpr double a_slack_edge = 9.0;    // may be as far from the mean of its prior
-    // Kept to as taut it may carry pressure in the fit, which costs nothing.
+    constexpr double by_chance = 20.0;    // a normal error of 4.5 standard deviations
+    constexpr double a_slack_edge = 9.0;  // may be this far from the mean of its prior
+    // An edge kept taut may carry pressure in the fit, which costs nothing.
     constexpr double surely = 4.0;  // standard deviations
     const LinearisedStatics& statics = with.fit->statics();
     const Eigen::VectorXd tensions = statics.tensions(with.fitted.iterate);
@@ -76,13 +76,13 @@ bool is_believable(const SurveySearch& with, const SurveySearch& without, const 
         return tensions(edge) < -surely * std::sqrt(std::max(0.0, variances(edge)));
     });
     return !has_pressure &&
-           with.fit->cost() <= without.fit->cost() + beyond_chance +
+           with.fit->cost() <= without.fit->cost() + by_chance +
                                    a_slack_edge * static_cast<double>(seen.slack.size());
 }
 
-/// Of edges seen taut or slack those that a fit which knows nothing of it finds to be otherwise;
-/// where there are none, all.
-void set_contradicted_marks(Identification& result, const SurveySearch& without, const Forces& seen) {
+/// Reports the marked edges that the fit without marks contradicts; where there are none, all.
+void set_contradicted_marks(Identification& result, const SurveySearch& without,
+                            const Forces& seen) {
     constexpr double surely = 3.0;  // standard deviations
     const Eigen::VectorXd tensions = without.fit->statics().tensions(without.fitted.iterate);
     const Eigen::VectorXd stds =
@@ -112,20 +112,19 @@ FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fit
             .rotation_std = common.rotation_unit() * stds.tail<3>()};
 }
 
-/// What a fit shows of noise and prior, whether they were given right or not.
+/// What a fit shows of noise, prior and frame.
 struct Diagnostics {
     VarianceComponents scales;
     PriorCheck prior;
     FrameCheck frame;
     std::optional<PriorEstimate> estimate;
-    std::vector<bool> left_out;       ///< interior edges (m_I) that do not show the prior
-    Eigen::VectorXd adjustable_stds;  ///< of what is uncertain of adjustable ones, else 0 (m_I)
+    std::vector<bool> left_out;       ///< interior edges (m_I) that do not follow the prior
+    Eigen::VectorXd adjustable_stds;  ///< prior std of uncertain adjustable edges, else 0 (m_I)
 };
 
 /// (common-mean): score and information of a shift of the prior.
-void set_mean(PriorCheck& check, const LinearisedStatics& statics,
-               const Observations& observations, const Iterate& fitted,
-               const std::vector<bool>& left_out) {
+void set_mean(PriorCheck& check, const LinearisedStatics& statics, const Observations& observations,
+              const Iterate& fitted, const std::vector<bool>& left_out) {
     Eigen::VectorXd weights = observations.variance.cwiseInverse();
     for (size_t i = 0; i < left_out.size(); ++i) {
         if (left_out[i]) {
@@ -141,15 +140,16 @@ void set_mean(PriorCheck& check, const LinearisedStatics& statics,
     }
 }
 
-/// (components), (prior-check). The fit stands as it was afterwards.
+/// (components), (prior-check). Leaves the fit as it was.
 Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const Given& given,
-                     SurveyFit& fit, Iterate fitted) {
+                           SurveyFit& fit, Iterate fitted) {
     const LengthPrior& prior = given.prior;
     Diagnostics shown;
     const Iterate at = fitted;
-    const Observations given = fit.observations();
-    Observations scaled = given;
-    shown.frame = check_frame(fit_net, fit.statics(), at, given, fit.snooping().residual_scale());
+    const Observations observed = fit.observations();
+    Observations scaled = observed;
+    shown.frame =
+        check_frame(fit_net, fit.statics(), at, observed, fit.snooping().residual_scale());
     std::vector<bool> left_out = fit.length_snooping().released();
     shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
@@ -169,10 +169,10 @@ Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const G
     shown.prior.outliers = fit.length_snooping().given_up();
     set_mean(shown.prior, fit.statics(), scaled, fitted, left_out);
     if (given.hyperprior) {
-        shown.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), given, at,
+        shown.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), observed, at,
                                         left_out, prior, shown.scales.lengths, likelihood);
     }
-    if (fit.statics().linearise(at, given)) {
+    if (fit.statics().linearise(at, observed)) {
         fit.statics().invert();
     }
     shown.left_out = std::move(left_out);
@@ -203,9 +203,9 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
          .std = shown.prior.mean_std}});
     constexpr double of_steel = 12e-6;  // [1/K]
     double expansion = 0.0;             // mean, by 1 K [m]
-    const Eigen::VectorXd& given = net.data().expansion;
+    const Eigen::VectorXd& of_net = net.data().expansion;
     for (const int edge : net.interior_edges()) {
-        const double of_edge = given.size() > 0 ? given(edge) : of_steel;
+        const double of_edge = of_net.size() > 0 ? of_net(edge) : of_steel;
         expansion += of_edge * net.unstressed_lengths()(edge) / net.interior_edge_count();
     }
     if (expansion > 0.0) {
@@ -214,9 +214,9 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
     return result;
 }
 
-/// Of the net to fit the edges, by their number among the interior ones, of which a form tells no
-/// more than a bound, or may not: what is given of their length is not normal. An adjustable edge
-/// only where it is slack: its turns tell more of it than a form that is fitted without them.
+/// Interior edges of the net to fit that are slack or may be: their likelihood is not normal. An
+/// adjustable edge only where it is slack: its turns determine it better than a form that is fitted
+/// without them.
 std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet& fit_net,
                                             const LinearisedStatics& statics,
                                             const Iterate& fitted) {
@@ -234,7 +234,7 @@ std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet&
     return result;
 }
 
-/// Of the edges' gains the rows of some, in the order of the net to fit.
+/// The rows of the gains for these edges.
 Eigen::MatrixXd gains_of(const std::vector<int>& edges, const CableNet& fit_net,
                          const LengthTrend& trend) {
     std::vector<Eigen::Index> rows(edges.size());
@@ -245,7 +245,7 @@ Eigen::MatrixXd gains_of(const std::vector<int>& edges, const CableNet& fit_net,
     return trend.length_gains(rows, Eigen::all);
 }
 
-/// (length-trend): what the lengths have in common moves and widens what a fit without it tells.
+/// (length-trend): adds what the lengths have in common to the result of a fit without it.
 void take_up_trend(Identification& result, const LengthTrend& trend, const CableNet& fit_net) {
     std::vector<int> edges;
     std::ranges::transform(result.edges, std::back_inserter(edges), &IdentifiedEdge::edge);
@@ -298,8 +298,8 @@ LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fi
     return {.edges = edges, .covariance = linearised.cwiseProduct(scale * scale.transpose())};
 }
 
-/// What was released: interior edges, and what of the boundary is not as given; adjustable edges of
-/// uncertain lengths are edges of the fit like others.
+/// Reports the released interior edges and boundary. Adjustable edges of uncertain length are
+/// interior edges of the fit.
 void set_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
     result.boundary_outliers = fit.boundary_snooping().outliers();
     for (const LengthOutlier& outlier : fit.length_snooping().outliers()) {
@@ -317,7 +317,7 @@ void set_outliers(Identification& result, const CableNet& net, const SurveyFit& 
     std::ranges::stable_sort(result.boundary_outliers, std::greater{}, &BoundaryOutlier::statistic);
 }
 
-/// Of a released adjustable edge the deviation is reported, which the estimate would count twice.
+/// Leaves out the estimates of released adjustable edges: their deviation is reported instead.
 void leave_out_released(Identification& result) {
     std::erase_if(result.uncertain, [&](const ParameterEstimate& one) {
         return one.parameter.kind == UncertainParameter::Kind::adjustable &&
@@ -328,19 +328,20 @@ void leave_out_released(Identification& result) {
     });
 }
 
-/// @param own what the survey tells by itself, with its number of common uncertain; null: not
-/// wanted
-Identification identify_by_map(const CableNet& net, const Survey& survey, const Given& given,
-                               const SurveyFitSettings& settings, const PosteriorSettings& wanted,
-                               LengthEvidence* own, int common_count, const Progress& progress) {
+/// @param common_count of the evidence of the survey alone, with this number of common parameters;
+///   empty: no evidence is wanted
+IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const Given& given,
+                                const SurveyFitSettings& settings, const PosteriorSettings& wanted,
+                                std::optional<int> common_count, const Progress& progress) {
     check_survey(net, survey);
     check_uncertain_parameters(net, given.uncertain);
-    Identification result;
+    IdentifiedEpoch epoch;
+    Identification& result = epoch.identification;
     const bool only_lengths = given.uncertain.empty() && given.forces.empty() && !given.evidence;
     if (survey.is_exact() && survey.is_whole() && only_lengths) {
         result = identify_by_exact_balance(net, survey, given.prior);
         result.method = "map";
-        return result;
+        return epoch;
     }
     const CableNet fit_net = net_to_fit(net, given.uncertain);
     PriorKnowledge all = knowledge_of(
@@ -368,19 +369,18 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     Observations observations = fit.observations();
     const Diagnostics shown =
         fitted.converged ? diagnostics_of(net, fit_net, given, fit, fitted.iterate) : Diagnostics();
-    if (own != nullptr) {
-        const Eigen::Index size = fit_net.interior_edge_count() + common_count;
-        *own =
-            fitted.converged
-                ? forgotten(own_evidence(fit.statics(), observations, fitted.iterate, common_count),
-                            edges_maybe_slack(net, fit_net, fit.statics(), fitted.iterate))
-                : no_evidence(size);
+    if (common_count) {
+        epoch.own = fitted.converged
+                        ? forgotten(own_evidence(fit.statics(), observations, fitted.iterate,
+                                                 *common_count),
+                                    edges_maybe_slack(net, fit_net, fit.statics(), fitted.iterate))
+                        : no_evidence(fit_net.interior_edge_count() + *common_count);
     }
     if (fitted.converged) {
-        Propagated settled = propagate_prior(fit_net, knowledge, fit.statics(), observations,
-                                             fitted.iterate, fit.tolerance());
-        fitted.iterate = std::move(settled.iterate);
-        observations = std::move(settled.observations);
+        Propagated propagated = propagate_prior(fit_net, knowledge, fit.statics(), observations,
+                                                fitted.iterate, fit.tolerance());
+        fitted.iterate = std::move(propagated.iterate);
+        observations = std::move(propagated.observations);
     }
     result =
         identification_of(net, fit_net, survey, given.prior, knowledge, fit, fitted, observations);
@@ -421,30 +421,29 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
                    fitted.iterate, wanted, progress);
     if (!wanted.covariance_of.empty() && fitted.converged) {
-        // Behind the draws, which may widen what the fit tells.
+        // After the draws, which may widen the standard deviations.
         result.length_covariance =
             covariance_of(wanted.covariance_of, fit_net, fit.statics(), trend, result);
     }
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";
-    return result;
+    return epoch;
 }
 
 }  // namespace
 
 Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
-                                                const Given& given, const SurveyFitSettings& settings,
+                                                const Given& given,
+                                                const SurveyFitSettings& settings,
                                                 const PosteriorSettings& wanted,
                                                 const Progress& progress) {
-    return identify_by_map(net, survey, given, settings, wanted, nullptr, 0, progress);
+    return identify_by_map(net, survey, given, settings, wanted, std::nullopt, progress)
+        .identification;
 }
 
 IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, const Given& given,
                                    int common_count, const Progress& progress) {
-    IdentifiedEpoch result;
-    result.identification =
-        identify_by_map(net, survey, given, {}, {}, &result.own, common_count, progress);
-    return result;
+    return identify_by_map(net, survey, given, {}, {}, common_count, progress);
 }
 
 Identification identification_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
@@ -470,7 +469,7 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
     result.length_prior = prior;
     set_edges(result, net, interior_priors(net, knowledge), likelihoods);
     for (IdentifiedEdge& edge : result.edges) {
-        // Seen, where the form leaves next to no length of the prior for it.
+        // Marked slack, though the form leaves hardly any length of the prior for that.
         if (std::ranges::find(knowledge.forces.slack, edge.edge) != knowledge.forces.slack.end()) {
             edge.status = EdgeStatus::slack;
         }

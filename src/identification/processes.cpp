@@ -53,7 +53,7 @@ FormUncertainty form_uncertainty(const CableNet& net, const LengthModel& model,
             .of_extension = after.variances_along(lengths - rates)};
 }
 
-/// What the processes tell of each edge at one form, and how its uncertainty adds to theirs.
+/// Likelihoods of the lengths by the processes at one form, with its uncertainty added to theirs.
 /// @param estimates at that form
 /// @param after the form's distribution by `prior`; null where the form is known
 std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const LengthModel& model,

@@ -414,7 +414,7 @@ private:
         if (m_result.boundary_not_released > 0) {
             add({.kind = FindingKind::boundary,
                  .severity = m_result.boundary_not_released > a_few_of_boundary ? Verdict::failed
-                                                                          : Verdict::doubtful,
+                                                                                : Verdict::doubtful,
                  .value = m_result.boundary_not_released,
                  .remedy = Trust::Remedy{"uncertain", "adjustable:3mm supports:3mm"},
                  .reason = fmt::format("{} adjustable edges and supports contradict the survey, "
