@@ -138,11 +138,6 @@ private:
     }
 };
 
-class OnAHypar : public OnANet {
-protected:
-    OnAHypar() : OnANet(hypar(4, 5)) {}
-};
-
 /// Large enough for supernodes of several panels and for branches.
 class OnALargerHypar : public OnANet {
 protected:
@@ -159,15 +154,7 @@ protected:
     }
 };
 
-TEST_F(OnAHypar, TheSolutionIsThatOfTheDenseMatrix) {
-    expect_the_solution_of_the_dense_matrix();
-}
-
-TEST_F(OnAHypar, TheCovarianceIsThatOfTheDenseInverse) {
-    expect_the_covariance_of_the_dense_inverse();
-}
-
-TEST_F(OnAHypar, ASingularPivotIsTold) {
+TEST_F(OnALargerHypar, ASingularPivotIsReported) {
     m_factor.place_weights.setZero();
     std::ranges::fill(m_factor.node_stiffness, Eigen::Matrix3d::Zero());
     std::ranges::fill(m_factor.edge_stiffness, Eigen::Matrix3d::Zero());

@@ -121,12 +121,4 @@ TEST(LengthTrend, DoesNotStandForAPriorThatIsFarTooNarrow) {
     }
 }
 
-TEST(LengthTrend, IsNoneWhereThePriorIsExact) {
-    const CableNet net = hypar(4, 4);
-    const auto s = test::simulate(net, prior, 5e-4, 1);
-    const Identification found = identify(net, s.survey, {.prior = prior, .prior_exact = true});
-    EXPECT_EQ(found.prior.common.mean_std, 0.0);
-    EXPECT_EQ(found.prior.common.runs, 0);
-}
-
 }  // namespace

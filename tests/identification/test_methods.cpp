@@ -56,17 +56,6 @@ int inside(const Identification& result, const Eigen::VectorXd& truth) {
 
 const CableNet net_7x7 = hypar(7, 7);
 
-TEST(Methods, AreExactWithoutNoise) {
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0, seed);
-        ASSERT_TRUE(s.truth.slack_edges.empty());
-        EXPECT_LT(
-            squared_error(identify_by_force_balance(net_7x7, s.survey, uniform_3mm), s.deviations),
-            1e-20);
-        EXPECT_LT(squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations), 1e-20);
-    }
-}
-
 TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
     using Method =
         std::function<Identification(const CableNet&, const Survey&, const LengthPrior&)>;
@@ -184,7 +173,7 @@ TEST(MaximumAPosteriori, SaysWhereTheWholeSurveyDoesNotFit) {
     EXPECT_GT(result.outliers.size(), s.survey.surveyed.size() / 4);
 }
 
-TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
+TEST(MaximumAPosteriori, LooksForNoGrossErrorsWithoutFalseAlarms) {
     SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, 1);
     s.survey.form.col(net_7x7.free_nodes()[20]).z() += 0.01;
     EXPECT_TRUE(
@@ -193,38 +182,16 @@ TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
     EXPECT_EQ(map(net_7x7, s.survey, uniform_3mm).outliers.size(), 1U);
 }
 
-TEST(Methods, TellASlackEdgeByNoMoreThanItsLength) {
-    const LengthPrior wide{LengthPrior::Kind::uniform, 0.007};
-    int slack = 0;
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const SimulatedSurvey s = simulate(net_7x7, wide, 0.0, seed);
-        const Eigen::VectorXd lengths = edge_lengths(net_7x7, s.truth.form);
-        for (const Identification& result :
-             {map(net_7x7, s.survey, wide), identify_by_force_balance(net_7x7, s.survey, wide)}) {
-            for (const IdentifiedEdge& e : result.edges) {
-                const bool is_slack = std::ranges::binary_search(s.truth.slack_edges, e.edge);
-                EXPECT_EQ(e.status == EdgeStatus::slack, is_slack) << result.method << e.edge;
-                if (is_slack) {
-                    ++slack;
-                    EXPECT_NEAR(e.lower, lengths(e.edge) - e.nominal, 1e-6);
-                    EXPECT_EQ(e.upper, wide.scale);
-                }
-            }
-        }
-    }
-    EXPECT_GT(slack, 2);
-}
-
 TEST(Methods, RefuseSurveysThatMakeNoSense) {
     const Survey good = simulate(net_7x7, uniform_3mm, 0.0005, 1).survey;
     const int node = good.surveyed[5];
-    const auto expect_refused = [&](const Survey& bad, const std::string& told) {
+    const auto expect_refused = [&](const Survey& bad, const std::string& words) {
         for (const auto& method : {std::function(map), std::function(identify_by_force_balance)}) {
             try {
                 (void)method(net_7x7, bad, uniform_3mm);
-                ADD_FAILURE() << "not refused: " << told;
+                ADD_FAILURE() << "not refused: " << words;
             } catch (const std::invalid_argument& error) {
-                EXPECT_THAT(error.what(), ::testing::HasSubstr(told));
+                EXPECT_THAT(error.what(), ::testing::HasSubstr(words));
             }
         }
     };
@@ -257,7 +224,7 @@ TEST(Methods, RefuseSurveysThatMakeNoSense) {
                  std::invalid_argument);
 }
 
-TEST(Methods, TellNoNumberThatIsNotOneWhereNodesAreLoose) {
+TEST(Methods, GiveFiniteNumbersWhereNodesAreLoose) {
     // Lengths that leave whole nodes without tension.
     const CableNet net = hypar(4, 5);
     const LengthPrior wide{LengthPrior::Kind::uniform, 0.02};

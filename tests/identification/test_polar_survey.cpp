@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-// Guards the way from readings of angles and distances to lengths: intervals that do not hold
+// Guards the way from observations of angles and distances to lengths: intervals that do not hold
 // because a pose, a frame or a covariance between was wrong.
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ struct Tally {
 };
 
 /// As read_survey() does.
-Survey survey_of(const CableNet& net, const PolarSurvey& readings) {
-    std::vector<SurveyPoint> points = adjust_stations(readings).points;
+Survey survey_of(const CableNet& net, const PolarSurvey& observations) {
+    std::vector<SurveyPoint> points = adjust_stations(observations).points;
     const Registration frame = register_rigidly(support_control_points(net, points));
     Survey survey = match_to_nodes(net, moved(std::move(points), frame.motion));
     survey.frame_is_unknown = true;

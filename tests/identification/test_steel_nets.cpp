@@ -89,14 +89,14 @@ void expect_sound(const Tally& found, double coverage_tolerance) {
     EXPECT_NEAR(found.inside, 0.95, coverage_tolerance);
 }
 
-// Deviations and noise beyond what the cables stretch: steps with the matrix of an earlier
+// Deviations and noise larger than what the cables stretch: steps with the matrix of an earlier
 // linearisation soon lead nowhere.
-TEST(SteelNet, SettlesWithIntervalsThatHold) {
+TEST(SteelNet, ConvergesWithIntervalsThatHold) {
     const Tally found = tally(stiffened(hilo_quarter(), 20.0), uniform_prior(0.003), 0.0005, 10, 0);
     expect_sound(found, 0.015);
 }
 
-TEST(SteelNet, TellsSlackEdgesFromTautOnes) {
+TEST(SteelNet, SeparatesSlackEdgesFromTautOnes) {
     const Tally found =
         tally(stiffened(hilo_quarter(), 500.0), uniform_prior(0.003), 0.0005, 10, 0);
     expect_sound(found, 0.015);
@@ -128,7 +128,7 @@ TEST(SteelRoof, ShowsManyGrossErrors) {
 }
 
 // Multipliers large against what they hold: the noise is a hundredth of the deviations.
-TEST(SteelRoof, SettlesWithLittleNoise) {
+TEST(SteelRoof, ConvergesWithLittleNoise) {
     expect_sound(tally(steel_lattice(), uniform_prior(0.005), 0.00005, 20, 0), 0.012);
 }
 
@@ -139,14 +139,14 @@ TEST(HiloRoof, KeepsAllSoundTargets) {
     EXPECT_LE(found.far_off, 1);
 }
 
-TEST(HiloRoof, SettlesWithLittleNoise) {
+TEST(HiloRoof, ConvergesWithLittleNoise) {
     TAUT_NEEDS_HILO_ROOF();
     expect_sound(tally(hilo_roof(), uniform_prior(0.005), 0.00005, 2, 0), 0.01);
 }
 
-// Strands that bed in: tangents of their priors are 0 on one side of a corner and steep on the
-// other.
-TEST(TwoSlopeRoof, SettlesWithIntervalsThatHold) {
+// Strands that bed in: tangents of their tension laws are 0 on one side of a corner and steep on
+// the other.
+TEST(TwoSlopeRoof, ConvergesWithIntervalsThatHold) {
     expect_sound(tally(steel_roof(), uniform_prior(0.002), 0.0003, 6, 0), 0.02);
     expect_sound(tally(steel_roof(), uniform_prior(0.005), noise_on_site, 6, 0), 0.02);
 }
@@ -159,7 +159,7 @@ double strain_in(const CableNet& net, const SimulatedSurvey& s, int i) {
            1.0;
 }
 
-TEST(TwoSlopeRoof, IsFoundByItsExactFormAndWhereAPriorIsFlatToWhatItLeavesOpen) {
+TEST(TwoSlopeRoof, IsFoundByItsExactFormExceptWhereATensionLawIsFlat) {
     const CableNet net = steel_roof();
     const SimulatedSurvey s = simulate(net, uniform_prior(0.002), 0.0, 3);
     const Identification found =
