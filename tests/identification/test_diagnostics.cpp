@@ -39,15 +39,6 @@ Identification identified(const Survey& survey, std::optional<LengthPrior> given
     return identify(net(), survey, options);
 }
 
-double coverage(const Identification& result, const Eigen::VectorXd& truth) {
-    int inside = 0;
-    for (size_t i = 0; i < result.edges.size(); ++i) {
-        const double deviation = truth(static_cast<Eigen::Index>(i));
-        inside += result.edges[i].lower <= deviation && deviation <= result.edges[i].upper ? 1 : 0;
-    }
-    return static_cast<double>(inside) / static_cast<double>(result.edges.size());
-}
-
 using Kind = Trust::Finding::Kind;
 
 /// @param ids that it names; empty: any
@@ -120,23 +111,6 @@ TEST_P(MisCut, CablesAreNamedAndIdentifiedByTheSurveyAlone) {
 INSTANTIATE_TEST_SUITE_P(Methods, MisCut,
                          testing::Values(IdentificationMethod::map, IdentificationMethod::balance),
                          [](const auto& test) { return std::string(to_string(test.param)); });
-
-TEST(Diagnostics, NamesMisCutCablesThatAreAllButSlack) {
-    // 15 mm of 132 mm: what is left of the stretch is less than its standard deviations by far.
-    const CableNet saddle = hypar(9, 9);
-    const LengthPrior narrow{LengthPrior::Kind::uniform, 0.002};
-    for (const int i : {40, 71, 98}) {
-        const SimulatedSurvey s = survey_of(saddle, narrow, 3, {i}, 0.015);
-        const Identification result =
-            identify(saddle, s.survey, {.method = IdentificationMethod::map, .prior = narrow});
-        ASSERT_EQ(result.length_outliers.size(), 1u);
-        EXPECT_EQ(result.length_outliers[0].edge, saddle.interior_edges()[i]);
-        EXPECT_TRUE(result.outliers.empty());
-        EXPECT_EQ(result.trust.verdict(), Trust::Verdict::doubtful);
-        EXPECT_LE(result.edges[i].lower, 0.015);
-        EXPECT_GE(result.edges[i].upper, 0.015);
-    }
-}
 
 // A cable that is so much too long hangs slack: nothing but its measured length is known, which is
 // outside the prior. Taken for one within the prior it was the surest of all.

@@ -76,16 +76,6 @@ TEST_F(OnASmallNet, TheErrorsAreAFewStandardDeviations) {
     EXPECT_LT(inside, 0.99 * edges);
 }
 
-TEST_F(OnASmallNet, TheIdentifiedFormIsFarCloserThanTheNominalOne) {
-    for (int k = training; k < training + 10; ++k) {
-        const Survey survey = survey_of(k);
-        const Points nominal = with_free_coordinates(m_net, m_data.nominal_form);
-        const double before = (nominal - survey.form).colwise().norm().mean();
-        const double after = (identify(k).predicted.form - survey.form).colwise().norm().mean();
-        EXPECT_LT(after, 0.1 * before) << "sample " << k;
-    }
-}
-
 TEST_F(OnASmallNet, ThePredictedFormIsInEquilibriumWithTheIdentifiedLengths) {
     const Survey survey = survey_of(training);
     const Identification result = identify(training);
@@ -147,19 +137,6 @@ TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncerta
             EXPECT_DOUBLE_EQ(e.std, m_data.prior.std());
         }
     }
-}
-
-TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsNotDetermined) {
-    // Deviations drawn anew: the form knows nothing of them.
-    constexpr int unrelated = 4;
-    for (int k = 0; k < m_data.size(); ++k) {
-        m_data.length_deviations(unrelated, k) =
-            draw_length_deviations(m_data.prior, 2, static_cast<std::uint64_t>(k), 1)(0);
-    }
-    m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
-    const IdentifiedEdge edge = identify(training).edges[unrelated];
-    EXPECT_EQ(edge.status, EdgeStatus::not_determined);
-    EXPECT_NEAR(edge.std, m_data.prior.std(), 0.15 * m_data.prior.std());
 }
 
 TEST_F(OnASmallNet, AModelForAnotherNetIsRefusedAndBothAreNamed) {

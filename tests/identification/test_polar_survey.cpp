@@ -25,13 +25,9 @@ struct Tally {
     double noise_ratio = 0.0;
 
     void add(const Identification& found, const Eigen::VectorXd& truth) {
-        for (size_t i = 0; i < found.edges.size(); ++i) {
-            const IdentifiedEdge& edge = found.edges[i];
-            const double deviation = truth(static_cast<Eigen::Index>(i));
-            inside += edge.lower <= deviation && deviation <= edge.upper ? 1.0 : 0.0;
-            squares += std::pow(edge.length_deviation - deviation, 2);
-            count += 1.0;
-        }
+        inside += test::coverage(found, truth);
+        squares += test::squared_error(found, truth);
+        count += 1.0;
         noise_ratio += found.noise_ratio;
     }
     [[nodiscard]] double coverage() const { return inside / count; }

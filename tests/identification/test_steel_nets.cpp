@@ -70,14 +70,12 @@ Tally tally(const CableNet& net, const LengthPrior& prior, double noise_std, int
             }));
         tally.sound_lost += static_cast<int>(result.outliers.size()) - found;
         tally.gross_missed += static_cast<int>(moved.size()) - found;
-        int inside = 0;
         for (int i = 0; i < net.interior_edge_count(); ++i) {
             const IdentifiedEdge& edge = result.edges[i];
             const double error = std::abs(edge.length_deviation - s.deviations(i));
             tally.far_off += edge.status != EdgeStatus::slack && error > 5.0 * edge.std ? 1 : 0;
-            inside += edge.lower <= s.deviations(i) && s.deviations(i) <= edge.upper ? 1 : 0;
         }
-        tally.inside += static_cast<double>(inside) / net.interior_edge_count() / surveys;
+        tally.inside += coverage(result, s.deviations) / surveys;
     }
     return tally;
 }
@@ -90,17 +88,14 @@ void expect_sound(const Tally& found, double coverage_tolerance) {
 }
 
 // Deviations and noise larger than what the cables stretch: steps with the matrix of an earlier
-// linearisation soon lead nowhere.
+// linearisation soon lead nowhere, and many edges are slack.
 TEST(SteelNet, ConvergesWithIntervalsThatHold) {
-    const Tally found = tally(stiffened(hilo_quarter(), 20.0), uniform_prior(0.003), 0.0005, 10, 0);
-    expect_sound(found, 0.015);
-}
-
-TEST(SteelNet, SeparatesSlackEdgesFromTautOnes) {
-    const Tally found =
-        tally(stiffened(hilo_quarter(), 500.0), uniform_prior(0.003), 0.0005, 10, 0);
-    expect_sound(found, 0.015);
-    EXPECT_EQ(found.far_off, 0);
+    for (const double factor : {20.0, 500.0}) {
+        const Tally found =
+            tally(stiffened(hilo_quarter(), factor), uniform_prior(0.003), 0.0005, 10, 0);
+        expect_sound(found, 0.015);
+        EXPECT_TRUE(found.far_off == 0 || factor < 100.0);
+    }
 }
 
 // A roof of steel, our own and the real one: what must hold of both. Errors of one survey's lengths
