@@ -36,8 +36,9 @@ struct Given {
     /// Of other surveys of the same net to fit; null: none.
     std::shared_ptr<const LengthEvidence> evidence;
 
+    // NOLINTNEXTLINE(google-explicit-constructor)
     Given(const LengthPrior& of_lengths, std::vector<UncertainParameter> parameters = {},
-          Forces measured = {})  // NOLINT(google-explicit-constructor)
+          Forces measured = {})
         : prior(of_lengths), uncertain(std::move(parameters)), forces(std::move(measured)) {}
 };
 
