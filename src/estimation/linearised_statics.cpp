@@ -27,7 +27,7 @@ std::vector<bool> interior_flags(const CableNet& net) {
 }
 
 Supports supports_of(const std::vector<UncertainParameter>& uncertain) {
-    return std_of(uncertain, UncertainParameter::Kind::supports) > 0.0 ? Supports::unknown
+    return std_of(uncertain, UncertainParameter::Kind::supports) > 0.0 ? Supports::uncertain
                                                                        : Supports::fixed;
 }
 
@@ -111,7 +111,7 @@ LinearisedStatics::LinearisedStatics(const CableNet& net,
     for (size_t i = 0; i < net.interior_edges().size(); ++i) {
         m_interior_of[net.interior_edges()[i]] = static_cast<int>(i);
     }
-    if (supports_of(uncertain) == Supports::unknown) {
+    if (supports_of(uncertain) == Supports::uncertain) {
         m_nodes = m_local.node_of;
     }
 }

@@ -246,7 +246,7 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
 
 /// Separates the drawn deviations into blur, (own-stiffness) and (blurred-law), and the edges' own
 /// lengths. An edge with a tension law gets the length with which it carries its tension in the
-/// draw; a slack edge one of the prior beyond the form.
+/// draw; a slack edge one of the prior longer than the form spans.
 /// @param prior_mean of the length deviations (m_I) [m]
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
 Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,

@@ -9,7 +9,7 @@
 namespace taut {
 
 /// Whether the places of the supports are known, or unknowns like those of the free nodes.
-enum class Supports { fixed, unknown };
+enum class Supports { fixed, uncertain };
 
 /// Whether the weights of the lengths are one an edge, or a full matrix.
 enum class Lengths { independent, coupled };

@@ -20,7 +20,7 @@ struct WeightedIdentification {
 /// deviations and intervals of lengths, uncertain parameters and frame, the draws of all, and the
 /// predicted form. All else is of the first.
 /// @param parts at least one, the most probable first, weights that sum to 1; each with as many
-///   draws as shared_out() tells, or more
+///   draws as by shared_out(), or more
 /// @param draws how many all together
 [[nodiscard]] Identification mixture_of(const CableNet& net, const Survey& survey,
                                         std::vector<WeightedIdentification> parts, int draws);

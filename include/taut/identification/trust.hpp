@@ -60,7 +60,7 @@ struct TAUT_CORE_EXPORT Trust {
             tensions,              ///< they are not reported
             length_change,         ///< of an edge between two surveys [m]
             turns,                 ///< all strokes over those given
-            actuator_std,          ///< of the turns, beyond what is given [m]
+            actuator_std,          ///< of the turns, besides the one given [m]
             epoch,                 ///< change of the lengths between two surveys over the expected
             repeated_survey,       ///< difference of two surveys' errors over the expected
             other,                 ///< read from a result of an earlier version, without a kind
