@@ -534,6 +534,7 @@ TEST(Diagnostics, OfNoiseIsRefusedWhereTheSurveyDoesNotShowIt) {
     options.estimate_noise = true;
     EXPECT_THROW(static_cast<void>(identify(small, s.survey, options)), SurveyError);
     s.survey.noise_std.setZero();
+    s.survey.frame_is_unknown = false;
     EXPECT_THROW(static_cast<void>(identify(small, s.survey, options)), std::invalid_argument);
 }
 
