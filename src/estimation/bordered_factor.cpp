@@ -22,7 +22,7 @@ void BorderedFactor::set_border_count(int count) {
     border.assign(count, {});
     corner.setIdentity(count, count);
     extension_rates.setZero(std::ssize(m_edges), count);
-    reading_rates.setZero(std::ssize(m_edges), count);
+    force_rates.setZero(std::ssize(m_edges), count);
 }
 
 bool BorderedFactor::factorize() {
@@ -61,8 +61,8 @@ BorderedFactor::Vector BorderedFactor::solve(const Vector& right_side) const {
     return result;
 }
 
-/// Of a number that is linear in all uncertain, with rates a in K's and c in the border's: the
-/// variance is a' Z a + (a' Y - c') C^-1 (Y' a - c).
+/// Of a number that is linear in all unknowns, with rates a in those of K and c in those of the
+/// border: the variance is a' Z a + (a' Y - c') C^-1 (Y' a - c).
 void BorderedFactor::add_border(Covariance& covariance) const {
     const auto count = static_cast<Eigen::Index>(border.size());
     const auto squared = [&](const Eigen::MatrixXd& rows) -> Eigen::MatrixXd {
@@ -83,7 +83,7 @@ void BorderedFactor::add_border(Covariance& covariance) const {
     }
     Eigen::RowVectorXd length(count);
     Eigen::RowVectorXd extension(count);
-    Eigen::RowVectorXd reading(count);
+    Eigen::RowVectorXd force(count);
     for (int e = 0; e < static_cast<int>(m_edges.size()); ++e) {
         for (Eigen::Index k = 0; k < count; ++k) {
             const Inner& y = m_columns[k];
@@ -95,14 +95,14 @@ void BorderedFactor::add_border(Covariance& covariance) const {
             }
             length(k) = y.lengths(e);
             extension(k) = inner.extension_rate(e).dot(difference) - y.lengths(e);
-            reading(k) = inner.reading_place_rates.col(e).dot(difference) +
-                         inner.reading_length_rates(e) * y.lengths(e);
+            force(k) = inner.force_place_rates.col(e).dot(difference) +
+                       inner.force_length_rates(e) * y.lengths(e);
         }
         if (m_unknown[e]) {
             covariance.lengths(e) += squared(length)(0, 0);
             covariance.extensions(e) += squared(extension - extension_rates.row(e))(0, 0);
         }
-        covariance.readings(e) += squared(reading - reading_rates.row(e))(0, 0);
+        covariance.forces(e) += squared(force - force_rates.row(e))(0, 0);
     }
 }
 

@@ -12,7 +12,7 @@ namespace taut {
 /// Sum of the products of all entries.
 [[nodiscard]] double dot(const SaddlePointFactor::Vector& a, const SaddlePointFactor::Vector& b);
 
-/// The saddle-point matrix K of SaddlePointFactor with a few more uncertain, each of which may have
+/// The saddle-point matrix K of SaddlePointFactor with a few more unknowns, each of which may have
 /// entries E with all others:
 ///
 ///   [ K   E ]
@@ -28,17 +28,17 @@ public:
 
     using Inner = SaddlePointFactor::Vector;
 
-    /// Begins anew with so many uncertain in the border.
+    /// Clears the border and sets its number of unknowns.
     void set_border_count(int count);
 
     // The matrix, to be filled before factorize().
     SaddlePointFactor inner;    ///< K
     std::vector<Inner> border;  ///< E, one a column
     Eigen::MatrixXd corner;     ///< F
-    /// What extensions and readings change by each of the uncertain of the border, besides by those
+    /// Change of extensions and forces by each unknown of the border, in addition to that by those
     /// of K (edges x columns).
     Eigen::MatrixXd extension_rates;
-    Eigen::MatrixXd reading_rates;
+    Eigen::MatrixXd force_rates;
 
     /// @return false where a pivot is singular
     [[nodiscard]] bool factorize();

@@ -5,26 +5,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/comparable_scores.hpp"
 #include "estimation/data_snooping.hpp"
-#include "estimation/rival_scores.hpp"
 #include "numerics/dense.hpp"
 #include "numerics/small_dense.hpp"
 
 namespace taut {
 namespace {
 
-/// Of all adjustable edges and supports; more, and none of them is to be named alone.
+/// Part of all adjustable edges and supports that can be outliers; more, and none is named alone.
 constexpr double most_released_part = 0.25;
 constexpr int a_few_released = 3;
 
-/// Supports stand where they were built more surely than anything is told of the rest.
+/// Supports are less likely to be wrong than anything else: they get a tenth of the false alarms.
 constexpr double false_alarm_part_of_supports = 0.1;
 
-/// What is less than the largest score of all may come of that, however far away: at both ends of
-/// a cable, say.
+/// A score below this part of the largest may be caused by it, however far away, at the other end
+/// of a cable for instance.
 constexpr double least_of_largest = 0.9;
 
-/// A direction of which a survey tells no more than this is not tested [m].
+/// A direction that the survey determines no better than this is not tested [m].
 constexpr double weakest_shown = 1.0;
 
 }  // namespace
@@ -56,9 +56,7 @@ BoundarySnooping::BoundarySnooping(const CableNet& net,
 }
 
 bool BoundarySnooping::is_released(const Hypothesis& hypothesis) const {
-    const std::vector<int>& members =
-        hypothesis.is_support() ? m_released.moved : m_released.turned;
-    return std::ranges::binary_search(members, hypothesis.index);
+    return std::ranges::binary_search(released_like(hypothesis), hypothesis.index);
 }
 
 void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate& fitted,
@@ -81,11 +79,10 @@ void BoundarySnooping::evaluate(const LinearisedStatics& statics, const Iterate&
     }
 }
 
-/// Of a shift of where an uncertain support was expected: with P the precision of that place and C
-/// the covariance of the place found, the gradient is P (found - expected) and has the covariance
-/// P - P C P. With the frame unknown its variance is in C, which is little where the survey shows
-/// the place: directions of which it shows less than a quarter are not tested. docs/theory.md,
-/// (boundary)
+/// Score of a shift of an uncertain support: with P the precision of its prior place and C the
+/// posterior covariance of the place, the gradient is P (found - expected), with the covariance
+/// P - P C P. C includes the variance of an unknown frame. Directions of which the survey shows
+/// less than a quarter are not tested. docs/theory.md, (boundary)
 LinearisedStatics::Score BoundarySnooping::score_of_place(int node,
                                                           const LinearisedStatics& statics,
                                                           const Iterate& fitted,
@@ -129,15 +126,14 @@ void BoundarySnooping::take_score(Hypothesis& hypothesis, const LinearisedStatic
             hypothesis.found.statistic += along * along / information / scale;
         }
     }
-    hypothesis.score = rival_score(hypothesis.found.statistic, threshold_of(hypothesis));
+    hypothesis.score = comparable_score(hypothesis.found.statistic, threshold_of(hypothesis));
 }
 
-/// Of what is in the border already.
+/// The test of a released one: its estimate is a parameter of the fit.
 void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
                                      const Iterate& fitted, double scale) const {
     const CommonParameters& common = statics.common();
-    const std::vector<int>& members =
-        hypothesis.is_support() ? m_released.moved : m_released.turned;
+    const std::vector<int>& members = released_like(hypothesis);
     const auto place =
         static_cast<int>(std::ranges::lower_bound(members, hypothesis.index) - members.begin());
     const int count = hypothesis.is_support() ? 3 : 1;
@@ -152,26 +148,28 @@ void BoundarySnooping::take_estimate(Hypothesis& hypothesis, const LinearisedSta
     hypothesis.found.std.head(count) = unit * covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     hypothesis.found.statistic =
         (values.transpose() * symmetric_solution(covariance, values)).value() / scale;
-    hypothesis.found.rival = hypothesis.rival;
-    hypothesis.score = rival_score(hypothesis.found.statistic, threshold_of(hypothesis));
+    hypothesis.found.confounded_with = hypothesis.confounded_with;
+    hypothesis.score = comparable_score(hypothesis.found.statistic, threshold_of(hypothesis));
 }
 
-/// What moves a support along an edge does what the edge's other length does.
-int BoundarySnooping::rival_of(const Hypothesis& hypothesis) const {
+/// A support moved along an edge has the effect of another length of that edge.
+/// @return the edge or support that would explain nearly as much; -1: none
+int BoundarySnooping::confounded_with_of(const Hypothesis& hypothesis) const {
     constexpr double nearly = 0.5;  // of the score
-    int rival = -1;
+    int confounded_with = -1;
     double best = nearly * hypothesis.score;
     for (const Hypothesis& other : m_hypotheses) {
         const Hypothesis& support = other.is_support() ? other : hypothesis;
         const Hypothesis& edge = other.is_support() ? hypothesis : other;
-        const bool is_rival = other.kind != hypothesis.kind &&
-                              std::ranges::find(support.edges, edge.index) != support.edges.end();
-        if (is_rival && other.score > best) {
+        const bool is_confounded =
+            other.kind != hypothesis.kind &&
+            std::ranges::find(support.edges, edge.index) != support.edges.end();
+        if (is_confounded && other.score > best) {
             best = other.score;
-            rival = other.index;
+            confounded_with = other.index;
         }
     }
-    return rival;
+    return confounded_with;
 }
 
 void BoundarySnooping::set_member(const Hypothesis& hypothesis, bool is_member) {
@@ -203,18 +201,18 @@ Eigen::VectorXd BoundarySnooping::scores() const {
     return scores;
 }
 
-bool BoundarySnooping::release(const Eigen::VectorXd& rivals, bool one_by_one) {
+bool BoundarySnooping::release(const Eigen::VectorXd& other_scores, bool one_by_one) {
     if (!m_is_active) {
         return false;
     }
-    const Eigen::VectorXd all = scores().cwiseMax(rivals);
+    const Eigen::VectorXd all = scores().cwiseMax(other_scores);
     const Eigen::VectorXd nearby = largest_nearby(m_net, all);
     const double least = std::max(1.0, one_by_one ? least_of_largest * all.maxCoeff() : 0.0);
     bool has_changed = false;
     for (Hypothesis& hypothesis : m_hypotheses) {
         const bool is_open = !is_released(hypothesis) && !hypothesis.is_readmitted;
-        if (is_open && hypothesis.score > least && is_blamed(hypothesis, nearby)) {
-            hypothesis.rival = rival_of(hypothesis);
+        if (is_open && hypothesis.score > least && is_suspect(hypothesis, nearby)) {
+            hypothesis.confounded_with = confounded_with_of(hypothesis);
             set_member(hypothesis, true);
             has_changed = true;
         }
@@ -223,8 +221,8 @@ bool BoundarySnooping::release(const Eigen::VectorXd& rivals, bool one_by_one) {
 }
 
 /// @param nearby the largest score near each node (n)
-bool BoundarySnooping::is_blamed(const Hypothesis& hypothesis,
-                                 const Eigen::VectorXd& nearby) const {
+bool BoundarySnooping::is_suspect(const Hypothesis& hypothesis,
+                                  const Eigen::VectorXd& nearby) const {
     const auto is_largest_at_ends = [&](int edge) {
         return std::ranges::all_of(m_net.edges()[edge],
                                    [&](int node) { return hypothesis.score >= nearby(node); });
@@ -257,14 +255,14 @@ bool BoundarySnooping::releases_too_many() const {
                             most_released_part * static_cast<double>(m_hypotheses.size()));
 }
 
-int BoundarySnooping::beyond_count() const {
+int BoundarySnooping::not_released_count() const {
     return static_cast<int>(std::ranges::count_if(m_hypotheses, [&](const Hypothesis& hypothesis) {
         return !is_released(hypothesis) && hypothesis.score > 1.0;
     }));
 }
 
-bool BoundarySnooping::is_suspicious(const Eigen::VectorXd& blamed) const {
-    const Eigen::VectorXd near = largest_nearby(m_net, largest_nearby(m_net, blamed));
+bool BoundarySnooping::is_suspicious(const Eigen::VectorXd& suspects) const {
+    const Eigen::VectorXd near = largest_nearby(m_net, largest_nearby(m_net, suspects));
     return std::ranges::any_of(m_hypotheses, [&](const Hypothesis& hypothesis) {
         const int node =
             hypothesis.is_support() ? hypothesis.index : m_net.edges()[hypothesis.index][0];

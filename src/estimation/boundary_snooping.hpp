@@ -12,62 +12,61 @@
 
 namespace taut {
 
-/// Data snooping of what holds the net: the length of each adjustable edge and the place of each
-/// support is tested as targets and lengths are, by the score of what it would explain if it were
-/// unknown, docs/theory.md (boundary). One that is not as told is released: nothing is known of it
-/// from then on but what the survey tells.
+/// Data snooping of the boundary: the length of each adjustable edge and the place of each support
+/// is tested like targets and lengths, by the score statistic of it as a free parameter,
+/// docs/theory.md (boundary). An outlier is released: from then on the survey alone determines it.
 class BoundarySnooping {
 public:
     /// Keeps a reference to the net.
-    /// @param uncertain where supports are among these, they are tested against that width
+    /// @param uncertain supports among these are tested against their standard deviation
     /// @param false_alarm_rate of targets; 0: no test
     BoundarySnooping(const CableNet& net, const std::vector<UncertainParameter>& uncertain,
                      double false_alarm_rate);
 
     [[nodiscard]] bool is_active() const { return m_is_active; }
 
-    /// The statistics at a fit.
-    /// @param scale of the residuals, squared: as that of the targets
+    /// Computes the statistics at a fit.
+    /// @param scale DataSnooping::residual_scale()
     void evaluate(const LinearisedStatics& statics, const Iterate& fitted,
                   const Observations& observations, double scale);
 
-    /// Whether the boundary may explain what is wrong: it has scores above 1, or what was blamed is
+    /// Whether the boundary may explain what was found: it has scores above 1, or suspects are
     /// near.
-    /// @param blamed above 0 at nodes (n) of targets left out and edges beyond their prior
-    [[nodiscard]] bool is_suspicious(const Eigen::VectorXd& blamed) const;
+    /// @param suspects above 0 at nodes (n) of rejected targets and released edges
+    [[nodiscard]] bool is_suspicious(const Eigen::VectorXd& suspects) const;
     /// As of LengthSnooping.
     [[nodiscard]] Eigen::VectorXd scores() const;
     /// As of LengthSnooping.
-    /// @param one_by_one only what has the largest score of all
-    [[nodiscard]] bool release(const Eigen::VectorXd& rivals, bool one_by_one);
+    /// @param one_by_one only those near the largest score of all
+    [[nodiscard]] bool release(const Eigen::VectorXd& other_scores, bool one_by_one);
     /// As of LengthSnooping.
     [[nodiscard]] bool readmit();
     void readmit_all() { set_released({}); }
-    /// Lets what was readmitted be released again.
+    /// Allows readmitted ones to be released again.
     void reopen();
 
     [[nodiscard]] const BoundaryReleases& released() const { return m_released; }
     void set_released(BoundaryReleases released) { m_released = std::move(released); }
-    /// Whether so much is not as told that none of it is to be named alone.
+    /// Whether so many are released that none can be named alone.
     [[nodiscard]] bool releases_too_many() const;
-    /// Of what was not released: how much is above its threshold.
-    [[nodiscard]] int beyond_count() const;
-    /// Sum of the thresholds of all that is released.
+    /// How many are above their threshold but not released.
+    [[nodiscard]] int not_released_count() const;
+    /// Sum of the thresholds of all released.
     [[nodiscard]] double released_cost() const;
-    /// DetectableErrors::adjustable or support, of those that are as told.
+    /// DetectableErrors::adjustable or support, for those not released.
     [[nodiscard]] double detectable(BoundaryOutlier::Kind kind) const;
     [[nodiscard]] std::vector<BoundaryOutlier> outliers() const;  ///< the largest statistic first
 
 private:
-    /// A thing to be tested, and what the last fit told of it.
+    /// One adjustable edge or support, with its test at the last fit.
     struct Hypothesis {
         BoundaryOutlier::Kind kind = BoundaryOutlier::Kind::adjustable_edge;
         int index = 0;
         std::vector<int> edges;  ///< of a support
         BoundaryOutlier found;
-        double score = 0.0;  ///< (rivals)
-        TestedItem tested;   ///< while it is as told
-        int rival = -1;      ///< when it was released
+        double score = 0.0;        ///< (score)
+        TestedItem tested;         ///< while not released
+        int confounded_with = -1;  ///< when it was released
         bool is_readmitted = false;
 
         [[nodiscard]] bool is_support() const { return kind == BoundaryOutlier::Kind::support; }
@@ -84,8 +83,13 @@ private:
                     double scale) const;
     void take_estimate(Hypothesis& hypothesis, const LinearisedStatics& statics,
                        const Iterate& fitted, double scale) const;
-    [[nodiscard]] int rival_of(const Hypothesis& hypothesis) const;
-    [[nodiscard]] bool is_blamed(const Hypothesis& hypothesis, const Eigen::VectorXd& nearby) const;
+    [[nodiscard]] int confounded_with_of(const Hypothesis& hypothesis) const;
+    [[nodiscard]] bool is_suspect(const Hypothesis& hypothesis,
+                                  const Eigen::VectorXd& nearby) const;
+    /// The released ones of its kind.
+    [[nodiscard]] const std::vector<int>& released_like(const Hypothesis& hypothesis) const {
+        return hypothesis.is_support() ? m_released.moved : m_released.turned;
+    }
     void set_member(const Hypothesis& hypothesis, bool is_member);
 
     const CableNet& m_net;

@@ -8,15 +8,6 @@
 #include <utility>
 
 namespace taut {
-namespace {
-
-bool is_common(const UncertainParameter& parameter) {
-    return parameter.kind == UncertainParameter::Kind::stiffness ||
-           parameter.kind == UncertainParameter::Kind::temperature ||
-           parameter.kind == UncertainParameter::Kind::loads;
-}
-
-}  // namespace
 
 CommonParameters::CommonParameters(const CableNet& net,
                                    const std::vector<UncertainParameter>& uncertain,
@@ -56,8 +47,8 @@ CommonParameters::CommonParameters(const CableNet& net,
     }
 }
 
-/// Three translations and three rotations about the middle of the supports, each by as much as
-/// moves the farthest of them by that.
+/// Three translations and three rotations about the middle of the supports. A rotation moves the
+/// farthest support by as much as a translation does.
 void CommonParameters::set_frame(const CableNet& net) {
     const Points places = net.nodes()(Eigen::all, net.supports());
     m_middle = places.rowwise().mean();

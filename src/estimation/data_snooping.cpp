@@ -8,73 +8,63 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/rival_scores.hpp"
+#include "estimation/comparable_scores.hpp"
 #include "numerics/small_dense.hpp"
 #include "taut/survey/covariance.hpp"
 
 namespace taut {
 namespace {
 
-/// A direction in which the fit follows a target to this part of its variance cannot be tested.
+/// A direction of which less than this part of the variance is redundant cannot be tested.
 constexpr double smallest_redundancy = 1e-3;
 
-/// More targets with gross errors than this part: not they are wrong, but net, frame, prior or
-/// noise.
+/// Part of the targets that can have gross errors; more, and net, frame, prior or noise are wrong.
 constexpr double most_outliers = 0.25;
 
 /// Of three degrees of freedom.
 constexpr double median_of_chi_squared = 2.366;
 
-/// Noise may be told five times too small; what is farther off is no survey of the net.
+/// The noise given may be five times too small, squared; a survey that is farther off does not fit.
 constexpr double largest_scale_of_noise = 25.0;
 
-/// Of the median of so many statistics, over what it is where the noise is told right: five
-/// standard deviations, and as much as a quarter of the targets with gross errors adds.
+/// Largest median of the statistics by chance, over its expectation: five standard deviations, plus
+/// what a quarter of targets with gross errors adds.
 double largest_scale_by_chance(size_t targets) {
     constexpr double std_of_median = 1.12;  // over the median, of one; pdf 0.188 at 2.366
     constexpr double by_gross_errors = 1.5;
     return by_gross_errors + 5.0 * std_of_median / std::sqrt(static_cast<double>(targets));
 }
 
-std::vector<std::vector<int>> neighbours_of(const CableNet& net) {
-    std::vector<std::vector<int>> neighbours(net.node_count());
-    for (const auto& [s, t] : net.edges()) {
-        neighbours[s].push_back(t);
-        neighbours[t].push_back(s);
-    }
-    return neighbours;
-}
-
 }  // namespace
 
-double snooping_threshold(double false_alarm_rate, size_t targets, int degrees_of_freedom) {
+double snooping_threshold(double false_alarm_rate, size_t tests, int degrees_of_freedom) {
     if (!(false_alarm_rate > 0.0)) {
         return std::numeric_limits<double>::infinity();
     }
-    const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / static_cast<double>(targets));
+    const double of_one = -std::expm1(std::log1p(-false_alarm_rate) / static_cast<double>(tests));
     return boost::math::quantile(boost::math::complement(
         boost::math::chi_squared_distribution<>(degrees_of_freedom), of_one));
 }
 
 DataSnooping::DataSnooping(const CableNet& net, const Survey& survey, const Points& noise,
-                           const std::vector<ForceMeasurement>& readings, double false_alarm_rate)
-    : m_survey(survey),
+                           const std::vector<ForceMeasurement>& forces, double false_alarm_rate)
+    : m_net(net),
+      m_survey(survey),
       m_noise(noise),
-      m_readings(readings),
+      m_forces(forces),
       m_threshold(snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0,
-                                     survey.surveyed.size() + readings.size())),
-      m_reading_threshold(snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0,
-                                             survey.surveyed.size() + readings.size(), 1)),
-      m_neighbours(neighbours_of(net)),
+                                     survey.surveyed.size() + forces.size())),
+      m_force_threshold(snooping_threshold(survey.is_noisy() ? false_alarm_rate : 0.0,
+                                           survey.surveyed.size() + forces.size(), 1)),
       m_rejected(net.node_count(), false),
       m_readmitted(net.node_count(), false),
       m_rejected_for_good(Eigen::VectorXd::Zero(net.node_count())),
       m_statistics(Eigen::VectorXd::Zero(net.node_count())),
       m_distances(Eigen::VectorXd::Zero(net.node_count())),
-      m_rejected_readings(readings.size(), false),
-      m_readmitted_readings(readings.size(), false),
-      m_reading_statistics(Eigen::VectorXd::Zero(std::ssize(readings))),
-      m_expected(Eigen::VectorXd::Zero(std::ssize(readings))) {}
+      m_rejected_forces(forces.size(), false),
+      m_readmitted_forces(forces.size(), false),
+      m_force_statistics(Eigen::VectorXd::Zero(std::ssize(forces))),
+      m_expected(Eigen::VectorXd::Zero(std::ssize(forces))) {}
 
 bool DataSnooping::is_active() const {
     return std::isfinite(m_threshold);
@@ -112,7 +102,7 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
         const Eigen::Matrix3d Q =
             Eigen::Matrix3d::Identity() + sign * (whiten * covariance(node) * whiten.transpose());
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Q);
-        Eigen::Matrix3d testable = Eigen::Matrix3d::Zero();  // Q but for directions not tested
+        Eigen::Matrix3d testable = Eigen::Matrix3d::Zero();  // Q without directions not tested
         for (int k = 0; k < 3; ++k) {
             const double variance = eigen.eigenvalues()(k);
             if (variance > smallest_redundancy) {
@@ -134,9 +124,9 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
     if (inflation > 1.0) {
         m_residual_scale = std::max(scale, 1.0 / (inflation * inflation));
     } else {  // (robust-scale)
-        const bool is_told_too_small = scale > largest_scale_by_chance(m_survey.surveyed.size()) &&
-                                       scale < largest_scale_of_noise;
-        m_residual_scale = is_told_too_small ? scale : 1.0;
+        const bool is_given_too_small = scale > largest_scale_by_chance(m_survey.surveyed.size()) &&
+                                        scale < largest_scale_of_noise;
+        m_residual_scale = is_given_too_small ? scale : 1.0;
     }
     m_statistics /= m_residual_scale;
     for (const int node : m_survey.surveyed) {
@@ -146,35 +136,35 @@ void DataSnooping::evaluate(const Points& fitted_form, const FormCovariance& cov
     }
 }
 
-void DataSnooping::evaluate_readings(const Eigen::VectorXd& tensions,
-                                     const Eigen::VectorXd& variances,
-                                     const SumVariance& sum_variance, double inflation) {
+void DataSnooping::evaluate_forces(const Eigen::VectorXd& tensions,
+                                   const Eigen::VectorXd& variances,
+                                   const SumVariance& sum_variance, double inflation) {
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(tensions.size());
-    double along = 0.0;  // c' W e, c the tensions read
-    double told = 0.0;   // c' W c
+    double along = 0.0;  // c' W e, c the measured tensions
+    double known = 0.0;  // c' W c
     int in_use = 0;
-    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
-        const ForceMeasurement& reading = m_readings[k];
-        const double noise = std::pow(inflation * reading.std, 2);
-        const double sign = m_rejected_readings[k] ? 1.0 : -1.0;
-        const double variance = noise + sign * variances(reading.edge);
-        m_expected(k) = tensions(reading.edge);
-        const double residual = reading.tension - m_expected(k);
-        m_reading_statistics(k) = variance > smallest_redundancy * noise
-                                      ? residual * residual / variance / m_residual_scale
-                                      : 0.0;  // (snooping)
-        if (!m_rejected_readings[k]) {
-            weights(reading.edge) = reading.tension / noise;
-            along += reading.tension * residual / noise;
-            told += reading.tension * reading.tension / noise;
+    for (Eigen::Index k = 0; k < std::ssize(m_forces); ++k) {
+        const ForceMeasurement& force = m_forces[k];
+        const double noise = std::pow(inflation * force.std, 2);
+        const double sign = m_rejected_forces[k] ? 1.0 : -1.0;
+        const double variance = noise + sign * variances(force.edge);
+        m_expected(k) = tensions(force.edge);
+        const double residual = force.tension - m_expected(k);
+        m_force_statistics(k) = variance > smallest_redundancy * noise
+                                    ? residual * residual / variance / m_residual_scale
+                                    : 0.0;  // (snooping)
+        if (!m_rejected_forces[k]) {
+            weights(force.edge) = force.tension / noise;
+            along += force.tension * residual / noise;
+            known += force.tension * force.tension / noise;
             ++in_use;
         }
     }
     m_bias_statistic = 0.0;
     if (in_use > 1) {  // (common-bias)
-        const double redundant = told - sum_variance(weights);
+        const double redundant = known - sum_variance(weights);
         constexpr double rounding = 1e-7;
-        if (redundant > rounding * told) {
+        if (redundant > rounding * known) {
             m_found_bias = {.part = along / redundant, .std = 1.0 / std::sqrt(redundant)};
             m_bias_statistic = along * along / redundant / m_residual_scale;
         }
@@ -197,22 +187,17 @@ double DataSnooping::median_statistic() const {
     return *middle;
 }
 
-/// Of the targets in use that were not readmitted, those above the threshold with the largest
-/// statistic of all in use that are two edges away or less.
-/// @param rivals scores of other tests by node, that are to be no larger; empty: none
-std::vector<int> DataSnooping::largest_above_threshold(const Eigen::VectorXd& rivals) const {
+/// Targets in use, and not readmitted before, that are above the threshold and have the largest
+/// score within two edges.
+/// @param other_scores of other tests by node, which must not be larger; empty: none
+std::vector<int> DataSnooping::largest_above_threshold(const Eigen::VectorXd& other_scores) const {
     const Eigen::VectorXd own_scores = scores();
-    const Eigen::VectorXd all = rivals.size() > 0 ? own_scores.cwiseMax(rivals) : own_scores;
+    const Eigen::VectorXd all =
+        other_scores.size() > 0 ? own_scores.cwiseMax(other_scores) : own_scores;
+    const Eigen::VectorXd nearby = largest_nearby(m_net, largest_nearby(m_net, all));
     std::vector<int> result;
     for (const int node : m_survey.surveyed) {
-        const double own = own_scores(node);
-        const auto is_no_smaller = [&](int other) { return own >= all(other); };
-        const bool is_largest =
-            is_no_smaller(node) && std::ranges::all_of(m_neighbours[node], [&](int near) {
-                return is_no_smaller(near) &&
-                       std::ranges::all_of(m_neighbours[near], is_no_smaller);
-            });
-        if (own > 1.0 && is_largest) {
+        if (own_scores(node) > 1.0 && own_scores(node) >= nearby(node)) {
             result.push_back(node);
         }
     }
@@ -223,19 +208,19 @@ Eigen::VectorXd DataSnooping::scores() const {
     Eigen::VectorXd scores = Eigen::VectorXd::Zero(m_statistics.size());
     for (const int node : m_survey.surveyed) {
         if (!m_rejected[node] && !m_readmitted[node]) {
-            scores(node) = rival_score(m_statistics(node), m_threshold);
+            scores(node) = comparable_score(m_statistics(node), m_threshold);
         }
     }
     return scores;
 }
 
-bool DataSnooping::reject(const Eigen::VectorXd& rivals) {
-    const std::vector<int> changing = largest_above_threshold(rivals);
-    double largest = rivals.size() > 0 ? std::max(1.0, rivals.maxCoeff()) : 1.0;
+bool DataSnooping::reject(const Eigen::VectorXd& other_scores) {
+    const std::vector<int> changing = largest_above_threshold(other_scores);
+    double largest = other_scores.size() > 0 ? std::max(1.0, other_scores.maxCoeff()) : 1.0;
     for (const int node : changing) {
-        largest = std::max(largest, rival_score(m_statistics(node), m_threshold));
+        largest = std::max(largest, comparable_score(m_statistics(node), m_threshold));
     }
-    if (reject_all_readings(largest) || reject_worst_reading(largest)) {
+    if (reject_all_forces(largest) || reject_worst_force(largest)) {
         return true;
     }
     for (const int node : changing) {
@@ -245,7 +230,7 @@ bool DataSnooping::reject(const Eigen::VectorXd& rivals) {
 }
 
 bool DataSnooping::readmit() {
-    bool has_changed = readmit_readings();
+    bool has_changed = readmit_forces();
     for (const int node : m_survey.surveyed) {
         if (is_rejected(node) && m_rejected_for_good(node) == 0.0 &&
             m_statistics(node) <= m_threshold) {
@@ -257,21 +242,22 @@ bool DataSnooping::readmit() {
     return has_changed;
 }
 
-/// Where they stand out together by more than each by itself.
-/// @param than score that they have to exceed
-bool DataSnooping::reject_all_readings(double than) {
-    const double score = rival_score(m_bias_statistic, m_reading_threshold);
+/// Rejects all force measurements where they stand out together more than each by itself.
+/// @param than score to exceed
+/// @return whether it did
+bool DataSnooping::reject_all_forces(double than) {
+    const double score = comparable_score(m_bias_statistic, m_force_threshold);
     double worst = than;
-    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
-        if (!m_rejected_readings[k]) {
-            worst = std::max(worst, rival_score(m_reading_statistics(k), m_reading_threshold));
+    for (Eigen::Index k = 0; k < std::ssize(m_forces); ++k) {
+        if (!m_rejected_forces[k]) {
+            worst = std::max(worst, comparable_score(m_force_statistics(k), m_force_threshold));
         }
     }
     if (score <= worst) {
         return false;
     }
-    m_reading_bias = m_found_bias;
-    m_rejected_readings.assign(m_readings.size(), true);
+    m_force_bias = m_found_bias;
+    m_rejected_forces.assign(m_forces.size(), true);
     return true;
 }
 
@@ -279,33 +265,33 @@ double DataSnooping::rejected_cost() const {
     if (!is_active()) {
         return 0.0;
     }
-    const auto readings = std::ranges::count(m_rejected_readings, true);
-    return m_threshold * rejected_count() + m_reading_threshold * static_cast<double>(readings);
+    const auto forces = std::ranges::count(m_rejected_forces, true);
+    return m_threshold * rejected_count() + m_force_threshold * static_cast<double>(forces);
 }
 
-/// @param than score that it has to exceed
-/// @return whether there is one
-bool DataSnooping::reject_worst_reading(double than) {
+/// @param than score to exceed
+/// @return whether there was one
+bool DataSnooping::reject_worst_force(double than) {
     Eigen::Index worst = -1;
-    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
-        const double score = rival_score(m_reading_statistics(k), m_reading_threshold);
-        if (!m_rejected_readings[k] && !m_readmitted_readings[k] && score > than) {
+    for (Eigen::Index k = 0; k < std::ssize(m_forces); ++k) {
+        const double score = comparable_score(m_force_statistics(k), m_force_threshold);
+        if (!m_rejected_forces[k] && !m_readmitted_forces[k] && score > than) {
             worst = k;
             than = score;
         }
     }
     if (worst >= 0) {
-        m_rejected_readings[worst] = true;
+        m_rejected_forces[worst] = true;
     }
     return worst >= 0;
 }
 
-bool DataSnooping::readmit_readings() {
+bool DataSnooping::readmit_forces() {
     bool has_changed = false;
-    for (Eigen::Index k = 0; !m_reading_bias && k < std::ssize(m_readings); ++k) {
-        if (m_rejected_readings[k] && m_reading_statistics(k) <= m_reading_threshold) {
-            m_rejected_readings[k] = false;
-            m_readmitted_readings[k] = true;
+    for (Eigen::Index k = 0; !m_force_bias && k < std::ssize(m_forces); ++k) {
+        if (m_rejected_forces[k] && m_force_statistics(k) <= m_force_threshold) {
+            m_rejected_forces[k] = false;
+            m_readmitted_forces[k] = true;
             has_changed = true;
         }
     }
@@ -323,12 +309,13 @@ void DataSnooping::reject_suspicious() {
 void DataSnooping::readmit_all() {
     m_rejected.assign(m_rejected.size(), false);
     m_rejected_for_good.setZero();
-    m_rejected_readings.assign(m_readings.size(), false);
-    m_reading_bias.reset();
+    m_rejected_forces.assign(m_forces.size(), false);
+    m_force_bias.reset();
 }
+
 void DataSnooping::reopen() {
     m_readmitted.assign(m_readmitted.size(), false);
-    m_readmitted_readings.assign(m_readings.size(), false);
+    m_readmitted_forces.assign(m_forces.size(), false);
 }
 
 double DataSnooping::statistic_at(int target, int node) const {
@@ -340,7 +327,7 @@ double DataSnooping::statistic_at(int target, int node) const {
     return (residual.transpose() * symmetric_solution(Q, residual)).value() / m_residual_scale;
 }
 
-void DataSnooping::tell_swapped(std::vector<Outlier>& outliers) const {
+void DataSnooping::mark_swapped(std::vector<Outlier>& outliers) const {
     for (Outlier& one : outliers) {
         double least = m_threshold;
         for (const Outlier& other : outliers) {
@@ -367,18 +354,18 @@ std::vector<Outlier> DataSnooping::outliers() const {
         }
     }
     std::ranges::sort(result, std::greater{}, &Outlier::statistic);
-    tell_swapped(result);
+    mark_swapped(result);
     return result;
 }
 
-std::vector<ForceOutlier> DataSnooping::reading_outliers() const {
+std::vector<ForceOutlier> DataSnooping::force_outliers() const {
     std::vector<ForceOutlier> result;
-    for (Eigen::Index k = 0; k < std::ssize(m_readings); ++k) {
-        if (m_rejected_readings[k]) {
-            result.push_back({.edge = m_readings[k].edge,
-                              .read = m_readings[k].tension,
+    for (Eigen::Index k = 0; k < std::ssize(m_forces); ++k) {
+        if (m_rejected_forces[k]) {
+            result.push_back({.edge = m_forces[k].edge,
+                              .measured = m_forces[k].tension,
                               .expected = m_expected(k),
-                              .statistic = m_reading_statistics(k)});
+                              .statistic = m_force_statistics(k)});
         }
     }
     std::ranges::sort(result, std::greater{}, &ForceOutlier::statistic);

@@ -13,7 +13,7 @@
 namespace taut {
 namespace {
 
-/// More items tell no more: every few of them are taken.
+/// Of more items only every few are used: more change nothing.
 constexpr size_t most_items = 200;
 
 double upper_tail(double z) {
@@ -51,7 +51,7 @@ std::array<Eigen::Vector3d, 13> directions() {
     return all;
 }
 
-/// The error with which a power that grows with it is detection_power.
+/// The error at which an increasing power reaches detection_power.
 template <class Power>
 double error_of(const Power& power, double first) {
     constexpr double most = 1e9;  // of the first

@@ -7,22 +7,22 @@
 
 namespace taut {
 
-/// Probability that DetectableErrors go by.
+/// The probability of DetectableErrors.
 inline constexpr double detection_power = 0.8;
 
-/// What an error does to the statistic of one test, chi-squared of one or three degrees of freedom.
+/// Effect of an error on the statistic of one test, chi-squared of one or three degrees of freedom.
 struct TestedItem {
-    /// Noncentrality by the square of the error, k x k for an error of k coordinates [1/m2].
+    /// Noncentrality per squared error, k x k for an error of k coordinates [1/m2].
     Eigen::MatrixXd noncentrality;
 };
 
-/// The size of an error in a random direction of a random item that raises its statistic above a
-/// threshold with detection_power; infinite where none does. docs/theory.md, (detectable)
+/// The error in a random direction of a random item that raises its statistic above the threshold
+/// with detection_power; infinite where none does. docs/theory.md, (detectable)
 /// @param degrees_of_freedom of each statistic: 1 or 3
 [[nodiscard]] double detectable_error(const std::vector<TestedItem>& items, double threshold,
                                       int degrees_of_freedom);
 
-/// A normal estimate that is found to be wrong beyond a bound on either side.
+/// A normal estimate that is rejected outside a bound on either side.
 struct BoundedEstimate {
     double bound = 0.0;
     double std = 0.0;

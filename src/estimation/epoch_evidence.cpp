@@ -13,8 +13,8 @@
 namespace taut {
 namespace {
 
-/// A change whose standard deviation is above so many times that of x before any survey is not
-/// shown: what is told of it comes from rounding errors and terms of second order.
+/// A change with a standard deviation above so many prior ones counts as not shown: its estimate
+/// comes from rounding errors and terms of second order.
 constexpr double least_shown = 1.0 / 30.0;
 
 Eigen::MatrixXd symmetric(const Eigen::MatrixXd& matrix) {
@@ -43,7 +43,7 @@ Standardised standardised(const LengthEvidence& evidence, const Eigen::VectorXd&
     return result;
 }
 
-/// Sets the root of evidence, and takes out what rounding errors made negative of it.
+/// Builds evidence with its root, without the negative parts that rounding errors left.
 /// @param information and pull in standard deviations
 LengthEvidence with_root(const Eigen::MatrixXd& information, const Eigen::VectorXd& pull,
                          const Eigen::VectorXd& prior_stds) {
@@ -145,7 +145,7 @@ LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step) {
     const Eigen::VectorXd mean = factor.cwiseProduct(before.mean);
     Eigen::MatrixXd precision = inverse_of(covariance);
     const Eigen::VectorXd pull = precision * mean;
-    precision.diagonal().array() -= 1.0;  // what was known before any survey
+    precision.diagonal().array() -= 1.0;  // the prior
     return with_root(precision, pull, to);
 }
 

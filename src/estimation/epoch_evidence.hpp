@@ -12,44 +12,43 @@
 
 namespace taut {
 
-/// How x, lengths and common uncertain, of one epoch follow from those of another, each by itself:
+/// How the x of one epoch (LengthEvidence) follows from that of another, each entry by itself:
 ///
 ///   x_to = factor x_from + e,   e of variance `added`
 ///
-/// with what was known of both before any survey. docs/theory.md, (epoch-step).
+/// with the prior variances of both before any survey. docs/theory.md, (epoch-step).
 struct EpochStep {
     Eigen::VectorXd factor;
     Eigen::VectorXd added;       ///< variances
     Eigen::VectorXd prior_from;  ///< variances
     Eigen::VectorXd prior_to;    ///< variances: factor^2 prior_from + added
 
-    /// The same the other way round.
+    /// The step back.
     [[nodiscard]] EpochStep reversed() const;
 };
 
-/// What one survey tells of x by itself, at the fit of it: the information that the prior and other
-/// surveys do not hold already. docs/theory.md, (own-evidence).
+/// The evidence of one survey alone on x, at its fit: the information that neither the prior nor
+/// other surveys hold. docs/theory.md, (own-evidence).
 /// @param statics linearised and inverted at the fit
-/// @param common_count so many of the first common uncertain are in x
+/// @param common_count number of common parameters in x
 [[nodiscard]] LengthEvidence own_evidence(const LinearisedStatics& statics,
                                           const Observations& observations, const Iterate& fitted,
                                           int common_count);
 
-/// No survey: nothing.
+/// The evidence of no survey.
 [[nodiscard]] LengthEvidence no_evidence(Eigen::Index size);
 
-/// What two surveys tell together; of x alike.
+/// The evidence of two surveys of the same x.
 [[nodiscard]] LengthEvidence sum_of(const LengthEvidence& a, const LengthEvidence& b);
 
-/// What evidence of x_from tells of x_to, (epoch-step); with its root.
+/// The evidence on x_to that evidence on x_from amounts to, (epoch-step); with its root.
 [[nodiscard]] LengthEvidence carried(const LengthEvidence& evidence, const EpochStep& step);
 
-/// What the rest of x is told where nothing is known of these entries but what else tells of them,
-/// which may be anything: the evidence with them integrated out, (forgotten).
+/// The evidence on the rest of x with these entries integrated out under a flat prior, (forgotten).
 [[nodiscard]] LengthEvidence forgotten(LengthEvidence evidence,
                                        std::span<const Eigen::Index> entries);
 
-/// How far x differs from what others let expect, as far as both show it.
+/// How far x differs from the estimate of other surveys, as far as both show it.
 struct Agreement {
     double squares = 0.0;  ///< chi-squared of `rank` degrees of freedom where nothing changed
     int rank = 0;
@@ -60,18 +59,18 @@ struct Agreement {
     [[nodiscard]] double limit() const;
 };
 
-/// A survey held against others: whether x is the same in all, docs/theory.md (epoch-change).
+/// Tests whether x of one survey is that of the others, docs/theory.md (epoch-change).
 class EvidenceTest {
 public:
-    /// @param others as carried to the epoch of the survey
+    /// @param others carried to the epoch of the survey
     EvidenceTest(const Eigen::VectorXd& prior_variances, const LengthEvidence& others,
                  const LengthEvidence& own);
 
-    /// Lets an entry of x have changed by anything.
+    /// Allows any change of an entry of x.
     void let_go(Eigen::Index entry);
 
-    /// If nothing changed but for one entry of x besides those let go: that entry's change, its
-    /// standard deviation (infinite where the surveys do not show it), and the change over it.
+    /// If only one entry of x changed besides those let go: its change, the standard deviation of
+    /// that (infinite where the surveys do not show it), and their ratio.
     struct Changes {
         Eigen::VectorXd change;
         Eigen::VectorXd std;
@@ -79,15 +78,15 @@ public:
     };
     [[nodiscard]] Changes changes() const;
 
-    /// If x changed by a multiple of a direction, and nothing else did: that multiple and its
+    /// If x changed by a multiple of a direction and by nothing else: that multiple and its
     /// standard deviation, infinite where the surveys do not show it.
     [[nodiscard]] std::pair<double, double> change_along(const Eigen::VectorXd& direction) const;
 
     [[nodiscard]] Agreement agreement() const;
     [[nodiscard]] Agreement agreement(std::span<const Eigen::Index> entries) const;
 
-    /// Standard deviation of one more change of each of these entries by itself, which explains how
-    /// far they differ; 0 where they differ no further than is expected.
+    /// Standard deviation of an additional independent change of each of these entries that
+    /// explains their differences; 0 where these are no larger than expected.
     [[nodiscard]] double spread(std::span<const Eigen::Index> entries) const;
 
 private:

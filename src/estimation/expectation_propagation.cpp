@@ -18,25 +18,23 @@ constexpr int most_rounds = 30;
 constexpr int most_iterations = 20;
 
 /// Where the means move by no more than this part of their standard deviations, root mean square.
-constexpr double settled_part = 0.02;
+constexpr double converged_part = 0.02;
 
-/// A part of each change is left out, so that edges that are known only together do not swing
-/// between each other.
+/// Part of each change that is applied, so that edges known only together do not oscillate.
 constexpr double site_damping = 0.8;
 
-/// Least precision of a site in that of the prior. Where the prior does not show, its site would be
-/// infinitely wide; and a prior with two modes can widen a length, which no normal prior does.
+/// Least precision of a site, in that of the prior. Where the prior has no effect its site would be
+/// infinitely wide, and a prior with two modes can widen a length, which no normal site can.
 constexpr double least_precision = 1e-4;
 
-/// Under the prior: then its likelihood is no normal one.
+/// Whether the edge may be slack under the prior: then its likelihood is not normal.
 bool may_be_slack(const LengthPrior& prior, const LengthLikelihood& likelihood) {
-    constexpr double surely_taut = 4.0;  // standard deviations
     constexpr double small_probability = 0.01;
-    return likelihood.extension < surely_taut &&
+    return likelihood.extension < surely_taut_extension &&
            posterior_of(prior, likelihood).slack_probability > small_probability;
 }
 
-/// Of the distance of tilted means from the fit's, in tilted standard deviations.
+/// Distance of the tilted means from the fit's, in tilted standard deviations.
 struct Distance {
     double squares = 0.0;
     int count = 0;
@@ -54,7 +52,7 @@ void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
                          Observations& observations, Distance& distance) {
     const std::vector<LengthLikelihood> likelihoods =
         length_likelihoods(net, knowledge, statics, observations, fitted);
-    const Eigen::VectorXd unknown = statics.blur().length_variances(net.interior_edge_count());
+    const Eigen::VectorXd blur = statics.blur().length_variances(net.interior_edge_count());
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const LengthPrior& prior = knowledge.priors[i];
         LengthLikelihood cavity = likelihoods[i];
@@ -67,8 +65,8 @@ void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
         const double precision = std::max(least_precision / (prior.std() * prior.std()),
                                           1.0 / variance - of_cavity);  // (site)
         const double pull = (precision + of_cavity) * mean - of_cavity * cavity.mean;
-        // Of the fitted deviation a part is the edge's own.
-        const double own = observations.variance(i) / (observations.variance(i) + unknown(i));
+        // The fitted deviation includes that of the blur; this part is the edge's own.
+        const double own = observations.variance(i) / (observations.variance(i) + blur(i));
         distance.add(mean,
                      observations.mean(i) + own * (fitted.deviations(i) - observations.mean(i)),
                      variance);
@@ -80,14 +78,14 @@ void update_length_sites(const CableNet& net, const PriorKnowledge& knowledge,
     }
 }
 
-/// Sites of edges that were seen taut: of their tensions, besides what was read of them.
+/// Sites of the tensions of edges seen taut, in addition to force measurements.
 class TautSites {
 public:
     TautSites(const PriorKnowledge& knowledge, const Observations& observations)
         : m_edges(knowledge.forces.taut),
-          m_read(observations.tension),
-          m_read_weights(observations.tension_weights),
-          m_precision(Eigen::VectorXd::Zero(m_read.size())),
+          m_measured(observations.tension),
+          m_measured_weights(observations.tension_weights),
+          m_precision(Eigen::VectorXd::Zero(m_measured.size())),
           m_pull(m_precision) {}
 
     /// One round of (tilted-taut) and (site).
@@ -113,24 +111,24 @@ public:
             distance.add(tilted_mean, tensions(e), variance);
             m_precision(e) += site_damping * (precision - m_precision(e));
             m_pull(e) += site_damping * (pull - m_pull(e));
-            observations.tension_weights(e) = m_read_weights(e) + m_precision(e);
+            observations.tension_weights(e) = m_measured_weights(e) + m_precision(e);
             if (observations.tension_weights(e) > 0.0) {
-                observations.tension(e) =
-                    (m_read_weights(e) * m_read(e) + m_pull(e)) / observations.tension_weights(e);
+                observations.tension(e) = (m_measured_weights(e) * m_measured(e) + m_pull(e)) /
+                                          observations.tension_weights(e);
             }
         }
     }
 
 private:
     const std::vector<int>& m_edges;
-    Eigen::VectorXd m_read;
-    Eigen::VectorXd m_read_weights;
+    Eigen::VectorXd m_measured;
+    Eigen::VectorXd m_measured_weights;
     Eigen::VectorXd m_precision;  ///< of the sites, by edge [1/N2]
     Eigen::VectorXd m_pull;       ///< precision times mean [1/N]
 };
 
 /// One step of the fit to the sites as they now are.
-/// @return false where it leads nowhere
+/// @return false where it is not finite
 bool follow_sites(LinearisedStatics& statics, Propagated& state) {
     if (!statics.linearise(state.iterate, state.observations)) {
         return false;
@@ -154,22 +152,22 @@ Propagated propagate_prior(const CableNet& net, const PriorKnowledge& knowledge,
         return result;
     }
     TautSites taut(knowledge, observations);
-    bool has_settled = false;
+    bool has_converged = false;
     for (int round = 0; round < most_rounds; ++round) {
         Distance distance;
         update_length_sites(net, knowledge, statics, result.iterate, result.observations, distance);
         taut.update(statics, result.iterate, result.observations, distance);
         const double moved = distance.rms();
         // One step a round; the last ones are gauss_newton()'s.
-        if (moved <= settled_part || !follow_sites(statics, result)) {
+        if (moved <= converged_part || !follow_sites(statics, result)) {
             GaussNewtonResult fit = gauss_newton(statics, result.observations, result.iterate,
                                                  tolerance, most_iterations);
             result.iterate = std::move(fit.iterate);
-            has_settled = fit.converged && moved <= settled_part;
+            has_converged = fit.converged && moved <= converged_part;
             break;
         }
     }
-    if (!has_settled) {
+    if (!has_converged) {
         result = {.observations = observations, .iterate = fitted};
         (void)statics.linearise(fitted, observations);
     }

@@ -9,18 +9,18 @@
 
 namespace taut {
 
-/// The normal distributions (sites) that stand for the prior of each length in the fit, and the fit
-/// that goes with them.
+/// The normal distributions (sites) that replace the prior of each length in the fit, and the fit
+/// with them.
 struct Propagated {
     Observations observations;  ///< mean and variance: the sites
     Iterate iterate;            ///< the fit, of which the statics hold linearisation and inverse
 };
 
-/// Expectation propagation of the prior through the fit, docs/theory.md (tilted) and (site): the
-/// normal distribution of each length in the fit becomes the one that gives mean and variance of
-/// likelihood times prior, for all edges at once, until the means settle. The fit's means are then
-/// those of the posterior, as far as normal distributions carry it. A normal prior is its own site.
-/// Where it does not settle, or leads to a fit that does not, everything is as it was.
+/// Expectation propagation of the prior through the fit, docs/theory.md (tilted) and (site). The
+/// site of each length becomes the one that gives mean and variance of likelihood times prior, for
+/// all edges at once, until the means converge. The fit's means are then those of the posterior, as
+/// far as normal distributions can represent it. A normal prior is its own site. Where this or the
+/// fit does not converge, the result is the input.
 /// @param statics linearised and inverted at the fit; left so at the result
 /// @param observations with the prior that the fit was made with
 /// @param tolerance of gauss_newton() [m]

@@ -11,8 +11,8 @@
 namespace taut {
 namespace {
 
-/// Projections end when one moves the iterate by less than this part of what the observations and
-/// the prior tell, in standard deviations; they give up where they contract no faster than this.
+/// A projection ends when a step moves the iterate by less than this, in standard deviations of
+/// observations and prior; it fails where a step contracts no faster than this factor.
 constexpr double balanced_to = 1e-3;
 constexpr double slowest_contraction = 0.5;
 constexpr int most_projections = 20;
@@ -22,13 +22,12 @@ constexpr double first_damping = 1e-2;
 constexpr double least_damping = 1e-6;
 constexpr double most_damping = 1e8;
 
-/// A step is taken where it lowers the objective by this part of what was predicted; from the
-/// second part on the damping is lowered.
+/// A step is taken where it lowers the objective by this part of the prediction; from the second
+/// part on the damping is reduced.
 constexpr double least_gain = 0.1;
 constexpr double good_gain = 0.5;
 
-/// In standard deviations of what is observed and expected; where nothing is observed, in those of
-/// the lengths.
+/// In standard deviations of observations and priors; of unobserved places in those of the lengths.
 double length_of(const LinearisedStatics& statics, const Observations& observations,
                  const Iterate& change) {
     const Eigen::ArrayXXd unobserved =
@@ -46,7 +45,7 @@ Observations damped(const Observations& observations, const Iterate& iterate, do
     return result;
 }
 
-/// As if measured and expected to be where it is: a step then only restores balance.
+/// Observations and priors that agree with the iterate: a step then only restores balance.
 Observations satisfied(const LinearisedStatics& statics, const Observations& observations,
                        const Iterate& iterate) {
     Observations result = observations;
@@ -78,7 +77,7 @@ std::optional<Iterate> projected(const LinearisedStatics& statics, const Observa
     return std::nullopt;
 }
 
-/// An iterate in equilibrium near one that need not be; nothing where no factor is found.
+/// An iterate in equilibrium near a given one; nothing where there is no factor.
 std::optional<Iterate> balanced(LinearisedStatics& statics, const Observations& observations,
                                 Iterate iterate) {
     for (int k = 0; k < most_restorations; ++k) {
@@ -121,7 +120,7 @@ GaussNewtonResult feasible_descent(LinearisedStatics& statics, const Observation
         }
         const Iterate step = statics.step(result.iterate, here);  // (damped)
         const double predicted = 0.5 * statics.squared_norm(here, step);
-        // The undamped step is at most so much longer.
+        // Bounds the length of the undamped step.
         if (std::sqrt((1.0 + damping) * statics.squared_norm(here, step)) <= small_decrement) {
             if (!linearise(observations)) {
                 return result;

@@ -7,19 +7,18 @@
 
 namespace taut {
 
-/// The search that settles where gauss_newton() does not: damped steps (K. Levenberg 1944, D.
+/// The search for cases where gauss_newton() does not converge: damped steps (K. Levenberg 1944, D.
 /// Marquardt 1963) from one form and lengths in equilibrium to the next, each of which lowers the
 /// objective of docs/theory.md (map):
 ///
 ///   F(r, d) = 1/2 sum (y - r)' Sigma^-1 (y - r) + 1/2 sum (d - mean)^2 / variance.
 ///
-/// A step solves (damped); what it leaves out of balance is taken out by projections, (projection).
-/// It converges where the undamped step is shorter than `small_decrement` posterior standard
-/// deviations, all directions together, (decrement). Then the statics are left linearised at the
-/// result.
-/// @param start near its equilibrium under the statics; it need not be in it
+/// A step solves (damped); projections then restore the balance, (projection). It converges where
+/// the undamped step is shorter than `small_decrement` posterior standard deviations, all
+/// directions together, (decrement). Then the statics are left linearised at the result.
+/// @param start near equilibrium under the statics
 /// @param max_iterations linearisations
-/// @param progress asked before each step whether to go on; nothing is told
+/// @param progress asked before each step whether to stop; gets no reports
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] GaussNewtonResult feasible_descent(LinearisedStatics& statics,
                                                  const Observations& observations, Iterate start,

@@ -12,27 +12,27 @@
 namespace taut {
 namespace {
 
-/// Chance gives more once in 10,000 surveys: a chi-squared of six degrees of freedom.
-constexpr double beyond_chance_frame = 27.9;
+/// Chance exceeds this once in 10,000 surveys: chi-squared of six degrees of freedom.
+constexpr double significant_motion = 27.9;
 
 }  // namespace
 
 bool FrameCheck::is_moved() const {
-    return motion_statistic > beyond_chance_frame;
+    return motion_statistic > significant_motion;
 }
 
 bool FrameCheck::is_scaled() const {
-    return scale_std > 0.0 && std::abs(scale) > beyond_chance_std * scale_std;
+    return scale_std > 0.0 && std::abs(scale) > significant_std * scale_std;
 }
 
 FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics, const Iterate& fitted,
                        const Observations& observations, double scale) {
     const Eigen::Vector3d middle = net.nodes().rowwise().mean();
     const Points arms = net.nodes().colwise() - middle;
-    const bool is_frame_told = !statics.common().has_frame();
+    const bool is_frame_given = !statics.common().has_frame();
     const double reach = arms.colwise().norm().maxCoeff();
     std::vector<Points> rates{arms};
-    for (int k = 0; is_frame_told && k < 6; ++k) {
+    for (int k = 0; is_frame_given && k < 6; ++k) {
         Points& motion = rates.emplace_back(3, net.node_count());
         for (int node = 0; node < net.node_count(); ++node) {
             const Eigen::Vector3d along = Eigen::Vector3d::Unit(k % 3);
@@ -50,7 +50,7 @@ FrameCheck check_frame(const CableNet& net, const LinearisedStatics& statics, co
     const Eigen::MatrixXd covariance =
         scale * factor.solve(Eigen::MatrixXd::Identity(count, count));
     FrameCheck result{.scale = values(0), .scale_std = std::sqrt(covariance(0, 0))};
-    if (is_frame_told) {
+    if (is_frame_given) {
         const Eigen::VectorXd motion = values.tail<6>();
         result.translation = motion.head<3>();
         result.rotation = motion.tail<3>() / reach;

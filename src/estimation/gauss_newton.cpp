@@ -10,7 +10,7 @@
 namespace taut {
 namespace {
 
-/// A step as small as this part of the one before needs no new linearisation to go on.
+/// After a step that contracts to this part of the one before, the matrix is used again.
 constexpr double fast_contraction = 0.3;
 
 /// The search gives up where steps this much shorter still lead astray.
@@ -41,7 +41,7 @@ Trial try_part(const LinearisedStatics& statics, const Observations& observation
     return trial;
 }
 
-/// (monotonicity): forces and misfit are held against each other in metres.
+/// (monotonicity): by the next step with the same matrix, forces and misfit are compared in metres.
 bool leads_astray(const LinearisedStatics& statics, const Trial& trial, const Iterate& step,
                   double tolerance) {
     const double size = statics.size_of(trial.next);

@@ -17,9 +17,9 @@ struct GaussNewtonResult {
 /// Gauss-Newton under constraints: from a start to the form and lengths that minimise (map) of
 /// docs/theory.md under the statics with the slack set of `statics`, until a step changes no place
 /// and no length by more than the tolerance [m]. Each step solves the normal equations (normal);
-/// the natural monotonicity test (monotonicity) damps it. Where it converges the statics are left
-/// linearised at the result, to the tolerance. Where no factor is found it has not converged.
-/// @param progress asked before each step whether to go on; nothing is told
+/// the natural monotonicity test (monotonicity) damps it. Where it converges, the statics are left
+/// linearised at the result, to the tolerance.
+/// @param progress asked before each step whether to stop; gets no reports
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] GaussNewtonResult gauss_newton(LinearisedStatics& statics,
                                              const Observations& observations, Iterate start,

@@ -13,20 +13,21 @@
 namespace taut {
 namespace {
 
-/// Of the logarithm of the scale: the logarithms of the factors.
+/// Standard deviations of the logarithm of the scale: logarithms of the factors.
 const double log_std_given = std::log(1.5);
 const double log_std_broad = std::log(2.5);
 constexpr double own_shape = 0.75;
 
-/// Of the grid over the logarithm of the scale.
+/// The grid over the logarithm of the scale.
 constexpr double grid_reach = 3.0;   // standard deviations of the hyperprior
 constexpr double reach_found = 4.5;  // standard deviations of the scale that was found
 constexpr Eigen::Index places = 17;
 
-/// A scale known to this part is so by many lengths: its evidence is normal in the logarithm.
+/// A scale known this precisely rests on many lengths: its evidence is normal in the logarithm.
 constexpr double surely_normal = 0.06;
 
-/// Posterior standard deviations of the logarithm of the scale up to which so many nodes do.
+/// Posterior standard deviations of the logarithm of the scale up to which one or two nodes
+/// suffice.
 constexpr double one_node_does = 0.04;
 constexpr double two_nodes_do = 0.10;
 /// Shapes less probable are left out.
@@ -49,8 +50,8 @@ double score_of_scale(const CableNet& net, const LinearisedStatics& statics,
 }
 
 /// Score of the scale where normal priors have the standard deviation exp(log_std).
-/// @param fitted on return the linearised fit to that
-/// @return NaN where it finds none
+/// @param fitted on return the linearised fit with these priors
+/// @return NaN where there is none
 double score_at(double log_std, const CableNet& net, LinearisedStatics& statics,
                 const Observations& observations, Iterate& fitted,
                 const std::vector<bool>& left_out) {
@@ -73,7 +74,7 @@ double score_at(double log_std, const CableNet& net, LinearisedStatics& statics,
     return score_of_scale(net, statics, scaled, fitted, left_out);
 }
 
-/// Log evidence of normal priors at each place of the grid, but for a constant: the integral of the
+/// Log evidence of normal priors at each place of the grid, up to a constant: the integral of the
 /// score.
 Eigen::VectorXd evidence_by_scores(const Eigen::VectorXd& grid, const CableNet& net,
                                    LinearisedStatics& statics, const Observations& observations,
@@ -97,11 +98,11 @@ LengthPrior of_std(LengthPrior::Kind kind, double std) {
     return {kind, std / LengthPrior{kind, 1.0}.std()};
 }
 
-struct Steps {
+struct Moments {
     double mean = 0.0;
     double std = 0.0;
 };
-Steps moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+Moments moments_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
     const double mean = weights.dot(values) / weights.sum();
     const double variance = weights.dot((values.array() - mean).square().matrix()) / weights.sum();
     return {.mean = mean, .std = std::sqrt(variance)};
@@ -177,7 +178,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
     const bool is_found = scale.ratio > 0.0 && scale.std > 0.0;
     const double found = is_found ? std::log(scale.ratio * fit_prior.std()) : centre;
     if (is_found && scale.std < 1.0 / reach_found) {
-        // Where both together are, as normal distributions.
+        // The product of both, as normal distributions.
         const double of_prior = 1.0 / (hyperprior.log_std * hyperprior.log_std);
         const double of_survey = 1.0 / (scale.std * scale.std);
         middle = (of_prior * centre + of_survey * found) / (of_prior + of_survey);
@@ -196,8 +197,8 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
     }
     evidence.array() -= 0.5 * ((grid.array() - centre) / hyperprior.log_std).square();
 
-    // A composite likelihood of lengths whose errors are correlated: raised to the square of their
-    // redundancy, by trial.
+    // A composite likelihood of correlated lengths, raised to the square of their relative
+    // redundancy; the power is by trial.
     const double redundancy = scale.std > 0.0 ? 0.5 / (scale.std * scale.std) : 0.0;
     const double power = std::pow(std::min(1.0, redundancy / std::max(1, shapes.count())), 2);
     const LengthPrior::Kind other = hyperprior.centre.kind == LengthPrior::Kind::bimodal
@@ -225,7 +226,7 @@ PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
     const auto [mean, std_of_std] = moments_of(stds, posterior.rowwise().sum());
     result.std = mean;
     result.std_std = std_of_std;
-    // Rounding may leave a sum of parts above that of all.
+    // Rounding may make a part exceed the whole.
     result.uniform_probability = std::min(1.0, posterior.col(0).sum() / sum);
     for (Eigen::Index j = 0; j < 2; ++j) {
         const double probability = posterior.col(j).sum() / sum;

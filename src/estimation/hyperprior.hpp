@@ -25,22 +25,22 @@ struct Hyperprior {
                                        ///< shape, normal or bimodal
 };
 
-/// Around a prior that was given: a factor of 1.5; its own shape with probability 3/4, but a
-/// bimodal one keeps its shape.
+/// Around a given prior: a factor of 1.5; its own shape with probability 3/4, except that a bimodal
+/// one keeps its shape.
 [[nodiscard]] Hyperprior hyperprior_around(const LengthPrior& given);
-/// Where none was given: a factor of 2.5 around uniform:5mm, either shape alike.
+/// Where none is given: a factor of 2.5 around uniform:5mm, both shapes equally likely.
 [[nodiscard]] Hyperprior broad_hyperprior();
 
-/// The posterior over priors, by their evidence: of the scale that of the fit linearised at its
-/// result, of the shape that of the lengths that it shows. docs/theory.md, (prior-evidence)
+/// The posterior over priors by their evidence: for the scale that of the linearised fit, for the
+/// shape that of its lengths. docs/theory.md, (prior-evidence)
 ///
 /// @param statics linearised and inverted at the fit; on return elsewhere
-/// @param observations that the fit was made with, a normal distribution for each length
-/// @param fitted with these
+/// @param observations of the fit, with a normal prior for each length
+/// @param fitted the result of the fit
 /// @param left_out interior edges (m_I) of another prior
-/// @param fit_prior that it was made with
-/// @param scale by estimate_components(), of that
-/// @param shapes of the same fit
+/// @param fit_prior prior of the fit
+/// @param scale of the lengths, by estimate_components()
+/// @param shapes likelihood of priors by the same fit
 [[nodiscard]] PriorEstimate estimate_prior(const Hyperprior& hyperprior, const CableNet& net,
                                            LinearisedStatics& statics,
                                            const Observations& observations, const Iterate& fitted,
@@ -48,7 +48,7 @@ struct Hyperprior {
                                            const LengthPrior& fit_prior, const FoundScale& scale,
                                            const PriorLikelihood& shapes);
 
-/// One prior for all of an estimate: its most probable shape, its mean standard deviation.
+/// One prior for an estimate: its most probable shape and its mean standard deviation.
 [[nodiscard]] LengthPrior central_prior(const PriorEstimate& estimate);
 
 /// Gauss quadrature of a discrete distribution: integrates polynomials up to degree 2 count - 1 as

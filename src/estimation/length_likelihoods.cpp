@@ -17,7 +17,7 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
     const Eigen::VectorXd variances = statics.length_variances();
     const Eigen::VectorXd extension_variances = statics.extension_variances();
     const Eigen::VectorXd prior_variances = statics.blur().length_variances(
-        net.interior_edge_count());  // (blurred-prior), (own-stiffness)
+        net.interior_edge_count());  // (blurred-law), (own-stiffness)
     const Eigen::VectorXd lengths =
         statics.common().cold(edge_lengths(net, fitted.form), fitted.common);
     const std::vector<bool> can_be_slack =
@@ -25,20 +25,20 @@ std::vector<LengthLikelihood> length_likelihoods(const CableNet& net,
     std::vector<LengthLikelihood> result;
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
-        // At loose nodes the variances can be lost in rounding errors: then nothing is told.
-        const bool is_told = variances(i) > 0.0;
+        // At loose nodes rounding errors can exceed a variance: then nothing is known.
+        const bool is_known = variances(i) > 0.0;
         LengthLikelihood likelihood =
-            is_told ? without_prior(observations.mean(i),
-                                    std::sqrt(observations.variance(i) + prior_variances(i)),
-                                    fitted.deviations(i), std::sqrt(variances(i)))  // (likelihood)
-                    : LengthLikelihood();
+            is_known ? without_prior(observations.mean(i),
+                                     std::sqrt(observations.variance(i) + prior_variances(i)),
+                                     fitted.deviations(i), std::sqrt(variances(i)))  // (likelihood)
+                     : LengthLikelihood();
         likelihood.std = std::sqrt(likelihood.std * likelihood.std + prior_variances(i));
         likelihood.slack_from = lengths(edge) - net.unstressed_lengths()(edge);
         if (!can_be_slack[edge]) {
             likelihood.extension = std::numeric_limits<double>::infinity();
         } else if (statics.slack()[edge]) {
             likelihood.extension = -std::numeric_limits<double>::infinity();
-            // Its length tells nothing of the form, so that their variances add up.
+            // Its length and the form are independent, so their variances add up.
             if (const double variance = extension_variances(i) - variances(i); variance > 0.0) {
                 likelihood.slack_from_std = std::sqrt(variance);
             }

@@ -11,7 +11,10 @@
 
 namespace taut {
 
-/// What a fit tells of each interior edge (m_I), without what was known of its length before.
+/// An edge with this extension, in its standard deviations, is surely taut.
+inline constexpr double surely_taut_extension = 4.0;
+
+/// The likelihood of each interior edge's length (m_I): the fit without the prior of that length.
 /// docs/theory.md, (likelihood)
 /// @param observations with the prior that the fit was made with
 /// @param fitted form and lengths under the statics, linearised and inverted there

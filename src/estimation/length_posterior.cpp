@@ -22,7 +22,7 @@ double log_normal_density(double x, double mean, double std) {
     return -0.5 * z * z - (std < infinity ? std::log(std) : 0.0);
 }
 
-/// Pressure that is no tension for sure, in standard deviations: more, and its square could
+/// Extension below which an edge is surely slack, in standard deviations; its square could
 /// overflow.
 constexpr double surely_slack = -1e6;
 
@@ -82,7 +82,7 @@ TruncatedMixture mixture_of(const LengthPrior& prior, const LengthLikelihood& li
     }
     const double bound = bound_of(prior);
     if (likelihood.extension < surely_slack && !(likelihood.slack_from < bound)) {
-        // Slack, though the prior has no such length: the prior alone.
+        // Slack, but impossible under the prior: the prior alone.
         LengthLikelihood none;
         none.extension = infinity;
         return mixture_of(prior, none);
@@ -134,7 +134,7 @@ LengthPosterior posterior_of(const LengthPrior& prior, const LengthLikelihood& l
         posterior.lower = std::max(std::min(posterior.lower, likelihood.slack_from), -bound);
         posterior.upper = std::isfinite(bound) ? bound : posterior.upper;
     }
-    // A slack part of little weight can draw the mean beyond the interval, far as it reaches.
+    // A slack part of little weight can move the mean out of the interval.
     posterior.lower = std::min(posterior.lower, posterior.mean);
     posterior.upper = std::max(posterior.upper, posterior.mean);
     return posterior;

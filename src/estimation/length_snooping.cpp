@@ -8,49 +8,47 @@
 #include <limits>
 #include <utility>
 
+#include "estimation/comparable_scores.hpp"
 #include "estimation/data_snooping.hpp"
 #include "estimation/detectable_error.hpp"
-#include "estimation/rival_scores.hpp"
+#include "estimation/length_likelihoods.hpp"
 #include "taut/net/cable_runs.hpp"
 
 namespace taut {
 namespace {
 
-/// More edges beyond their prior than this part, and than a few: the prior is wrong.
+/// More outliers than this part of the edges, and than a few, mean that the prior is wrong.
 constexpr double most_released = 0.1;
 constexpr int a_few = 3;
 
-/// Of a released edge's prior, in standard deviations of its own.
+/// Standard deviation of a released edge's prior, in that of its own prior, and at most as a part
+/// of its length: no cut is further off.
 constexpr double released_width = 20.0;
-/// No cut is further off.
 constexpr double widest_part_of_length = 0.25;
 
-/// Of an edge that may be slack as well as taut a bound alone is known: it is no shorter than it
-/// would be if it were taut. So it is tested for being too long alone.
-constexpr double surely_taut = 4.0;  // standard deviations of the extension
-
-/// Where more edges meet, it is a hub.
+/// Nodes with more edges are hubs, where no clamp slips.
 constexpr size_t most_edges_at_node = 8;
 
-/// Pairs are looked at by what each edge tells, and those that come so near their threshold by a
-/// covariance, which takes a solution an edge.
+/// Pairs are screened by the estimates of their edges. Those above this part of their threshold are
+/// tested with their covariance, which takes one solution an edge.
 constexpr double worth_a_look = 0.5;
 constexpr size_t most_looked_at = 100;
 
 struct Estimate {
     double mean = 0.0;
-    double std = std::numeric_limits<double>::infinity();  ///< infinite: nothing is known
+    double std = std::numeric_limits<double>::infinity();  ///< infinite: not known
 };
 
-/// The deviation, or what it is at the least.
-Estimate tested_deviation(const LengthLikelihood& told) {
-    const bool is_slack = told.extension == -std::numeric_limits<double>::infinity();
-    const Estimate known =
-        is_slack ? Estimate{told.slack_from, told.slack_from_std} : Estimate{told.mean, told.std};
-    return told.extension < surely_taut && known.mean <= 0.0 ? Estimate() : known;
+/// The deviation to test. Of an edge that may be slack only a lower bound is known: it is no
+/// shorter than it would be if it were taut. So it is tested for being too long alone.
+Estimate tested_deviation(const LengthLikelihood& likelihood) {
+    const bool is_slack = likelihood.extension == -std::numeric_limits<double>::infinity();
+    const Estimate known = is_slack ? Estimate{likelihood.slack_from, likelihood.slack_from_std}
+                                    : Estimate{likelihood.mean, likelihood.std};
+    return likelihood.extension < surely_taut_extension && known.mean <= 0.0 ? Estimate() : known;
 }
 
-/// Where the density of a prior begins to fall, and the standard deviation by which it falls there.
+/// Where the density of a prior begins to fall, and the standard deviation of its fall.
 struct Core {
     double end = 0.0;
     double fall = 0.0;
@@ -69,13 +67,13 @@ Core core_of(const LengthPrior& prior) {
     return {};
 }
 
-/// What is so far beyond a core.
+/// W_b of (length-snooping).
 double core_statistic(double deviation, const Core& core, double variance) {
-    const double beyond = std::max(0.0, std::abs(deviation) - core.end);
-    return beyond * beyond / (core.fall * core.fall + variance);
+    const double outside = std::max(0.0, std::abs(deviation) - core.end);
+    return outside * outside / (core.fall * core.fall + variance);
 }
 
-/// Of both deviations' difference.
+/// The core of the difference of two deviations.
 Core core_of_difference(const LengthPrior& one, const LengthPrior& other) {
     const auto [end, fall] = core_of(one);
     const auto [other_end, other_fall] = core_of(other);
@@ -100,8 +98,8 @@ LengthSnooping::LengthSnooping(const CableNet& net, std::vector<LengthPrior> pri
         false_alarm_rate, std::max<size_t>(1, m_suspects.size() - m_priors.size()), 1);
 }
 
-/// Pairs of edges at each free node whose priors are much alike: of one run, or of any two that may
-/// have been swapped.
+/// Adds the pairs of edges at each free node whose priors are of similar width: a cable may slip
+/// between two of one run, and any two may have been swapped.
 void LengthSnooping::add_pairs() {
     constexpr double alike = 2.0;
     std::vector<int> run_of(m_net.edge_count(), -1);
@@ -134,10 +132,10 @@ void LengthSnooping::add_pairs() {
     }
 }
 
-void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told,
+void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& likelihoods,
                               const LinearisedStatics& statics, const Observations& observations,
                               const Iterate& fitted) {
-    m_told = told;
+    m_likelihoods = likelihoods;
     for (size_t i = 0; i < m_priors.size(); ++i) {
         evaluate_one(m_suspects[i]);
     }
@@ -147,7 +145,7 @@ void LengthSnooping::evaluate(const std::vector<LengthLikelihood>& told,
 void LengthSnooping::evaluate_one(LengthSuspect& suspect) const {
     suspect.statistic = 0.0;
     suspect.core_statistic = 0.0;
-    const Estimate found = tested_deviation(m_told[suspect.edge]);
+    const Estimate found = tested_deviation(m_likelihoods[suspect.edge]);
     const double variance = found.std * found.std;
     if (std::isfinite(variance)) {
         const LengthPrior& prior = m_priors[suspect.edge];
@@ -156,12 +154,11 @@ void LengthSnooping::evaluate_one(LengthSuspect& suspect) const {
     }
 }
 
-/// Whether a pair is to be held against its prior: something is known of both edges, and neither is
-/// released by itself.
+/// Whether a pair can be tested: both lengths are known, and neither edge is released by itself.
 bool LengthSnooping::is_testable(const LengthSuspect& pair,
                                  const std::vector<bool>& released) const {
     const auto is_known = [&](Eigen::Index i) {
-        return std::isfinite(tested_deviation(m_told[i]).std);
+        return std::isfinite(tested_deviation(m_likelihoods[i]).std);
     };
     return is_known(pair.edge) && is_known(pair.other) &&
            (pair.is_released || (!released[pair.edge] && !released[pair.other]));
@@ -186,8 +183,8 @@ void LengthSnooping::evaluate_pairs(const LinearisedStatics& statics,
         if (!is_known) {
             continue;
         }
-        const Estimate one = tested_deviation(m_told[pair.edge]);
-        const Estimate other = tested_deviation(m_told[pair.other]);
+        const Estimate one = tested_deviation(m_likelihoods[pair.edge]);
+        const Estimate other = tested_deviation(m_likelihoods[pair.other]);
         const double one_scatter = std::pow(m_priors[pair.edge].std(), 2) + one.std * one.std;
         const double other_scatter =
             std::pow(m_priors[pair.other].std(), 2) + other.std * other.std;
@@ -226,17 +223,18 @@ void LengthSnooping::evaluate_pairs(const LinearisedStatics& statics,
 }
 
 /// @param covariance of both lengths, posterior [m2]
-/// @param unseen variances that no survey tells anything of, LawBlur::length_variances() [m2]
+/// @param unseen variances that no survey shows, LawBlur::length_variances() [m2]
 void LengthSnooping::take_pair(LengthSuspect& pair, const Eigen::Matrix2d& covariance,
                                const Eigen::Vector2d& unseen, const Observations& observations,
                                const Iterate& fitted) const {
     const std::array<Eigen::Index, 2> both{pair.edge, pair.other};
-    const Estimate one = tested_deviation(m_told[pair.edge]);
-    const Estimate other = tested_deviation(m_told[pair.other]);
+    const Estimate one = tested_deviation(m_likelihoods[pair.edge]);
+    const Estimate other = tested_deviation(m_likelihoods[pair.other]);
     Eigen::Matrix2d survey_covariance;
-    if (std::isinf(m_told[pair.edge].extension) || std::isinf(m_told[pair.other].extension)) {
-        // Where one is slack, its distance is known; the place of the node moves both against each
-        // other.
+    if (std::isinf(m_likelihoods[pair.edge].extension) ||
+        std::isinf(m_likelihoods[pair.other].extension)) {
+        // Of a slack edge only the distance of its ends is known. An error of the node's place
+        // makes one edge longer and the other shorter: the correlation is taken as -1.
         pair.deviation = {one.mean, other.mean};
         const double covariance_at_most = one.std * other.std;
         survey_covariance << one.std * one.std, -covariance_at_most, -covariance_at_most,
@@ -246,7 +244,7 @@ void LengthSnooping::take_pair(LengthSuspect& pair, const Eigen::Matrix2d& covar
         const Eigen::Vector2d before = (observations.variance(both) + unseen).cwiseInverse();
         const Eigen::Matrix2d posterior = covariance.inverse();
         const Eigen::Matrix2d information = posterior - Eigen::Matrix2d(before.asDiagonal());
-        // In units of what was known before, a part below which rounding is all there is.
+        // Relative to the prior information; below this it is rounding error.
         constexpr double rounding = 1e-6;
         const Eigen::Vector2d unit = before.cwiseSqrt().cwiseInverse();
         const Eigen::Matrix2d relative = unit.asDiagonal() * information * unit.asDiagonal();
@@ -274,7 +272,7 @@ void LengthSnooping::take_pair(LengthSuspect& pair, const Eigen::Matrix2d& covar
                        against.dot(survey_covariance * against));
 }
 
-/// How much longer the first of a pair is if each has the other's length [m].
+/// Deviation of the first edge of a pair if each has the other's length [m].
 double LengthSnooping::swapped_difference(const LengthSuspect& pair) const {
     const auto length = [this](Eigen::Index i) {
         return m_net.unstressed_lengths()(m_net.interior_edges()[i]);
@@ -291,7 +289,7 @@ bool LengthSnooping::is_swap(const LengthSuspect& pair, const Eigen::Matrix2d& s
 }
 
 double LengthSnooping::score_of(const LengthSuspect& suspect) const {
-    return rival_score(suspect.statistic, threshold_of(suspect));
+    return comparable_score(suspect.statistic, threshold_of(suspect));
 }
 
 std::vector<int> LengthSnooping::nodes_of(const LengthSuspect& suspect) const {
@@ -326,24 +324,24 @@ Eigen::VectorXd LengthSnooping::scores() const {
 bool LengthSnooping::may_release(const LengthSuspect& suspect,
                                  const std::vector<bool>& released) const {
     return !suspect.is_readmitted && !released[suspect.edge] &&
-           !(suspect.is_pair() && released[suspect.other]) && is_beyond(suspect);
+           !(suspect.is_pair() && released[suspect.other]) && is_outlier(suspect);
 }
 
-bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
+bool LengthSnooping::release(const Eigen::VectorXd& other_scores) {
     if (!is_active()) {
         return false;
     }
     std::vector<bool> released = this->released();
-    const Eigen::VectorXd nearby = largest_nearby(m_net, scores().cwiseMax(rivals));
-    Eigen::VectorXd beyond = Eigen::VectorXd::Zero(m_net.node_count());
+    const Eigen::VectorXd nearby = largest_nearby(m_net, scores().cwiseMax(other_scores));
+    Eigen::VectorXd core = Eigen::VectorXd::Zero(m_net.node_count());
     for (const LengthSuspect& suspect : m_suspects) {
         if (may_release(suspect, released)) {
             for (const int node : nodes_of(suspect)) {
-                beyond(node) = std::max(beyond(node), suspect.core_statistic);
+                core(node) = std::max(core(node), suspect.core_statistic);
             }
         }
     }
-    const Eigen::VectorXd beyond_nearby = largest_nearby(m_net, beyond);
+    const Eigen::VectorXd core_nearby = largest_nearby(m_net, core);
     bool has_changed = false;
     for (LengthSuspect& suspect : m_suspects) {
         if (!may_release(suspect, released)) {
@@ -351,10 +349,10 @@ bool LengthSnooping::release(const Eigen::VectorXd& rivals) {
         }
         const double own = score_of(suspect);
         const auto stands_out = [&](int node) {
-            // A normal prior bears what the true one, which ends, does not: where nothing nearby is
-            // beyond its threshold by that, the edge furthest beyond its prior is the one.
+            // A normal prior tolerates what a bounded one does not: where nothing nearby exceeds
+            // its threshold by the normal statistic, the largest core statistic decides.
             return own >= nearby(node) ||
-                   (nearby(node) < 1.0 && suspect.core_statistic >= beyond_nearby(node));
+                   (nearby(node) < 1.0 && suspect.core_statistic >= core_nearby(node));
         };
         if (std::ranges::all_of(nodes_of(suspect), stands_out)) {
             suspect.is_released = true;
@@ -406,7 +404,7 @@ bool LengthSnooping::is_slip(const LengthSuspect& pair) const {
 bool LengthSnooping::readmit() {
     bool has_changed = false;
     for (LengthSuspect& suspect : m_suspects) {
-        if (suspect.is_released && !suspect.is_beside_target && !is_beyond(suspect)) {
+        if (suspect.is_released && !suspect.is_beside_target && !is_outlier(suspect)) {
             suspect.is_released = false;
             suspect.is_readmitted = true;
             has_changed = true;
@@ -460,8 +458,8 @@ std::vector<LengthPrior> LengthSnooping::priors() const {
         if (!suspect.is_released) {
             continue;
         }
-        // Beside a target that is left out, nothing but its prior and what was found with the
-        // target tells of an edge.
+        // Beside a rejected target the survey does not determine the edge: its prior is widened by
+        // the deviation found with the target in use.
         const auto width = [&](Eigen::Index i, int k) {
             return suspect.is_beside_target ? std::hypot(m_priors[i].std(), suspect.deviation(k))
                                             : m_released_std;
@@ -477,7 +475,7 @@ std::vector<LengthPrior> LengthSnooping::priors() const {
 double LengthSnooping::released_cost() const {
     double cost = 0.0;
     for (const LengthSuspect& suspect : m_suspects) {
-        // What stands beside a target costs as much as the target does.
+        // A pair beside a target costs nothing more than the target.
         if (suspect.is_released && !suspect.is_beside_target) {
             cost += threshold_of(suspect);
         }
@@ -491,15 +489,14 @@ double LengthSnooping::detectable(const std::vector<int>& edges) const {
     }
     const std::vector<bool> released = this->released();
     std::vector<BoundedEstimate> estimates;
-    for (size_t i = 0; i < m_told.size(); ++i) {
+    for (size_t i = 0; i < m_likelihoods.size(); ++i) {
         if (released[i] || !std::ranges::binary_search(edges, m_net.interior_edges()[i])) {
             continue;
         }
-        // Found where W or W_b is above the threshold; of an edge that may be slack errors may
-        // hide.
-        const bool is_tested = m_told[i].extension >= surely_taut;
-        const double variance =
-            is_tested ? m_told[i].std * m_told[i].std : std::numeric_limits<double>::infinity();
+        // Found where W or W_b is above the threshold; never for an edge that may be slack.
+        const bool is_tested = m_likelihoods[i].extension >= surely_taut_extension;
+        const double variance = is_tested ? m_likelihoods[i].std * m_likelihoods[i].std
+                                          : std::numeric_limits<double>::infinity();
         const double std = m_priors[i].std();
         const auto [end, fall] = core_of(m_priors[i]);
         const double scatter = std::sqrt(std * std + variance);
@@ -514,7 +511,7 @@ double LengthSnooping::detectable(const std::vector<int>& edges) const {
 std::vector<LengthOutlier> LengthSnooping::outliers() const {
     std::vector<LengthOutlier> result;
     for (const LengthSuspect& suspect : m_suspects) {
-        if (!suspect.is_released || m_told.empty()) {
+        if (!suspect.is_released || m_likelihoods.empty()) {
             continue;
         }
         const double statistic = std::max(suspect.statistic, suspect.core_statistic);
@@ -535,29 +532,29 @@ std::vector<LengthOutlier> LengthSnooping::outliers() const {
             result.push_back(outlier);
             continue;
         }
-        Estimate found = tested_deviation(m_told[suspect.edge]);
+        Estimate found = tested_deviation(m_likelihoods[suspect.edge]);
         if (!std::isfinite(found.std)) {
-            found = {m_told[suspect.edge].mean, m_told[suspect.edge].std};
+            found = {m_likelihoods[suspect.edge].mean, m_likelihoods[suspect.edge].std};
         }
         result.push_back(
             {.edge = edge, .deviation = found.mean, .std = found.std, .statistic = statistic});
     }
     std::ranges::stable_sort(result, std::greater{}, &LengthOutlier::statistic);
-    tell_swapped(result);
+    mark_swapped(result);
     return result;
 }
 
-/// (swap): of the edges that were released, those two of which each has the other's length.
-void LengthSnooping::tell_swapped(std::vector<LengthOutlier>& outliers) const {
+/// (swap): marks the pairs of released edges of which each has the other's length.
+void LengthSnooping::mark_swapped(std::vector<LengthOutlier>& outliers) const {
     constexpr double apart = 5.0;   // standard deviations that the lengths differ by, at least
-    constexpr double nearly = 3.0;  // standard deviations of both, and of their prior
+    constexpr double nearly = 3.0;  // standard deviations of the estimate and of the prior
     const double prior = std::ranges::max(m_priors, {}, &LengthPrior::std).std();
     const auto fits = [&](const LengthOutlier& outlier, double difference) {
         const double scatter = std::hypot(outlier.std, prior);
         const double misfit = outlier.deviation - difference;
         const auto place = std::ranges::lower_bound(m_net.interior_edges(), outlier.edge) -
                            m_net.interior_edges().begin();
-        const bool is_at_least = m_told[place].extension < surely_taut;
+        const bool is_at_least = m_likelihoods[place].extension < surely_taut_extension;
         return std::abs(difference) > apart * scatter && misfit < nearly * scatter &&
                (is_at_least || misfit > -nearly * scatter);
     };

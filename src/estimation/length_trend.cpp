@@ -11,27 +11,27 @@
 namespace taut {
 namespace {
 
-/// The prior of the mean, in standard deviations of the prior.
+/// Prior standard deviation of the common mean, in that of the prior of a length.
 constexpr double mean_width = 0.5;
-/// Whether lengths of a run have a scale in common at all; and how much of it, in standard
-/// deviations of the prior at an edge of mean length.
+/// Prior probability that lengths of a run have a scale in common, and standard deviations of it,
+/// in those of the prior of a length at an edge of mean length.
 constexpr double probability_of_runs = 0.9;
 constexpr std::array run_widths{0.25, 0.5, 1.0, 2.0};
 
-/// By which the linearised means may be off, in standard deviations of the prior: of all lengths,
-/// and of the adjustable edges.
+/// Errors of the linearised means, in standard deviations of the prior: of all lengths, and of the
+/// adjustable edges.
 constexpr double nonlinearity = 0.1;
 constexpr double nonlinearity_of_adjustable = 0.2;
 
 constexpr int most_edges = 5000;
 constexpr Eigen::Index most_runs = 128;
 
-/// What all adjustable edges are longer than given, in their prior standard deviations: all may
-/// have been set or read by the same.
+/// Prior standard deviation of what all adjustable edges have in common, in their own: all may have
+/// been set or read alike.
 constexpr double adjustable_width = 0.6;
 
-/// Of the mean and, behind it, of each run, per unit: [m] and relative; last, where there are
-/// any, of all adjustable edges [m].
+/// Columns of G: the mean [m], the scale of each run [-], and last, if any, what all adjustable
+/// edges have in common [m].
 Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_out,
                            const Eigen::VectorXd& adjustable_stds) {
     std::vector<std::vector<int>> runs = cable_runs(net);
@@ -58,7 +58,7 @@ Eigen::MatrixXd columns_of(const CableNet& net, const std::vector<bool>& left_ou
     return columns;
 }
 
-/// Of b, where its priors have these standard deviations.
+/// Posterior of b with priors of these standard deviations.
 struct Posterior {
     double log_evidence = 0.0;
     Eigen::VectorXd mean;
@@ -88,7 +88,7 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     if (net.interior_edge_count() > most_edges) {
         return trend;
     }
-    // Of no use where a survey tells it no better than it was known.
+    // Not estimated where it is known better than the linearisation is accurate.
     const double adjustable_bias = nonlinearity_of_adjustable * prior.std();
     double adjustable_std = adjustable_width * adjustable_stds.maxCoeff();
     if (adjustable_std < adjustable_bias) {
@@ -107,7 +107,7 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
     Eigen::MatrixXd information =
         trend.columns.transpose() * weighted - weighted.transpose() * response.lengths;
 
-    // What is not linear moves a mean by as much, so that it is known no better.
+    // Non-linearity moves a mean by as much, so it is known no better.
     const auto blur = [&](Eigen::Index k, double bias) {
         const Eigen::VectorXd of_mean = information.col(k);
         const double part = bias * bias / (1.0 + bias * bias * of_mean(k));
@@ -119,7 +119,7 @@ LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
         blur(count - 1, adjustable_bias);
     }
 
-    // Over the widths of the runs: each as probable as another.
+    // A mixture over the scales of the runs, equally probable.
     std::vector<Posterior> posteriors;
     std::vector<double> widths;
     Eigen::VectorXd log_weights(runs > 0 ? 1 + std::ssize(run_widths) : 1);

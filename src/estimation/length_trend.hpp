@@ -13,29 +13,27 @@
 
 namespace taut {
 
-/// What length deviations have in common, after the survey: d = e + G b, where e are independent
-/// under their prior and b, the mean of all, the relative length of each run of cable and what all
-/// adjustable edges are longer than given, are normal. To first order, docs/theory.md
-/// (length-trend).
+/// What length deviations have in common, after the survey: d = e + G b, with e independent under
+/// their prior and b normal. b holds the mean of all, the relative length of each run of cable, and
+/// what all adjustable edges are longer than given. To first order, docs/theory.md (length-trend).
 struct LengthTrend {
     Eigen::MatrixXd columns;       ///< G, m_I x r: of one standard deviation of the prior each [m]
     Eigen::VectorXd mean;          ///< of b (r)
     Eigen::MatrixXd root;          ///< R, r x r: R R' is the covariance of b
     Eigen::MatrixXd length_gains;  ///< d of the estimated lengths by b, m_I x r [m]
-    Eigen::MatrixXd
-        common_gains;  ///< the same of the common uncertain, in their standard deviations
-    double adjustable_std = 0.0;  ///< of the prior of what adjustable edges have in common [m]
+    Eigen::MatrixXd common_gains;  ///< the same of the common parameters, in their std
+    double adjustable_std = 0.0;   ///< prior std of what adjustable edges have in common [m]
     CommonDeviation found;
 
     [[nodiscard]] bool empty() const { return columns.cols() == 0; }
 };
 
-/// The trend that a fit without one shows: empty where the net has too many edges, of which the
-/// mean is known better than a linearisation is right.
+/// The trend that a fit without one shows. Empty where the net has so many edges that their mean is
+/// known better than the linearisation is accurate.
 /// @param statics linearised and inverted at the fit
-/// @param left_out interior edges (m_I) of another prior than the prior
-/// @param adjustable_stds of adjustable edges of uncertain length the prior standard deviation,
-///   else 0 (m_I) [m]
+/// @param left_out interior edges (m_I) of another prior
+/// @param adjustable_stds prior standard deviation of uncertain lengths of adjustable edges, else
+///   0 (m_I) [m]
 [[nodiscard]] LengthTrend trend_of(const CableNet& net, const LinearisedStatics& statics,
                                    const Observations& observations, const Iterate& fitted,
                                    const std::vector<bool>& left_out,

@@ -8,13 +8,14 @@
 
 namespace taut {
 
-/// What a number would add to the matrix and its right side, if it were unknown.
+/// The column of a number as a further unknown: its entries in the matrix and on the right side.
 struct LinearisedStatics::ScoreColumn {
-    BorderedFactor::Vector entries;  ///< with all that is unknown
-    Eigen::VectorXd read_rates;      ///< by the roots of the weights of all readings (m)
-    Points surveyed_rates;           ///< of places that were measured (3 x n)
-    Points pulls;                    ///< S times these
-    double misfit = 0.0;             ///< on the right side
+    BorderedFactor::Vector entries;  ///< with all unknowns
+    Eigen::VectorXd
+        force_rates;        ///< of the force measurements, times the roots of their weights (m)
+    Points surveyed_rates;  ///< of the surveyed places (3 x n)
+    Points pulls;           ///< S times these
+    double misfit = 0.0;    ///< on the right side
 };
 
 BorderedFactor::Vector LinearisedStatics::empty_vector() const {
@@ -34,11 +35,11 @@ void LinearisedStatics::add_edge_to_score(ScoreColumn& column, int edge,
     const double weight = observations.tension_weights(edge);
     const double rate = add_to_column(edge, e, variation, weight, column.entries.inner);
     column.entries.border += weight * rate * m_tension_rates.row(edge).transpose();
-    column.read_rates(edge) += std::sqrt(weight) * rate;
+    column.force_rates(edge) += std::sqrt(weight) * rate;
     column.misfit += weight * rate * (observations.tension(edge) - e.tension);
 }
 
-/// (boundary): g = b - e' x and I = F - E' Z E, the number's row of the solution where it is free.
+/// (boundary): g = b - e' x and I = F - E' Z E, the row of the number as a free unknown.
 LinearisedStatics::Score LinearisedStatics::score_of(
     const std::vector<ScoreColumn>& columns) const {
     const auto count = std::ssize(columns);
@@ -49,7 +50,7 @@ LinearisedStatics::Score LinearisedStatics::score_of(
         const BorderedFactor::Inner& entries = column.entries.inner;
         result.gradient(i) = column.misfit - entries.multipliers.cwiseProduct(m_multipliers).sum();
         for (Eigen::Index k = 0; k < count; ++k) {
-            result.information(i, k) = column.read_rates.dot(columns[k].read_rates) +
+            result.information(i, k) = column.force_rates.dot(columns[k].force_rates) +
                                        column.surveyed_rates.cwiseProduct(columns[k].pulls).sum();
         }
     }
@@ -64,7 +65,7 @@ LinearisedStatics::Score LinearisedStatics::score_of(
     return result;
 }
 
-/// The same, where all entries are multipliers of one node: the inverse is known there.
+/// The same where all entries are multipliers of one node, for which the inverse is known.
 /// @param forces of the columns at the node
 LinearisedStatics::Score LinearisedStatics::score_at(int local,
                                                      const Eigen::Matrix3Xd& forces) const {
@@ -74,7 +75,7 @@ LinearisedStatics::Score LinearisedStatics::score_at(int local,
 
 LinearisedStatics::ScoreColumn LinearisedStatics::empty_score_column() const {
     return {.entries = empty_vector(),
-            .read_rates = Eigen::VectorXd::Zero(m_net.edge_count()),
+            .force_rates = Eigen::VectorXd::Zero(m_net.edge_count()),
             .surveyed_rates = Points::Zero(3, m_net.node_count()),
             .pulls = Points::Zero(3, m_net.node_count())};
 }
@@ -104,8 +105,8 @@ LinearisedStatics::Score LinearisedStatics::score_of_support(
         return {.motion = sign * Eigen::Vector3d::Unit(k)};
     };
     const Eigen::Matrix3d weight = observations.weight(node);
-    const auto is_read = [&](int edge) { return observations.tension_weights(edge) > 0.0; };
-    if (edges.size() == 1 && weight.isZero() && !is_read(edges[0]) && !m_slack[edges[0]]) {
+    const auto is_measured = [&](int edge) { return observations.tension_weights(edge) > 0.0; };
+    if (edges.size() == 1 && weight.isZero() && !is_measured(edges[0]) && !m_slack[edges[0]]) {
         const auto [s, t] = m_local.edges[edges[0]];
         if (std::min(s, t) < m_local.free_count) {
             const EdgeRates of_edge = rates(edges[0], iterate);

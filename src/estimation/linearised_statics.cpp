@@ -15,7 +15,7 @@
 namespace taut {
 namespace {
 
-/// Part of a node's axial stiffness that keeps a loose node in its place.
+/// Part of a node's axial stiffness that is added to hold a loose node in place.
 constexpr double smallest_relative_stiffness = 1e-10;
 
 std::vector<bool> interior_flags(const CableNet& net) {
@@ -27,18 +27,18 @@ std::vector<bool> interior_flags(const CableNet& net) {
 }
 
 Supports supports_of(const std::vector<UncertainParameter>& uncertain) {
-    return std_of(uncertain, UncertainParameter::Kind::supports) > 0.0 ? Supports::unknown
+    return std_of(uncertain, UncertainParameter::Kind::supports) > 0.0 ? Supports::uncertain
                                                                        : Supports::fixed;
 }
 
-/// The stretch that an edge's tension stands for, and its derivative by the extension.
+/// The stretch that corresponds to an edge's tension, and its derivative by the extension.
 struct Stretch {
     double value;
     double rate;
 };
 
-/// (rounded-law); without a width the extension itself. As quotients, so that no digits are lost
-/// where the edge is far from taut.
+/// (rounded-law); without a width the extension itself. Written as a quotient to avoid cancellation
+/// when the edge is far from taut.
 Stretch stretch(double extension, double width) {
     if (!(width > 0.0)) {
         return {.value = extension, .rate = 1.0};
@@ -52,11 +52,11 @@ Stretch stretch(double extension, double width) {
 }  // namespace
 
 bool LawBlur::agrees_with(const LawBlur& other) const {
-    constexpr double settled = 0.1;
-    const auto agree = [settled](const auto& a, const auto& b) {
-        return ((a - b).array().abs() <= settled * b.array()).all();
+    constexpr double same = 0.1;
+    const auto agree = [same](const auto& a, const auto& b) {
+        return ((a - b).array().abs() <= same * b.array()).all();
     };
-    // Variances are told from their roots; what is shorter than a nanometre is none.
+    // Compared by their roots; below a nanometre they count as none.
     constexpr double smallest = 1e-18;
     return agree(strain_stds, other.strain_stds) &&
            agree((stiffness.array() + smallest).sqrt().matrix(),
@@ -111,7 +111,7 @@ LinearisedStatics::LinearisedStatics(const CableNet& net,
     for (size_t i = 0; i < net.interior_edges().size(); ++i) {
         m_interior_of[net.interior_edges()[i]] = static_cast<int>(i);
     }
-    if (supports_of(uncertain) == Supports::unknown) {
+    if (supports_of(uncertain) == Supports::uncertain) {
         m_nodes = m_local.node_of;
     }
 }
@@ -128,26 +128,26 @@ double LinearisedStatics::unstressed_length(int edge, const Iterate& iterate) co
 }
 
 TensionLaw::Tangent LinearisedStatics::law_tangent(int edge, double strain) const {
-    if (!m_held_laws.empty()) {  // (drawn-law)
-        const auto& [at, tangent] = m_held_laws[edge];
+    if (!m_fixed_laws.empty()) {  // (drawn-law)
+        const auto& [at, tangent] = m_fixed_laws[edge];
         return {.tension = tangent.tension + tangent.slope * (strain - at), .slope = tangent.slope};
     }
     const double strain_std = m_blur.strain_stds.size() > 0 ? m_blur.strain_stds(edge) : 0.0;
     return m_net.tension_law(edge)->blurred(strain, strain_std);
 }
 
-void LinearisedStatics::hold_laws(const Iterate& iterate) {
-    std::vector<HeldLaw> held(m_net.edge_count());
+void LinearisedStatics::fix_tension_laws(const Iterate& iterate) {
+    std::vector<FixedLaw> fixed(m_net.edge_count());
     const Eigen::VectorXd lengths = edge_lengths(m_net, iterate.form);
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (m_net.tension_law(e) != nullptr) {
             const double unstressed = unstressed_length(e, iterate);
             const double strain =
                 stretch(lengths(e) - unstressed, m_corner_width).value / unstressed;
-            held[e] = {.strain = strain, .tangent = law_tangent(e, strain)};
+            fixed[e] = {.strain = strain, .tangent = law_tangent(e, strain)};
         }
     }
-    m_held_laws = std::move(held);
+    m_fixed_laws = std::move(fixed);
 }
 
 /// docs/theory.md, (edge rates)
@@ -173,8 +173,8 @@ LinearisedStatics::EdgeRates LinearisedStatics::rates(int edge, const Iterate& i
             .by_length = -heated * axial * (e.value / unstressed + e.rate)};
 }
 
-/// Of an edge's length by the covariance of its ends, taken as independent; where supports are
-/// known, one is where the edge is at the frame.
+/// Variance of an edge's length from the covariances of its two ends, treated as independent. An
+/// end at a known support contributes nothing.
 double LinearisedStatics::length_variance(int edge, const Iterate& iterate) const {
     const auto [s, t] = m_net.edges()[edge];
     const Eigen::Vector3d u = (iterate.form.col(s) - iterate.form.col(t)).normalized();
@@ -197,8 +197,8 @@ double LinearisedStatics::stiffness_as_length(int edge, const Iterate& iterate) 
 }
 
 LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
-    constexpr double slowest = 0.5;        // smaller by no more at a time
-    constexpr double most_variance = 1e2;  // of the prior, where the law is flat
+    constexpr double slowest = 0.5;        // smallest factor in one round
+    constexpr double most_variance = 1e2;  // of the prior's variance, where the tension law is flat
     const double squared_unit = m_length_unit * m_length_unit;
     const Eigen::VectorXd lengths = edge_lengths(m_net, iterate.form);
     LawBlur found = m_blur;
@@ -230,8 +230,8 @@ LawBlur LinearisedStatics::blur_found(const Iterate& iterate) const {
 }
 
 void LinearisedStatics::set_weights(const Observations& observations) {
-    // By the mean precision: a wide prior, which tells next to nothing, sets no scale. Nor does one
-    // that is all but known.
+    // By the mean precision, so that a released edge with its wide prior does not set the scale;
+    // without edges that are nearly exact.
     m_widest_prior = observations.variance.maxCoeff();
     double precision = 0.0;
     int count = 0;
@@ -258,7 +258,7 @@ void LinearisedStatics::set_weights(const Observations& observations) {
         squared_unit * prior_variances(observations).cwiseInverse();
     matrix.load_variances = m_multiplier_unit * m_multiplier_unit *
                             observations.load_variance(Eigen::all, m_free_nodes);
-    matrix.reading_weights = observations.tension_weights / (m_multiplier_unit * m_multiplier_unit);
+    matrix.force_weights = observations.tension_weights / (m_multiplier_unit * m_multiplier_unit);
 }
 
 void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
@@ -270,8 +270,8 @@ void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
     const Eigen::Matrix3d stiffness = e.stiffness();
     matrix.edge_stiffness[edge] = unit * stiffness;
     matrix.length_rates.col(edge) = unit * e.length_rate();
-    matrix.reading_place_rates.col(edge) = unit * e.axial * e.direction;
-    matrix.reading_length_rates(edge) = m_interior_of[edge] >= 0 ? unit * e.by_length : 0.0;
+    matrix.force_place_rates.col(edge) = unit * e.axial * e.direction;
+    matrix.force_length_rates(edge) = m_interior_of[edge] >= 0 ? unit * e.by_length : 0.0;
     for (const int node : {s, t}) {
         if (node < m_local.free_count) {
             matrix.node_stiffness[node] +=
@@ -284,7 +284,7 @@ void LinearisedStatics::add_edge(int edge, const Iterate& iterate,
         const double rate = add_to_column(edge, e, variation, observations.tension_weights(edge),
                                           m_matrix.border[k]);
         m_tension_rates(edge, k) = rate;
-        m_matrix.reading_rates(edge, k) = m_multiplier_unit * rate;
+        m_matrix.force_rates(edge, k) = m_multiplier_unit * rate;
         m_matrix.extension_rates(edge, k) =
             (e.direction.dot(variation.motion) - variation.length) / m_length_unit;
     }
@@ -298,7 +298,7 @@ LinearisedStatics::EdgeVariation LinearisedStatics::common_variation(int edge, i
                          .length = unstressed_length(edge, iterate) *
                                    m_common.thermal_rate(k, edge) / (heated * heated)};
     if (!are_supports_uncertain()) {
-        // (frame): of known supports; unknown ones carry the motion in their own places.
+        // (frame): of known supports; uncertain ones carry the motion in their own places.
         result.motion = m_common.support_rate(k, first) - m_common.support_rate(k, second);
     }
     return result;
@@ -309,7 +309,7 @@ double LinearisedStatics::tension_rate_of(const EdgeRates& e, const EdgeVariatio
            e.by_length * variation.length;
 }
 
-/// Of its first end, in units of the multipliers.
+/// Change of the force at an edge's first end, in units of the multipliers.
 Eigen::Vector3d LinearisedStatics::force_of(const EdgeRates& e,
                                             const EdgeVariation& variation) const {
     const double along = e.direction.dot(variation.motion);
@@ -317,10 +317,20 @@ Eigen::Vector3d LinearisedStatics::force_of(const EdgeRates& e,
                                 e.across * (variation.motion - along * e.direction));
 }
 
-/// Adds what an edge does to the column of a number.
-/// @return by which its tension changes [N]
+/// Adds a factor times the derivative of an edge's tension by its places, (force-measurement).
+void LinearisedStatics::add_place_rates(int edge, double factor, Eigen::Matrix3Xd& places) const {
+    const auto [s, t] = m_local.edges[edge];
+    for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
+        if (node < places.cols()) {
+            places.col(node) += sign * factor * m_matrix.inner.force_place_rates.col(edge);
+        }
+    }
+}
+
+/// Adds the entries of an edge to the column of a number.
+/// @return change of its tension [N]
 double LinearisedStatics::add_to_column(int edge, const EdgeRates& e,
-                                        const EdgeVariation& variation, double reading_weight,
+                                        const EdgeVariation& variation, double force_weight,
                                         BorderedFactor::Inner& column) const {
     const auto [s, t] = m_local.edges[edge];
     const SaddlePointFactor& matrix = m_matrix.inner;
@@ -331,19 +341,15 @@ double LinearisedStatics::add_to_column(int edge, const EdgeRates& e,
             column.multipliers.col(node) += sign * force;
         }
     }
-    if (reading_weight > 0.0) {
-        const double read = matrix.reading_weights(edge) * m_multiplier_unit * rate;
-        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
-            if (node < column.places.cols()) {
-                column.places.col(node) += sign * read * matrix.reading_place_rates.col(edge);
-            }
-        }
-        column.lengths(edge) += read * matrix.reading_length_rates(edge);
+    if (force_weight > 0.0) {
+        const double pull = matrix.force_weights(edge) * m_multiplier_unit * rate;
+        add_place_rates(edge, pull, column.places);
+        column.lengths(edge) += pull * matrix.force_length_rates(edge);
     }
     return rate;
 }
 
-/// The entries of the common uncertain that stand at no edge.
+/// Adds the entries of the common parameters that belong to no edge.
 void LinearisedStatics::set_border(const Observations& observations) {
     for (int k = 0; k < m_common.count(); ++k) {
         m_matrix.border[k].multipliers -=
@@ -382,8 +388,8 @@ void LinearisedStatics::add_evidence(const Iterate& iterate, const Observations&
     right_side.border.head(pull.size() - lengths) += misfit.tail(pull.size() - lengths);
 }
 
-/// (frame), (boundary): of known supports what was measured of them tells of it; of unknown ones
-/// what is known of them beforehand.
+/// (frame), (boundary): motions of known supports are observed by the survey of these, motions of
+/// uncertain ones by their prior.
 void LinearisedStatics::add_motions_to_border(const Observations& observations) {
     const auto weighted = [&](int node, const Eigen::Vector3d& rate) -> Eigen::Vector3d {
         if (are_supports_uncertain()) {
@@ -411,7 +417,7 @@ Points LinearisedStatics::support_deviations(const Iterate& iterate) const {
     return result;
 }
 
-/// What the prior of supports expects, less where they are (3 x n) [m].
+/// Prior mean of the supports' deviations less these (3 x n) [m].
 Points LinearisedStatics::support_misfit(const Iterate& iterate,
                                          const Observations& observations) const {
     return observations.support_mean - support_deviations(iterate);
@@ -423,16 +429,14 @@ bool LinearisedStatics::linearise(const Iterate& iterate, const Observations& ob
     std::ranges::fill(matrix.edge_stiffness, Eigen::Matrix3d::Zero());
     std::ranges::fill(matrix.node_stiffness, Eigen::Matrix3d::Zero());
     matrix.length_rates.setZero();
-    matrix.reading_place_rates.setZero();
-    matrix.reading_length_rates.setZero();
+    matrix.force_place_rates.setZero();
+    matrix.force_length_rates.setZero();
     const auto node_count = std::ssize(m_nodes);
     for (BorderedFactor::Inner& column : m_matrix.border) {
-        column = {.places = Eigen::Matrix3Xd::Zero(3, node_count),
-                  .lengths = Eigen::VectorXd::Zero(m_net.edge_count()),
-                  .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)};
+        column = empty_vector().inner;
     }
     m_tension_rates.setZero(m_net.edge_count(), m_common.count());
-    m_matrix.reading_rates.setZero();
+    m_matrix.force_rates.setZero();
     m_matrix.extension_rates.setZero();
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!m_slack[e]) {
@@ -491,7 +495,7 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
             forces.col(t) -= force;
         }
     }
-    // (unknown): a load gives way to its reaction.
+    // (uncertain-parameters): a load gives way to its reaction.
     forces -= observations.load_mean - iterate.loads;
     const Points measured = observations.weighted(observations.form - iterate.form);
     const Points of_supports =
@@ -515,31 +519,26 @@ BorderedFactor::Vector LinearisedStatics::right_side(const Iterate& iterate,
             }
         }
     }
-    add_readings(iterate, observations, result);
+    add_force_measurements(iterate, observations, result);
     if (observations.evidence) {
         add_evidence(iterate, observations, result);
     }
     return result;
 }
 
-/// (reading)
-void LinearisedStatics::add_readings(const Iterate& iterate, const Observations& observations,
-                                     BorderedFactor::Vector& right_side) const {
+/// (force-measurement)
+void LinearisedStatics::add_force_measurements(const Iterate& iterate,
+                                               const Observations& observations,
+                                               BorderedFactor::Vector& right_side) const {
     const SaddlePointFactor& matrix = m_matrix.inner;
     for (int e = 0; e < m_net.edge_count(); ++e) {
         if (!(observations.tension_weights(e) > 0.0) || m_slack[e]) {
             continue;
         }
         const double misfit = observations.tension(e) - rates(e, iterate).tension;
-        const double pull = matrix.reading_weights(e) * m_multiplier_unit * misfit;
-        const auto [s, t] = m_local.edges[e];
-        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
-            if (node < std::ssize(m_nodes)) {
-                right_side.inner.places.col(node) +=
-                    sign * pull * matrix.reading_place_rates.col(e);
-            }
-        }
-        right_side.inner.lengths(e) += pull * matrix.reading_length_rates(e);
+        const double pull = matrix.force_weights(e) * m_multiplier_unit * misfit;
+        add_place_rates(e, pull, right_side.inner.places);
+        right_side.inner.lengths(e) += pull * matrix.force_length_rates(e);
         right_side.border +=
             observations.tension_weights(e) * misfit * m_tension_rates.row(e).transpose();
     }
@@ -569,16 +568,26 @@ double LinearisedStatics::size_of(const Iterate& step) const {
     return is_finite ? size : std::numeric_limits<double>::infinity();
 }
 
-double LinearisedStatics::squared_norm(const Observations& observations,
-                                       const Iterate& change) const {
+/// The terms of squared_norm() and objective() that need no linearisation.
+/// @param of_supports that of the supports' prior
+double LinearisedStatics::quadratic_terms(const Observations& observations, const Iterate& change,
+                                          double of_supports) const {
     double sum = observations.squared_norm(change.form) +
                  change.deviations.cwiseAbs2().cwiseQuotient(prior_variances(observations)).sum() +
                  change.common.squaredNorm();
-    const Points of_supports = change.form - m_common.support_motion(change.common);
-    sum += observations.support_weights.cwiseProduct(of_supports.cwiseAbs2()).sum();
+    sum += of_supports;
     sum += (observations.load_variance.array() > 0.0)
                .select(change.loads.array().square() / observations.load_variance.array(), 0.0)
                .sum();
+    return sum;
+}
+
+double LinearisedStatics::squared_norm(const Observations& observations,
+                                       const Iterate& change) const {
+    const Points of_supports = change.form - m_common.support_motion(change.common);
+    double sum =
+        quadratic_terms(observations, change,
+                        observations.support_weights.cwiseProduct(of_supports.cwiseAbs2()).sum());
     if (observations.evidence) {
         const Eigen::VectorXd x = change.lengths_and_common(observations.evidence_pull.size());
         sum += (observations.evidence->root.transpose() * x).squaredNorm();
@@ -589,10 +598,10 @@ double LinearisedStatics::squared_norm(const Observations& observations,
             const auto [s, t] = m_net.edges()[e];
             const int i = m_interior_of[e];
             const double tension =
-                unit * (m_matrix.inner.reading_place_rates.col(e).dot(change.form.col(s) -
-                                                                      change.form.col(t)) +
-                        (i >= 0 ? m_matrix.inner.reading_length_rates(e) * change.deviations(i)
-                                : 0.0)) +
+                unit *
+                    (m_matrix.inner.force_place_rates.col(e).dot(change.form.col(s) -
+                                                                 change.form.col(t)) +
+                     (i >= 0 ? m_matrix.inner.force_length_rates(e) * change.deviations(i) : 0.0)) +
                 m_tension_rates.row(e).dot(change.common);
             sum += observations.tension_weights(e) * tension * tension;
         }
@@ -606,22 +615,18 @@ double LinearisedStatics::objective(const Observations& observations,
                          .deviations = iterate.deviations - observations.mean,
                          .loads = iterate.loads - observations.load_mean,
                          .common = iterate.common - observations.common_mean};
-    Observations without_readings = observations;
-    without_readings.tension_weights.setZero();
-    without_readings.support_weights.setZero();
-    without_readings.set_evidence(nullptr);
     double of_evidence = 0.0;
     if (observations.evidence) {
         const Eigen::VectorXd x = iterate.lengths_and_common(observations.evidence_pull.size());
         of_evidence = 0.5 * (observations.evidence->root.transpose() * x).squaredNorm() -
                       observations.evidence_pull.dot(x);
     }
-    const Eigen::VectorXd read = observations.tension - tensions(iterate);
-    return of_evidence + 0.5 * (squared_norm(without_readings, misfit) +
+    const Eigen::VectorXd of_forces = observations.tension - tensions(iterate);
+    return of_evidence + 0.5 * (quadratic_terms(observations, misfit, 0.0) +
                                 observations.support_weights
                                     .cwiseProduct(support_misfit(iterate, observations).cwiseAbs2())
                                     .sum() +
-                                observations.tension_weights.dot(read.cwiseAbs2()));
+                                observations.tension_weights.dot(of_forces.cwiseAbs2()));
 }
 
 Eigen::VectorXd LinearisedStatics::tensions(const Iterate& iterate) const {
@@ -654,45 +659,37 @@ Eigen::Matrix3d LinearisedStatics::form_covariance(int node) const {
 }
 
 Eigen::VectorXd LinearisedStatics::tension_variances() const {
-    return m_covariance.readings / (m_multiplier_unit * m_multiplier_unit);
+    return m_covariance.forces / (m_multiplier_unit * m_multiplier_unit);
 }
 
 /// V + V Z V, Z the inverse over the multipliers.
 Eigen::Matrix3d LinearisedStatics::load_covariance(int node) const {
     const int local = m_local_of[node];
     const Eigen::Vector3d variance = m_matrix.inner.load_variances.col(local);
-    const Eigen::Matrix3d told = variance.asDiagonal();
-    return (told + told * m_covariance.multipliers[local] * told) /
-           (m_multiplier_unit * m_multiplier_unit);
+    const Eigen::Matrix3d V = variance.asDiagonal();
+    return (V + V * m_covariance.multipliers[local] * V) / (m_multiplier_unit * m_multiplier_unit);
 }
 
 /// a' Z g, with g the weighted sum of all a.
 Eigen::VectorXd LinearisedStatics::covariances_with(const Eigen::VectorXd& weights) const {
     const SaddlePointFactor& matrix = m_matrix.inner;
     const auto node_count = std::ssize(m_nodes);
-    BorderedFactor::Vector sum{
-        .inner = {.places = Eigen::Matrix3Xd::Zero(3, node_count),
-                  .lengths = weights.cwiseProduct(matrix.reading_length_rates),
-                  .multipliers = Eigen::Matrix3Xd::Zero(3, m_local.free_count)},
-        .border = m_multiplier_unit * m_tension_rates.transpose() * weights};
+    BorderedFactor::Vector sum = empty_vector();
+    sum.inner.lengths = weights.cwiseProduct(matrix.force_length_rates);
+    sum.border = m_multiplier_unit * m_tension_rates.transpose() * weights;
     for (int e = 0; e < m_net.edge_count(); ++e) {
-        const auto [s, t] = m_local.edges[e];
-        for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
-            if (node < node_count) {
-                sum.inner.places.col(node) += sign * weights(e) * matrix.reading_place_rates.col(e);
-            }
-        }
+        add_place_rates(e, weights(e), sum.inner.places);
     }
     const BorderedFactor::Vector varied = m_matrix.solve(sum);
     Eigen::VectorXd result(m_net.edge_count());
     for (int e = 0; e < m_net.edge_count(); ++e) {
-        double of_edge = matrix.reading_length_rates(e) * varied.inner.lengths(e) +
+        double of_edge = matrix.force_length_rates(e) * varied.inner.lengths(e) +
                          m_multiplier_unit * m_tension_rates.row(e).dot(varied.border);
         const auto [s, t] = m_local.edges[e];
         for (const auto& [node, sign] : {std::pair(s, 1.0), std::pair(t, -1.0)}) {
             if (node < node_count) {
                 of_edge +=
-                    sign * matrix.reading_place_rates.col(e).dot(varied.inner.places.col(node));
+                    sign * matrix.force_place_rates.col(e).dot(varied.inner.places.col(node));
             }
         }
         result(e) = of_edge / (m_multiplier_unit * m_multiplier_unit);

@@ -47,8 +47,8 @@ double Observations::squared_norm(const Points& errors) const {
                                     : weights.cwiseProduct(errors.cwiseAbs2()).sum();
 }
 
-void Observations::set_evidence(std::shared_ptr<const LengthEvidence> told) {
-    evidence = std::move(told);
+void Observations::set_evidence(std::shared_ptr<const LengthEvidence> of_others) {
+    evidence = std::move(of_others);
     evidence_pull = evidence ? evidence->pull : Eigen::VectorXd();
 }
 

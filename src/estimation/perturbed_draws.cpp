@@ -23,14 +23,14 @@
 namespace taut {
 namespace {
 
-/// So many draws tell whether they are in doubt.
+/// Draws that decide whether a method is reliable.
 constexpr int pilot_draws = 10;
 
 constexpr double largest_departure = 0.3;
 constexpr double most_left_out = 0.02;
 
-/// Fits take some ten factorisations a draw: up to so many interior edges that is a matter of
-/// seconds. Where priors have corners they see these rounded, as the fit does, and help no more.
+/// A fit takes some ten factorisations a draw: seconds up to this many interior edges. Of tension
+/// laws with corners it sees rounded ones, as the linearised fit does, and is no better.
 constexpr int most_edges_of_fits = 2000;
 bool can_be_fitted(const CableNet& net) {
     return net.is_linear() && net.interior_edge_count() <= most_edges_of_fits;
@@ -40,17 +40,17 @@ constexpr int most_descents_a_draw = 60;
 constexpr double decrement_of_draw = 0.05;
 constexpr double corner_of_draws = 0.3;  ///< as in SurveyFit
 
-/// In the smallest standard deviation of the survey.
+/// In units of the smallest standard deviation of the survey.
 constexpr double small_step = 0.1;
 
 double smallest_noise(const CableNet& net, const Observations& observations) {
     return 1.0 / std::sqrt(observations.weights(Eigen::all, net.free_nodes()).maxCoeff());
 }
 
-/// (perturbed): as if surveyed, read and known beforehand once more.
-/// @param unknown variances of lengths that nobody knows, (blurred-prior), (own-stiffness)
+/// (perturbed): observations and priors with new errors.
+/// @param blur variances of the additional length deviations, (blurred-law), (own-stiffness)
 Observations perturbed(const CableNet& net, const Observations& observations,
-                       const Eigen::VectorXd& unknown, RandomNumbers& random) {
+                       const Eigen::VectorXd& blur, RandomNumbers& random) {
     Observations result = observations;
     const auto perturb_places = [&](const std::vector<int>& nodes) {
         for (const int node : nodes) {
@@ -61,13 +61,13 @@ Observations perturbed(const CableNet& net, const Observations& observations,
             for (double& of_one : error) {
                 of_one = random.normal();
             }
-            // Of covariance S^-1 = L'^-1 L^-1.
+            // With the covariance S^-1 = L'^-1 L^-1.
             result.form.col(node) += observations.weight(node).llt().matrixU().solve(error);
         }
     };
     perturb_places(net.free_nodes());
     for (int i = 0; i < result.mean.size(); ++i) {
-        result.mean(i) += random.normal() * std::sqrt(observations.variance(i) + unknown(i));
+        result.mean(i) += random.normal() * std::sqrt(observations.variance(i) + blur(i));
     }
     perturb_places(net.supports());
     for (Eigen::Index k = 0; k < result.support_mean.size(); ++k) {
@@ -98,7 +98,7 @@ Observations perturbed(const CableNet& net, const Observations& observations,
     return result;
 }
 
-/// (length-trend): what the prior means have in common drawn, and known.
+/// (length-trend): draws what the prior means have in common.
 Observations with_drawn_mean(const Observations& observations, RandomNumbers& random) {
     Observations result = observations;
     if (result.mean_root.size() > 0) {
@@ -112,10 +112,10 @@ Observations with_drawn_mean(const Observations& observations, RandomNumbers& ra
     return result;
 }
 
-/// A length of the prior beyond that of the form, if the prior has any.
+/// A length drawn from the prior, but longer than the form spans, if the prior has any.
 double slack_deviation(const LengthPrior& prior, double slack_from, RandomNumbers& random) {
-    constexpr int most_trials = 1000;
-    for (int trial = 0; trial < most_trials; ++trial) {
+    constexpr int most_attempts = 1000;
+    for (int trial = 0; trial < most_attempts; ++trial) {
         if (const double deviation = prior.draw(random.uniform()); deviation > slack_from) {
             return deviation;
         }
@@ -123,8 +123,8 @@ double slack_deviation(const LengthPrior& prior, double slack_from, RandomNumber
     return slack_from;
 }
 
-/// The form of a fit, with lengths short enough that each edge is stretched as in the nominal form:
-/// an edge that hangs by much finds no way back to where it pulls.
+/// The form of a fit with every edge stretched at least as in the nominal form: a sagging edge does
+/// not find its way back to tension.
 Iterate all_taut(const CableNet& net, const Iterate& fitted) {
     const Eigen::VectorXd stretch = edge_lengths(net, net.nodes()) - net.unstressed_lengths();
     const Eigen::VectorXd spans = edge_lengths(net, fitted.form) - net.unstressed_lengths();
@@ -142,13 +142,13 @@ public:
           m_statics(statics),
           m_sites(sites),
           m_knowledge(knowledge),
-          m_unknown_lengths(statics.blur().length_variances(net.interior_edge_count())),
+          m_blur_variances(statics.blur().length_variances(net.interior_edge_count())),
           m_own_stiffness_stds(own_stiffness_stds(net, knowledge.uncertain)),
           m_fitted(fitted),
           m_all_taut(all_taut(net, fitted)),
           m_seed(seed) {}
 
-    /// So many draws; fewer where the first ones are in doubt.
+    /// This many draws; fewer where the first ones are unreliable.
     [[nodiscard]] PerturbedDraws run(int count, bool refit_all, const Progress& progress) const;
 
 private:
@@ -161,8 +161,8 @@ private:
     };
     void add_draws(std::vector<std::optional<Draw>>& draws, int count, bool refit_all,
                    const Progress& progress) const;
-    [[nodiscard]] PerturbedDraws gathered(const std::vector<std::optional<Draw>>& draws,
-                                          bool refit_all) const;
+    [[nodiscard]] PerturbedDraws collected(const std::vector<std::optional<Draw>>& draws,
+                                           bool refit_all) const;
     struct Workspace {
         explicit Workspace(const CableNet& net) : solver(net) {}
         EquilibriumSolver solver;
@@ -172,8 +172,9 @@ private:
     [[nodiscard]] std::optional<Iterate> followed(const Observations& observations) const;
     [[nodiscard]] std::optional<Iterate> refitted(const Observations& observations,
                                                   Workspace& workspace) const;
-    [[nodiscard]] Eigen::VectorXd tell_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
-                                               bool refit, RandomNumbers& random) const;
+    [[nodiscard]] Eigen::VectorXd separate_lengths(Iterate& drawn,
+                                                   const Eigen::VectorXd& prior_mean, bool refit,
+                                                   RandomNumbers& random) const;
     [[nodiscard]] std::vector<bool> slack_in(const Eigen::VectorXd& deviations,
                                              const Eigen::VectorXd& spans, bool refit) const;
     [[nodiscard]] double length_of_tension(int edge, double length, double tension,
@@ -188,15 +189,15 @@ private:
     const LinearisedStatics& m_statics;
     const Observations& m_sites;
     const PriorKnowledge& m_knowledge;
-    Eigen::VectorXd m_unknown_lengths;     ///< m_I, variances of those that nobody knows [m2]
+    Eigen::VectorXd m_blur_variances;      ///< m_I, LawBlur::length_variances() [m2]
     Eigen::VectorXd m_own_stiffness_stds;  ///< m
     const Iterate& m_fitted;
     Iterate m_all_taut;
     std::uint64_t m_seed;
 };
 
-/// Steps with the factor of the fit, each with the misfit and the forces where the one before
-/// ended; shorter ones where these overshoot. Nothing where they do not end.
+/// Steps with the factor of the fit, each with the misfit and the forces at the result of the one
+/// before; shorter ones where these overshoot. Nothing where they do not converge.
 std::optional<Iterate> Perturbation::followed(const Observations& observations) const {
     constexpr double slow_contraction = 0.7;
     constexpr double least_part = 0.1;
@@ -209,7 +210,7 @@ std::optional<Iterate> Perturbation::followed(const Observations& observations) 
         const Iterate change = m_statics.step(iterate, observations);
         const double size = m_statics.size_of(change);
         if (!(size < slow_contraction * before)) {
-            // Of a linear net such a draw is fitted by itself.
+            // On a linear net the draw is then fitted by itself.
             part *= 0.5;
             if (m_net.is_linear() || part < least_part || !std::isfinite(size)) {
                 return std::nullopt;
@@ -243,13 +244,13 @@ std::optional<Iterate> Perturbation::refitted(const Observations& observations,
     return std::move(fit.iterate);
 }
 
-/// From what the draw gave, (own-stiffness) and (blurred-prior) included, to the edges' own
-/// lengths: of an edge with a tension law the one with which it carries what it does in the draw;
-/// of a slack edge what the prior of lengths tells beyond the form.
+/// Separates the drawn deviations into blur, (own-stiffness) and (blurred-law), and the edges' own
+/// lengths. An edge with a tension law gets the length with which it carries its tension in the
+/// draw; a slack edge one of the prior longer than the form spans.
 /// @param prior_mean of the length deviations (m_I) [m]
 /// @return logarithm of each edge's own stiffness (m), (own-stiffness)
-Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
-                                           bool refit, RandomNumbers& random) const {
+Eigen::VectorXd Perturbation::separate_lengths(Iterate& drawn, const Eigen::VectorXd& prior_mean,
+                                               bool refit, RandomNumbers& random) const {
     const Eigen::VectorXd lengths = edge_lengths(m_net, drawn.form);
     const Eigen::VectorXd spans =
         m_statics.common().cold(lengths, drawn.common) - m_net.unstressed_lengths();
@@ -262,7 +263,7 @@ Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd
         const LengthPrior& prior = m_knowledge.priors[i];
         double& deviation = drawn.deviations(i);
         if (of_stiffness.size() > 0 && of_stiffness(i) > 0.0) {
-            const double part = of_stiffness(i) / (m_sites.variance(i) + m_unknown_lengths(i));
+            const double part = of_stiffness(i) / (m_sites.variance(i) + m_blur_variances(i));
             const double length = part * (deviation - prior_mean(i)) +
                                   std::sqrt((1.0 - part) * of_stiffness(i)) * random.normal();
             own_stiffness(edge) = -m_own_stiffness_stds(edge) * length / std::sqrt(of_stiffness(i));
@@ -285,8 +286,8 @@ Eigen::VectorXd Perturbation::tell_lengths(Iterate& drawn, const Eigen::VectorXd
     return own_stiffness;
 }
 
-/// Edges (m) that hang in a draw: of a fit of its own those that came out longer than they span,
-/// but for what was seen.
+/// Slack edges (m) of a draw: of a separate fit those longer than they span, corrected by the
+/// marks.
 std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
                                          const Eigen::VectorXd& spans, bool refit) const {
     if (!refit) {
@@ -300,7 +301,7 @@ std::vector<bool> Perturbation::slack_in(const Eigen::VectorXd& deviations,
     return m_knowledge.as_seen(std::move(slack));
 }
 
-/// The unstressed length with which an edge of a tension law carries a tension at its length.
+/// Unstressed length at which an edge with a tension law carries this tension at this length.
 double Perturbation::length_of_tension(int edge, double length, double tension,
                                        double own_stiffness, const Eigen::VectorXd& common) const {
     const CommonParameters& uncertain = m_statics.common();
@@ -309,7 +310,7 @@ double Perturbation::length_of_tension(int edge, double length, double tension,
     return length / (1.0 + strain) / (1.0 + uncertain.thermal_strain(edge, common));
 }
 
-/// What the draw tells besides the lengths.
+/// Model perturbation of a draw.
 ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
                                                    const Eigen::VectorXd& own_stiffness) const {
     ModelPerturbation result = as_told(m_net);
@@ -325,15 +326,15 @@ ModelPerturbation Perturbation::drawn_perturbation(const Iterate& drawn,
     return result;
 }
 
-/// How far a form in equilibrium and its tensions are from what the draw gave, in the standard
+/// Squared distance of a form in equilibrium and its tensions from those of the draw, in standard
 /// deviations of the observations.
 double Perturbation::squared_departure(const Iterate& drawn, const Points& form,
                                        const Eigen::VectorXd& tensions_in_balance) const {
     double sum = m_sites.squared_norm(form - drawn.form);
     if (!m_knowledge.forces.readings.empty()) {
         const Eigen::VectorXd by_draw = m_statics.tensions(drawn);
-        for (const ForceMeasurement& reading : m_knowledge.forces.readings) {
-            const int e = reading.edge;
+        for (const ForceMeasurement& force : m_knowledge.forces.readings) {
+            const int e = force.edge;
             sum += m_sites.tension_weights(e) * std::pow(tensions_in_balance(e) - by_draw(e), 2);
         }
     }
@@ -344,7 +345,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
                                                      Workspace& workspace) const {
     RandomNumbers random(m_seed, static_cast<std::uint32_t>(k));
     const Observations of_mean = with_drawn_mean(m_sites, random);
-    const Observations again = perturbed(m_net, of_mean, m_unknown_lengths, random);
+    const Observations again = perturbed(m_net, of_mean, m_blur_variances, random);
     auto fit = refit_all ? std::nullopt : followed(again);
     const bool refit = !fit;
     if (refit && can_be_fitted(m_net)) {
@@ -355,7 +356,7 @@ std::optional<Perturbation::Draw> Perturbation::draw(int k, bool refit_all,
     }
     Iterate& drawn = *fit;
     const Iterate by_fit = drawn;
-    const Eigen::VectorXd own_stiffness = tell_lengths(drawn, of_mean.mean, refit, random);
+    const Eigen::VectorXd own_stiffness = separate_lengths(drawn, of_mean.mean, refit, random);
     const Eigen::VectorXd lengths = with_length_deviations(m_net, drawn.deviations);
     if (!(lengths.minCoeff() > 0.0) || !drawn.form.allFinite()) {
         return std::nullopt;
@@ -399,13 +400,13 @@ void Perturbation::add_draws(std::vector<std::optional<Draw>>& draws, int count,
         if (progress.stopped()) {
             throw Interrupted();
         }
-        // A thread that waits within takes no other draw up: the workspace is this one's.
+        // Isolated, so that a waiting thread starts no other draw with the same workspace.
         tbb::this_task_arena::isolate([&] { draws[k] = draw(k, refit_all, workspaces.local()); });
     });
 }
 
-PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& draws,
-                                      bool refit_all) const {
+PerturbedDraws Perturbation::collected(const std::vector<std::optional<Draw>>& draws,
+                                       bool refit_all) const {
     std::vector<const Draw*> found;
     found.reserve(draws.size());
     for (const auto& one : draws) {
@@ -431,10 +432,10 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
         squares += found[k]->squared_departure;
     }
     const auto places = (m_sites.weights(Eigen::all, m_net.free_nodes()).array() > 0.0).count();
-    const auto readings = std::ranges::count_if(
+    const auto forces = std::ranges::count_if(
         m_knowledge.forces.readings,
         [this](const ForceMeasurement& one) { return m_sites.tension_weights(one.edge) > 0.0; });
-    const auto observed = static_cast<double>(places + readings);
+    const auto observed = static_cast<double>(places + forces);
     result.departure = std::sqrt(squares / std::max(1.0, observed * static_cast<double>(count)));
     return result;
 }
@@ -442,17 +443,17 @@ PerturbedDraws Perturbation::gathered(const std::vector<std::optional<Draw>>& dr
 PerturbedDraws Perturbation::run(int count, bool refit_all, const Progress& progress) const {
     std::vector<std::optional<Draw>> draws;
     add_draws(draws, std::min(count, pilot_draws), refit_all, progress);
-    PerturbedDraws pilot = gathered(draws, refit_all);
-    if (pilot.in_doubt() || count <= pilot_draws) {
+    PerturbedDraws pilot = collected(draws, refit_all);
+    if (pilot.is_unreliable() || count <= pilot_draws) {
         return pilot;
     }
     add_draws(draws, count, refit_all, progress);
-    return gathered(draws, refit_all);
+    return collected(draws, refit_all);
 }
 
 }  // namespace
 
-bool PerturbedDraws::in_doubt() const {
+bool PerturbedDraws::is_unreliable() const {
     const auto asked = static_cast<double>(count() + left_out);
     return left_out > std::max(1.0, most_left_out * asked) || !(departure <= largest_departure);
 }
@@ -463,8 +464,8 @@ PerturbedDraws draw_by_perturbation(const CableNet& net, const LinearisedStatics
                                     const Progress& progress) {
     const Perturbation perturbation(net, statics, sites, knowledge, fitted, seed);
     PerturbedDraws linear = perturbation.run(draws, false, progress);
-    return linear.in_doubt() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
-                                                   : linear;
+    return linear.is_unreliable() && can_be_fitted(net) ? perturbation.run(draws, true, progress)
+                                                        : linear;
 }
 
 }  // namespace taut

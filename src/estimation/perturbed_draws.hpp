@@ -20,32 +20,30 @@ struct PerturbedDraws {
     Eigen::MatrixXd deviations;  ///< m_I x draws [m]
     Eigen::MatrixXd forms;       ///< 3 n_I x draws [m]
     Eigen::MatrixXd tensions;    ///< m x draws, of all edges [N]
-    /// What differs from the net besides lengths, one a draw; none where nothing can.
+    /// Deviations from the net besides lengths, one a draw; empty where there can be none.
     std::vector<ModelPerturbation> perturbations;
     bool is_refitted = false;  ///< each by a fit of its own, not by the linearisation at the fit
-    /// Root mean square distance, over surveyed coordinates and draws, of the forms in equilibrium
-    /// from those that the draw gave, in standard deviations of the survey; readings of forces
-    /// alike.
+    /// Root mean square distance of the forms in equilibrium from those drawn, over surveyed
+    /// coordinates and draws, in standard deviations of the survey; force measurements likewise.
     double departure = 0.0;
     int left_out = 0;  ///< draws that found no fit or no equilibrium
 
-    /// Whether more than one, and more than 2 %, were left out, or forms lie farther than 0.3
-    /// standard deviations from what the draws gave: then they are not of this posterior.
-    [[nodiscard]] bool in_doubt() const;
+    /// Whether more than one draw, and more than 2 %, were left out, or forms lie farther than 0.3
+    /// standard deviations from those drawn: then they are not of this posterior.
+    [[nodiscard]] bool is_unreliable() const;
     [[nodiscard]] int count() const { return static_cast<int>(tensions.cols()); }
 };
 
-/// By perturbation, docs/theory.md (perturbed): the fit to observations with another noise and
-/// priors with another mean, both drawn, is a draw of the posterior (G. Papandreou & A. L. Yuille,
+/// Draws by perturbation, docs/theory.md (perturbed): the fit to observations with new noise and
+/// priors with new means, both drawn, is a draw of the posterior (G. Papandreou & A. L. Yuille,
 /// Gaussian sampling by local perturbations, NIPS 2010). Where the statics are nearly linear over
-/// the posterior that takes a few solutions with the factor of the fit. A draw for which these do
-/// not contract, and all where they are in doubt, are fitted by themselves, on nets that are not
-/// too large (randomise-then-optimise, J. M. Bardsley, A. Solonen, H. Haario & M. Laine, SIAM J.
-/// Sci. Comput. 36 (2014) A1895-A1910, with all draws of one weight), with edges that carry no
-/// pressure. Where a few are in doubt there are no more. Lengths of slack edges follow the prior
-/// beyond what the form shows of them; those of taut ones may lie a little beyond its bounds, as
-/// the normal distributions do that have its mean and variance: cut there, tensions would be too
-/// sure. The same for any number of threads.
+/// the posterior, a few solutions with the factor of the fit suffice. On nets that are not too
+/// large, draws for which these do not contract, and all where they are unreliable, are fitted by
+/// themselves with edges that carry no pressure (randomise-then-optimise, J. M. Bardsley, A.
+/// Solonen, H. Haario & M. Laine, SIAM J. Sci. Comput. 36 (2014) A1895-A1910, with equal weights).
+/// Lengths of slack edges follow the prior beyond the form. Those of taut ones may lie a little
+/// outside its bounds, like the normal distributions with its mean and variance: truncated there,
+/// tensions would be too certain. The result does not depend on the number of threads.
 /// @param statics linearised at the fit
 /// @param sites with the prior that the fit was made with
 /// @param fitted form and lengths of the fit

@@ -9,8 +9,8 @@
 namespace taut {
 namespace {
 
-/// Chance explains no more log likelihood than so much.
-constexpr double beyond_chance_gain = 8.0;
+/// Gain of log likelihood that chance does not explain; and from which on the prior is untenable.
+constexpr double significant_gain = 8.0;
 constexpr double untenable_gain = 20.0;
 
 constexpr int fewest_lengths = 8;
@@ -18,15 +18,15 @@ constexpr int fewest_lengths = 8;
 }  // namespace
 
 bool FoundScale::is_contradicted() const {
-    return ratio > 0.0 && std > 0.0 && std::abs(ratio - 1.0) > beyond_chance_std * std;
+    return ratio > 0.0 && std > 0.0 && std::abs(ratio - 1.0) > significant_std * std;
 }
 
 bool PriorCheck::has_mean() const {
-    return mean_std > 0.0 && std::abs(mean) > beyond_chance_std * mean_std;
+    return mean_std > 0.0 && std::abs(mean) > significant_std * mean_std;
 }
 
 bool PriorCheck::is_contradicted() const {
-    return gain > beyond_chance_gain || has_mean() || beyond > 0;
+    return gain > significant_gain || has_mean() || outliers > 0;
 }
 
 bool PriorCheck::is_untenable() const {
@@ -43,11 +43,11 @@ PriorCheck check_prior_by_lengths(const LengthPrior& prior, const PriorLikelihoo
     if (result.lengths < fewest_lengths) {
         return result;
     }
-    const double of_told = likelihood(prior);
+    const double of_checked = likelihood(prior);
     for (const LengthPrior::Kind kind :
          {LengthPrior::Kind::uniform, LengthPrior::Kind::normal, LengthPrior::Kind::bimodal}) {
         const LengthPrior found = likelihood.likeliest(kind);
-        if (const double gain = likelihood(found) - of_told; gain > result.gain) {
+        if (const double gain = likelihood(found) - of_checked; gain > result.gain) {
             result.gain = gain;
             result.likeliest = found;
         }

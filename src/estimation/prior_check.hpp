@@ -8,9 +8,9 @@
 
 namespace taut {
 
-/// Compares the prior that was told with the likeliest uniform, normal or bimodal one, by what a
-/// survey tells of each length without its prior, docs/theory.md (prior-check).
-/// @return all but the mean
+/// Compares the prior of the fit with the likeliest uniform, normal or bimodal one, given the
+/// estimates of the lengths without their prior, docs/theory.md (prior-check).
+/// @return all except the common mean
 [[nodiscard]] PriorCheck check_prior_by_lengths(const LengthPrior& prior,
                                                 const PriorLikelihood& likelihood);
 

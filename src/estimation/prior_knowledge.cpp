@@ -16,13 +16,13 @@ double PriorKnowledge::length_std() const {
 }
 
 std::vector<bool> PriorKnowledge::as_seen(std::vector<bool> slack,
-                                          const std::vector<bool>& rejected_readings) const {
+                                          const std::vector<bool>& rejected_forces) const {
     constexpr double surely_taut = 4.0;  // standard deviations
     for (size_t k = 0; k < forces.readings.size(); ++k) {
-        const ForceMeasurement& reading = forces.readings[k];
-        const bool is_rejected = !rejected_readings.empty() && rejected_readings[k];
-        if (!is_rejected && reading.tension > surely_taut * reading.std) {
-            slack[reading.edge] = false;
+        const ForceMeasurement& force = forces.readings[k];
+        const bool is_rejected = !rejected_forces.empty() && rejected_forces[k];
+        if (!is_rejected && force.tension > surely_taut * force.std) {
+            slack[force.edge] = false;
         }
     }
     for (const int edge : forces.taut) {
@@ -85,9 +85,9 @@ Observations observe(const CableNet& net, const Survey& survey, const Points& no
         }
     }
     result.set_evidence(knowledge.evidence);
-    for (const ForceMeasurement& reading : knowledge.forces.readings) {
-        result.tension(reading.edge) = reading.tension;
-        result.tension_weights(reading.edge) = 1.0 / (reading.std * reading.std);
+    for (const ForceMeasurement& force : knowledge.forces.readings) {
+        result.tension(force.edge) = force.tension;
+        result.tension_weights(force.edge) = 1.0 / (force.std * force.std);
     }
     return result;
 }

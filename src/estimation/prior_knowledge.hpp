@@ -15,41 +15,41 @@
 
 namespace taut {
 
-/// What is told besides net and survey.
+/// All that a fit is given besides net and survey.
 struct PriorKnowledge {
     std::vector<LengthPrior> priors;  ///< of each interior edge's length deviation (m_I)
     std::vector<UncertainParameter> uncertain;
     Forces forces;
     bool frame_is_unknown = false;                   ///< of the survey
-    BoundaryReleases released;                       ///< what was found not to be as told
-    std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: there is none
+    BoundaryReleases released;                       ///< outliers of the boundary
+    std::shared_ptr<const LengthEvidence> evidence;  ///< of other surveys; null: none
 
-    /// One prior for all, and nothing else.
+    /// One prior for all lengths, and nothing else.
     PriorKnowledge(const CableNet& net, const LengthPrior& prior)
         : priors(net.interior_edge_count(), prior) {}
 
     [[nodiscard]] Lengths coupling() const {
         return evidence ? Lengths::coupled : Lengths::independent;
     }
-    /// Root mean square standard deviation of the priors [m].
+    /// Root mean square of the priors' standard deviations [m].
     [[nodiscard]] double length_std() const;
-    /// Corrects which edges (m) are taken to be slack by what was seen; and by what was read, where
-    /// that is more than four standard deviations above nothing.
-    /// @param rejected_readings by reading; empty: none
+    /// Corrects which edges (m) are assumed slack: by the marks, and by force measurements more
+    /// than four standard deviations above zero.
+    /// @param rejected_forces by force measurement; empty: none
     [[nodiscard]] std::vector<bool> as_seen(std::vector<bool> slack,
-                                            const std::vector<bool>& rejected_readings = {}) const;
+                                            const std::vector<bool>& rejected_forces = {}) const;
 };
 
-/// Of the net's own interior edges (m_I), where those of the fit may be more.
+/// The priors of the net's own interior edges (m_I); the fit may have more interior edges.
 [[nodiscard]] std::vector<LengthPrior> interior_priors(const CableNet& net,
                                                        const PriorKnowledge& knowledge);
 
-/// A survey with its supports as targets like others.
+/// A survey with its supports as targets like the others.
 [[nodiscard]] Survey with_supports(const CableNet& net, const Survey& survey);
 
-/// A survey without the targets that are rejected (one flag a node), and all that is known besides,
-/// docs/theory.md (prior), (unknown), (reading).
-/// @param common_parameters how many there are
+/// A survey without rejected targets (one flag a node), with all prior knowledge, docs/theory.md
+/// (prior), (uncertain-parameters), (force-measurement).
+/// @param common_parameters their number
 [[nodiscard]] Observations observe(const CableNet& net, const Survey& survey, const Points& noise,
                                    const std::vector<bool>& rejected,
                                    const PriorKnowledge& knowledge, int common_parameters);

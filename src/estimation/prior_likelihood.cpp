@@ -6,16 +6,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "estimation/length_likelihoods.hpp"
+
 namespace taut {
 namespace {
 
-/// What is told so weakly says nothing of the prior.
-constexpr double weakest_telling = 2.0;    // standard deviations of the prior
-constexpr double surely_taut_prior = 4.0;  // standard deviations
+/// A length with a larger standard deviation shows nothing of the prior.
+constexpr double widest_used = 2.0;  // standard deviations of the prior
 
-/// Of all priors, so that one mis-cut edge does not speak for another prior.
+/// Part of each prior that is spread widely, so that one mis-cut edge does not favour another
+/// prior.
 constexpr double outlier_part = 0.005;
-constexpr double outlier_width = 6.0;  // standard deviations of the prior told
+constexpr double outlier_width = 6.0;  // standard deviations of the prior checked
 
 double normal_density(double x, double std) {
     return std::exp(-0.5 * x * x / (std * std)) / (std * std::sqrt(2.0 * std::numbers::pi));
@@ -25,11 +27,11 @@ double normal_distribution(double x) {
     return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-/// Of a length known with an error: the prior's density spread by that.
+/// The density of an estimate with this standard deviation: the prior's, spread by its error.
 double density_of(const LengthPrior& prior, double mean, double std) {
     switch (prior.kind) {
         case LengthPrior::Kind::uniform: {
-            // By the tail that is not 1 less something small.
+            // By the small tails, to avoid cancellation.
             const double near = (prior.scale - std::abs(mean)) / std;
             const double far = (-prior.scale - std::abs(mean)) / std;
             return (normal_distribution(near) - normal_distribution(far)) / (2.0 * prior.scale);
@@ -49,13 +51,14 @@ double density_of(const LengthPrior& prior, double mean, double std) {
 }  // namespace
 
 PriorLikelihood::PriorLikelihood(const LengthPrior& prior,
-                                 const std::vector<LengthLikelihood>& told,
+                                 const std::vector<LengthLikelihood>& likelihoods,
                                  const std::vector<bool>& left_out)
     : m_prior_std(prior.std()) {
-    for (size_t i = 0; i < told.size(); ++i) {
-        if (!left_out[i] && told[i].std < weakest_telling * m_prior_std &&
-            told[i].extension > surely_taut_prior) {
-            m_lengths.emplace_back(told[i].mean, told[i].std);
+    for (size_t i = 0; i < likelihoods.size(); ++i) {
+        const LengthLikelihood& one = likelihoods[i];
+        if (!left_out[i] && one.std < widest_used * m_prior_std &&
+            one.extension > surely_taut_extension) {
+            m_lengths.emplace_back(one.mean, one.std);
         }
     }
 }

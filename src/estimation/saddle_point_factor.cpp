@@ -28,9 +28,9 @@ SaddlePointFactor::SaddlePointFactor(const LocalNet& net, const std::vector<bool
     node_stiffness.assign(net.free_count, Eigen::Matrix3d::Zero());
     edge_stiffness.assign(net.edges.size(), Eigen::Matrix3d::Zero());
     length_rates.setZero(3, edge_count);
-    reading_weights.setZero(edge_count);
-    reading_place_rates.setZero(3, edge_count);
-    reading_length_rates.setZero(edge_count);
+    force_weights.setZero(edge_count);
+    force_place_rates.setZero(3, edge_count);
+    force_length_rates.setZero(edge_count);
     if (lengths == Lengths::coupled) {
         length_couplings.setZero(edge_count, edge_count);
         for (int e = 0; e < edge_count; ++e) {
@@ -52,17 +52,17 @@ double SaddlePointFactor::precision() const {
         }
     }
     for (int node = 0; node < m_lengths_last.node_count(); ++node) {
-        double told = place_weights.col(node).maxCoeff() / least_known;
-        if (told > 0.0 && m_lengths_last.is_free(node)) {
+        double observed = place_weights.col(node).maxCoeff() / least_known;
+        if (observed > 0.0 && m_lengths_last.is_free(node)) {
             const Eigen::Vector3d stiffness =
                 Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
                     .computeDirect(node_stiffness[node], Eigen::EigenvaluesOnly)
                     .eigenvalues();
             const double condition =
                 stiffness.cwiseAbs().maxCoeff() / stiffness.cwiseAbs().minCoeff();
-            told *= condition * condition;
+            observed *= condition * condition;
         }
-        precision = !(told <= precision) ? told : precision;
+        precision = !(observed <= precision) ? observed : precision;
     }
     return precision;
 }
@@ -80,8 +80,8 @@ void SaddlePointFactor::assemble(int node, const Places& places, FrontMatrix& fr
     }
     for (const int e : layout().edges_of_node[node]) {
         assemble_edge(e, node, places, front);
-        if (reading_weights(e) > 0.0) {
-            assemble_reading(e, node, places, front);
+        if (force_weights(e) > 0.0) {
+            assemble_force(e, node, places, front);
         }
         if (layout().goes_first(e)) {
             assemble_condensed(e, node, places, front);
@@ -89,7 +89,7 @@ void SaddlePointFactor::assemble(int node, const Places& places, FrontMatrix& fr
     }
 }
 
-/// What H and B have of an edge in a node's block.
+/// The entries of H and B of an edge in a node's block.
 void SaddlePointFactor::assemble_edge(int edge, int node, const Places& places,
                                       FrontMatrix& front) const {
     const int own = places.of(layout().place[node]);
@@ -121,12 +121,12 @@ void SaddlePointFactor::assemble_length(int edge, const Places& places, FrontMat
 }
 
 /// The entries of w a a' in a node's block.
-void SaddlePointFactor::assemble_reading(int edge, int node, const Places& places,
-                                         FrontMatrix& front) const {
+void SaddlePointFactor::assemble_force(int edge, int node, const Places& places,
+                                       FrontMatrix& front) const {
     const int own = places.of(layout().place[node]);
     const int other = layout().other_end(edge, node);
-    const double w = reading_weights(edge);
-    const Eigen::Vector3d a = reading_place_rates.col(edge);
+    const double w = force_weights(edge);
+    const Eigen::Vector3d a = force_place_rates.col(edge);
     const Eigen::Matrix3d product = w * a * a.transpose();
     front.block<3, 3>(own, own).triangularView<Eigen::Lower>() += product;
     if (layout().is_before(node, other)) {
@@ -134,7 +134,7 @@ void SaddlePointFactor::assemble_reading(int edge, int node, const Places& place
     }
     if (layout().has_length(edge)) {
         front.block<1, 3>(places.of(layout().length[edge]), own) +=
-            sign_at(layout(), edge, node) * w * reading_length_rates(edge) * a.transpose();
+            sign_at(layout(), edge, node) * w * force_length_rates(edge) * a.transpose();
     }
 }
 
@@ -165,15 +165,14 @@ void SaddlePointFactor::assemble_condensed(int edge, int node, const Places& pla
 /// p.
 double SaddlePointFactor::length_pivot(int edge) const {
     return length_weights(edge) +
-           reading_weights(edge) * reading_length_rates(edge) * reading_length_rates(edge);
+           force_weights(edge) * force_length_rates(edge) * force_length_rates(edge);
 }
 
 /// g, and p.
 SaddlePointFactor::EdgeFunction SaddlePointFactor::length_row(int edge) const {
-    return {
-        .place = reading_weights(edge) * reading_length_rates(edge) * reading_place_rates.col(edge),
-        .multiplier = length_rates.col(edge),
-        .length = length_pivot(edge)};
+    return {.place = force_weights(edge) * force_length_rates(edge) * force_place_rates.col(edge),
+            .multiplier = length_rates.col(edge),
+            .length = length_pivot(edge)};
 }
 
 bool SaddlePointFactor::factorize() {
@@ -240,14 +239,14 @@ SaddlePointFactor::Vector SaddlePointFactor::scatter(const Eigen::VectorXd& unce
             const EdgeFunction row = length_row(e);
             double left = right_side.lengths(e);
             for (const int node : layout().edges[e]) {
-                double told = 0.0;
+                double taken = 0.0;
                 if (layout().has_block(node)) {
-                    told += row.place.dot(vector.places.col(node));
+                    taken += row.place.dot(vector.places.col(node));
                 }
                 if (layout().is_free(node)) {
-                    told += row.multiplier.dot(vector.multipliers.col(node));
+                    taken += row.multiplier.dot(vector.multipliers.col(node));
                 }
-                left -= sign_at(layout(), e, node) * told;
+                left -= sign_at(layout(), e, node) * taken;
             }
             vector.lengths(e) = left / row.length;
         }
@@ -259,8 +258,9 @@ SaddlePointFactor::Vector SaddlePointFactor::solve(const Vector& right_side) con
     return scatter(m_factor->solve(gather(right_side)), right_side);
 }
 
-/// Of a function f of the uncertain at an edge, in the front of its earlier end: f Z f'. Where the
-/// length went first it is (f_x - f_d g / p) Z (f_x - f_d g / p)' + f_d^2 / p, (condensed).
+/// The variance f Z f' of a function f of the unknowns at an edge, in the front of its earlier end.
+/// Where the length went first it is (f_x - f_d g / p) Z (f_x - f_d g / p)' + f_d^2 / p,
+/// (condensed).
 double SaddlePointFactor::variance(int edge, const EdgeFunction& function, const Places& places,
                                    const FrontMatrix& inverse) const {
     EdgeFunction f = function;
@@ -320,8 +320,8 @@ void SaddlePointFactor::read_covariance(int node, const Places& places, const Fr
             result.extensions(e) =
                 variance(e, {.place = extension_rate(e), .length = -1.0}, places, inverse);
         }
-        result.readings(e) =
-            variance(e, {.place = reading_place_rates.col(e), .length = reading_length_rates(e)},
+        result.forces(e) =
+            variance(e, {.place = force_place_rates.col(e), .length = force_length_rates(e)},
                      places, inverse);
     }
 }
@@ -332,7 +332,7 @@ SaddlePointFactor::Covariance SaddlePointFactor::covariance() const {
                       .multipliers = std::vector<Eigen::Matrix3d>(layout().free_count),
                       .lengths = zero,
                       .extensions = zero,
-                      .readings = zero};
+                      .forces = zero};
     m_factor->selected_inverse([&](int block, const Places& places, const FrontMatrix& inverse) {
         if (const int node = layout().node_of_block[block]; node >= 0) {
             read_covariance(node, places, inverse, result);

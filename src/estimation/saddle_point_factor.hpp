@@ -20,23 +20,22 @@ namespace taut {
 ///   [    P B'] d        P: weights of lengths, one an unknown length, positive
 ///   [ H  B -V] lambda   H, B: sums over edges, as below; V: variances of loads, 0 or more
 ///
-/// Readings of forces, a' (r, d) with a weight w, add w a a' to S and P, over the two places and
-/// the length of their edge. Where supports are unknown, r holds their places, too.
+/// Force measurements, a' (r, d) with a weight w, add w a a' to S and P, over the two places and
+/// the length of their edge. Where supports are uncertain, r includes their places.
 ///
 /// It is eliminated node by node, along each branch of the elimination tree in the order of the
 /// local net: place and multipliers of a node, then the lengths of the edges to earlier nodes;
-/// supports first. Any such order can be eliminated, as S and P are semidefinite and definite and
-/// so is H. And it keeps the digits where a survey is far more precise than what was known of the
-/// lengths: by the time that a length is eliminated both its ends have told of it.
+/// supports first. Any such order works, since S and P are semidefinite and definite, and so is H.
+/// It keeps the digits where a survey is far more precise than the prior of the lengths: both ends
+/// of a length are eliminated before it.
 ///
-/// Where the survey is not so precise, the lengths are eliminated before all else, edge by edge: an
-/// edge with p = P + w a_d^2 and its row g at the places and multipliers of its ends leaves
-/// -g' g / p there, and the matrix has 6 uncertain a node instead of some 8, docs/theory.md
-/// (condensed).
+/// Where the survey is less precise, the lengths are eliminated first, edge by edge: an edge with p
+/// = P + w a_d^2 and its row g at the places and multipliers of its ends leaves -g' g / p there,
+/// and the matrix has 6 unknowns a node instead of some 8, docs/theory.md (condensed).
 ///
-/// Why it has a factor of taut's (numerics/supernodal_factor.hpp): for the entries of the inverse,
-/// which Eigen does not give. By `bench_factorisation --benchmark_filter='saddle|covariance'`,
-/// times its time (one core):
+/// Why taut has a factor of its own (numerics/supernodal_factor.hpp): for the entries of the
+/// inverse, which Eigen does not give. Times relative to it, by `bench_factorisation
+/// --benchmark_filter='saddle|covariance'` (one core):
 ///
 ///                                        built-in net   hypar:30x30   100x100
 ///   factor and one solution
@@ -47,20 +46,21 @@ namespace taut {
 ///     MUMPS 5.5, ICNTL(30)                     23            17          16
 class SaddlePointFactor {
 public:
-    /// @param unknown one flag an edge of the net: whether its length is unknown
+    /// @param unknown one flag an edge of the net: whether its length is an unknown
     SaddlePointFactor(const LocalNet& net, const std::vector<bool>& unknown,
                       Supports supports = Supports::fixed, Lengths lengths = Lengths::independent);
 
-    /// How precise a survey is beside what was known of the lengths: the weight of a place over
-    /// that of a length, times the square of the condition number of its node's stiffness, where
-    /// that is most; and the weight of a reading likewise. Infinite where a node has no stiffness.
+    /// Precision of a survey relative to the prior of the lengths: the weight of a place over that
+    /// of a length, times the square of the condition number of its node's stiffness, the largest
+    /// of all nodes; and the weight of a force measurement likewise. Infinite where a node has no
+    /// stiffness.
     [[nodiscard]] double precision() const;
-    /// Lengths go first up to there: then five digits are left of the covariances of a net of 300 x
-    /// 300 nodes, and more of smaller ones, docs/theory.md (condensed).
+    /// Lengths go first up to this precision: five digits of the covariances of a net of 300 x 300
+    /// nodes are then left, and more of smaller nets, docs/theory.md (condensed).
     static constexpr double most_precise = 1e5;
 
     // The matrix, to be filled before factorize(). Nodes: the free ones, in the order of the local
-    // net, then the supports where these are unknown.
+    // net, then the supports where these are uncertain.
     /// S, a block a node: its diagonal (3 x nodes), of a support positive definite; and its entries
     /// xy, xz, yz (3 x nodes).
     Eigen::Matrix3Xd place_weights;
@@ -74,11 +74,11 @@ public:
     std::vector<Eigen::Matrix3d> edge_stiffness;
     /// One an edge: the block of B of its first node, and -1 times that of its second (3 x edges).
     Eigen::Matrix3Xd length_rates;
-    Eigen::VectorXd reading_weights;  ///< w, one an edge; 0: no reading
+    Eigen::VectorXd force_weights;  ///< w, one an edge; 0: not measured
     /// One an edge: the entries of a at its first node, and -1 times those at its second (3 x
     /// edges); and the entry at its length.
-    Eigen::Matrix3Xd reading_place_rates;
-    Eigen::VectorXd reading_length_rates;
+    Eigen::Matrix3Xd force_place_rates;
+    Eigen::VectorXd force_length_rates;
 
     /// @return false where a pivot is singular
     [[nodiscard]] bool factorize();
@@ -98,11 +98,11 @@ public:
         /// Variances of the distance of the two nodes, along -B, less the length deviation: one an
         /// edge; 0 for known lengths.
         Eigen::VectorXd extensions;
-        Eigen::VectorXd readings;  ///< variances a' Z a, one an edge
+        Eigen::VectorXd forces;  ///< variances a' Z a, one an edge
     };
     /// Entries of the inverse, after factorize(), docs/theory.md (covariance): S and P being
     /// inverse covariances, the covariances under H r + B d = c. With Z the inverse over the
-    /// uncertain of an edge (s, t) and u the direction of its block of B, the variance of its
+    /// unknowns of an edge (s, t) and u the direction of its block of B, the variance of its
     /// extension is
     ///
     ///   w' Z w,   w = (-u at place s, u at place t, -1 at the length)
@@ -115,8 +115,8 @@ public:
 
 private:
     using Places = SupernodalFactor::Places;
-    /// A linear function of the uncertain at an edge: at its first node, with the opposite sign at
-    /// its second, and at its length.
+    /// A linear function of the unknowns at an edge: its entries at the first node, with the
+    /// opposite sign at the second, and at the length.
     struct EdgeFunction {
         Eigen::Vector3d place = Eigen::Vector3d::Zero();
         Eigen::Vector3d multiplier = Eigen::Vector3d::Zero();
@@ -129,7 +129,7 @@ private:
     void assemble(int node, const Places& places, FrontMatrix& front) const;
     void assemble_edge(int edge, int node, const Places& places, FrontMatrix& front) const;
     void assemble_length(int edge, const Places& places, FrontMatrix& front) const;
-    void assemble_reading(int edge, int node, const Places& places, FrontMatrix& front) const;
+    void assemble_force(int edge, int node, const Places& places, FrontMatrix& front) const;
     void assemble_condensed(int edge, int node, const Places& places, FrontMatrix& front) const;
     [[nodiscard]] double length_pivot(int edge) const;
     [[nodiscard]] EdgeFunction length_row(int edge) const;

@@ -12,7 +12,7 @@ SaddlePointLayout::SaddlePointLayout(const LocalNet& net, const std::vector<bool
     : lengths(with_lengths),
       lengths_go(go),
       free_count(net.free_count),
-      support_blocks(supports == Supports::unknown ? static_cast<int>(net.supports.cols()) : 0),
+      support_blocks(supports == Supports::uncertain ? static_cast<int>(net.supports.cols()) : 0),
       edges(net.edges),
       unknown(unknown_lengths),
       edges_of_node(node_count()),

@@ -8,8 +8,8 @@
 
 namespace taut {
 
-/// Whether the places of the supports are given, or unknown like those of the free nodes.
-enum class Supports { fixed, unknown };
+/// Whether the places of the supports are known, or unknowns like those of the free nodes.
+enum class Supports { fixed, uncertain };
 
 /// Whether the weights of the lengths are one an edge, or a full matrix.
 enum class Lengths { independent, coupled };
@@ -18,12 +18,12 @@ enum class Lengths { independent, coupled };
 /// part in the matrix, to which its edge adds what eliminating it leaves.
 enum class LengthsGo { last, first };
 
-/// How the uncertain of the saddle-point matrix of a net are numbered: first a block a support, of
-/// its place, where these are unknown; then a block a free node, in the order of the local net, of
-/// its place and its multipliers; and behind it, where lengths go last, a block a length of its
-/// edges to earlier nodes and to supports.
+/// How the unknowns of the saddle-point matrix of a net are numbered: first one block a support, of
+/// its place, where supports are uncertain; then one block a free node, in the order of the local
+/// net, of its place and its multipliers; and after it, where lengths go last, one block a length
+/// of its edges to earlier nodes and to supports.
 struct SaddlePointLayout {
-    /// @param unknown one flag an edge of the net: whether its length is unknown
+    /// @param unknown one flag an edge of the net: whether its length is an unknown
     SaddlePointLayout(const LocalNet& net, const std::vector<bool>& unknown,
                       Supports supports = Supports::fixed, Lengths lengths = Lengths::independent,
                       LengthsGo lengths_go = LengthsGo::last);
@@ -38,10 +38,10 @@ struct SaddlePointLayout {
     std::vector<int> sizes;                       ///< of the blocks
     std::vector<int> node_of_block;               ///< -1 where it is a length
     std::vector<int> edge_of_block;               ///< -1 where it is a node
-    std::vector<int> place;   ///< of each node with a block: the first of three uncertain
+    std::vector<int> place;   ///< of each node with a block: the first of three unknowns
     std::vector<int> length;  ///< of each edge; -1 where it is no unknown of the matrix
 
-    /// Free nodes, and supports where these are unknown: those that have a block.
+    /// Free nodes, and supports where these are uncertain: those that have a block.
     [[nodiscard]] int node_count() const { return free_count + support_blocks; }
     [[nodiscard]] bool is_free(int node) const { return node < free_count; }
     [[nodiscard]] bool has_block(int node) const { return node < node_count(); }

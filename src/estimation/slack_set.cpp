@@ -12,10 +12,10 @@
 namespace taut {
 namespace {
 
-/// What is more standard deviations away than this is not expected.
+/// Deviations of more standard deviations than this are not expected.
 constexpr double reach = 3.0;
 
-/// The length [m] that each edge has at least while it is taut (m).
+/// Least length of each edge while it is taut (m) [m].
 Eigen::VectorXd shortest_taut(const CableNet& net, const std::vector<LengthPrior>& priors) {
     Eigen::VectorXd result = net.unstressed_lengths();
     for (int i = 0; i < net.interior_edge_count(); ++i) {
@@ -24,8 +24,8 @@ Eigen::VectorXd shortest_taut(const CableNet& net, const std::vector<LengthPrior
     return result;
 }
 
-/// Standard deviation [m] of the measured length of an edge; infinite where an end was not
-/// measured.
+/// Standard deviation of the measured length of an edge; infinite where an end was not measured
+/// [m].
 double measured_std(const CableNet& net, const Observations& observations, int edge) {
     const auto [s, t] = net.edges()[edge];
     const Eigen::Vector3d u = (observations.form.col(s) - observations.form.col(t)).normalized();

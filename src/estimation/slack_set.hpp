@@ -9,9 +9,9 @@
 
 namespace taut {
 
-/// Edges (m) that their lengths show to be slack, whatever the survey tells of their unstressed
-/// ones: adjustable ones, of known length, that are shorter than it; and interior ones that would
-/// be taut only at a deviation beyond three standard deviations of its prior (beyond the bound of a
+/// Edges (m) that are slack by their lengths, whatever the survey shows of their unstressed
+/// lengths: adjustable ones shorter than their known unstressed length, and interior ones that
+/// would be taut only at a deviation of more than three standard deviations of the prior (outside a
 /// uniform one). docs/theory.md, (slack-form)
 /// @param lengths of all edges, at the reference temperature (m) [m]
 /// @param priors one an interior edge (m_I)
@@ -19,15 +19,15 @@ namespace taut {
                                                  const Eigen::VectorXd& lengths,
                                                  const std::vector<LengthPrior>& priors);
 
-/// Edges (m) that were measured shorter than they can be while taut (see above), by more than three
-/// standard deviations of that measurement. docs/theory.md, (slack-survey)
+/// Edges (m) measured shorter than they can be while taut, by more than three standard deviations
+/// of the measurement. docs/theory.md, (slack-survey)
 /// @param thermal_stds standard deviation of each edge's thermal strain (m); empty: known
 [[nodiscard]] std::vector<bool> slack_by_survey(const CableNet& net,
                                                 const Observations& observations,
                                                 const std::vector<LengthPrior>& priors,
                                                 const Eigen::VectorXd& thermal_stds = {});
 
-/// Of edges named slack (m), those of which both ends were measured.
+/// The slack edges (m) of which both ends were measured.
 [[nodiscard]] std::vector<bool> where_measured(const CableNet& net,
                                                const Observations& observations,
                                                std::vector<bool> slack);

@@ -19,11 +19,11 @@
 namespace taut {
 namespace {
 
-/// A step that moves nothing by more than this part of the smallest standard deviation of the
-/// survey changes nothing that the survey could show.
+/// The survey cannot show a step that moves nothing by more than this part of its smallest standard
+/// deviation.
 constexpr double tolerance_in_noise = 1e-3;
 
-/// Few rounds do: which edges the form shows as slack changes little with the fit.
+/// A few rounds suffice: the edges that the form shows as slack change little with the fit.
 constexpr int most_slack_sets = 12;
 constexpr int most_revisions = 100;
 constexpr int most_blurs = 8;
@@ -33,7 +33,7 @@ constexpr int most_blurs = 8;
 constexpr double largest_misfit_at_first = 0.3;
 constexpr double continuation_factor = 0.3;
 
-/// (rounded-prior): widths of the corner, in the smallest standard deviation of the survey at last,
+/// (rounded-law): widths of the corner, in the smallest standard deviation of the survey at last,
 /// and from one to the next; (decrement) at last and on the way there.
 constexpr double corner_in_noise = 0.3;
 constexpr double corner_factor = 0.3;
@@ -41,7 +41,7 @@ constexpr double small_decrement = 0.01;
 constexpr double decrement_on_the_way = 0.3;
 constexpr int most_descents = 60;
 
-/// @return the settings, once all is checked that a fit is made of
+/// @return the settings, after all input of a fit was checked
 SurveyFitSettings checked(const CableNet& net, const Survey& survey,
                           const PriorKnowledge& knowledge, const SurveyFitSettings& settings) {
     check_survey(net, survey);
@@ -60,14 +60,14 @@ SurveyFitSettings checked(const CableNet& net, const Survey& survey,
     return settings;
 }
 
-/// A wide prior is no prior, and lets lengths explain everything.
-bool tests_what_was_told(const Survey& survey, const SurveyFitSettings& settings) {
+/// A widened prior lets lengths explain everything: it cannot be tested.
+bool tests_priors(const Survey& survey, const SurveyFitSettings& settings) {
     return survey.is_noisy() && settings.prior_width == 1.0;
 }
 
-/// One false alarm in all tests together, as seldom as among the targets.
-double alarm_rate_of_what_was_told(const Survey& survey, const SurveyFitSettings& settings) {
-    return tests_what_was_told(survey, settings) ? settings.false_alarm_rate : 0.0;
+/// The false alarm rate of all tests of the priors together: that of the targets.
+double prior_alarm_rate(const Survey& survey, const SurveyFitSettings& settings) {
+    return tests_priors(survey, settings) ? settings.false_alarm_rate : 0.0;
 }
 
 }  // namespace
@@ -83,8 +83,8 @@ SurveyFit::SurveyFit(const CableNet& net, const Survey& survey, const PriorKnowl
       m_tolerance(tolerance_in_noise * m_noise(Eigen::all, survey.surveyed).minCoeff()),
       m_statics(net, knowledge.uncertain, knowledge.frame_is_unknown, {}, knowledge.coupling()),
       m_snooping(net, m_survey, m_noise, m_knowledge.forces.readings, settings.false_alarm_rate),
-      m_length_snooping(net, knowledge.priors, alarm_rate_of_what_was_told(survey, settings)),
-      m_boundary_snooping(net, knowledge.uncertain, alarm_rate_of_what_was_told(survey, settings)) {
+      m_length_snooping(net, knowledge.priors, prior_alarm_rate(survey, settings)),
+      m_boundary_snooping(net, knowledge.uncertain, prior_alarm_rate(survey, settings)) {
     m_statics.set_blur(blur_by(net, m_length_std, knowledge.uncertain));
 }
 
@@ -93,50 +93,49 @@ Iterate SurveyFit::nominal() const {
 }
 
 std::vector<bool> SurveyFit::as_seen(std::vector<bool> slack) const {
-    return m_knowledge.as_seen(std::move(slack), m_snooping.rejected_readings());
+    return m_knowledge.as_seen(std::move(slack), m_snooping.rejected_forces());
 }
 
-/// Edges (m) that a form shows to be slack, and no one saw taut.
+/// Edges (m) that a form shows to be slack, corrected by what was seen.
 std::vector<bool> SurveyFit::shown_slack(const Iterate& iterate) const {
     const Eigen::VectorXd lengths =
         m_statics.common().cold(edge_lengths(m_net, iterate.form), iterate.common);
     return as_seen(slack_by_lengths(m_net, lengths, m_knowledge.priors));
 }
 
-/// Edges (m) that were measured so.
+/// Edges (m) that were measured to be slack, corrected by what was seen.
 std::vector<bool> SurveyFit::measured_slack(double inflation) const {
     return as_seen(slack_by_survey(m_net, observations(inflation), m_knowledge.priors,
                                    m_statics.common().thermal_stds()));
 }
 
 GaussNewtonResult SurveyFit::run() {
-    GaussNewtonResult fitted = fit_and_snoop(nominal(), 1.0);
-    if (!is_settled(fitted)) {
-        fitted = by_rounded_laws();
+    Mode last;
+    GaussNewtonResult fitted = fit_and_snoop(nominal(), last);
+    if (!is_sound(fitted)) {
+        fitted = by_rounded_tension_laws();
     } else {
-        if (m_boundary_snooping.is_active()) {
-            doubt_boundary(fitted);
+        if (m_boundary_snooping.is_active() && try_boundary(fitted)) {
+            last.boundary = BoundaryTest::at_once;
         }
-        if (m_length_snooping.is_active() && !nodes_in_doubt().empty()) {
-            doubt_clamps(fitted);
+        if (m_length_snooping.is_active() && !suspect_nodes().empty()) {
+            try_clamps(fitted);
         }
     }
     if (!fitted.converged) {
         m_statics.set_slack(as_seen(std::vector<bool>(m_net.edge_count(), false)));
         if (!m_statics.linearise(fitted.iterate, observations())) {
             throw NumericalError(
-                "the statics of the net are singular at the surveyed form: are net and prior "
-                "right?");
+                "the statics of the net are singular at the surveyed form. Check the net and the "
+                "prior");
         }
         m_statics.invert();
     }
-    evaluate(fitted, 1.0);
+    evaluate(fitted, last);
     m_cost = cost_of(fitted);
     m_contradicts_too_many = m_snooping.is_active() && m_snooping.contradicts_too_many();
     if (m_contradicts_too_many) {
         m_cost = std::numeric_limits<double>::infinity();
-    }
-    if (m_contradicts_too_many) {
         m_snooping.reject_suspicious();
     }
     return fitted;
@@ -149,8 +148,8 @@ double SurveyFit::cost_of(const GaussNewtonResult& fitted) const {
                             : std::numeric_limits<double>::infinity();
 }
 
-/// Above 0 at the nodes (n) of what was found to be wrong.
-Eigen::VectorXd SurveyFit::blamed() const {
+/// Above 0 at the nodes (n) of rejected targets and released edges.
+Eigen::VectorXd SurveyFit::suspects() const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(m_net.node_count());
     for (int node = 0; node < m_net.node_count(); ++node) {
         result(node) = m_snooping.rejected()[node] ? 1.0 : 0.0;
@@ -164,37 +163,34 @@ Eigen::VectorXd SurveyFit::blamed() const {
     return result;
 }
 
-/// (boundary): where it may explain what is wrong, fits again with it in doubt, too: with all that
-/// stands out released at once, and with one thing after the other. Takes what costs least.
-void SurveyFit::doubt_boundary(GaussNewtonResult& fitted) {
-    m_boundary_test = BoundaryTest::at_once;
-    evaluate(fitted, 1.0);
-    m_boundary_test = BoundaryTest::none;
-    if (!m_boundary_snooping.is_suspicious(blamed())) {
-        return;
+/// (boundary): where the boundary may explain what was found, fits again with its outliers
+/// released, first all at once, then one after another. Takes the fit of the lowest cost.
+/// @return whether it was tried
+bool SurveyFit::try_boundary(GaussNewtonResult& fitted) {
+    evaluate(fitted, {.boundary = BoundaryTest::at_once});
+    if (!m_boundary_snooping.is_suspicious(suspects())) {
+        return false;
     }
     const Iterate start = fitted.iterate;
     const std::vector<bool> slack = m_statics.slack();
     Explanation best = explanation_of(fitted);
     for (const BoundaryTest test : {BoundaryTest::at_once, BoundaryTest::one_by_one}) {
-        m_boundary_test = test;
         readmit_all();
-        Explanation other = explanation_of(fit_and_snoop(start, slack, 1.0));
+        Explanation other = explanation_of(fit_and_snoop(start, slack, {.boundary = test}));
         if (other.cost < best.cost) {
             best = std::move(other);
         }
-        m_boundary_test = BoundaryTest::none;
     }
     fitted = fit_as(best);
-    if (!is_settled(fitted)) {  // as before
+    if (!is_sound(fitted)) {  // as before
         readmit_all();
-        fitted = fit_and_snoop(nominal(), 1.0);
+        fitted = fit_and_snoop(nominal(), {});
     }
-    m_boundary_test = BoundaryTest::at_once;  // so that evaluate() tells of what was released
+    return true;
 }
 
 SurveyFit::Explanation SurveyFit::explanation_of(const GaussNewtonResult& fitted) const {
-    const bool is_one = is_settled(fitted) && !m_boundary_snooping.releases_too_many();
+    const bool is_one = is_sound(fitted) && !m_boundary_snooping.releases_too_many();
     return {.cost = is_one ? cost_of(fitted) : std::numeric_limits<double>::infinity(),
             .rejected = m_snooping.all_rejected(),
             .lengths = m_length_snooping.suspects(),
@@ -215,12 +211,11 @@ void SurveyFit::take_over(const Explanation& explanation) {
 /// Fits again, with what an explanation leaves out and releases.
 GaussNewtonResult SurveyFit::fit_as(const Explanation& explanation) {
     take_over(explanation);
-    return fit(with_released(explanation.iterate), explanation.slack, 1.0);
+    return fit(with_released(explanation.iterate), explanation.slack, {});
 }
 
-/// (slip): nodes at which a target was left out, or edges were released; those of the largest
-/// statistics.
-std::vector<int> SurveyFit::nodes_in_doubt() const {
+/// (slip): the nodes of rejected targets and released edges, those of the largest statistics first.
+std::vector<int> SurveyFit::suspect_nodes() const {
     constexpr size_t most = 8;
     std::vector<std::pair<double, int>> nodes;
     for (const Outlier& outlier : m_snooping.outliers()) {
@@ -245,17 +240,17 @@ std::vector<int> SurveyFit::nodes_in_doubt() const {
     return result;
 }
 
-/// (slip): fits again with a clamp that slipped in place of what was found at its node, and with
-/// the target there left out. Takes what costs least; where a target and a clamp cost much the
-/// same, neither is relied on.
-void SurveyFit::doubt_clamps(GaussNewtonResult& fitted) {
-    // Chi-squared of two degrees of freedom, which a target has more than a clamp, exceeds it in 3
-    // of 1,000.
+/// (slip): at each suspect node, fits again with a slipped clamp instead of what was found there,
+/// and with the target left out. Takes the fit of the lowest cost. Where clamp and target cost
+/// nearly the same, the survey does not separate them: the target is left out and both edges get
+/// wide priors.
+void SurveyFit::try_clamps(GaussNewtonResult& fitted) {
+    // A target has two degrees of freedom more than a clamp: chi-squared exceeds this in 3 of
+    // 1,000.
     constexpr double inseparable = 11.6;
-    // Of one degree of freedom, which a clamp has more than one edge by itself: 1 of 100.
+    // A clamp has one degree of freedom more than a single edge: 1 of 100.
     constexpr double more_than_one_edge = 6.6;
-    const BoundaryTest boundary_test = std::exchange(m_boundary_test, BoundaryTest::none);
-    evaluate(fitted, 1.0);
+    evaluate(fitted, {});
     const Explanation before = explanation_of(fitted);
     Explanation best = before;
     const auto tried = [&](int node, size_t place, bool is_target) {
@@ -272,13 +267,13 @@ void SurveyFit::doubt_clamps(GaussNewtonResult& fitted) {
             other.slack[m_net.interior_edges()[pair.other]] = false;
         }
         const GaussNewtonResult fit = fit_as(other);
-        if (is_settled(fit)) {
-            evaluate(fit, 1.0);
+        if (is_sound(fit)) {
+            evaluate(fit, {});
         }
         return explanation_of(fit);
     };
     bool has_changed = false;
-    for (const int node : nodes_in_doubt()) {
+    for (const int node : suspect_nodes()) {
         const bool is_surveyed = std::ranges::binary_search(m_survey.surveyed, node);
         m_length_snooping.set_suspects(best.lengths);
         for (const size_t place : m_length_snooping.pairs_at(node)) {
@@ -308,22 +303,22 @@ void SurveyFit::doubt_clamps(GaussNewtonResult& fitted) {
         }
     }
     fitted = fit_as(best);
-    if (has_changed && is_settled(fitted)) {
-        fitted = fit_and_snoop(fitted.iterate, m_statics.slack(), 1.0);
+    if (has_changed && is_sound(fitted)) {
+        fitted = fit_and_snoop(fitted.iterate, m_statics.slack(), {});
     }
-    if (!is_settled(fitted)) {
+    if (!is_sound(fitted)) {
         fitted = fit_as(before);
     }
-    m_boundary_test = boundary_test;
 }
 
-/// Fits with the edges slack that the fitted form shows to be so. Whether an edge is taut is a
-/// question of its own: a cable that is stretched by a hundredth of a millimetre where it is taut
-/// can hang by several where it is slack, and no small steps lead from one fit to the other. So the
-/// start is told, and an edge that comes out longer than it can be while slack is taut for good,
-/// even with some pressure: it stands between the two.
-GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, double inflation) {
-    if (m_is_rounded) {
+/// Fits with those edges slack that the fitted form shows to be slack. Whether an edge is taut is a
+/// discrete question: a cable stretched by a hundredth of a millimetre when taut can sag by several
+/// when slack, and no small steps lead from one fit to the other. So the slack set to begin with is
+/// an argument. An edge that comes out longer than a slack edge can be stays taut, even with some
+/// pressure, so that the sets do not cycle.
+GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, const Mode& mode) {
+    const double inflation = mode.inflation;
+    if (mode.is_rounded) {
         return fit_rounded(start, inflation);
     }
     m_statics.round_corners(0.0);
@@ -336,11 +331,11 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
         m_statics.set_slack(slack);
         fitted = gauss_newton(m_statics, observed, std::move(from), inflation * m_tolerance,
                               m_settings.max_iterations, m_settings.progress);
-        follow_laws(fitted, observed, inflation);
+        follow_tension_laws(fitted, observed, inflation);
         const std::vector<bool> shown = shown_slack(fitted.iterate);
         for (size_t e = 0; e < slack.size(); ++e) {
             taut_for_good[e] = taut_for_good[e] || (slack[e] && !shown[e]);
-            // A search that has not settled tells which edges led it astray, but no more.
+            // A search that did not converge can only take edges out of the set.
             slack[e] = shown[e] && !taut_for_good[e] && (fitted.converged || slack[e]);
         }
         if (slack == m_statics.slack() || (has_failed && !fitted.converged)) {
@@ -356,10 +351,10 @@ GaussNewtonResult SurveyFit::fit(const Iterate& start, std::vector<bool> slack, 
     return fitted;
 }
 
-/// (blurred-law): fits again with tension laws as the strains found so far show them. Where that
-/// does not settle, what was found with the wider blur stands.
-void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& observed,
-                            double inflation) {
+/// (blurred-law): fits again with the tension laws blurred by the strains' standard deviations at
+/// the fit. Where that does not converge, the fit with the wider blur stands.
+void SurveyFit::follow_tension_laws(GaussNewtonResult& fitted, const Observations& observed,
+                                    double inflation) {
     const auto refit = [&](const LawBlur& blur) {
         m_statics.set_blur(blur);
         return gauss_newton(m_statics, observed, fitted.iterate, inflation * m_tolerance,
@@ -382,8 +377,8 @@ void SurveyFit::follow_laws(GaussNewtonResult& fitted, const Observations& obser
     }
 }
 
-/// (rounded-prior): from the widest corner to one that is lost in the noise. Later fits begin where
-/// the corner is already.
+/// (rounded-law): from the widest corner to one far below the noise. Later fits begin at the corner
+/// reached before.
 GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation) {
     const Observations observed = observations(inflation);
     const double last =
@@ -410,36 +405,37 @@ GaussNewtonResult SurveyFit::fit_rounded(const Iterate& start, double inflation)
     return fitted;
 }
 
-/// The corner that makes a net of mean stretch s as tense as it is only by lengths of one standard
-/// deviation of the prior more: s = w^2 / std.
+/// The corner w of a net of mean stretch s at which slack edges carry the nominal tension with
+/// lengths one standard deviation too long: T = EA/l_0 w^2 / std for e = -std, so s = w^2 / std.
 double SurveyFit::widest_corner() const {
     const double stretch =
         (edge_lengths(m_net, m_net.nodes()) - m_net.unstressed_lengths()).cwiseMax(0.0).mean();
     return std::min(m_length_std, std::sqrt(stretch * m_length_std));
 }
 
-/// Fits, and again with other targets rejected until data snooping has no more to say.
+/// Fits, and repeats the fit until data snooping changes nothing more.
 /// @param slack edges (m) to begin with
 GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<bool> slack,
-                                           double inflation) {
+                                           const Mode& mode) {
     m_snooping.reopen();
     m_length_snooping.reopen();
     m_boundary_snooping.reopen();
-    GaussNewtonResult fitted = fit(with_released(start), std::move(slack), inflation);
-    // A descent that was cut short tells the largest gross errors, too.
+    GaussNewtonResult fitted = fit(with_released(start), std::move(slack), mode);
+    // A descent that was cut short shows the largest gross errors, too.
     const auto can_be_tested = [&] {
-        return m_snooping.is_active() && (fitted.converged || (m_is_rounded && fitted.has_factor));
+        return m_snooping.is_active() &&
+               (fitted.converged || (mode.is_rounded && fitted.has_factor));
     };
     for (int revision = 0; can_be_tested() && revision < most_revisions; ++revision) {
-        evaluate(fitted, inflation);
-        if (!revise()) {
+        evaluate(fitted, mode);
+        if (!revise(mode)) {
             break;
         }
         const bool has_too_many =
             m_snooping.rejects_too_many() || m_boundary_snooping.releases_too_many();
-        fitted = fit(with_released(std::move(fitted.iterate)),
-                     as_seen(where_measured(m_net, observations(inflation), m_statics.slack())),
-                     inflation);
+        fitted = fit(
+            with_released(std::move(fitted.iterate)),
+            as_seen(where_measured(m_net, observations(mode.inflation), m_statics.slack())), mode);
         if (has_too_many) {
             break;
         }
@@ -447,28 +443,28 @@ GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, std::vector<boo
     return fitted;
 }
 
-/// The same, begun with the edges slack that were measured so.
-GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, double inflation) {
-    return fit_and_snoop(start, measured_slack(inflation), inflation);
+/// The same, beginning with the edges that were measured to be slack.
+GaussNewtonResult SurveyFit::fit_and_snoop(const Iterate& start, const Mode& mode) {
+    return fit_and_snoop(start, measured_slack(mode.inflation), mode);
 }
 
-/// (continuation): as if the noise were large, then less and less, each fit from where the one
-/// before ended. The less a survey binds the form, the farther a linearisation holds; and the gross
-/// errors that led it astray show one after the other, the largest first. As soon as some were
-/// rejected, a fit from the nominal net is tried.
-GaussNewtonResult SurveyFit::from_coarse_to_fine() {
+/// (continuation): fits with a large noise, then with less and less, each from the result before.
+/// The less a survey binds the form, the farther a linearisation holds. The gross errors show one
+/// after another, the largest first. Once some are rejected, a fit from the nominal net is tried.
+GaussNewtonResult SurveyFit::from_coarse_to_fine(bool is_rounded) {
     readmit_all();
     m_corner_width = widest_corner();
-    Iterate settled = nominal();
+    Iterate from = nominal();
     std::vector<bool> slack = as_seen(std::vector<bool>(m_net.edge_count(), false));
     const auto refine = [&](double inflation) {
-        GaussNewtonResult fitted = fit_and_snoop(settled, inflation);
+        const Mode mode{.inflation = inflation, .is_rounded = is_rounded};
+        GaussNewtonResult fitted = fit_and_snoop(from, mode);
         if (!fitted.converged) {
             fitted = fit_and_snoop(
-                settled, as_seen(where_measured(m_net, observations(inflation), slack)), inflation);
+                from, as_seen(where_measured(m_net, observations(inflation), slack)), mode);
         }
         if (fitted.converged) {
-            settled = fitted.iterate;
+            from = fitted.iterate;
             slack = m_statics.slack();
         }
         return fitted;
@@ -477,7 +473,7 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
         const int rejected = m_snooping.rejected_count();
         refine(inflation);
         if (m_snooping.rejected_count() > rejected) {
-            GaussNewtonResult direct = fit_and_snoop(nominal(), 1.0);
+            GaussNewtonResult direct = fit_and_snoop(nominal(), {.is_rounded = is_rounded});
             if (direct.converged && !m_snooping.rejects_too_many()) {
                 return direct;
             }
@@ -486,49 +482,49 @@ GaussNewtonResult SurveyFit::from_coarse_to_fine() {
     return refine(1.0);
 }
 
-/// No slack sets, which can cycle, and no pressure, under which a net can buckle; every step lowers
-/// the objective. What it finds is a start for the fit with a slack set, whose result is taken
-/// where that settles; else that of a continuation with slack sets; else the rounded one.
-GaussNewtonResult SurveyFit::by_rounded_laws() {
+/// Rounded tension laws need no slack set, which can cycle, and have no pressure, under which a net
+/// can buckle; every step lowers the objective. Their result starts a fit with a slack set. The
+/// first of these that converges is taken: that fit, a continuation with slack sets, the rounded
+/// fit.
+GaussNewtonResult SurveyFit::by_rounded_tension_laws() {
     readmit_all();
     m_corner_width = widest_corner();
-    GaussNewtonResult rounded = without_slack_set([&] { return fit_and_snoop(nominal(), 1.0); });
-    const bool is_rounded_settled = is_settled(rounded);
+    GaussNewtonResult rounded = fit_and_snoop(nominal(), {.is_rounded = true});
+    const bool is_rounded_sound = is_sound(rounded);
     const Explanation found = explanation_of(rounded);
-    if (is_rounded_settled) {
-        GaussNewtonResult fitted =
-            fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), 1.0);
-        if (is_settled(fitted)) {
+    if (is_rounded_sound) {
+        GaussNewtonResult fitted = fit_and_snoop(rounded.iterate, shown_slack(rounded.iterate), {});
+        if (is_sound(fitted)) {
             return fitted;
         }
     }
-    GaussNewtonResult fitted = from_coarse_to_fine();
-    if (is_settled(fitted)) {
+    GaussNewtonResult fitted = from_coarse_to_fine(false);
+    if (is_sound(fitted)) {
         return fitted;
     }
-    if (!is_rounded_settled) {
-        return without_slack_set([this] { return from_coarse_to_fine(); });
+    if (!is_rounded_sound) {
+        return from_coarse_to_fine(true);
     }
     take_over(found);
     return fit_rounded(with_released(rounded.iterate), 1.0);
 }
 
-/// One step of data snooping: targets, readings, lengths and the boundary stand against each other.
-bool SurveyFit::revise() {
-    const Eigen::VectorXd of_targets = m_snooping.scores();
-    if (m_is_rounded) {  // where only targets are tested
+/// One step of data snooping: targets, force measurements, lengths and the boundary compete.
+bool SurveyFit::revise(const Mode& mode) {
+    if (mode.is_rounded) {
         return m_snooping.revise();
     }
+    const Eigen::VectorXd of_targets = m_snooping.scores();
     const Eigen::VectorXd of_lengths = m_length_snooping.scores();
-    const Eigen::VectorXd of_boundary = m_boundary_test != BoundaryTest::none
+    const Eigen::VectorXd of_boundary = mode.boundary != BoundaryTest::none
                                             ? m_boundary_snooping.scores()
                                             : Eigen::VectorXd::Zero(m_net.node_count());
     const bool has_released = m_length_snooping.release(of_targets.cwiseMax(of_boundary));
     bool has_changed = m_snooping.reject(of_lengths.cwiseMax(of_boundary)) || has_released;
-    // Gross errors elsewhere show at the boundary, too; but many things that are wrong there show
-    // at many targets.
-    const bool is_one_by_one = m_boundary_test == BoundaryTest::one_by_one;
-    if (m_boundary_test == BoundaryTest::at_once || (is_one_by_one && !has_changed)) {
+    // Gross errors elsewhere show at the boundary, too, and several boundary outliers show at many
+    // targets: hence both orders are tried.
+    const bool is_one_by_one = mode.boundary == BoundaryTest::one_by_one;
+    if (mode.boundary == BoundaryTest::at_once || (is_one_by_one && !has_changed)) {
         const bool has_released_boundary =
             m_boundary_snooping.release(of_targets.cwiseMax(of_lengths), is_one_by_one);
         has_changed = has_changed || has_released_boundary;
@@ -539,7 +535,7 @@ bool SurveyFit::revise() {
         has_changed = m_boundary_snooping.readmit() || has_readmitted || has_readmitted_edge;
     }
     if (m_length_snooping.releases_too_many()) {
-        m_length_snooping.give_up();  // (length-snooping): not so many are mis-cut
+        m_length_snooping.give_up();  // (length-snooping): the prior is wrong, not the edges
     }
     take_over_releases();
     return has_changed;
@@ -552,7 +548,7 @@ void SurveyFit::readmit_all() {
     take_over_releases();
 }
 
-/// What was found not to be as told is unknown from now on.
+/// Puts the released edges and boundary into the knowledge of the next fit.
 void SurveyFit::take_over_releases() {
     m_knowledge.priors = m_length_snooping.priors();
     if (m_knowledge.released != m_boundary_snooping.released()) {
@@ -561,7 +557,7 @@ void SurveyFit::take_over_releases() {
     }
 }
 
-/// An iterate with the uncertain that are released now, and supports where these have them.
+/// An iterate with the common parameters now released, at 0, and the supports moved accordingly.
 Iterate SurveyFit::with_released(Iterate iterate) const {
     const CommonParameters& common = m_statics.common();
     Eigen::VectorXd values = Eigen::VectorXd::Zero(common.count());
@@ -585,10 +581,10 @@ double SurveyFit::first_inflation() const {
 Observations SurveyFit::observations(double inflation) const {
     Observations result = observe(m_net, m_survey, m_noise, m_snooping.rejected(), m_knowledge,
                                   m_statics.common().count());
-    const std::vector<ForceMeasurement>& readings = m_knowledge.forces.readings;
-    for (size_t k = 0; k < readings.size(); ++k) {
-        if (m_snooping.rejected_readings()[k]) {
-            result.tension_weights(readings[k].edge) = 0.0;
+    const std::vector<ForceMeasurement>& forces = m_knowledge.forces.readings;
+    for (size_t k = 0; k < forces.size(); ++k) {
+        if (m_snooping.rejected_forces()[k]) {
+            result.tension_weights(forces[k].edge) = 0.0;
         }
     }
     result.variance *= m_settings.prior_width * m_settings.prior_width;
@@ -600,23 +596,24 @@ Observations SurveyFit::observations(double inflation) const {
     return result;
 }
 
-void SurveyFit::evaluate(const GaussNewtonResult& fitted, double inflation) {
+void SurveyFit::evaluate(const GaussNewtonResult& fitted, const Mode& mode) {
+    const double inflation = mode.inflation;
     m_snooping.evaluate(
         fitted.iterate.form, [this](int node) { return m_statics.form_covariance(node); },
         inflation);
     if (!m_knowledge.forces.readings.empty()) {
-        m_snooping.evaluate_readings(
+        m_snooping.evaluate_forces(
             m_statics.tensions(fitted.iterate), m_statics.tension_variances(),
             [this](const Eigen::VectorXd& weights) {
                 return m_statics.covariances_with(weights).dot(weights);
             },
             inflation);
     }
-    if (m_boundary_test != BoundaryTest::none && m_boundary_snooping.is_active()) {
+    if (mode.boundary != BoundaryTest::none && m_boundary_snooping.is_active()) {
         m_boundary_snooping.evaluate(m_statics, fitted.iterate, observations(inflation),
                                      m_snooping.residual_scale());
     }
-    if (m_length_snooping.is_active() && !m_is_rounded) {
+    if (m_length_snooping.is_active() && !mode.is_rounded) {
         const Observations observed = observations(inflation);
         m_length_snooping.evaluate(
             length_likelihoods(m_net, m_knowledge, m_statics, observed, fitted.iterate), m_statics,

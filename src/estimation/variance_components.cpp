@@ -9,16 +9,16 @@ namespace taut {
 namespace {
 
 constexpr int most_scalings = 12;
-constexpr double settled_scale = 0.01;
-constexpr double largest_scaling = 3.0;  // of a round
+constexpr double converged_scale = 0.01;
+constexpr double largest_scaling = 3.0;  // in one round
 
-/// A group of observations of one scale: the squares of their standardised residuals, and how many
-/// of them the fit leaves free.
+/// Observations with a common scale: the sum of their squared standardised residuals, and their
+/// redundancy.
 struct Group {
     double squares = 0.0;
     double redundancy = 0.0;
 
-    /// Less than this, and chance alone decides.
+    /// With less than this only chance decides.
     static constexpr double least_redundancy = 5.0;
     [[nodiscard]] double ratio() const {
         return redundancy > least_redundancy ? std::sqrt(squares / redundancy) : 0.0;
@@ -47,7 +47,7 @@ Group noise_group(const CableNet& net, const LinearisedStatics& statics,
     return group;
 }
 
-/// Of the edges that are surely taut: the length of a slack one does not show.
+/// Of the taut edges: a slack one does not show its length.
 Group length_group(const CableNet& net, const LinearisedStatics& statics,
                    const Observations& observations, const Iterate& fitted,
                    const std::vector<bool>& left_out) {
@@ -83,7 +83,7 @@ VarianceComponents estimate_components(const CableNet& net, LinearisedStatics& s
         result.noise.ratio *= noise.ratio() > 0.0 ? noise_scaling : 0.0;
         result.lengths.ratio *= lengths.ratio() > 0.0 ? length_scaling : 0.0;
         if (std::max(std::abs(noise_scaling - 1.0), std::abs(length_scaling - 1.0)) <
-            settled_scale) {
+            converged_scale) {
             break;
         }
         for (int node = 0; node < net.node_count(); ++node) {

@@ -9,12 +9,12 @@
 
 namespace taut {
 
-/// The scales of noise and lengths by which both fit what a survey shows (W. Foerstner, Ein
-/// Verfahren zur Schaetzung von Varianz- und Kovarianzkomponenten, 1979), docs/theory.md
-/// (components): each sum of squares over its redundancy, until both are 1.
+/// The scales of noise and lengths at which both fit the survey (W. Foerstner, Ein Verfahren zur
+/// Schaetzung von Varianz- und Kovarianzkomponenten, 1979), docs/theory.md (components): each sum
+/// of squares over its redundancy becomes 1.
 ///
-/// @param statics linearised and inverted at the fit; on return at what was found
-/// @param observations of the fit; on return with the scales that were found
+/// @param statics linearised and inverted at the fit; on return at the scales found
+/// @param observations of the fit; on return with the scales found
 /// @param fitted on return the fit to these
 /// @param left_out interior edges (m_I) of another prior
 [[nodiscard]] VarianceComponents estimate_components(const CableNet& net,

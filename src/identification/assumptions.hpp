@@ -9,18 +9,19 @@
 
 namespace taut {
 
-/// What was taken as uncertain, and which of it the survey shows.
-/// @param given of these what was not assumed by taut
+/// The uncertain parameters, and which of them the survey shows.
+/// @param given those that taut did not assume
 [[nodiscard]] std::vector<Assumption> assumptions_of(
     const std::vector<UncertainParameter>& uncertain, const std::vector<UncertainParameter>& given,
     const Identification& result);
 
-/// What taut assumes, each width known to a factor of 1.5: docs/theory.md, (assumed-width).
-/// @param given of these what was not assumed by taut, and stays as it is
+/// The parameters that taut assumes, their widths known to a factor of 1.5: docs/theory.md,
+/// (assumed-width).
+/// @param given those that taut did not assume
 [[nodiscard]] std::vector<UncertainParameter> with_uncertain_widths(
     std::vector<UncertainParameter> uncertain, const std::vector<UncertainParameter>& given);
 
-/// Names estimates of a fit with_uncertain_widths() by the widths that were assumed.
+/// Reports estimates of a fit with_uncertain_widths() under the widths assumed.
 void name_assumed_widths(Identification& result, const std::vector<UncertainParameter>& given);
 
 }  // namespace taut

@@ -9,8 +9,8 @@
 
 namespace taut {
 
-void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
-                   bool contradicts_too_many) {
+void set_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
+                  bool contradicts_too_many) {
     result.outliers = snooping.outliers();
     result.outlier_threshold = snooping.is_active() ? snooping.threshold() : 0.0;
     result.noise_ratio = snooping.noise_ratio();
@@ -19,18 +19,18 @@ void tell_snooping(Identification& result, const Survey& survey, const DataSnoop
         const bool is_by_digits =
             survey.rounding_std > 0.0 && survey.largest_noise_std() < 1.01 * survey.rounding_std;
         result.message = fmt::format(
-            "{} of {} targets contradict the others: are net, frame, prior and noise ({:.3g} mm{}) "
-            "right?",
+            "{} of {} targets contradict the others. Check net, frame, prior and the standard "
+            "deviation of the survey ({:.3g} mm{})",
             result.outliers.size(), survey.surveyed.size() + survey.supports.size(),
             1e3 * survey.largest_noise_std(),
-            is_by_digits ? ", by the digits of the coordinates alone; --noise tells the "
-                           "instrument's, --noise estimate finds it"
+            is_by_digits ? ", from the digits of the coordinates alone: give that of the "
+                           "instrument, or let taut estimate it"
                          : "");
     }
 }
 
-void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
-                const std::vector<LengthLikelihood>& likelihoods) {
+void set_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
+               const std::vector<LengthLikelihood>& likelihoods) {
     for (int i = 0; i < net.interior_edge_count(); ++i) {
         const int edge = net.interior_edges()[i];
         const LengthPosterior posterior = posterior_of(priors[i], likelihoods[i]);
@@ -52,16 +52,16 @@ void predict_form(Identification& result, const CableNet& net, const Survey& sur
         if (!(lengths(e.edge) > 0.0)) {
             result.status = IdentificationStatus::survey_does_not_fit;
             result.message = fmt::format(
-                "the survey gives edge '{}' the unstressed length {:.4g} m: is it of this net, in "
-                "its frame, and is its noise told?",
+                "the survey gives edge '{}' the unstressed length {:.4g} m. Check that it is of "
+                "this net, in its frame, and not exact",
                 net.edge_id(e.edge), lengths(e.edge));
             return;
         }
     }
     const auto balance = [&](const CableNet& identified, const Eigen::VectorXd& l_0) {
         result.predicted = EquilibriumSolver(identified).solve(l_0, start);
-        // Lengths that leave the net all but slack: nodes are loose, and what force is left there
-        // is none that the net was built for.
+        // Lengths that leave the net nearly slack: nodes are loose, and the forces left there are
+        // negligible.
         constexpr double negligible = 1e-7;
         if (!result.predicted.balanced() &&
             result.predicted.out_of_balance <=

@@ -11,17 +11,17 @@
 
 namespace taut {
 
-/// Takes over what data snooping found at the end of a search.
-/// @param contradicts_too_many as DataSnooping::contradicts_too_many(): the status says so
-void tell_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
-                   bool contradicts_too_many);
+/// Reports what data snooping found at the end of a search.
+/// @param contradicts_too_many DataSnooping::contradicts_too_many(): sets the status
+void set_snooping(Identification& result, const Survey& survey, const DataSnooping& snooping,
+                  bool contradicts_too_many);
 
 /// Fills the edges of a result from their likelihoods and priors (m_I), docs/theory.md (posterior).
-void tell_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
-                const std::vector<LengthLikelihood>& likelihoods);
+void set_edges(Identification& result, const CableNet& net, const std::vector<LengthPrior>& priors,
+               const std::vector<LengthLikelihood>& likelihoods);
 
-/// Predicts the form of a result's edges and uncertain, from a start, and compares it with the
-/// survey. Where their lengths find no equilibrium, status and message say so.
+/// Predicts the form from a result's lengths and uncertain parameters, beginning at a start, and
+/// compares it with the survey. Status and message report where there is no equilibrium.
 void predict_form(Identification& result, const CableNet& net, const Survey& survey,
                   const Points& start);
 

@@ -17,11 +17,11 @@
 namespace taut {
 namespace {
 
-/// How far the mean of draws is from that of the posterior of each length, in its standard
-/// deviations, over the edges.
+/// Distance of the mean of the draws from the estimate of each length, in its standard deviations,
+/// over the edges.
 struct LengthShift {
     double mean = 0.0;
-    double rms = 0.0;  ///< without what so few draws differ by
+    double rms = 0.0;  ///< without the scatter of so few draws
 };
 
 LengthShift length_shift(const Eigen::MatrixXd& deviations, const Identification& result) {
@@ -38,11 +38,11 @@ LengthShift length_shift(const Eigen::MatrixXd& deviations, const Identification
     return shift;
 }
 
-/// Why draws are not to be relied on; empty where they are.
-std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviations,
-                     const Identification& result, const CableNet& net) {
-    if (!drawn.in_doubt()) {
-        // A little at each edge is much for the mean tension where all agree in it.
+/// Why draws are not reliable; empty where they are.
+std::string why_unreliable(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviations,
+                           const Identification& result, const CableNet& net) {
+    if (!drawn.is_unreliable()) {
+        // A small shift that all edges share is large for the mean tension.
         constexpr double largest_common_shift = 0.1;
         constexpr double largest_shift = 0.3;
         if (net.is_linear() || deviations.cols() == 0) {
@@ -82,14 +82,13 @@ std::string doubt_of(const PerturbedDraws& drawn, const Eigen::MatrixXd& deviati
     }
     return fmt::format(
         "they depend too strongly on how slack the cables are, which this survey does not show "
-        "({}). "
-        "A closer survey, a narrower prior if it is true, or load cells would help",
+        "({}). A closer survey, a narrower prior if it is true, or load cells would help",
         reasons);
 }
 
 ModelPerturbations perturbations_of(const CableNet& net,
                                     const std::vector<ModelPerturbation>& draws) {
-    const auto gathered = [&](Eigen::Index rows, const auto& of_draw) {
+    const auto collected = [&](Eigen::Index rows, const auto& of_draw) {
         Eigen::MatrixXd result(rows, std::ssize(draws));
         for (Eigen::Index k = 0; k < result.cols(); ++k) {
             result.col(k) = of_draw(draws[static_cast<size_t>(k)]);
@@ -98,23 +97,23 @@ ModelPerturbations perturbations_of(const CableNet& net,
     };
     const Eigen::Index edges = net.edge_count();
     return {
-        .stiffness = gathered(edges, [](const ModelPerturbation& one) { return one.stiffness; }),
-        .thermal = gathered(edges, [](const ModelPerturbation& one) { return one.thermal; }),
-        .supports = gathered(std::ssize(net.supports()) * 3,
-                             [&](const ModelPerturbation& one) {
-                                 return Eigen::VectorXd(
-                                     one.supports(Eigen::all, net.supports()).reshaped());
-                             }),
+        .stiffness = collected(edges, [](const ModelPerturbation& one) { return one.stiffness; }),
+        .thermal = collected(edges, [](const ModelPerturbation& one) { return one.thermal; }),
+        .supports = collected(std::ssize(net.supports()) * 3,
+                              [&](const ModelPerturbation& one) {
+                                  return Eigen::VectorXd(
+                                      one.supports(Eigen::all, net.supports()).reshaped());
+                              }),
         .loads =
-            gathered(Eigen::Index{3} * net.free_node_count(), [&](const ModelPerturbation& one) {
+            collected(Eigen::Index{3} * net.free_node_count(), [&](const ModelPerturbation& one) {
                 return free_coordinates(net, one.loads * net.loads() + one.own_loads);
             })};
 }
 
-/// What may be slack as well as taut, as far as anyone can tell, is known by its prior alone. Edges
-/// of the slack set are slack: no length of the prior makes them taut.
-void tell_open_edges(Identification& result, const std::vector<LengthPrior>& priors,
-                     const std::vector<bool>& slack_set) {
+/// Edges that may be slack, as far as anyone can tell, are known by their prior alone. Edges of the
+/// slack set are slack: no length of the prior makes them taut.
+void set_open_edges(Identification& result, const std::vector<LengthPrior>& priors,
+                    const std::vector<bool>& slack_set) {
     for (size_t i = 0; i < result.edges.size(); ++i) {
         IdentifiedEdge& edge = result.edges[i];
         if (edge.status == EdgeStatus::slack && !slack_set[edge.edge]) {
@@ -128,10 +127,10 @@ void tell_open_edges(Identification& result, const std::vector<LengthPrior>& pri
     }
 }
 
-/// The status of each interior edge; and its length, where the draws tell it better than the
+/// Sets the status of each interior edge, and its length where the draws are better than the
 /// linearisation.
 /// @param prior_stds of each interior edge (m_I) [m]
-void tell_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) {
+void set_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds) {
     const Eigen::MatrixXd& deviations = result.draws->length_deviations;
     for (size_t i = 0; i < result.edges.size(); ++i) {
         IdentifiedEdge& edge = result.edges[i];
@@ -149,7 +148,7 @@ void tell_drawn_edges(Identification& result, const Eigen::VectorXd& prior_stds)
     }
 }
 
-/// What follows from draws that are to be relied on.
+/// Sets what follows from reliable draws.
 void summarise(Identification& result, const CableNet& net, const Survey& survey,
                const Eigen::VectorXd& prior_stds) {
     std::vector<int> missing;
@@ -158,7 +157,7 @@ void summarise(Identification& result, const CableNet& net, const Survey& survey
         missing.push_back(net.free_index(node));
     }
     result.drawn = summary_of(*result.draws, survey.missing, missing);
-    tell_drawn_edges(result, prior_stds);
+    set_drawn_edges(result, prior_stds);
 }
 
 }  // namespace
@@ -182,7 +181,7 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
         .seed = settings.seed,
         .how = drawn.is_refitted ? "a fit each to a perturbed survey" : "perturbation of the fit",
         .is_refitted = drawn.is_refitted,
-        .doubt = {}};
+        .reason = {}};
     const bool has_all_lengths = fit_net.interior_edge_count() > net.interior_edge_count();
     if (has_all_lengths) {
         draws.adjustable_deviations = drawn.deviations(net.adjustable_edges(), Eigen::all);
@@ -190,14 +189,14 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     draws.length_deviations =
         has_all_lengths ? Eigen::MatrixXd(drawn.deviations(net.interior_edges(), Eigen::all))
                         : std::move(drawn.deviations);
-    draws.doubt = doubt_of(drawn, draws.length_deviations, result, net);
+    draws.reason = why_unreliable(drawn, draws.length_deviations, result, net);
     draws.forms = std::move(drawn.forms);
     draws.tensions = std::move(drawn.tensions);
     const std::vector<LengthPrior> priors = interior_priors(net, knowledge);
-    const bool is_told = draws.doubt.empty() && draws.count() > 0;
+    const bool is_reliable = draws.reason.empty() && draws.count() > 0;
     result.draws = std::move(draws);
-    if (!is_told) {
-        tell_open_edges(result, priors, statics.slack());
+    if (!is_reliable) {
+        set_open_edges(result, priors, statics.slack());
         return;  // no interval rather than a wrong one
     }
     Eigen::VectorXd prior_stds(std::ssize(priors));
@@ -205,10 +204,10 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
     summarise(result, net, survey, prior_stds);
 }
 
-void tell_draws(Identification& result, const CableNet& net, const Survey& survey,
-                double prior_std) {
+void set_summary_of_draws(Identification& result, const CableNet& net, const Survey& survey,
+                          double prior_std) {
     result.drawn = {};
-    if (result.draws->doubt.empty() && result.draws->count() > 0) {
+    if (result.draws->reason.empty() && result.draws->count() > 0) {
         summarise(result, net, survey,
                   Eigen::VectorXd::Constant(std::ssize(result.edges), prior_std));
     }

@@ -22,13 +22,13 @@ struct PosteriorSettings {
     std::vector<int> covariance_of;  ///< IdentifyOptions::covariance_of
 };
 
-/// Draws the posterior around a fit (draw_by_perturbation()), then tells the result what follows:
-/// tensions, places of missing nodes, which edges are slack. Draws that are not to be relied on say
-/// so, and nothing is told from them. docs/theory.md, (perturbed), (drawn).
+/// Draws the posterior around a fit (draw_by_perturbation()), then sets tensions, places of missing
+/// nodes and which edges are slack. From unreliable draws nothing is set but the reason.
+/// docs/theory.md, (perturbed), (drawn).
 /// @param result of the fit
 /// @param fit_net of the fit, net_to_fit()
 /// @param statics linearised at the fit
-/// @param sites what the fit was made with, the prior as normal distributions
+/// @param sites observations of the fit, with the prior as normal distributions
 /// @throws Interrupted
 void draw_posterior(Identification& result, const CableNet& net, const CableNet& fit_net,
                     const Survey& survey, const PriorKnowledge& knowledge,
@@ -36,9 +36,9 @@ void draw_posterior(Identification& result, const CableNet& net, const CableNet&
                     const Iterate& fitted, const PosteriorSettings& settings,
                     const Progress& progress);
 
-/// Tells a result what follows from draws that it has already: nothing where they are in doubt.
+/// Sets what follows from draws that a result has already: nothing where they are unreliable.
 /// @param prior_std standard deviation of the prior of all lengths [m]
-void tell_draws(Identification& result, const CableNet& net, const Survey& survey,
-                double prior_std);
+void set_summary_of_draws(Identification& result, const CableNet& net, const Survey& survey,
+                          double prior_std);
 
 }  // namespace taut

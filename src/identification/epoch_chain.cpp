@@ -19,26 +19,21 @@
 namespace taut {
 namespace {
 
-/// Of a length that is known to have changed: so wide that it tells nothing of by how much [m].
+/// Prior standard deviation of a length that changed: so wide that the surveys alone determine it
+/// [m].
 double width_of(const LengthChange& change) {
     constexpr double wide = 4.0;
     return wide * std::max(std::abs(change.change), change.std);
 }
 
-bool is_common_number(const UncertainParameter& parameter) {
-    return parameter.kind == UncertainParameter::Kind::stiffness ||
-           parameter.kind == UncertainParameter::Kind::temperature ||
-           parameter.kind == UncertainParameter::Kind::loads;
-}
-
-double largest_play(std::span<const Epoch> epochs) {
-    double play = 0.0;
+double largest_actuator_std(std::span<const Epoch> epochs) {
+    double actuator_std = 0.0;
     for (const Epoch& epoch : epochs) {
         for (const EdgeTurned& one : epoch.turned) {
-            play = std::max(play, one.std);
+            actuator_std = std::max(actuator_std, one.std);
         }
     }
-    return play;
+    return actuator_std;
 }
 
 }  // namespace
@@ -51,25 +46,33 @@ bool are_too_many_changes(const CableNet& net, size_t changes) {
 
 double widest_turn(const CableNet& net) {
     constexpr double wide = 0.05;  // [m]
-    constexpr double most = 0.25;  // of the shortest edge: no wider may be unknown
+    constexpr double most = 0.25;  // of the shortest edge: no more may be uncertain
     const Eigen::VectorXd lengths = net.unstressed_lengths()(net.adjustable_edges());
     if (lengths.size() == 0) {
         return 0.0;
     }
     const double width = std::min(wide, most * lengths.minCoeff());
     const double digit = std::pow(10.0, std::floor(std::log10(width)));
-    return digit * std::floor(width / digit);  // as one would tell it
+    return digit * std::floor(width / digit);  // as one would give it
 }
 
-CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
+std::vector<EdgeTurned> turned_until(std::span<const Epoch> epochs, size_t k) {
+    std::vector<std::vector<EdgeTurned>> steps;
+    for (const Epoch& epoch : epochs.first(k + 1)) {
+        steps.push_back(epoch.turned);
+    }
+    return all_turned(steps);
+}
+
+CableNet balanced_net(const CableNet& net, std::span<const EdgeTurned> turned) {
     if (turned.empty()) {
         return net;
     }
     const CableNet changed = turned_net(net, turned);
     const Equilibrium equilibrium = solve_equilibrium(changed);
     if (!equilibrium.balanced()) {
-        throw NumericalError(fmt::format(
-            "the net, as it was turned at {} edges, finds no equilibrium", turned.size()));
+        throw NumericalError(
+            fmt::format("the net finds no equilibrium after the turns of {} edges", turned.size()));
     }
     CableNetData data = changed.data();
     data.nodes = equilibrium.form;
@@ -77,37 +80,36 @@ CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned) {
 }
 
 EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
-                       const IdentifyOptions& options, const LengthPrior& prior, double least_play,
-                       const std::vector<Changes>& changes)
+                       const IdentifyOptions& options, const LengthPrior& prior,
+                       double least_actuator_std, const std::vector<Changes>& changes)
     : m_net(net),
       m_options(options),
       m_prior(prior),
       m_widest_turn(widest_turn(net)),
       m_uncertain(options.uncertain),
-      m_common(static_cast<int>(std::ranges::count_if(options.uncertain, is_common_number))),
+      m_common(static_cast<int>(std::ranges::count_if(options.uncertain, is_common))),
       m_changes(epochs.size()) {
-    const bool is_told = std_of(m_uncertain, UncertainParameter::Kind::adjustable) > 0.0;
-    double play = std::max(least_play, largest_play(epochs));
+    const bool is_given = std_of(m_uncertain, UncertainParameter::Kind::adjustable) > 0.0;
+    double actuator_std = std::max(least_actuator_std, largest_actuator_std(epochs));
     for (const Changes& of_survey : changes) {
-        play = std::max(play, of_survey.play);
+        actuator_std = std::max(actuator_std, of_survey.excess_actuator_std);
         for (const LengthChange& change : of_survey.lengths) {
-            play = std::max(play, is_adjustable(change.edge) ? width_of(change) : 0.0);
+            actuator_std =
+                std::max(actuator_std, is_adjustable(change.edge) ? width_of(change) : 0.0);
         }
     }
-    play = std::min(play, m_widest_turn);
-    if (play > 0.0 && !is_told) {
+    actuator_std = std::min(actuator_std, m_widest_turn);
+    if (actuator_std > 0.0 && !is_given) {
         m_uncertain.push_back(
-            {.kind = UncertainParameter::Kind::adjustable, .std = play, .group = {}});
+            {.kind = UncertainParameter::Kind::adjustable, .std = actuator_std, .group = {}});
     }
-    m_has_play = is_told || play > 0.0;
+    m_has_actuator_std = is_given || actuator_std > 0.0;
     m_edges = net_to_fit(net, m_uncertain).interior_edges();
     Eigen::VectorXd stds = adjustable_stds(net, options.uncertain);
-    std::vector<std::vector<EdgeTurned>> steps;
-    for (const Epoch& epoch : epochs) {
-        steps.push_back(epoch.turned);
-        m_states.push_back({.net = settled_net(net, all_turned(steps)),
-                            .survey = &epoch.survey,
-                            .turned = &epoch.turned,
+    for (size_t k = 0; k < epochs.size(); ++k) {
+        m_states.push_back({.net = balanced_net(net, turned_until(epochs, k)),
+                            .survey = &epochs[k].survey,
+                            .turned = &epochs[k].turned,
                             .prior = first_prior(stds),
                             .added = Eigen::VectorXd::Zero(size()),
                             .earlier = no_evidence(size()),
@@ -115,9 +117,9 @@ EpochChain::EpochChain(const CableNet& net, std::span<const Epoch> epochs,
                             .own = no_evidence(size()),
                             .found = {}});
     }
-    for (size_t k = 0; k < m_states.size() && m_has_play; ++k) {
+    for (size_t k = 0; k < m_states.size() && m_has_actuator_std; ++k) {
         for (const int edge : net.adjustable_edges()) {
-            add_variance(k, edge, least_play);
+            add_variance(k, edge, least_actuator_std);
         }
         for (const EdgeTurned& one : epochs[k].turned) {
             add_variance(k, one.edge, one.std);
@@ -143,7 +145,7 @@ Eigen::VectorXd EpochChain::first_prior(const Eigen::VectorXd& stds) const {
     return variances;
 }
 
-/// From a survey on: the length differs by so much more from what is told.
+/// From a survey on, adds to the variance of a length.
 void EpochChain::add_variance(size_t k, int edge, double std) {
     const Eigen::Index place = place_of(edge);
     m_states[k].added(place) += std * std;
@@ -163,7 +165,7 @@ EpochStep EpochChain::step_from(size_t k) const {
             step.factor(place) = 0.0;
             step.added(place) = 1.0;
         }
-        place += is_common_number(parameter) ? 1 : 0;
+        place += is_common(parameter) ? 1 : 0;
     }
     return step;
 }
@@ -173,15 +175,16 @@ void EpochChain::let_go(const std::vector<Changes>& changes) {
         for (const LengthChange& change : changes[k].lengths) {
             add_variance(k, change.edge, width_of(change));
         }
-        for (const int edge : changes[k].play > 0.0 ? turned_edges(k) : std::vector<int>()) {
-            add_variance(k, edge, changes[k].play);
+        for (const int edge :
+             changes[k].excess_actuator_std > 0.0 ? turned_edges(k) : std::vector<int>()) {
+            add_variance(k, edge, changes[k].excess_actuator_std);
         }
     }
 }
 
-Told EpochChain::told(int k) const {
+Given EpochChain::given(int k) const {
     const State& state = m_states[k];
-    Told result(m_prior);
+    Given result(m_prior);
     result.uncertain = m_uncertain;
     if (k + 1 == count()) {
         result.forces = m_options.forces;
@@ -203,17 +206,17 @@ Told EpochChain::told(int k) const {
     return result;
 }
 
-void EpochChain::fit(size_t k, const Told& told, const Progress& progress) {
+void EpochChain::fit(size_t k, const Given& given, const Progress& progress) {
     if (progress.stopped()) {
         throw Interrupted();
     }
     State& state = m_states[k];
-    IdentifiedEpoch epoch = identify_one_epoch(state.net, *state.survey, told, m_common);
+    IdentifiedEpoch epoch = identify_one_epoch(state.net, *state.survey, given, m_common);
     state.found = std::move(epoch.identification);
     state.own = std::move(epoch.own);
 }
 
-bool EpochChain::has_settled() const {
+bool EpochChain::has_converged() const {
     return std::ranges::all_of(m_states, [](const State& state) {
         return state.found.status == IdentificationStatus::converged;
     });
@@ -238,9 +241,9 @@ std::optional<LengthChange> EpochChain::worst_change(const EvidenceTest::Changes
                         .statistic = statistic};
 }
 
-/// So that no target is blamed for a turn that was told wrong.
-Told EpochChain::told_of_form_alone(int k) const {
-    Told result = told(k);
+/// With adjustable lengths uncertain, so that a wrong turn rejects no target.
+Given EpochChain::given_for_form_alone(int k) const {
+    Given result = given(k);
     for (const int edge : m_net.adjustable_edges()) {
         result.own_stds(edge) = std::max(result.own_stds(edge), m_widest_turn);
     }
@@ -258,20 +261,20 @@ std::vector<int> EpochChain::turned_edges(size_t k) const {
 
 bool EpochChain::find_changes(const Progress& progress) {
     for (int k = 0; k < count(); ++k) {
-        fit(k, told_of_form_alone(k), progress);
+        fit(k, given_for_form_alone(k), progress);
     }
-    if (!has_settled()) {
+    if (!has_converged()) {
         return false;
     }
     find_changes_at(0, EvidenceTest(m_states[0].prior, no_evidence(size()), m_states[0].own),
-                    m_has_play ? m_net.adjustable_edges() : std::vector<int>());
+                    m_has_actuator_std ? m_net.adjustable_edges() : std::vector<int>());
     for (size_t k = 1; k < m_states.size(); ++k) {
         State& before = m_states[k - 1];
         State& state = m_states[k];
         progress("comparing surveys", static_cast<int>(k), count());
         state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
         find_changes_at(k, EvidenceTest(state.prior, state.earlier, state.own), m_edges);
-        // What was let go is not told to later surveys.
+        // A change that was let go is not evidence for later surveys.
         state.earlier = carried(sum_of(before.earlier, before.own), step_from(k - 1));
     }
     return true;
@@ -290,9 +293,9 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
         return;
     }
     changes.agreement = test.agreement();
-    tell_stroke_factor(changes, test, *m_states[k].turned);
+    set_stroke_factor(changes, test, *m_states[k].turned);
     std::vector<Eigen::Index> places;
-    for (const int edge : m_has_play ? turned_edges(k) : std::vector<int>()) {
+    for (const int edge : m_has_actuator_std ? turned_edges(k) : std::vector<int>()) {
         if (std::ranges::find(changes.lengths, edge, &LengthChange::edge) ==
             changes.lengths.end()) {
             places.push_back(place_of(edge));
@@ -300,13 +303,13 @@ void EpochChain::find_changes_at(size_t k, EvidenceTest test, const std::vector<
     }
     const Agreement of_turns = test.agreement(places);
     if (of_turns.ratio() > of_turns.limit()) {
-        changes.play = test.spread(places);
+        changes.excess_actuator_std = test.spread(places);
     }
 }
 
-/// Whether all strokes are off by one factor, as with a pitch that was told wrong.
-void EpochChain::tell_stroke_factor(Changes& changes, const EvidenceTest& test,
-                                    const std::vector<EdgeTurned>& turned) const {
+/// Reports the factor by which all strokes are off, as with a wrong pitch.
+void EpochChain::set_stroke_factor(Changes& changes, const EvidenceTest& test,
+                                   const std::vector<EdgeTurned>& turned) const {
     Eigen::VectorXd strokes = Eigen::VectorXd::Zero(size());
     for (const EdgeTurned& one : turned) {
         const auto has_changed = std::ranges::find(changes.lengths, one.edge, &LengthChange::edge);
@@ -340,14 +343,14 @@ double EpochChain::movement_since(const Eigen::VectorXd& before) const {
     return moved.size() > 0 ? std::sqrt(squares / static_cast<double>(moved.size())) : 0.0;
 }
 
-std::optional<double> EpochChain::settle(const Progress& progress) {
+std::optional<double> EpochChain::converge(const Progress& progress) {
     constexpr int most_sweeps = 6;
     double movement = 0.0;
     Eigen::VectorXd before;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         progress("identification", sweep, most_sweeps);
         for (size_t k = 0; k < m_states.size(); ++k) {
-            fit(k, told(static_cast<int>(k)), progress);
+            fit(k, given(static_cast<int>(k)), progress);
             const State& state = m_states[k];
             if (state.found.status != IdentificationStatus::converged) {
                 return std::nullopt;

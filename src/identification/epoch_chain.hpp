@@ -14,72 +14,76 @@
 
 namespace taut {
 
-/// The net with what was turned, its nodes where it then stands: a fit begins there.
-/// @throws std::runtime_error where it finds no equilibrium
-[[nodiscard]] CableNet settled_net(const CableNet& net, std::span<const EdgeTurned> turned);
+/// What was turned until a survey, together.
+[[nodiscard]] std::vector<EdgeTurned> turned_until(std::span<const Epoch> epochs, size_t k);
 
-/// More lengths than this, and it is not they who changed.
+/// The net after turns, with its nodes in equilibrium: a fit begins there.
+/// @throws std::runtime_error where it finds no equilibrium
+[[nodiscard]] CableNet balanced_net(const CableNet& net, std::span<const EdgeTurned> turned);
+
+/// Whether more lengths changed than can have: then the turns are wrong.
 [[nodiscard]] bool are_too_many_changes(const CableNet& net, size_t changes);
 
-/// Standard deviation of the length of an adjustable edge of which nothing is told [m].
+/// Standard deviation of the length of an adjustable edge that nothing is known of [m].
 [[nodiscard]] double widest_turn(const CableNet& net);
 
-/// Surveys of a net, one after the other, and what each tells the others of the lengths.
+/// Surveys of a net, one after another, and the evidence that each is for the others.
 /// docs/theory.md, "Epochs".
 class EpochChain {
 public:
     struct Changes {
-        /// Since the survey before, of the first: of adjustable edges from the net; the worst
-        /// first.
+        /// Since the survey before; of the first survey: of adjustable edges from the net. The
+        /// largest first.
         std::vector<LengthChange> lengths;
-        Agreement agreement;  ///< of all others
-        double play = 0.0;    ///< EpochResult::excess_actuator_std
+        Agreement agreement;               ///< of all others
+        double excess_actuator_std = 0.0;  ///< EpochResult::excess_actuator_std
         /// EpochResult::stroke_factor
         double stroke_factor = 1.0;
         double stroke_factor_std = 0.0;
     };
 
     /// @param prior of the interior edges' length deviations
-    /// @param least_play of all adjustable edges at each survey; 0: those not turned are known [m]
-    /// @param changes that are known: lengths change from there on, and turns have as much more
-    /// play
+    /// @param least_actuator_std of all adjustable edges at each survey; 0: those not turned are
+    ///   known [m]
+    /// @param changes known already: from these on lengths are changed, and turns have the
+    ///   additional standard deviation
     EpochChain(const CableNet& net, std::span<const Epoch> epochs, const IdentifyOptions& options,
-               const LengthPrior& prior, double least_play,
+               const LengthPrior& prior, double least_actuator_std,
                const std::vector<Changes>& changes = {});
 
-    /// Each survey by itself, without what is told of adjustable edges, held against those before
-    /// and what is told. Lengths that changed are let go one after the other, until none is left.
-    /// @return false where a survey by itself did not settle: then nothing was compared
+    /// Fits each survey alone with adjustable lengths uncertain, and compares it with those before
+    /// and the turns given. Lengths that changed are let go one after another, until none is left.
+    /// @return false where a survey alone did not converge: then nothing was compared
     [[nodiscard]] bool find_changes(const Progress& progress);
     [[nodiscard]] const std::vector<Changes>& changes() const { return m_changes; }  ///< by survey
 
-    /// Fits all surveys, each with what the others tell, until the lengths stand still: what a
-    /// survey tells is linearised at the lengths that all tell together.
-    /// @return how far they moved at last, in standard deviations, root mean square; none where a
-    ///   survey did not settle
-    [[nodiscard]] std::optional<double> settle(const Progress& progress);
-    /// Of settle(): a movement below this is none.
+    /// Fits all surveys, each with the evidence of the others, until the lengths converge: evidence
+    /// is linearised at the common lengths.
+    /// @return last movement of the lengths in standard deviations, root mean square; none where
+    ///   a survey did not converge
+    [[nodiscard]] std::optional<double> converge(const Progress& progress);
+    /// A movement below this counts as converged.
     static constexpr double still = 0.1;
 
-    /// How far the places of targets in both surveys differ, where the same lengths explain both,
-    /// over what their noise lets expect: about 1. After settle(); 0 where too few are in both.
+    /// How far the targets of two surveys differ, with the same lengths, relative to their noise:
+    /// about 1. After converge(); 0 where they have too few targets in common.
     [[nodiscard]] double difference_ratio(size_t a, size_t b) const;
 
     [[nodiscard]] int count() const { return static_cast<int>(m_states.size()); }
-    /// The net at a survey, its fit, and all that was told of it.
+    /// The net at a survey, its fit, and all that the fit was given.
     [[nodiscard]] const CableNet& net_at(int k) const { return m_states[k].net; }
     [[nodiscard]] const Identification& found(int k) const { return m_states[k].found; }
-    [[nodiscard]] Told told(int k) const;
+    [[nodiscard]] Given given(int k) const;
 
 private:
     struct State {
         CableNet net;
         const Survey* survey;
         const std::vector<EdgeTurned>* turned;  ///< since the survey before
-        Eigen::VectorXd prior;                  ///< variances of x before any survey
+        Eigen::VectorXd prior;                  ///< prior variances of x
         Eigen::VectorXd added;                  ///< variances of x since the survey before
-        LengthEvidence earlier;                 ///< of the surveys before
-        LengthEvidence later;                   ///< of those behind
+        LengthEvidence earlier;                 ///< by the surveys before
+        LengthEvidence later;                   ///< by the surveys after
         LengthEvidence own;
         Identification found;
     };
@@ -89,33 +93,33 @@ private:
     [[nodiscard]] bool is_adjustable(int edge) const;
     [[nodiscard]] Eigen::Index place_of(int edge) const;  ///< in x
     [[nodiscard]] EpochStep step_from(size_t k) const;    ///< to the next
-    /// Variances of x before anything was turned.
+    /// Variances of x before any turn.
     /// @param stds of adjustable edges' lengths (m)
     [[nodiscard]] Eigen::VectorXd first_prior(const Eigen::VectorXd& stds) const;
     void add_variance(size_t k, int edge, double std);
     void let_go(const std::vector<Changes>& changes);
-    void fit(size_t k, const Told& told, const Progress& progress);
-    [[nodiscard]] Told told_of_form_alone(int k) const;
-    [[nodiscard]] bool has_settled() const;
+    void fit(size_t k, const Given& given, const Progress& progress);
+    [[nodiscard]] Given given_for_form_alone(int k) const;
+    [[nodiscard]] bool has_converged() const;
     [[nodiscard]] double movement_since(const Eigen::VectorXd& before) const;
     [[nodiscard]] Eigen::VectorXd last_lengths() const;
     /// @param edges that may have changed
     void find_changes_at(size_t k, EvidenceTest test, const std::vector<int>& edges);
-    void tell_stroke_factor(Changes& changes, const EvidenceTest& test,
-                            const std::vector<EdgeTurned>& turned) const;
+    void set_stroke_factor(Changes& changes, const EvidenceTest& test,
+                           const std::vector<EdgeTurned>& turned) const;
     [[nodiscard]] std::optional<LengthChange> worst_change(const EvidenceTest::Changes& changes,
                                                            const std::vector<int>& edges) const;
-    /// Edges that were turned before a survey; where none was told, all that could have been.
+    /// Edges turned before a survey; where none are given, all adjustable ones.
     [[nodiscard]] std::vector<int> turned_edges(size_t k) const;
 
     const CableNet& m_net;
     const IdentifyOptions& m_options;
     LengthPrior m_prior;
-    double m_widest_turn;  ///< widest_turn()
-    bool m_has_play;       ///< whether lengths of adjustable edges are unknown
+    double m_widest_turn;     ///< widest_turn()
+    bool m_has_actuator_std;  ///< whether lengths of adjustable edges are uncertain
     std::vector<UncertainParameter> m_uncertain;
-    int m_common;              ///< uncertain common to many edges
-    std::vector<int> m_edges;  ///< of unknown length
+    int m_common;              ///< number of common parameters
+    std::vector<int> m_edges;  ///< with uncertain length
     std::vector<State> m_states;
     std::vector<Changes> m_changes;
 };

@@ -26,13 +26,11 @@ namespace {
 using Verdict = Trust::Verdict;
 using FindingKind = Trust::Finding::Kind;
 
-/// A survey that moves lengths by so much more than all let expect contradicts the others.
+/// A survey whose changes exceed the expected ones by this factor contradicts the others.
 constexpr double far_too_much = 1.5;
 
 bool goes_with_epochs(const UncertainParameter& parameter) {
-    using Kind = UncertainParameter::Kind;
-    return parameter.kind == Kind::stiffness || parameter.kind == Kind::temperature ||
-           parameter.kind == Kind::loads || parameter.kind == Kind::adjustable;
+    return is_common(parameter) || parameter.kind == UncertainParameter::Kind::adjustable;
 }
 
 /// Two surveys of which most targets agree to the last digit are one, counted twice.
@@ -44,7 +42,7 @@ bool is_repeated(const Survey& a, const Survey& b) {
     return !both.empty() && 2 * same > std::ssize(both);
 }
 
-/// Of a survey that cannot be taken, which of them it is.
+/// Runs an action, and names the survey in its errors.
 template <class Action>
 auto with_epoch(size_t k, const Action& action) {
     try {
@@ -57,50 +55,48 @@ auto with_epoch(size_t k, const Action& action) {
 void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
                   const IdentifyOptions& options) {
     if (epochs.size() < 2) {
-        throw std::invalid_argument("epochs are at least two surveys");
+        throw std::invalid_argument(
+            fmt::format("epochs: {} given, expected at least two surveys", epochs.size()));
     }
     if (options.model != nullptr ||
         options.method.value_or(IdentificationMethod::map) != IdentificationMethod::map) {
-        throw std::invalid_argument("--epoch is for --method map, without a model");
+        throw std::invalid_argument(
+            "several surveys are identified by the method map, without a model");
     }
     if (!options.covariance_of.empty()) {
-        throw std::invalid_argument("covariances of lengths are told of one survey, not of epochs");
+        throw std::invalid_argument("covariances of lengths are for one survey, not for several");
     }
     if (net.interior_edge_count() > most_edges_of_epochs) {
         throw std::invalid_argument(
-            fmt::format("the net has {} interior edges, and --epoch is for at most {}",
+            fmt::format("the net has {} interior edges, expected at most {} for several surveys",
                         net.interior_edge_count(), most_edges_of_epochs));
     }
     for (const UncertainParameter& parameter : options.uncertain) {
         if (!goes_with_epochs(parameter)) {
             throw std::invalid_argument(fmt::format(
-                "--uncertain {} does not go with --epoch: all surveys would share them, "
-                "each by itself",
+                "the uncertain parameter {} is for one survey, not for several: it would be shared "
+                "by all of them",
                 parameter.to_string()));
         }
     }
     if (!epochs.front().turned.empty()) {
         throw std::invalid_argument("nothing can be turned before the first survey");
     }
-    std::vector<std::vector<EdgeTurned>> steps;
     for (size_t k = 0; k < epochs.size(); ++k) {
         with_epoch(k, [&] { check_survey(net, epochs[k].survey); });
         check_turned(net, epochs[k].turned);
-        steps.push_back(epochs[k].turned);
         try {
-            check_turned(net, all_turned(steps));
+            check_turned(net, turned_until(epochs, k));
         } catch (const std::invalid_argument& error) {
             throw std::invalid_argument(fmt::format("until survey {} {}", k + 1, error.what()));
         }
         if (!epochs[k].survey.is_noisy()) {
-            throw EpochError(k,
-                             "is taken for exact, and --epoch needs its noise (--noise, or sx, "
-                             "sy, sz in the file)");
+            throw EpochError(k, "is exact: several surveys need their noise (standard deviations)");
         }
         for (size_t j = 0; j < k; ++j) {
             if (is_repeated(epochs[j].survey, epochs[k].survey)) {
                 throw EpochError(k, fmt::format("repeats survey {} as survey {} to the last digit: "
-                                                "what was seen once would be counted twice",
+                                                "one survey would be counted twice",
                                                 j + 1, k + 1));
             }
         }
@@ -108,7 +104,7 @@ void check_epochs(const CableNet& net, std::span<const Epoch> epochs,
 }
 
 /// Far below what a survey shows.
-double small_play(const std::vector<Epoch>& epochs) {
+double small_actuator_std(const std::vector<Epoch>& epochs) {
     constexpr double part_of_noise = 0.05;
     double noise = std::numeric_limits<double>::infinity();
     for (const Epoch& epoch : epochs) {
@@ -131,7 +127,7 @@ std::string change_text(const LengthChange& change) {
     return fmt::format("{:+.2f} +- {:.2f} mm", 1e3 * change.change, 1e3 * change.std);
 }
 
-/// Of the first survey: adjustable edges that are not as long as the net tells.
+/// Reports adjustable edges that at the first survey are not as long as in the net.
 void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
     for (const LengthChange& change : first.changes) {
         trust.findings.push_back(
@@ -147,22 +143,21 @@ void add_start(Trust& trust, const CableNet& net, const EpochResult& first) {
     }
 }
 
-/// How lengths changed before a survey, beside what was given.
+/// Reports how lengths changed before a survey, besides the turns given.
 void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, size_t k) {
     const std::string between = fmt::format("Between surveys {} and {}", k, k + 1);
-    const bool is_beyond_chance = epoch.change_ratio > epoch.change_limit;
+    const bool is_significant = epoch.change_ratio > epoch.change_limit;
     const Trust::Finding contradiction{.kind = FindingKind::epoch,
                                        .severity = Verdict::doubtful,
                                        .value = epoch.change_ratio,
                                        .reason = contradiction_text(k, epoch.change_ratio),
                                        .next = what_to_check};
-    if (is_beyond_chance && epoch.change_ratio > far_too_much) {
+    if (is_significant && epoch.change_ratio > far_too_much) {
         trust.findings.push_back(contradiction);
         trust.findings.back().severity = Verdict::failed;
         return;
     }
-    constexpr double beyond_chance = 4.0;
-    if (std::abs(epoch.stroke_factor - 1.0) > beyond_chance * epoch.stroke_factor_std) {
+    if (std::abs(epoch.stroke_factor - 1.0) > significant_std * epoch.stroke_factor_std) {
         trust.findings.push_back(
             {.kind = FindingKind::turns,
              .severity = Verdict::failed,
@@ -196,12 +191,12 @@ void add_changes(Trust& trust, const CableNet& net, const EpochResult& epoch, si
                                    "into account.",
                                    between, 1e3 * epoch.excess_actuator_std),
              .next = "Give it as the standard deviation of what was turned."});
-    } else if (is_beyond_chance) {
+    } else if (is_significant) {
         trust.findings.push_back(contradiction);
     }
 }
 
-/// What was seen once must not count twice.
+/// Reports surveys with the same errors: they would count twice.
 void add_repeats(Trust& trust, const EpochChain& chain) {
     constexpr double too_close = 0.7;
     const auto ratio_of = [&](int k) {
@@ -243,8 +238,8 @@ Trust trust_of_epochs(const CableNet& net, const std::vector<EpochResult>& epoch
     return trust;
 }
 
-/// The surveys with their noise, where it is to be found from them, of turns unknown.
-/// @param scales by which it was multiplied
+/// The surveys with their noise estimated, with turns uncertain.
+/// @param scales on return the factors on the noise
 std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> epochs,
                                     const IdentifyOptions& alone, std::vector<double>& scales,
                                     const Progress& progress) {
@@ -255,13 +250,11 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
             {.kind = UncertainParameter::Kind::adjustable, .std = widest_turn(net), .group = {}});
     }
     std::vector<Epoch> result(epochs.begin(), epochs.end());
-    std::vector<std::vector<EdgeTurned>> steps;
     for (size_t k = 0; k < epochs.size(); ++k) {
-        steps.push_back(epochs[k].turned);
         if (k > 0) {
             scales[k] = with_epoch(k, [&] {
-                return identify(settled_net(net, all_turned(steps)), epochs[k].survey, of_form,
-                                progress)
+                return identify(balanced_net(net, turned_until(epochs, k)), epochs[k].survey,
+                                of_form, progress)
                     .noise_scale;
             });
         }
@@ -270,8 +263,8 @@ std::vector<Epoch> with_noise_found(const CableNet& net, std::span<const Epoch> 
     return result;
 }
 
-/// One a survey, of what was found and compared.
-/// @param first the first survey by itself, which tells of the prior
+/// The results of the single surveys.
+/// @param first the first survey alone, which gives the prior
 std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identification& first,
                                        const std::vector<EpochChain::Changes>& changes,
                                        const std::vector<Epoch>& epochs,
@@ -281,7 +274,7 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
         Identification found = chain.found(k);
         if (k == 0) {
             found.contradicted_prior = first.contradicted_prior;
-            found.prior_was_told = first.prior_was_told;
+            found.prior_was_given = first.prior_was_given;
         }
         const Survey& survey = epochs[static_cast<size_t>(k)].survey;
         const EpochChain::Changes& changed = changes[static_cast<size_t>(k)];
@@ -295,7 +288,7 @@ std::vector<EpochResult> epoch_results(const EpochChain& chain, const Identifica
                            .change_ratio = changed.agreement.ratio(),
                            .change_limit = changed.agreement.limit(),
                            .changes = changed.lengths,
-                           .excess_actuator_std = changed.play,
+                           .excess_actuator_std = changed.excess_actuator_std,
                            .stroke_factor = changed.stroke_factor,
                            .stroke_factor_std = changed.stroke_factor_std,
                            .trust = trust_of(chain.net_at(k), survey, found)});
@@ -325,7 +318,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     alone.method = IdentificationMethod::map;
     alone.draws = 0;
     alone.forces = {};
-    // The prior, where none is told, and the noise, where it is not known.
+    // The first survey alone gives the prior and the noise where they are not given.
     const Identification first =
         with_epoch(0, [&] { return identify(net, epochs.front().survey, alone, progress); });
     // All surveys share it, taken as exact.
@@ -335,7 +328,7 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
         options.estimate_noise ? with_noise_found(net, epochs, alone, noise_scales, progress)
                                : std::vector<Epoch>(epochs.begin(), epochs.end());
     EpochChain each(net, scaled, options, prior,
-                    net.adjustable_edges().empty() ? 0.0 : small_play(scaled));
+                    net.adjustable_edges().empty() ? 0.0 : small_actuator_std(scaled));
     const bool is_compared = each.find_changes(progress);
     const int last = each.count() - 1;
     Identification result;
@@ -358,10 +351,10 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
     Trust together;
     if (result.status == IdentificationStatus::converged) {
         EpochChain chain(net, scaled, options, prior, 0.0, each.changes());
-        const std::optional<double> movement = chain.settle(progress);
+        const std::optional<double> movement = chain.converge(progress);
         if (movement) {
             result = identify_by_maximum_a_posteriori(
-                chain.net_at(last), scaled.back().survey, chain.told(last), {},
+                chain.net_at(last), scaled.back().survey, chain.given(last), {},
                 {.count = options.draws, .seed = options.seed}, progress);
             add_repeats(together, chain);
         } else {
@@ -396,23 +389,19 @@ Identification identify_epochs(const CableNet& net, std::span<const Epoch> epoch
                        "survey converged with its adjustable lengths uncertain.",
              .next = "Look at each survey by itself."});
     }
-    std::vector<std::vector<EdgeTurned>> steps;
-    for (const Epoch& epoch : epochs) {
-        steps.push_back(epoch.turned);
-    }
     result.prior = first.prior;
     result.prior.nodes = {{.prior = prior}};
     result.contradicted_prior = first.contradicted_prior;
-    result.prior_was_told = options.prior.has_value();
-    result.turned = all_turned(steps);
+    result.prior_was_given = options.prior.has_value();
+    result.turned = turned_until(epochs, epochs.size() - 1);
     result.noise_scale = noise_scales.back();
     result.method = to_string(IdentificationMethod::map);
-    result.method_reason = fmt::format("{} surveys are told", epochs.size());
+    result.method_reason = fmt::format("{} surveys are given", epochs.size());
     result.how = fmt::format(
         "maximum a posteriori under the statics, by {} surveys, lengths {}{}", epochs.size(),
         prior.to_string(), first.contradicted_prior ? ", a prior that the first survey shows" : "");
     if (!options.uncertain.empty()) {
-        result.how += ", unknown besides: " + to_string(options.uncertain);
+        result.how += ", uncertain parameters: " + to_string(options.uncertain);
     }
     result.assumptions = assumptions_of(options.uncertain, options.uncertain, result);
     result.trust = trust_of_epochs(net, result.epochs);

@@ -19,20 +19,19 @@
 namespace taut {
 namespace {
 
-/// Bounds to the lengths that the form determines, in standard deviations of what stands for the
-/// noise: wide enough to leave them free, and no wider than that, since variances are lost in
-/// rounding errors where they are far below what was known before. The second is for lengths that
-/// the form determines so badly that the first is not wide enough.
+/// Prior widths of the lengths, in standard deviations of the noise floor: wide enough to leave
+/// them free, and no wider, since variances far below the prior are lost in rounding errors. The
+/// second is for lengths that the form determines so badly that the first would bind them.
 constexpr double narrow_bound = 1e2;
 constexpr double wide_bound = 1e4;
 constexpr double widest_part_of_bound = 3.0;
 
-/// An exact form is met to rounding errors by the lengths that balance it. Where it is not, by more
-/// than this part of an edge length, the intervals would be those of an exact survey around lengths
-/// that are not.
+/// An exact form is met to rounding errors by the lengths that balance it. If it is missed by more
+/// than this part of an edge length, the intervals would be those of an exact survey around wrong
+/// lengths.
 constexpr double rounding_of_form = 1e-7;
 
-/// Length deviations (m_I) from y; an edge that balances with no positive length is told.
+/// Length deviations (m_I) from y, with any edge that balances with no positive length.
 struct BalancedDeviations {
     Eigen::VectorXd deviations;
     Eigen::VectorXd spread;  ///< to either side, where a tension law is flat [m]
@@ -58,7 +57,7 @@ BalancedDeviations balanced_deviations(const CableNet& net, const Points& form,
     return result;
 }
 
-/// What an exact form tells of each length, on top of its balance.
+/// Likelihoods of the lengths by an exact form, around its balance.
 class ExactForm {
 public:
     ExactForm(const CableNet& net, const Survey& survey, const LengthPrior& prior)
@@ -83,7 +82,7 @@ public:
     ExactForm(const ExactForm&) = delete;
     ExactForm& operator=(const ExactForm&) = delete;
 
-    /// An edge that balances with no positive length; -1 where there is none.
+    /// An edge that balances with no positive length; -1: none.
     [[nodiscard]] int impossible_edge() const { return m_impossible_edge; }
     [[nodiscard]] const Points& form() const { return m_balanced.form; }
 
@@ -114,8 +113,8 @@ public:
     }
 
 private:
-    /// Of an edge whose law is flat at its tension all lengths of that part are as likely. Where
-    /// the prior of lengths allows none of them it is wrong, and shows so in the predicted form.
+    /// Where a tension law is flat, all lengths of that part are equally likely. If the prior
+    /// allows none of them, the predicted form shows it.
     void bound_where_flat(std::vector<LengthLikelihood>& likelihoods,
                           const LengthPrior& prior) const {
         for (size_t i = 0; i < likelihoods.size(); ++i) {
@@ -128,14 +127,14 @@ private:
         }
     }
 
-    /// With a normal prior of this standard deviation around the balance, taken out again.
+    /// With a normal prior of this standard deviation around the balance, which is taken out again.
     [[nodiscard]] std::vector<LengthLikelihood> likelihoods_within(double length_std) {
         Observations observations = observe(m_net, m_survey, m_noise, m_none_rejected, length_std);
         observations.mean = m_balanced.deviations;
         if (!m_statics.linearise(m_balanced, observations)) {
             throw NumericalError(
-                "the statics of the net are singular at the surveyed form: are net and prior "
-                "right?");
+                "the statics of the net are singular at the surveyed form. Check the net and the "
+                "prior");
         }
         m_statics.invert();
         return length_likelihoods(m_net, m_knowledge, m_statics, observations, m_balanced);
@@ -154,21 +153,21 @@ private:
 };
 
 /// @param edge that balances with no positive length; -1: none
-/// @return whether there is one
-bool tell_impossible_edge(Identification& result, const CableNet& net, int edge) {
+/// @return whether there is one, and the result reports it
+bool has_impossible_edge(Identification& result, const CableNet& net, int edge) {
     if (edge < 0) {
         return false;
     }
     result.status = IdentificationStatus::survey_does_not_fit;
     result.message = fmt::format(
-        "the forces at the surveyed form balance with no positive length of edge '{}': is the "
-        "survey exact?",
+        "the forces at the surveyed form balance with no positive length of edge '{}'. Check that "
+        "the survey is exact",
         net.edge_id(edge));
     return true;
 }
 
-/// Whether the predicted form is the surveyed one.
-void tell_exactness(Identification& result, const CableNet& net, const LengthPrior& prior) {
+/// Sets the status where the predicted form is not the surveyed one.
+void check_exact_form(Identification& result, const CableNet& net, const LengthPrior& prior) {
     if (result.status != IdentificationStatus::converged) {
         return;
     }
@@ -176,8 +175,8 @@ void tell_exactness(Identification& result, const CableNet& net, const LengthPri
     if (miss > rounding_of_form * edge_lengths(net, net.nodes()).mean()) {
         result.status = IdentificationStatus::survey_not_exact;
         result.message = fmt::format(
-            "is taken for exact, but no lengths of the prior {} give its form: those found miss it "
-            "by {:.3g} mm RMS. Tell its noise, or another prior",
+            "is given as exact, but no lengths of the prior {} give its form: those found miss it "
+            "by {:.3g} mm RMS. Give its noise, or another prior",
             prior.to_string(), 1e3 * miss);
     }
 }
@@ -188,14 +187,13 @@ Identification identify_by_exact_balance(const CableNet& net, const Survey& surv
                                          const LengthPrior& prior) {
     ExactForm exact(net, survey, prior);
     Identification result{.method = "balance", .prior = prior};
-    if (tell_impossible_edge(result, net, exact.impossible_edge())) {
+    if (has_impossible_edge(result, net, exact.impossible_edge())) {
         return result;
     }
     result.length_prior = prior;
-    tell_edges(result, net, std::vector(net.interior_edge_count(), prior),
-               exact.likelihoods(prior));
+    set_edges(result, net, std::vector(net.interior_edge_count(), prior), exact.likelihoods(prior));
     predict_form(result, net, survey, exact.form());
-    tell_exactness(result, net, prior);
+    check_exact_form(result, net, prior);
     return result;
 }
 
@@ -206,7 +204,7 @@ Identification check_exactness(const CableNet& net, const Survey& survey,
     const BalancedDeviations balanced =
         balanced_deviations(net, survey.form, BalanceEquations(net, survey.form, slack));
     Identification result{.prior = prior};
-    if (tell_impossible_edge(result, net, balanced.impossible_edge)) {
+    if (has_impossible_edge(result, net, balanced.impossible_edge)) {
         return result;
     }
     for (int i = 0; i < net.interior_edge_count(); ++i) {
@@ -217,7 +215,7 @@ Identification check_exactness(const CableNet& net, const Survey& survey,
                                 .length_deviation = deviation});
     }
     predict_form(result, net, survey, survey.form);
-    tell_exactness(result, net, prior);
+    check_exact_form(result, net, prior);
     return result;
 }
 

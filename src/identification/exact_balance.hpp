@@ -9,15 +9,15 @@
 
 namespace taut {
 
-/// Lengths from an exact survey of all free nodes, which leaves the prior nothing to say but of
-/// slack edges: the balance of its form, h = 0 (eq. hq), is linear in 1/l_0, and solved by sparse
-/// least squares, docs/theory.md (balance). A survey that is not exact, though it is taken for it,
-/// is told by the status: its form is that of no lengths.
+/// Lengths from an exact survey of all free nodes, where the prior matters for slack edges only:
+/// the balance of its form, h = 0 (eq. hq), is linear in 1/l_0, and solved by sparse least squares,
+/// docs/theory.md (balance). The status reports a survey that is not exact: no lengths give its
+/// form.
 [[nodiscard]] Identification identify_by_exact_balance(const CableNet& net, const Survey& survey,
                                                        const LengthPrior& prior);
 
-/// The same question of exactness alone, without what the form tells of single lengths: whether
-/// lengths within the prior's reach give it. For methods that cannot tell.
+/// Exactness alone: whether lengths within the prior's reach give the form. For methods that cannot
+/// show it.
 /// @return status and message; edges and predicted form are those of the balance
 [[nodiscard]] Identification check_exactness(const CableNet& net, const Survey& survey,
                                              const LengthPrior& prior);

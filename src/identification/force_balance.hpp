@@ -11,12 +11,12 @@
 namespace taut {
 
 /// Force balance: for a known form, h = 0 (eq. hq) is linear in 1/l_0, docs/theory.md (balance).
-/// Without noise it is solved as it is. With noise the balance is off by H dr, H = dh/dr: weighted
-/// with the inverse of H Sigma H', at the form that the weighted solution tells itself, this is the
-/// maximum of the likelihood over lengths and form, and the limit of (map) for a wide prior: it is
-/// found so, gross errors rejected by the same data snooping. The prior enters the posterior of
-/// each edge alone (posterior_of()), not the estimate of the others: where noise hides much, this
-/// amplifies it, as maximum a posteriori does not, and the standard deviations say so.
+/// Without noise it is solved as it is. With noise the balance is off by H dr, H = dh/dr. Weighted
+/// with the inverse of H Sigma H', at the form of the weighted solution itself, it is the maximum
+/// of the likelihood over lengths and form, and the limit of (map) for a wide prior. It is computed
+/// so, with gross errors rejected by the same data snooping. The prior enters the posterior of each
+/// edge alone (posterior_of()), not the estimate of the others. Where noise hides much this
+/// amplifies it, unlike maximum a posteriori, and the standard deviations show it.
 /// @throws SurveyError where a free node was not surveyed; else as
 ///   identify_by_maximum_a_posteriori()
 [[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_force_balance(const CableNet& net,

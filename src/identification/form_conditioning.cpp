@@ -18,7 +18,7 @@ ConditionedForm::ConditionedForm(const CableNet& net, const FormPrior& before, c
       m_nominal_form(std::move(nominal_form)),
       m_noise(with_noise_floor(net, survey)),
       m_common(common_noise_variance()),
-      m_snooping(net, survey, m_noise, m_no_readings, false_alarm_rate) {
+      m_snooping(net, survey, m_noise, m_no_forces, false_alarm_rate) {
     condition();
     if (!m_snooping.is_active()) {
         return;
@@ -47,44 +47,44 @@ std::optional<double> ConditionedForm::common_noise_variance() const {
 /// On the targets that are not rejected.
 void ConditionedForm::condition() {
     m_observed.clear();
-    std::vector<bool> is_told(m_net.free_node_count(), false);
+    std::vector<bool> is_observed(m_net.free_node_count(), false);
     for (const int node : m_survey.surveyed) {
         if (!m_snooping.rejected()[node]) {
             m_observed.push_back(node);
-            is_told[m_net.free_index(node)] = true;
+            is_observed[m_net.free_index(node)] = true;
         }
     }
     Eigen::VectorXd residual =
         free_coordinates(m_net, m_survey.form) - m_nominal_form - m_before.mean;
-    std::vector<int> untold;  // coordinates
+    std::vector<int> unobserved;  // coordinates
     for (int i = 0; i < m_net.free_node_count(); ++i) {
-        for (int k = 3 * i; !is_told[i] && k < 3 * i + 3; ++k) {
+        for (int k = 3 * i; !is_observed[i] && k < 3 * i + 3; ++k) {
             residual(k) = 0.0;
-            untold.push_back(k);
+            unobserved.push_back(k);
         }
     }
     if (m_common) {
-        fill_in(*m_common, residual, untold);
+        fill_in(*m_common, residual, unobserved);
     } else {
         condition_by_factor(residual);
     }
 }
 
-/// (filled-in) With the same variance v of all coordinates' noise, K = C + v I of all of them, told
-/// or not, has the precisions p = 1 / (c + v) along the directions. What was not told is filled in
-/// by what the rest lets expect, -P_uu^-1 P_uo r_o with P = K^-1 = D' diag(p) D, and is then off by
-/// P_uu^-1.
-/// @param untold coordinates u, at which the residual is 0
+/// (filled-in) With the same noise variance v of all coordinates, K = C + v I of all of them,
+/// observed or not, has the precisions p = 1 / (c + v) along the directions. The unobserved ones
+/// are filled in by their conditional mean, -P_uu^-1 P_uo r_o with P = K^-1 = D' diag(p) D, whose
+/// error has the covariance P_uu^-1.
+/// @param unobserved coordinates u, at which the residual is 0
 void ConditionedForm::fill_in(double noise_variance, const Eigen::VectorXd& residual,
-                              const std::vector<int>& untold) {
+                              const std::vector<int>& unobserved) {
     const Eigen::MatrixXd& D = m_before.directions;
     const Eigen::VectorXd p = (m_before.variances.array() + noise_variance).inverse();
     const Eigen::VectorXd gain = m_before.variances.cwiseProduct(p);
     Eigen::VectorXd along = D * residual;
     m_diagonal = noise_variance * gain;
     m_root.resize(0, D.rows());
-    if (!untold.empty()) {
-        const Eigen::MatrixXd D_u = D(Eigen::all, untold);
+    if (!unobserved.empty()) {
+        const Eigen::MatrixXd D_u = D(Eigen::all, unobserved);
         const Cholesky factor(gram(p.cwiseSqrt().asDiagonal() * D_u));  // of P_uu
         along -= D_u * factor.solve(D_u.transpose() * p.cwiseProduct(along)).col(0);
         m_root = factor.solve_lower(D_u.transpose() * gain.asDiagonal());

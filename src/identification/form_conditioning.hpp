@@ -18,10 +18,10 @@ namespace taut {
 /// The form after a survey, docs/theory.md (conditioning): a normal distribution conditioned on the
 /// surveyed coordinates with their noise, gross errors rejected by data snooping.
 ///
-/// All is reckoned in the prior's principal directions, x = mean + D' t with the variances c of t.
-/// The covariance of t after the survey is diag(s) + T'T: where the noise of all coordinates is
-/// the same, s is all there is but for a row of T for each coordinate that no target in use tells,
-/// (filled-in); else s is zero, (by-factor).
+/// Computed in the prior's principal directions, x = mean + D' t with the variances c of t. The
+/// covariance of t after the survey is diag(s) + T'T. Where the noise of all coordinates is the
+/// same, T has one row for each coordinate without a target in use, (filled-in); else s is zero,
+/// (by-factor).
 class TAUT_CORE_EXPORT ConditionedForm {
 public:
     /// Keeps references to all but the nominal form. Not copied: its parts refer to each other.
@@ -42,7 +42,7 @@ public:
 private:
     void condition();
     void fill_in(double noise_variance, const Eigen::VectorXd& residual,
-                 const std::vector<int>& untold);
+                 const std::vector<int>& unobserved);
     void condition_by_factor(const Eigen::VectorXd& residual);
     void evaluate();
     /// That of all coordinates that are surveyed, where it is the same (m2).
@@ -58,7 +58,7 @@ private:
     Eigen::VectorXd m_mean;          ///< 3 n_I [m]
     Eigen::VectorXd m_diagonal;      ///< s (3 n_I) [m2]
     Eigen::MatrixXd m_root;          ///< T (any x 3 n_I) [m]
-    std::vector<ForceMeasurement> m_no_readings;
+    std::vector<ForceMeasurement> m_no_forces;
     DataSnooping m_snooping;
 };
 

@@ -36,10 +36,10 @@ struct Choice {
     std::string reason;
 };
 
-/// The method that was asked for, or the one that suits what is there.
+/// The method asked for, or the one that suits the input.
 Choice choose_method(const Survey& survey, const IdentifyOptions& options) {
     if (options.method) {
-        return {.method = *options.method, .reason = "asked for by --method"};
+        return {.method = *options.method, .reason = "this method was asked for"};
     }
     if (options.model != nullptr) {
         return {.method = IdentificationMethod::gp, .reason = "a model is given"};
@@ -52,54 +52,54 @@ Choice choose_method(const Survey& survey, const IdentifyOptions& options) {
         return {.method = IdentificationMethod::map, .reason = "the survey has noise"};
     }
     if (!options.forces.empty()) {
-        return {.method = IdentificationMethod::map, .reason = "forces are told"};
+        return {.method = IdentificationMethod::map, .reason = "forces are given"};
     }
     if (!options.uncertain.empty()) {
-        return {.method = IdentificationMethod::map, .reason = "more than lengths is unknown"};
+        return {.method = IdentificationMethod::map, .reason = "more than lengths is uncertain"};
     }
     return {.method = IdentificationMethod::balance,
-            .reason = "all free nodes were surveyed, and no noise is told"};
+            .reason = "all free nodes were surveyed, and the survey is exact"};
 }
 
-/// What a survey must be, whatever the method.
+/// Requirements of a method on the survey.
 void check_survey_for(const CableNet& net, const Survey& survey, IdentificationMethod method) {
     if (method == IdentificationMethod::balance) {
-        require_whole(net, survey, "all for --method balance");
+        require_whole(net, survey, "all for the method balance");
     }
     if (survey.is_exact()) {
-        require_whole(net, survey, "all, or their noise (--noise, or sx, sy, sz in the file)");
+        require_whole(net, survey, "all, or their noise (standard deviations)");
     }
 }
 
-/// What only one method makes use of is not left aside in silence by another.
+/// Refuses input that the method does not use.
 void check_for_method(const IdentifyOptions& options, IdentificationMethod method) {
     if (options.model != nullptr && method != IdentificationMethod::gp) {
         throw std::invalid_argument(
-            fmt::format("--model is for --method gp, not for {}", to_string(method)));
+            fmt::format("a model is for the method gp, not for {}", to_string(method)));
     }
     if (method == IdentificationMethod::map) {
         return;
     }
     if (!options.covariance_of.empty()) {
         throw std::invalid_argument(fmt::format(
-            "covariances of lengths are for --method map, not for {}", to_string(method)));
+            "covariances of lengths are for the method map, not for {}", to_string(method)));
     }
     if (!options.forces.empty()) {
         throw std::invalid_argument(fmt::format(
-            "--forces, --taut and --slack are for --method map, not for {}", to_string(method)));
+            "forces and marks of taut and slack edges are for the method map, not for {}",
+            to_string(method)));
     }
     if (options.uncertain.empty()) {
         return;
     }
     if (method != IdentificationMethod::gp) {
-        throw std::invalid_argument(
-            fmt::format("--uncertain is for --method map and gp, not for {}", to_string(method)));
+        throw std::invalid_argument(fmt::format(
+            "uncertain parameters are for the methods map and gp, not for {}", to_string(method)));
     }
     if (options.model != nullptr && options.model->uncertain != options.uncertain) {
         throw std::invalid_argument(
-            fmt::format("the model was trained with the uncertain parameters {}, expected {}: taut "
-                        "sample --uncertain draws "
-                        "them",
+            fmt::format("the model was trained with the uncertain parameters {}, expected {}. Draw "
+                        "its samples with these",
                         to_string(options.model->uncertain), to_string(options.uncertain)));
     }
 }
@@ -128,15 +128,15 @@ LengthModel trained_model(const CableNet& net, const LengthPrior& prior,
 }
 
 std::string how_text(const LengthModel& model, bool is_given, const Survey& survey) {
-    std::string text = fmt::format(
-        "Gaussian processes trained on {} samples of {}{}", model.training_count(),
-        model.prior.to_string(), is_given ? "" : " (no --model was given, so they were drawn now)");
+    std::string text = fmt::format("Gaussian processes trained on {} samples of {}{}",
+                                   model.training_count(), model.prior.to_string(),
+                                   is_given ? "" : " (no model was given, so they were drawn now)");
     if (!model.uncertain.empty()) {
         text += ", drawn with " + to_string(model.uncertain);
     }
     if (model.as_in_paper && survey.is_noisy()) {
         text +=
-            "\n  as in the paper, which takes the survey for exact: its noise is not in their "
+            "\n  as in the paper, which treats the survey as exact: its noise is not in the "
             "intervals";
     }
     return text;
@@ -145,7 +145,7 @@ std::string how_text(const LengthModel& model, bool is_given, const Survey& surv
 Identification identify_by_model(const CableNet& net, const Survey& survey,
                                  const LengthModel& model) {
     if (survey.is_exact() && model.uncertain.empty()) {
-        // No process tells whether a form is that of any lengths: the balance does.
+        // The processes cannot show whether a form is that of any lengths: the balance can.
         Identification balance = check_exactness(net, survey, model.prior);
         if (balance.status != IdentificationStatus::converged) {
             return balance;
@@ -155,16 +155,15 @@ Identification identify_by_model(const CableNet& net, const Survey& survey,
                              : identify_by_processes(net, model, survey);
 }
 
-/// A prior to fit by, and those around it that are as possible.
+/// A prior for a fit, and the distribution over priors around it.
 struct AssumedPrior {
     LengthPrior prior;
-    std::optional<Hyperprior> around;  ///< empty: it is exact
-    bool has_trend = false;            ///< whether lengths may have something in common
+    std::optional<Hyperprior> around;  ///< empty: the prior is exact
+    bool has_trend = false;            ///< Given::has_trend
 };
 
-/// What the statics show of noise, prior, lengths and frame, whatever the method is: a fit of its
-/// own.
-/// @return empty where the survey is exact, or the fit does not settle
+/// A fit of its own, which shows noise, prior, length outliers and frame for any method.
+/// @return empty where the survey is exact, or the fit does not converge
 std::optional<Identification> audit(const CableNet& net, const Survey& survey,
                                     const AssumedPrior& prior,
                                     const std::vector<UncertainParameter>& uncertain,
@@ -172,10 +171,9 @@ std::optional<Identification> audit(const CableNet& net, const Survey& survey,
     if (!survey.is_noisy()) {
         return std::nullopt;
     }
-    Told told(prior.prior);
-    told.hyperprior = prior.around;
-    told.uncertain = uncertain;
-    Identification fit = identify_by_maximum_a_posteriori(net, survey, told, {}, {}, progress);
+    Given given(prior.prior, uncertain);
+    given.hyperprior = prior.around;
+    Identification fit = identify_by_maximum_a_posteriori(net, survey, given, {}, {}, progress);
     if (fit.status != IdentificationStatus::converged) {
         return std::nullopt;
     }
@@ -198,7 +196,7 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     result.frame_check = fit.frame_check;
     result.length_outliers = fit.length_outliers;
     result.boundary_outliers = fit.boundary_outliers;
-    result.boundary_beyond = fit.boundary_beyond;
+    result.boundary_not_released = fit.boundary_not_released;
     for (const LengthOutlier& outlier : fit.length_outliers) {
         const auto is_same = [&](const IdentifiedEdge& edge) { return edge.edge == outlier.edge; };
         const auto edge = std::ranges::find_if(result.edges, is_same);
@@ -214,25 +212,23 @@ void take_over(Identification& result, const Identification& fit, const CableNet
     }
 }
 
-/// By which the noise of a survey fits what it shows, gross errors left out, (components).
+/// The factor on the noise that fits the survey, without gross errors, (components).
 double noise_scale_of(const CableNet& net, const Survey& survey, const LengthPrior& prior,
                       const IdentifyOptions& options, const Progress& progress) {
     if (!survey.is_noisy()) {
-        throw std::invalid_argument("--noise estimate is for a survey that is not exact");
+        throw std::invalid_argument("estimate_noise is for a survey that is not exact");
     }
     constexpr int most_rounds = 8;
-    constexpr double settled = 0.01;
-    constexpr double least_known = 0.25;  // the std of a noise that one may still act on, relative
-    Told told(prior);
-    told.uncertain = options.uncertain;
-    told.forces = options.forces;
+    constexpr double converged = 0.01;
+    constexpr double least_known = 0.25;  // largest relative std of a usable estimate
+    const Given given(prior, options.uncertain, options.forces);
     Survey scaled = survey;
     double scale = 1.0;
     for (int round = 0; round < most_rounds; ++round) {
         const Identification fit =
-            identify_by_maximum_a_posteriori(net, scaled, told, {}, {}, progress);
+            identify_by_maximum_a_posteriori(net, scaled, given, {}, {}, progress);
         if (fit.status != IdentificationStatus::converged) {
-            return scale;  // what comes of it says so
+            return scale;  // the result reports it
         }
         const double ratio = fit.scales.noise.ratio;
         if (!(fit.scales.noise.std < least_known * ratio)) {
@@ -240,13 +236,13 @@ double noise_scale_of(const CableNet& net, const Survey& survey, const LengthPri
         }
         scaled = with_noise_times(std::move(scaled), ratio);
         scale *= ratio;
-        if (std::abs(ratio - 1.0) < settled) {
+        if (std::abs(ratio - 1.0) < converged) {
             return scale;
         }
     }
     throw SurveyError(0,
-                      "does not show its noise: it holds too little more than the lengths need. "
-                      "Tell it, as --noise 0.5mm");
+                      "does not show its noise: it has too little redundancy. Give its standard "
+                      "deviation");
 }
 
 Identification identify_by(IdentificationMethod method, const CableNet& net, const Survey& survey,
@@ -260,12 +256,10 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
                                      prior.prior.to_string());
             break;
         case IdentificationMethod::map: {
-            Told told(prior.prior);
-            told.hyperprior = prior.around;
-            told.has_trend = prior.has_trend;
-            told.uncertain = options.uncertain;
-            told.forces = options.forces;
-            result = identify_by_maximum_a_posteriori(net, survey, told, {},
+            Given given(prior.prior, options.uncertain, options.forces);
+            given.hyperprior = prior.around;
+            given.has_trend = prior.has_trend;
+            result = identify_by_maximum_a_posteriori(net, survey, given, {},
                                                       {.count = options.draws,
                                                        .seed = options.seed,
                                                        .covariance_of = options.covariance_of},
@@ -282,7 +276,7 @@ Identification identify_by(IdentificationMethod method, const CableNet& net, con
     return result;
 }
 
-/// With what the statics show of the survey, whatever the method is.
+/// By a method, with the audit of the survey.
 Identification identify_and_audit(IdentificationMethod method, const CableNet& net,
                                   const Survey& survey, const AssumedPrior& prior,
                                   const IdentifyOptions& options, const Progress& progress) {
@@ -298,7 +292,7 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
     if (method == IdentificationMethod::map) {
         return by_method(survey);
     }
-    // Side by side, since few surveys turn out to be off their frame.
+    // In parallel, since few surveys turn out to be off their frame.
     std::optional<Identification> fit;
     Identification result;
     tbb::parallel_invoke([&] { fit = audit(net, survey, prior, options.uncertain, progress); },
@@ -313,13 +307,13 @@ Identification identify_and_audit(IdentificationMethod method, const CableNet& n
     return result;
 }
 
-/// How far two standard deviations are apart, as a logarithm.
+/// Distance of two standard deviations, as a logarithm.
 double distance(double std, const LengthPrior& prior) {
     return std::abs(std::log(std / prior.std()));
 }
 
-/// A fit by a prior far from what it shows accuses sound targets and lengths: again by what it
-/// shows, until that stays.
+/// A fit with a prior far from the truth rejects sound targets and lengths. So it is repeated with
+/// the prior that it shows, until that stays.
 Identification identify_at_centre(IdentificationMethod method, const CableNet& net,
                                   const Survey& survey, const AssumedPrior& first,
                                   const IdentifyOptions& options, const Progress& progress) {
@@ -340,7 +334,7 @@ Identification identify_at_centre(IdentificationMethod method, const CableNet& n
     return result;
 }
 
-/// (prior-mixture): by each prior of the posterior, together.
+/// (prior-mixture): by each prior of the posterior, mixed.
 Identification identify_over_priors(IdentificationMethod method, const CableNet& net,
                                     const Survey& survey, const IdentifyOptions& options,
                                     const Progress& progress) {
@@ -354,7 +348,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
         return centre;
     }
     if (method == IdentificationMethod::gp && prior.nodes.size() > 1) {
-        // A model takes long to train: one, for all.
+        // Training takes long: one model for all.
         prior.nodes = {{.prior = central_prior(prior)}};
     }
     if (prior.nodes.size() == 1 && prior.nodes.front().prior.kind == centre.length_prior.kind &&
@@ -364,7 +358,7 @@ Identification identify_over_priors(IdentificationMethod method, const CableNet&
     }
     std::vector<double> weights(prior.nodes.size());
     std::ranges::transform(prior.nodes, weights.begin(), &PriorNode::weight);
-    // Fewer draws would not tell whether they are in doubt.
+    // Fewer draws would not show whether they are reliable.
     constexpr int fewest_draws = 10;
     const std::vector<int> shares = shared_out(options.draws, weights);
     std::vector<WeightedIdentification> parts;
@@ -426,21 +420,20 @@ IdentificationMethod parse_identification_method(std::string_view name) {
 
 int default_draws(const CableNet& net) {
     constexpr int few_edges = 10'000;
-    // Of a net of tension laws each takes long.
+    // With tension laws each takes long.
     return net.interior_edge_count() > few_edges || !net.is_linear() ? 40 : 200;
 }
 
 void check_draws(const CableNet& net, std::int64_t draws) {
-    // A draw is held twice while it is written.
+    // A draw is in memory twice while it is written.
     const double bytes_a_draw =
         2.0 * sizeof(double) *
         (net.interior_edge_count() + 3.0 * net.free_node_count() + net.edge_count());
     const double most = std::min(platform::physical_memory() / bytes_a_draw, 2147483647.0);
     if (draws < 0 || static_cast<double>(draws) > most) {
-        throw std::invalid_argument(
-            fmt::format("draws is {}, expected 0 to {:.0f}, as many as the memory holds for this "
-                        "net",
-                        draws, most));
+        throw std::invalid_argument(fmt::format(
+            "draws is {}, expected 0 to {:.0f}, as many as fit into memory for this net", draws,
+            most));
     }
 }
 
@@ -526,7 +519,7 @@ Identification identify(const CableNet& net, const Survey& survey, const Identif
     if (survey.is_noisy()) {
         take_out_mean_bias(result, net, survey, options.uncertain, progress);
     }
-    result.prior_was_told = options.prior.has_value();
+    result.prior_was_given = options.prior.has_value();
     result.method = to_string(method);
     result.method_reason = reason;
     result.assumptions = assumptions_of(options.uncertain, options.uncertain, result);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,21 +31,20 @@ namespace taut {
 namespace {
 
 /// The likely reason, and what would help.
-std::string why_unsettled(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
+std::string why_not_converged(const CableNet& net, const Survey& survey, const LengthPrior& prior) {
     const double stretch =
         (edge_lengths(net, net.nodes()) - net.unstressed_lengths()).cwiseMax(0.0).mean();
-    std::string text = "found no lengths that settle: iteration limit; ";
+    std::string text = "The fit did not converge within its iteration limit. ";
     if (stretch < prior.std()) {
         text += fmt::format(
-            "the cables stretch by {:.2g} mm in the mean and their lengths deviate by {:.2g} mm, "
-            "so "
-            "that any of them may be slack: a narrower --law would help, if it is true",
+            "The mean stretch of the cables is {:.2g} mm and the prior of their lengths +-{:.2g} "
+            "mm, so any of them may be slack. A narrower prior would help, if it is true.",
             1e3 * stretch, 1e3 * prior.std());
     } else {
-        text += "are net, loads, frame and noise right";
+        text += "Check net, loads, frame and noise.";
     }
     if (!survey.is_whole()) {
-        text += fmt::format("; a survey of the {} missing nodes would help", survey.missing.size());
+        text += fmt::format(" A survey of the {} missing nodes would help.", survey.missing.size());
     }
     return text;
 }
@@ -62,12 +62,12 @@ SurveySearch search_fit(const CableNet& net, const Survey& survey, const PriorKn
     return result;
 }
 
-/// What was seen is believed where the survey does not speak against it: where the fit that keeps
-/// to it costs no more, beyond chance, than the one that knows nothing of it.
+/// Whether the survey does not contradict the marks of slack and taut edges: whether the fit with
+/// them costs no more, beyond chance, than the fit without.
 bool is_believable(const SurveySearch& with, const SurveySearch& without, const Forces& seen) {
-    constexpr double beyond_chance = 20.0;  // a normal error of 4.5 standard deviations
-    constexpr double a_slack_edge = 9.0;    // may be as far from the mean of its prior
-    // Kept to as taut it may carry pressure in the fit, which costs nothing.
+    constexpr double by_chance = 20.0;    // a normal error of 4.5 standard deviations
+    constexpr double a_slack_edge = 9.0;  // may be this far from the mean of its prior
+    // An edge kept taut may carry pressure in the fit, which costs nothing.
     constexpr double surely = 4.0;  // standard deviations
     const LinearisedStatics& statics = with.fit->statics();
     const Eigen::VectorXd tensions = statics.tensions(with.fitted.iterate);
@@ -76,13 +76,13 @@ bool is_believable(const SurveySearch& with, const SurveySearch& without, const 
         return tensions(edge) < -surely * std::sqrt(std::max(0.0, variances(edge)));
     });
     return !has_pressure &&
-           with.fit->cost() <= without.fit->cost() + beyond_chance +
+           with.fit->cost() <= without.fit->cost() + by_chance +
                                    a_slack_edge * static_cast<double>(seen.slack.size());
 }
 
-/// Of edges seen taut or slack those that a fit which knows nothing of it finds to be otherwise;
-/// where there are none, all.
-void tell_contradicted(Identification& result, const SurveySearch& without, const Forces& seen) {
+/// Reports the marked edges that the fit without marks contradicts; where there are none, all.
+void set_contradicted_marks(Identification& result, const SurveySearch& without,
+                            const Forces& seen) {
     constexpr double surely = 3.0;  // standard deviations
     const Eigen::VectorXd tensions = without.fit->statics().tensions(without.fitted.iterate);
     const Eigen::VectorXd stds =
@@ -112,20 +112,19 @@ FrameOffset frame_offset_of(const LinearisedStatics& statics, const Iterate& fit
             .rotation_std = common.rotation_unit() * stds.tail<3>()};
 }
 
-/// What a fit shows of noise and prior, whether they were told right or not.
+/// What a fit shows of noise, prior and frame.
 struct Diagnostics {
     VarianceComponents scales;
     PriorCheck prior;
     FrameCheck frame;
     std::optional<PriorEstimate> estimate;
-    std::vector<bool> left_out;       ///< interior edges (m_I) that do not show the prior
-    Eigen::VectorXd adjustable_stds;  ///< of what is uncertain of adjustable ones, else 0 (m_I)
+    std::vector<bool> left_out;       ///< interior edges (m_I) that do not follow the prior
+    Eigen::VectorXd adjustable_stds;  ///< prior std of uncertain adjustable edges, else 0 (m_I)
 };
 
 /// (common-mean): score and information of a shift of the prior.
-void tell_mean(PriorCheck& check, const LinearisedStatics& statics,
-               const Observations& observations, const Iterate& fitted,
-               const std::vector<bool>& left_out) {
+void set_mean(PriorCheck& check, const LinearisedStatics& statics, const Observations& observations,
+              const Iterate& fitted, const std::vector<bool>& left_out) {
     Eigen::VectorXd weights = observations.variance.cwiseInverse();
     for (size_t i = 0; i < left_out.size(); ++i) {
         if (left_out[i]) {
@@ -141,47 +140,48 @@ void tell_mean(PriorCheck& check, const LinearisedStatics& statics,
     }
 }
 
-/// (components), (prior-check). The fit stands as it was afterwards.
-Diagnostics doubt_of(const CableNet& net, const CableNet& fit_net, const Told& given,
-                     SurveyFit& fit, Iterate fitted) {
+/// (components), (prior-check). Leaves the fit as it was.
+Diagnostics diagnostics_of(const CableNet& net, const CableNet& fit_net, const Given& given,
+                           SurveyFit& fit, Iterate fitted) {
     const LengthPrior& prior = given.prior;
-    Diagnostics doubt;
+    Diagnostics shown;
     const Iterate at = fitted;
-    const Observations told = fit.observations();
-    Observations scaled = told;
-    doubt.frame = check_frame(fit_net, fit.statics(), at, told, fit.snooping().residual_scale());
+    const Observations observed = fit.observations();
+    Observations scaled = observed;
+    shown.frame =
+        check_frame(fit_net, fit.statics(), at, observed, fit.snooping().residual_scale());
     std::vector<bool> left_out = fit.length_snooping().released();
-    doubt.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
+    shown.adjustable_stds = Eigen::VectorXd::Zero(fit_net.interior_edge_count());
     for (int i = 0; i < fit_net.interior_edge_count(); ++i) {
         const int edge = fit_net.interior_edges()[i];
         const bool is_adjustable = std::ranges::binary_search(net.adjustable_edges(), edge);
         if (is_adjustable && !left_out[i] && !fit.statics().slack()[edge]) {
-            doubt.adjustable_stds(i) = fit.knowledge().priors[i].std();
+            shown.adjustable_stds(i) = fit.knowledge().priors[i].std();
         }
         left_out[i] =
             left_out[i] || fit.statics().slack()[edge] || fit.knowledge().priors[i] != prior;
     }
-    doubt.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
+    shown.scales = estimate_components(fit_net, fit.statics(), scaled, fitted, left_out);
     const PriorLikelihood likelihood(
         prior, length_likelihoods(fit_net, fit.knowledge(), fit.statics(), scaled, fitted),
         left_out);
-    doubt.prior = check_prior_by_lengths(prior, likelihood);
-    doubt.prior.beyond = fit.length_snooping().given_up();
-    tell_mean(doubt.prior, fit.statics(), scaled, fitted, left_out);
+    shown.prior = check_prior_by_lengths(prior, likelihood);
+    shown.prior.outliers = fit.length_snooping().given_up();
+    set_mean(shown.prior, fit.statics(), scaled, fitted, left_out);
     if (given.hyperprior) {
-        doubt.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), told, at,
-                                        left_out, prior, doubt.scales.lengths, likelihood);
+        shown.estimate = estimate_prior(*given.hyperprior, fit_net, fit.statics(), observed, at,
+                                        left_out, prior, shown.scales.lengths, likelihood);
     }
-    if (fit.statics().linearise(at, told)) {
+    if (fit.statics().linearise(at, observed)) {
         fit.statics().invert();
     }
-    doubt.left_out = std::move(left_out);
-    return doubt;
+    shown.left_out = std::move(left_out);
+    return shown;
 }
 
 /// (detectable)
 DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const SurveyFit& fit,
-                               const Diagnostics& doubt) {
+                               const Diagnostics& shown) {
     DetectableErrors result{
         .target = fit.snooping().detectable(),
         .length = fit.length_snooping().detectable(net.interior_edges()),
@@ -192,20 +192,20 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
     const Points arms = net.nodes().colwise() - net.nodes().rowwise().mean();
     const double reach = arms.colwise().norm().maxCoeff();
     const double scale_std =
-        doubt.frame.scale_std > 0.0 ? std::hypot(doubt.frame.scale_std, survey.scale_std) : 0.0;
+        shown.frame.scale_std > 0.0 ? std::hypot(shown.frame.scale_std, survey.scale_std) : 0.0;
     result.scale = detectable_error(std::vector<BoundedEstimate>{
-        {.bound = std::max(beyond_chance_std * scale_std,
+        {.bound = std::max(significant_std * scale_std,
                            negligible_scale * survey.rms_noise_std() / reach),
          .std = scale_std}});
     const double mean = detectable_error(std::vector<BoundedEstimate>{
-        {.bound = std::max(beyond_chance_std * doubt.prior.mean_std,
-                           negligible_mean * doubt.prior.checked.std()),
-         .std = doubt.prior.mean_std}});
+        {.bound = std::max(significant_std * shown.prior.mean_std,
+                           negligible_mean * shown.prior.checked.std()),
+         .std = shown.prior.mean_std}});
     constexpr double of_steel = 12e-6;  // [1/K]
     double expansion = 0.0;             // mean, by 1 K [m]
-    const Eigen::VectorXd& told = net.data().expansion;
+    const Eigen::VectorXd& of_net = net.data().expansion;
     for (const int edge : net.interior_edges()) {
-        const double of_edge = told.size() > 0 ? told(edge) : of_steel;
+        const double of_edge = of_net.size() > 0 ? of_net(edge) : of_steel;
         expansion += of_edge * net.unstressed_lengths()(edge) / net.interior_edge_count();
     }
     if (expansion > 0.0) {
@@ -214,9 +214,9 @@ DetectableErrors detectable_of(const CableNet& net, const Survey& survey, const 
     return result;
 }
 
-/// Of the net to fit the edges, by their number among the interior ones, of which a form tells no
-/// more than a bound, or may not: what is told of their length is not normal. An adjustable edge
-/// only where it is slack: its turns tell more of it than a form that is fitted without them.
+/// Interior edges of the net to fit that are slack or may be: their likelihood is not normal. An
+/// adjustable edge only where it is slack: its turns determine it better than a form that is fitted
+/// without them.
 std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet& fit_net,
                                             const LinearisedStatics& statics,
                                             const Iterate& fitted) {
@@ -234,7 +234,7 @@ std::vector<Eigen::Index> edges_maybe_slack(const CableNet& net, const CableNet&
     return result;
 }
 
-/// Of the edges' gains the rows of some, in the order of the net to fit.
+/// The rows of the gains for these edges.
 Eigen::MatrixXd gains_of(const std::vector<int>& edges, const CableNet& fit_net,
                          const LengthTrend& trend) {
     std::vector<Eigen::Index> rows(edges.size());
@@ -245,7 +245,7 @@ Eigen::MatrixXd gains_of(const std::vector<int>& edges, const CableNet& fit_net,
     return trend.length_gains(rows, Eigen::all);
 }
 
-/// (length-trend): what the lengths have in common moves and widens what a fit without it tells.
+/// (length-trend): adds what the lengths have in common to the result of a fit without it.
 void take_up_trend(Identification& result, const LengthTrend& trend, const CableNet& fit_net) {
     std::vector<int> edges;
     std::ranges::transform(result.edges, std::back_inserter(edges), &IdentifiedEdge::edge);
@@ -298,9 +298,9 @@ LengthCovariance covariance_of(const std::vector<int>& edges, const CableNet& fi
     return {.edges = edges, .covariance = linearised.cwiseProduct(scale * scale.transpose())};
 }
 
-/// What was released: interior edges, and what of the boundary is not as given; adjustable edges of
-/// uncertain lengths are edges of the fit like others.
-void tell_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
+/// Reports the released interior edges and boundary. Adjustable edges of uncertain length are
+/// interior edges of the fit.
+void set_outliers(Identification& result, const CableNet& net, const SurveyFit& fit) {
     result.boundary_outliers = fit.boundary_snooping().outliers();
     for (const LengthOutlier& outlier : fit.length_snooping().outliers()) {
         if (std::ranges::binary_search(net.interior_edges(), outlier.edge)) {
@@ -317,7 +317,7 @@ void tell_outliers(Identification& result, const CableNet& net, const SurveyFit&
     std::ranges::stable_sort(result.boundary_outliers, std::greater{}, &BoundaryOutlier::statistic);
 }
 
-/// Of a released adjustable edge the deviation is reported, which the estimate would count twice.
+/// Leaves out the estimates of released adjustable edges: their deviation is reported instead.
 void leave_out_released(Identification& result) {
     std::erase_if(result.uncertain, [&](const ParameterEstimate& one) {
         return one.parameter.kind == UncertainParameter::Kind::adjustable &&
@@ -328,25 +328,26 @@ void leave_out_released(Identification& result) {
     });
 }
 
-/// @param own what the survey tells by itself, with its number of common uncertain; null: not
-/// wanted
-Identification identify_by_map(const CableNet& net, const Survey& survey, const Told& told,
-                               const SurveyFitSettings& settings, const PosteriorSettings& wanted,
-                               LengthEvidence* own, int common_count, const Progress& progress) {
+/// @param common_count of the evidence of the survey alone, with this number of common parameters;
+///   empty: no evidence is wanted
+IdentifiedEpoch identify_by_map(const CableNet& net, const Survey& survey, const Given& given,
+                                const SurveyFitSettings& settings, const PosteriorSettings& wanted,
+                                std::optional<int> common_count, const Progress& progress) {
     check_survey(net, survey);
-    check_uncertain_parameters(net, told.uncertain);
-    Identification result;
-    const bool only_lengths = told.uncertain.empty() && told.forces.empty() && !told.evidence;
+    check_uncertain_parameters(net, given.uncertain);
+    IdentifiedEpoch epoch;
+    Identification& result = epoch.identification;
+    const bool only_lengths = given.uncertain.empty() && given.forces.empty() && !given.evidence;
     if (survey.is_exact() && survey.is_whole() && only_lengths) {
-        result = identify_by_exact_balance(net, survey, told.prior);
+        result = identify_by_exact_balance(net, survey, given.prior);
         result.method = "map";
-        return result;
+        return epoch;
     }
-    const CableNet fit_net = net_to_fit(net, told.uncertain);
+    const CableNet fit_net = net_to_fit(net, given.uncertain);
     PriorKnowledge all = knowledge_of(
-        fit_net, told.prior, told.uncertain, told.forces,
-        told.own_stds.size() > 0 ? told.own_stds : adjustable_stds(net, told.uncertain));
-    all.evidence = told.evidence;
+        fit_net, given.prior, given.uncertain, given.forces,
+        given.own_stds.size() > 0 ? given.own_stds : adjustable_stds(net, given.uncertain));
+    all.evidence = given.evidence;
     all.frame_is_unknown = survey.frame_is_unknown;
     PriorKnowledge unseen = all;
     unseen.forces.taut.clear();
@@ -355,10 +356,10 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     fitting.progress = {.tell = {}, .stop_requested = progress.stop_requested};
     SurveySearch found = search_fit(fit_net, survey, all, fitting);
     Identification verdict;
-    if (!told.forces.taut.empty() || !told.forces.slack.empty()) {
+    if (!given.forces.taut.empty() || !given.forces.slack.empty()) {
         SurveySearch without = search_fit(fit_net, survey, unseen, fitting);
-        if (!is_believable(found, without, told.forces)) {
-            tell_contradicted(verdict, without, told.forces);
+        if (!is_believable(found, without, given.forces)) {
+            set_contradicted_marks(verdict, without, given.forces);
             found = std::move(without);
         }
     }
@@ -366,42 +367,41 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
     const PriorKnowledge& knowledge = fit.knowledge();
     GaussNewtonResult& fitted = found.fitted;
     Observations observations = fit.observations();
-    const Diagnostics doubt =
-        fitted.converged ? doubt_of(net, fit_net, told, fit, fitted.iterate) : Diagnostics();
-    if (own != nullptr) {
-        const Eigen::Index size = fit_net.interior_edge_count() + common_count;
-        *own =
-            fitted.converged
-                ? forgotten(own_evidence(fit.statics(), observations, fitted.iterate, common_count),
-                            edges_maybe_slack(net, fit_net, fit.statics(), fitted.iterate))
-                : no_evidence(size);
+    const Diagnostics shown =
+        fitted.converged ? diagnostics_of(net, fit_net, given, fit, fitted.iterate) : Diagnostics();
+    if (common_count) {
+        epoch.own = fitted.converged
+                        ? forgotten(own_evidence(fit.statics(), observations, fitted.iterate,
+                                                 *common_count),
+                                    edges_maybe_slack(net, fit_net, fit.statics(), fitted.iterate))
+                        : no_evidence(fit_net.interior_edge_count() + *common_count);
     }
     if (fitted.converged) {
-        Propagated settled = propagate_prior(fit_net, knowledge, fit.statics(), observations,
-                                             fitted.iterate, fit.tolerance());
-        fitted.iterate = std::move(settled.iterate);
-        observations = std::move(settled.observations);
+        Propagated propagated = propagate_prior(fit_net, knowledge, fit.statics(), observations,
+                                                fitted.iterate, fit.tolerance());
+        fitted.iterate = std::move(propagated.iterate);
+        observations = std::move(propagated.observations);
     }
     result =
-        identification_of(net, fit_net, survey, told.prior, knowledge, fit, fitted, observations);
-    result.readings = static_cast<int>(told.forces.readings.size());
-    result.reading_outliers = fit.snooping().reading_outliers();
-    result.reading_bias = fit.snooping().reading_bias();
-    result.prior = doubt.estimate.value_or(exact_prior(told.prior));
-    const LengthTrend trend = told.has_trend && fitted.converged
+        identification_of(net, fit_net, survey, given.prior, knowledge, fit, fitted, observations);
+    result.force_measurements = static_cast<int>(given.forces.readings.size());
+    result.force_outliers = fit.snooping().force_outliers();
+    result.force_bias = fit.snooping().force_bias();
+    result.prior = shown.estimate.value_or(exact_prior(given.prior));
+    const LengthTrend trend = given.has_trend && fitted.converged
                                   ? trend_of(fit_net, fit.statics(), observations, fitted.iterate,
-                                             doubt.left_out, doubt.adjustable_stds, told.prior)
+                                             shown.left_out, shown.adjustable_stds, given.prior)
                                   : LengthTrend();
     result.prior.common = trend.found;
     if (fitted.converged) {
-        result.detectable = detectable_of(net, survey, fit, doubt);
+        result.detectable = detectable_of(net, survey, fit, shown);
     }
-    result.scales = doubt.scales;
-    result.prior_check = doubt.prior;
-    result.frame_check = doubt.frame;
-    result.frame_check.scale_std = std::hypot(doubt.frame.scale_std, survey.scale_std);
-    tell_outliers(result, net, fit);
-    result.boundary_beyond = fit.boundary_snooping().beyond_count();
+    result.scales = shown.scales;
+    result.prior_check = shown.prior;
+    result.frame_check = shown.frame;
+    result.frame_check.scale_std = std::hypot(shown.frame.scale_std, survey.scale_std);
+    set_outliers(result, net, fit);
+    result.boundary_not_released = fit.boundary_snooping().not_released_count();
     result.contradicted_taut = std::move(verdict.contradicted_taut);
     result.contradicted_slack = std::move(verdict.contradicted_slack);
     if (fit.statics().common().has_frame()) {
@@ -416,35 +416,34 @@ Identification identify_by_map(const CableNet& net, const Survey& survey, const 
         observations.mean_root = trend.columns * trend.root;
     }
     if (!fit_net.is_linear()) {
-        fit.statics().hold_laws(fitted.iterate);  // (drawn-prior)
+        fit.statics().fix_tension_laws(fitted.iterate);  // (drawn-law)
     }
     draw_posterior(result, net, fit_net, survey, knowledge, fit.statics(), observations,
                    fitted.iterate, wanted, progress);
     if (!wanted.covariance_of.empty() && fitted.converged) {
-        // Behind the draws, which may widen what the fit tells.
+        // After the draws, which may widen the standard deviations.
         result.length_covariance =
             covariance_of(wanted.covariance_of, fit_net, fit.statics(), trend, result);
     }
     predict_form(result, net, survey, fitted.iterate.form);
     result.method = "map";
-    return result;
+    return epoch;
 }
 
 }  // namespace
 
 Identification identify_by_maximum_a_posteriori(const CableNet& net, const Survey& survey,
-                                                const Told& told, const SurveyFitSettings& settings,
+                                                const Given& given,
+                                                const SurveyFitSettings& settings,
                                                 const PosteriorSettings& wanted,
                                                 const Progress& progress) {
-    return identify_by_map(net, survey, told, settings, wanted, nullptr, 0, progress);
+    return identify_by_map(net, survey, given, settings, wanted, std::nullopt, progress)
+        .identification;
 }
 
-IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, const Told& told,
+IdentifiedEpoch identify_one_epoch(const CableNet& net, const Survey& survey, const Given& given,
                                    int common_count, const Progress& progress) {
-    IdentifiedEpoch result;
-    result.identification =
-        identify_by_map(net, survey, told, {}, {}, &result.own, common_count, progress);
-    return result;
+    return identify_by_map(net, survey, given, {}, {}, common_count, progress);
 }
 
 Identification identification_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
@@ -454,9 +453,9 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
     Identification result;
     if (!fitted.converged) {
         result.status = IdentificationStatus::iteration_limit;
-        result.message = why_unsettled(net, survey, prior);
+        result.message = why_not_converged(net, survey, prior);
     }
-    tell_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
+    set_snooping(result, survey, fit.snooping(), fit.contradicts_too_many());
     std::vector<LengthLikelihood> likelihoods =
         length_likelihoods(fit_net, knowledge, fit.statics(), observations,
                            fitted.iterate);  // (covariance), (likelihood), (posterior)
@@ -468,9 +467,9 @@ Identification identification_of(const CableNet& net, const CableNet& fit_net, c
         likelihoods = std::move(interior);
     }
     result.length_prior = prior;
-    tell_edges(result, net, interior_priors(net, knowledge), likelihoods);
+    set_edges(result, net, interior_priors(net, knowledge), likelihoods);
     for (IdentifiedEdge& edge : result.edges) {
-        // Seen, where the form leaves next to no length of the prior for it.
+        // Marked slack, though the form leaves hardly any length of the prior for that.
         if (std::ranges::find(knowledge.forces.slack, edge.edge) != knowledge.forces.slack.end()) {
             edge.status = EdgeStatus::slack;
         }

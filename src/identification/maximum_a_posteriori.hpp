@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "estimation/epoch_evidence.hpp"
@@ -20,52 +21,53 @@
 
 namespace taut {
 
-/// What is told besides net and survey.
-struct Told {
+/// All that is given besides net and survey.
+struct Given {
     LengthPrior prior;  ///< of the length deviations
     std::vector<UncertainParameter> uncertain;
     Forces forces;
-    /// Of edges (m) whose lengths follow a normal prior of their own: adjustable ones, where these
-    /// are unknown, and others where it is not 0; empty: adjustable ones as the uncertain tell [m].
+    /// Standard deviations of edges (m) with a normal prior of their own: adjustable ones where
+    /// uncertain, and others where not 0; empty: adjustable_stds() [m].
     Eigen::VectorXd own_stds;
-    /// Over priors, of which the result then tells the posterior; empty: the prior is exact.
+    /// Distribution over priors, to estimate their posterior; empty: the prior is exact.
     std::optional<Hyperprior> hyperprior;
     /// Whether lengths may have a mean and scales in common, (length-trend).
     bool has_trend = false;
-    /// Of other surveys of the same net to fit; null: there is none.
+    /// Of other surveys of the same net to fit; null: none.
     std::shared_ptr<const LengthEvidence> evidence;
 
-    /// The prior, and nothing else.
-    Told(const LengthPrior& with_prior)
-        : prior(with_prior) {}  // NOLINT(google-explicit-constructor)
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    Given(const LengthPrior& of_lengths, std::vector<UncertainParameter> parameters = {},
+          Forces measured = {})
+        : prior(of_lengths), uncertain(std::move(parameters)), forces(std::move(measured)) {}
 };
 
-/// Maximum a posteriori under the statics: SurveyFit with the prior as prior, then the posterior
-/// mean, by propagate_prior(). Standard deviations are those of the posterior linearised at the
-/// result (Laplace), as the prior itself cuts it (posterior_of()). Of an exact survey of all nodes
-/// the lengths are those of the balance, unless more than them is unknown, or forces are told.
+/// Maximum a posteriori under the statics: SurveyFit, then the posterior mean by propagate_prior().
+/// Standard deviations are those of the posterior linearised at the result (Laplace), cut by the
+/// prior itself (posterior_of()). An exact survey of all nodes is identified by the balance, unless
+/// more than lengths is uncertain or forces are given.
 /// @throws std::invalid_argument as SurveyFit, check_uncertain_parameters()
 /// @throws std::runtime_error where the statics are singular at the surveyed form
 [[nodiscard]] TAUT_CORE_EXPORT Identification identify_by_maximum_a_posteriori(
-    const CableNet& net, const Survey& survey, const Told& told,
+    const CableNet& net, const Survey& survey, const Given& given,
     const SurveyFitSettings& settings = {}, const PosteriorSettings& wanted = {},
     const Progress& progress = {});
 
-/// The same, without draws, and what the survey tells of the lengths by itself; nothing where the
-/// fit does not converge.
+/// The same without draws, and the evidence of the survey alone; none where the fit does not
+/// converge.
 struct IdentifiedEpoch {
     Identification identification;
     LengthEvidence own;
 };
 [[nodiscard]] TAUT_CORE_EXPORT IdentifiedEpoch identify_one_epoch(const CableNet& net,
                                                                   const Survey& survey,
-                                                                  const Told& told,
+                                                                  const Given& given,
                                                                   int common_count,
                                                                   const Progress& progress = {});
 
-/// What a fit tells of the lengths, under the prior; no form is predicted yet.
-/// @param fit_net of the fit, net_to_fit()
-/// @param observations with the prior that the fit was made with
+/// The lengths by a fit, under the prior; without a predicted form.
+/// @param fit_net net_to_fit()
+/// @param observations of the fit
 [[nodiscard]] TAUT_CORE_EXPORT Identification
 identification_of(const CableNet& net, const CableNet& fit_net, const Survey& survey,
                   const LengthPrior& prior, const PriorKnowledge& knowledge, const SurveyFit& fit,

@@ -64,10 +64,8 @@ void take_out_mean_bias(Identification& result, const CableNet& net, const Surve
     if (!again) {
         return;
     }
-    Told told(result.length_prior);
-    told.uncertain = uncertain;
-    const Identification fit =
-        identify_by_maximum_a_posteriori(net, *again, told, {}, {}, progress);
+    const Identification fit = identify_by_maximum_a_posteriori(
+        net, *again, Given(result.length_prior, uncertain), {}, {}, progress);
     if (fit.status == IdentificationStatus::converged && fit.prior_check.mean_std > 0.0) {
         check.mean -= fit.prior_check.mean;
         check.mean_std = std::hypot(check.mean_std, fit.prior_check.mean_std);

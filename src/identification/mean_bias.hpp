@@ -12,11 +12,11 @@
 
 namespace taut {
 
-/// Takes out of the common mean of the length deviations (PriorCheck::mean) what a fit to first
-/// order shows of lengths that have none: what it shows of one simulated survey of the same net,
-/// with lengths and uncertain parameters drawn from their priors and the same targets and noise.
-/// docs/theory.md, (mean-bias). Only of a mean that chance does not give and that may be such a
-/// bias; it takes the time of another fit.
+/// Corrects the common mean of the length deviations (PriorCheck::mean) by the bias of a fit to
+/// first order: by the mean that it finds in one simulated survey of the same net, with lengths and
+/// uncertain parameters drawn from their priors and the same targets and noise. docs/theory.md,
+/// (mean-bias). Only where the mean is significant and may be such a bias; it takes the time of
+/// another fit.
 void take_out_mean_bias(Identification& result, const CableNet& net, const Survey& survey,
                         const std::vector<UncertainParameter>& uncertain, const Progress& progress);
 

@@ -14,8 +14,8 @@ namespace {
 
 using Kind = UncertainParameter::Kind;
 
-/// Of the deviation x of a length that is the sum of the edge's own and of one that nobody knows,
-/// with prior variances P and v: the part of the sum that a term of variance `part` is.
+/// A fitted length deviation is the sum of independent terms. This is the part of it that a term of
+/// variance `part` has, given the prior variance of the sum.
 struct Share {
     double mean;
     double variance;
@@ -26,23 +26,24 @@ Share share_of(double part, double prior_variance, double deviation_from_prior, 
             .variance = part * (1.0 - ratio) + ratio * ratio * variance};
 }
 
-/// The root of a variance; where that was lost in rounding errors, what was known before.
-double told_or(double variance, double before) {
-    return variance > 0.0 ? std::sqrt(variance) : before;
+/// The root of a variance; where rounding errors exceed it, the prior standard deviation.
+double std_or(double variance, double prior_std) {
+    return variance > 0.0 ? std::sqrt(variance) : prior_std;
 }
 
-/// To so many digits, as one would give it, and no smaller.
+/// To this number of digits, rounded up.
 double rounded_up(double width, int digits) {
     constexpr double rounding = 1e-9;  // 25.000000000000004 is 25
     const double per_digit = std::pow(10.0, digits - 1.0 - std::floor(std::log10(width)));
     return std::ceil(width * per_digit - rounding) / per_digit;
 }
 
-/// Of an adjustable edge: as the unknown was given, to three digits, since it may have been found
-/// from the surveys; or where it is set free to two, so that those given alike stand together.
-double width_to_tell(double std, double told) {
+/// The width of an adjustable edge as reported: as given, to three digits, since it may have been
+/// estimated from the surveys; or to two digits where it was set free, so that similar ones are
+/// grouped.
+double reported_width(double std, double given) {
     constexpr double alike = 1e-3;
-    return std::abs(std - told) < alike * told ? rounded_up(told, 3) : rounded_up(std, 2);
+    return std::abs(std - given) < alike * given ? rounded_up(given, 3) : rounded_up(std, 2);
 }
 
 class Estimates {
@@ -54,7 +55,7 @@ public:
           m_statics(statics),
           m_sites(sites),
           m_fitted(fitted),
-          m_unknown_lengths(statics.blur().length_variances(sites.variance.size())),
+          m_blur_variances(statics.blur().length_variances(sites.variance.size())),
           m_length_variances(statics.length_variances()) {}
 
     [[nodiscard]] std::vector<ParameterEstimate> run() && {
@@ -87,19 +88,19 @@ public:
     }
 
 private:
-    /// @param k place among the common uncertain
+    /// @param k place among the common parameters
     void add_common(const UncertainParameter& parameter, int k) {
         m_result.push_back(
             {.parameter = parameter,
              .mean = parameter.std * m_fitted.common(k),
-             .std = told_or(parameter.std * parameter.std * m_statics.common_covariance()(k, k),
-                            parameter.std)});
+             .std = std_or(parameter.std * parameter.std * m_statics.common_covariance()(k, k),
+                           parameter.std)});
     }
 
-    /// What of an edge's deviation a part of its prior variance stands for.
+    /// The share of an edge's deviation by a part of its prior variance.
     [[nodiscard]] Share share(int edge, double part) const {
-        const double prior = m_sites.variance(edge) + m_unknown_lengths(edge);
-        // Lost in rounding errors: then nothing is told.
+        const double prior = m_sites.variance(edge) + m_blur_variances(edge);
+        // Where rounding errors exceed it, nothing is known.
         const double found = m_length_variances(edge);
         return share_of(part, prior, m_fitted.deviations(edge) - m_sites.mean(edge),
                         found > 0.0 ? found : prior);
@@ -111,33 +112,34 @@ private:
         for (const int edge : edges_of(m_net, parameter)) {
             ParameterEstimate estimate{.parameter = parameter, .edge = edge, .std = parameter.std};
             if (const double part = m_statics.blur().stiffness(edge); part > 0.0) {
-                // The edge's own stiffness, of which this unknown is a part where there are two.
+                // The edge's own stiffness may be the sum of two parameters; this one is a part of
+                // it.
                 const double by_length = stds(edge) / std::sqrt(part);
                 const double own = std::pow(parameter.std / stds(edge), 2);
                 const Share length = share(edge, part);
                 estimate.mean = -own * by_length * length.mean;
-                estimate.std = told_or(own * own * by_length * by_length * length.variance +
-                                           (1.0 - own) * parameter.std * parameter.std,
-                                       parameter.std);
+                estimate.std = std_or(own * own * by_length * by_length * length.variance +
+                                          (1.0 - own) * parameter.std * parameter.std,
+                                      parameter.std);
             }
             m_result.push_back(std::move(estimate));
         }
     }
 
-    /// By the width that each is told with: most are told as well, some were set free.
+    /// Grouped by the width given for each: most have the same, some were set free.
     void add_adjustable(const UncertainParameter& parameter) {
         std::vector<int> edges;
         std::ranges::copy_if(m_net.adjustable_edges(), std::back_inserter(edges), [&](int edge) {
-            // Else as good as known: not turned since it was.
+            // Else it is known: not turned since.
             return m_knowledge.priors[edge].std() >= 1e-3 * parameter.std;
         });
         std::ranges::stable_sort(edges, {},
                                  [&](int edge) { return m_knowledge.priors[edge].std(); });
         for (const int edge : edges) {
             const Share length = share(edge, m_sites.variance(edge));
-            UncertainParameter told = parameter;
-            told.std = width_to_tell(m_knowledge.priors[edge].std(), parameter.std);
-            m_result.push_back({.parameter = told,
+            UncertainParameter reported = parameter;
+            reported.std = reported_width(m_knowledge.priors[edge].std(), parameter.std);
+            m_result.push_back({.parameter = reported,
                                 .edge = edge,
                                 .mean = m_sites.mean(edge) + length.mean,
                                 .std = std::sqrt(std::max(0.0, length.variance))});
@@ -176,7 +178,7 @@ private:
     const LinearisedStatics& m_statics;
     const Observations& m_sites;
     const Iterate& m_fitted;
-    Eigen::VectorXd m_unknown_lengths;
+    Eigen::VectorXd m_blur_variances;
     Eigen::VectorXd m_length_variances;
     std::vector<ParameterEstimate> m_result;
 };
@@ -190,19 +192,20 @@ bool ParameterEstimate::is_observed() const {
 double spread_ratio(std::span<const ParameterEstimate> estimates) {
     double found = 0.0;
     double expected = 0.0;
-    double told = 0.0;
+    double given = 0.0;
     for (const ParameterEstimate& one : estimates) {
         found += one.mean * one.mean;
-        told += one.prior_std * one.prior_std;
+        given += one.prior_std * one.prior_std;
         expected += std::max(0.0, one.prior_std * one.prior_std - one.std * one.std);
     }
-    // What the survey shows less of than this is moved by what is not linear as much as by it.
+    // Where the survey shows less than this, non-linearity moves the estimates as much.
     constexpr double least_shown = 0.02;
-    return expected > least_shown * told ? std::sqrt(found / expected) : 0.0;
+    return expected > least_shown * given ? std::sqrt(found / expected) : 0.0;
 }
 
 bool ParameterSpread::is_contradicted() const {
-    // Many correlated numbers are seldom half as wide again by chance, one seldom three times.
+    // Many correlated numbers are seldom half as wide again by chance, a single one seldom three
+    // times.
     constexpr int many = 20;
     return ratio > (count >= many ? 1.5 : 3.0);
 }
@@ -271,10 +274,10 @@ CableNet net_to_fit(const CableNet& net, const std::vector<UncertainParameter>& 
 Eigen::VectorXd adjustable_stds(const CableNet& net,
                                 const std::vector<UncertainParameter>& uncertain) {
     constexpr double as_good_as_known = 1e-7;  // of a length, as of exact places
-    const double told = std_of(uncertain, Kind::adjustable);
+    const double given = std_of(uncertain, Kind::adjustable);
     Eigen::VectorXd result = Eigen::VectorXd::Zero(net.edge_count());
     for (const int edge : net.adjustable_edges()) {
-        result(edge) = std::max(told, as_good_as_known * net.unstressed_lengths()(edge));
+        result(edge) = std::max(given, as_good_as_known * net.unstressed_lengths()(edge));
     }
     return result;
 }

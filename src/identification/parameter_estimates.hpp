@@ -11,27 +11,26 @@
 
 namespace taut {
 
-/// The net with all lengths unknown, where those of adjustable edges are, or where each edge has a
-/// stiffness of its own, which acts as a length; else the net itself. docs/theory.md, (unknown).
+/// The net with all lengths to be identified, where those of adjustable edges are uncertain, or
+/// where each edge has a stiffness of its own, which acts as a length; else the net itself.
+/// docs/theory.md, (uncertain-parameters).
 [[nodiscard]] CableNet net_to_fit(const CableNet& net,
                                   const std::vector<UncertainParameter>& uncertain);
 
-/// Of the lengths of adjustable edges as these uncertain tell them (m), 0 for other edges; positive
-/// where they are as good as known, too [m].
+/// Prior standard deviations of the lengths of adjustable edges (m), 0 for other edges; positive
+/// even where a length is exact [m].
 [[nodiscard]] Eigen::VectorXd adjustable_stds(const CableNet& net,
                                               const std::vector<UncertainParameter>& uncertain);
 
-/// Everything that is told besides net and survey, of the net to fit.
-/// @param stds of edges (m) whose lengths follow a normal prior of their own, where the net to fit
-/// has
-///   them unknown; 0: they follow the prior [m]
+/// All knowledge besides net and survey, for the net to fit.
+/// @param stds of edges (m) with a normal prior of their own; 0: they follow the prior [m]
 [[nodiscard]] PriorKnowledge knowledge_of(const CableNet& fit_net, const LengthPrior& prior,
                                           const std::vector<UncertainParameter>& uncertain,
                                           const Forces& forces, const Eigen::VectorXd& stds);
 
-/// All uncertain of a net after a fit, in the order in which they were told.
+/// Estimates of all uncertain parameters after a fit, in the order given.
 /// @param statics linearised and inverted at the fit, of the net to fit
-/// @param sites with the prior that the fit was made with
+/// @param sites observations of the fit
 [[nodiscard]] std::vector<ParameterEstimate> parameter_estimates(const CableNet& net,
                                                                  const PriorKnowledge& knowledge,
                                                                  const LinearisedStatics& statics,

@@ -8,7 +8,7 @@
 namespace taut {
 namespace {
 
-/// Between two order statistics; the outermost where the rank lies beyond. (drawn)
+/// Between two order statistics; the outermost where the rank lies outside. (drawn)
 double quantile(const Eigen::VectorXd& sorted, double p) {
     const auto last = static_cast<double>(sorted.size() - 1);
     const double rank = std::clamp(p * (last + 2.0) - 1.0, 0.0, last);

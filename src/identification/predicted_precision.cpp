@@ -19,8 +19,8 @@
 namespace taut {
 namespace {
 
-/// The status that a taut edge most probably gets: over deviations from the prior and errors of the
-/// survey, at evenly spaced quantiles of both.
+/// The most probable status of a taut edge, over deviations from the prior and errors of the survey
+/// at evenly spaced quantiles of both.
 /// @param std of the length deviation after the survey, to first order [m]
 EdgeStatus probable_status(const LengthPrior& prior, double std) {
     LengthLikelihood likelihood = without_prior(0.0, prior.std(), 0.0, std);
@@ -40,7 +40,7 @@ EdgeStatus probable_status(const LengthPrior& prior, double std) {
     return static_cast<EdgeStatus>(std::ranges::max_element(found) - found.begin());
 }
 
-/// Linearised at the design, with all that is told.
+/// A fit linearised at the design, with all that is given.
 class Prediction {
 public:
     Prediction(const CableNet& net, const Points& form, const Survey& survey,
@@ -57,7 +57,7 @@ public:
         }
         m_statics.set_slack(std::move(slack));
         LawBlur blur = blur_by(m_fit_net, prior.std(), uncertain);
-        blur.strain_stds.resize(0);  // priors as they are at the design
+        blur.strain_stds.resize(0);  // tension laws as they are at the design
         blur.missed.resize(0);
         m_statics.set_blur(std::move(blur));
         const int common = m_statics.common().count();
@@ -76,48 +76,49 @@ public:
     Prediction(const Prediction&) = delete;
     Prediction& operator=(const Prediction&) = delete;
 
-    /// Of the lengths' deviations (m_I) [m2].
+    /// Of the length deviations (m_I) [m2].
     [[nodiscard]] Eigen::VectorXd length_variances(const LengthPrior& prior) const {
         const double of_prior = prior.std() * prior.std();
-        const Eigen::VectorXd unknown =
+        const Eigen::VectorXd blur =
             m_statics.blur().length_variances(m_fit_net.interior_edge_count());
         const Eigen::VectorXd found = m_statics.length_variances();
         const bool has_all = m_fit_net.interior_edge_count() > m_net.interior_edge_count();
         Eigen::VectorXd result(m_net.interior_edge_count());
         for (int k = 0; k < result.size(); ++k) {
             const int i = has_all ? m_net.interior_edges()[k] : k;
-            // At loose nodes they can be lost in rounding errors: then the prior is all that is
-            // known. Where an edge has a stiffness of its own, the sum of both is found.
-            const double own = of_prior / (of_prior + unknown(i));
-            result(k) = found(i) > 0.0 ? own * unknown(i) + own * own * found(i) : of_prior;
+            // At loose nodes rounding errors can exceed a variance: then the prior applies. With a
+            // stiffness of its own per edge the fit finds the sum of both.
+            const double own = of_prior / (of_prior + blur(i));
+            result(k) = found(i) > 0.0 ? own * blur(i) + own * own * found(i) : of_prior;
         }
         return result;
     }
 
-    void tell_tensions(PredictedPrecision& result, double reading_noise) const {
+    void add_tensions(PredictedPrecision& result, double relative_force_std) const {
         const Eigen::VectorXd variances = m_statics.tension_variances();
         const Eigen::VectorXd with_mean = m_statics.covariances_with_mean_tension();
         const double of_mean = with_mean.mean();
         result.mean_tension = m_tensions.mean();
         result.mean_tension_std = std::sqrt(std::max(0.0, of_mean));
-        std::vector<bool> is_read(m_net.edge_count(), false);
-        for (const ForceMeasurement& reading : m_knowledge.forces.readings) {
-            is_read[reading.edge] = true;
+        std::vector<bool> is_measured(m_net.edge_count(), false);
+        for (const ForceMeasurement& force : m_knowledge.forces.readings) {
+            is_measured[force.edge] = true;
         }
         for (int e = 0; e < m_net.edge_count(); ++e) {
-            if (is_read[e] || !(m_tensions(e) > 0.0) || !(variances(e) > 0.0)) {
+            if (is_measured[e] || !(m_tensions(e) > 0.0) || !(variances(e) > 0.0)) {
                 continue;
             }
-            const double noise = reading_noise * m_tensions(e);
+            const double noise = relative_force_std * m_tensions(e);
             const double left =
                 of_mean - with_mean(e) * with_mean(e) / (variances(e) + noise * noise);
-            result.readings.push_back({.edge = e,
-                                       .tension = m_tensions(e),
-                                       .std = std::sqrt(variances(e)),
-                                       .mean_std_with_reading = std::sqrt(std::max(0.0, left))});
+            result.force_candidates.push_back(
+                {.edge = e,
+                 .tension = m_tensions(e),
+                 .std = std::sqrt(variances(e)),
+                 .mean_std_if_measured = std::sqrt(std::max(0.0, left))});
         }
-        std::ranges::sort(result.readings, {}, [](const TensionPrecision& t) {
-            return std::pair(t.mean_std_with_reading, t.edge);
+        std::ranges::sort(result.force_candidates, {}, [](const TensionPrecision& t) {
+            return std::pair(t.mean_std_if_measured, t.edge);
         });
     }
 
@@ -147,17 +148,17 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
                                        const Survey& survey, const LengthPrior& prior,
                                        const Forces& forces,
                                        const std::vector<UncertainParameter>& uncertain,
-                                       double reading_noise) {
+                                       double relative_force_std) {
     if (net.interior_edge_count() == 0) {
         throw std::invalid_argument(
-            "the net has no interior edge: every unstressed length is known and set");
+            "the net has no interior edge: all unstressed lengths are known");
     }
     prior.check();
     check_survey(net, survey);
     check_forces(net, forces);
     check_uncertain_parameters(net, uncertain);
     if (survey.is_exact()) {
-        require_whole(net, survey, "all, or their noise (--noise, or sx, sy, sz in the file)");
+        require_whole(net, survey, "all, or their noise (standard deviations)");
     }
     const Prediction prediction(net, form, survey, prior, forces, uncertain);
     const Eigen::VectorXd variances = prediction.length_variances(prior);
@@ -172,7 +173,7 @@ PredictedPrecision predicted_precision(const CableNet& net, const Eigen::Ref<con
              .std = std,
              .status = is_slack ? EdgeStatus::slack : probable_status(prior, std)});
     }
-    prediction.tell_tensions(result, reading_noise);
+    prediction.add_tensions(result, relative_force_std);
     return result;
 }
 

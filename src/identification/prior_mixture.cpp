@@ -17,11 +17,11 @@
 namespace taut {
 namespace {
 
-/// Draws in doubt of so little probability are left out.
+/// Unreliable draws of parts with less probability are left out.
 constexpr double negligible = 0.1;
 
 /// Mean and standard deviation of a mixture.
-class Steps {
+class Moments {
 public:
     void add(double weight, double mean, double std) {
         m_mean += weight * mean;
@@ -30,7 +30,7 @@ public:
     }
     [[nodiscard]] double mean() const { return m_mean; }
     [[nodiscard]] double std() const {
-        // No less than within the parts, whatever rounding takes away.
+        // Rounding must not make it less than within the parts.
         return std::sqrt(std::max(m_square - m_mean * m_mean, m_within));
     }
 
@@ -42,7 +42,7 @@ private:
 
 template <class Get>
 std::pair<double, double> mixed(const std::vector<WeightedIdentification>& parts, const Get& get) {
-    Steps moments;
+    Moments moments;
     for (const WeightedIdentification& part : parts) {
         const auto [mean, std] = get(part.result);
         moments.add(part.weight, mean, std);
@@ -110,23 +110,23 @@ LengthCovariance mixed_covariance(const std::vector<WeightedIdentification>& par
     return mixed;
 }
 
-/// The first draws of each part, side by side.
+/// The first draws of each part, one after another.
 PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int draws) {
     std::vector<double> weights(parts.size());
     std::ranges::transform(parts, weights.begin(), &WeightedIdentification::weight);
     const std::vector<int> shares = shared_out(draws, weights);
     PosteriorDraws all = *parts.front().result.draws;
     for (const WeightedIdentification& part : parts) {
-        if (all.doubt.empty()) {
-            all.doubt = part.result.draws->doubt;
+        if (all.reason.empty()) {
+            all.reason = part.result.draws->reason;
         }
         if (part.result.draws->is_refitted) {
             all.how = part.result.draws->how;
             all.is_refitted = true;
         }
     }
-    // Without rows where it has none in any part, 0 in a part that has none.
-    const auto gathered = [&](const auto& of_draws) {
+    // Without rows where no part has any; 0 for a part that has none.
+    const auto collected = [&](const auto& of_draws) {
         Eigen::Index rows = 0;
         Eigen::Index columns = 0;
         std::vector<Eigen::Index> counts;
@@ -151,12 +151,12 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
         return result;
     };
     const auto perturbation = [&](Eigen::MatrixXd ModelPerturbations::* member) {
-        return gathered([member](const PosteriorDraws& draws) -> const Eigen::MatrixXd& {
+        return collected([member](const PosteriorDraws& draws) -> const Eigen::MatrixXd& {
             return draws.perturbations.*member;
         });
     };
     const auto member = [&](Eigen::MatrixXd PosteriorDraws::* of) {
-        return gathered(
+        return collected(
             [of](const PosteriorDraws& draws) -> const Eigen::MatrixXd& { return draws.*of; });
     };
     PosteriorDraws result = all;
@@ -171,19 +171,19 @@ PosteriorDraws drawn_by(const std::vector<WeightedIdentification>& parts, int dr
     return result;
 }
 
-/// Without parts of little probability whose draws are in doubt.
-std::vector<WeightedIdentification> without_doubtful(std::vector<WeightedIdentification> parts) {
-    const auto is_doubtful = [](const WeightedIdentification& part) {
-        return part.result.draws && !part.result.draws->doubt.empty();
+/// Without parts of little probability whose draws are unreliable.
+std::vector<WeightedIdentification> without_unreliable(std::vector<WeightedIdentification> parts) {
+    const auto is_unreliable = [](const WeightedIdentification& part) {
+        return part.result.draws && !part.result.draws->reason.empty();
     };
-    double doubtful = 0.0;
+    double unreliable = 0.0;
     for (const WeightedIdentification& part : parts) {
-        doubtful += is_doubtful(part) ? part.weight : 0.0;
+        unreliable += is_unreliable(part) ? part.weight : 0.0;
     }
-    if (doubtful > 0.0 && doubtful < negligible) {
-        std::erase_if(parts, is_doubtful);
+    if (unreliable > 0.0 && unreliable < negligible) {
+        std::erase_if(parts, is_unreliable);
         for (WeightedIdentification& part : parts) {
-            part.weight /= 1.0 - doubtful;
+            part.weight /= 1.0 - unreliable;
         }
     }
     return parts;
@@ -196,7 +196,7 @@ double quantile_of(const std::vector<MixturePart>& parts, double p) {
     double lowest = parts.front().mean;
     double highest = lowest;
     for (const MixturePart& part : parts) {
-        // Past what any part has below 1e-9 or above.
+        // Outside of these any part has less than 1e-9.
         lowest = std::min(lowest, part.mean + 4.0 * (part.lower - part.mean));
         highest = std::max(highest, part.mean + 4.0 * (part.upper - part.mean));
     }
@@ -236,12 +236,12 @@ std::vector<int> shared_out(int draws, const std::vector<double>& weights) {
 
 Identification mixture_of(const CableNet& net, const Survey& survey,
                           std::vector<WeightedIdentification> parts, int draws) {
-    parts = without_doubtful(std::move(parts));
+    parts = without_unreliable(std::move(parts));
     Identification result = parts.front().result;
     if (parts.size() == 1) {
         return result;
     }
-    Steps prior;
+    Moments prior;
     for (const auto& [weight, part] : parts) {
         prior.add(weight, 0.0, part.length_prior.std());
     }
@@ -251,7 +251,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     const auto is_other = [&](const WeightedIdentification& part) {
         return part.result.uncertain.size() != result.uncertain.size();
     };
-    // One that released another adjustable edge than the first has other numbers.
+    // A part that released another adjustable edge has other parameters.
     const bool has_same_uncertain = std::ranges::none_of(parts, is_other);
     for (size_t k = 0; has_same_uncertain && k < result.uncertain.size(); ++k) {
         std::tie(result.uncertain[k].mean, result.uncertain[k].std) =
@@ -267,7 +267,7 @@ Identification mixture_of(const CableNet& net, const Survey& survey,
     }
     if (result.draws) {
         result.draws = drawn_by(parts, draws);
-        tell_draws(result, net, survey, prior.std());
+        set_summary_of_draws(result, net, survey, prior.std());
     }
     const Points start = result.predicted.form;
     predict_form(result, net, survey, start);

@@ -10,22 +10,22 @@
 
 namespace taut {
 
-/// A result under one prior, with the posterior probability of that.
+/// A result under one prior, with the posterior probability of that prior.
 struct WeightedIdentification {
     double weight = 1.0;
     Identification result;
 };
 
 /// The mixture of results under several priors, docs/theory.md (prior-mixture): means, standard
-/// deviations and intervals of lengths, uncertain and frame, the draws of all, and the form that
-/// follows. All else is of the first.
+/// deviations and intervals of lengths, uncertain parameters and frame, the draws of all, and the
+/// predicted form. All else is of the first.
 /// @param parts at least one, the most probable first, weights that sum to 1; each with as many
-///   draws as shared_out() tells, or more
+///   draws as by shared_out(), or more
 /// @param draws how many all together
 [[nodiscard]] Identification mixture_of(const CableNet& net, const Survey& survey,
                                         std::vector<WeightedIdentification> parts, int draws);
 
-/// So many draws shared out by weights that sum to 1.
+/// Shares out draws by weights that sum to 1.
 [[nodiscard]] std::vector<int> shared_out(int draws, const std::vector<double>& weights);
 
 /// The quantile p of a mixture of distributions, each with a mean and the 95 % interval of a normal

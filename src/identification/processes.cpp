@@ -53,7 +53,7 @@ FormUncertainty form_uncertainty(const CableNet& net, const LengthModel& model,
             .of_extension = after.variances_along(lengths - rates)};
 }
 
-/// What the processes tell of each edge at one form, and how its uncertainty adds to theirs.
+/// Likelihoods of the lengths by the processes at one form, with its uncertainty added to theirs.
 /// @param estimates at that form
 /// @param after the form's distribution by `prior`; null where the form is known
 std::vector<LengthLikelihood> process_likelihoods(const CableNet& net, const LengthModel& model,
@@ -99,13 +99,13 @@ Identification identify_by_processes(const CableNet& net, const LengthModel& mod
         after.emplace(net, prior, survey, model.nominal_form,
                       default_false_alarm_rate);  // (conditioning), (snooping)
         deviation = after->mean();
-        tell_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());
+        set_snooping(result, survey, after->snooping(), after->snooping().contradicts_too_many());
     }
     const LengthEstimates estimates = at_survey != nullptr && !after
                                           ? *at_survey
                                           : estimate_lengths(net, model, deviation);  // eq. ident
     result.length_prior = model.prior;
-    tell_edges(
+    set_edges(
         result, net, std::vector(net.interior_edge_count(), model.prior),
         process_likelihoods(net, model, prior, estimates, deviation, after ? &*after : nullptr));
     predict_form(result, net, survey, with_free_coordinates(net, model.nominal_form + deviation));

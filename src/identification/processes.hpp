@@ -23,8 +23,7 @@ identify_by_processes(const CableNet& net, const LengthModel& model, const Surve
 
 /// Eq. ident as it stands, on the surveyed form as it is: the processes' means, their standard
 /// deviations and the intervals of a normal prior, docs/theory.md (as-in-paper). Only edges that
-/// are slack in the predicted form are told as what they are: their interval is that of
-/// (slack-bound).
+/// are slack in the predicted form get the interval of (slack-bound).
 /// @param model trained as in the paper
 /// @param at_survey as above
 /// @throws SurveyError where a free node was not surveyed

@@ -100,7 +100,7 @@ bool has_scale(const CableNet& net, const Survey& survey, const FrameCheck& chec
     return check.is_scaled() && furthest > negligible_scale * survey.rms_noise_std();
 }
 
-/// (rival-causes): the one that explains most.
+/// (other-causes): the one that explains most.
 OtherCause other_cause_of(const CableNet& net, const Survey& survey, const Identification& result) {
     const FrameCheck& frame = result.frame_check;
     OtherCause cause;
@@ -191,7 +191,7 @@ private:
         }
     }
 
-    /// (rival-causes). The ratio of n numbers has the standard deviation 1 / sqrt(2 n).
+    /// (other-causes). The ratio of n numbers has the standard deviation 1 / sqrt(2 n).
     [[nodiscard]] bool is_noise_likelier() const {
         const FoundScale& noise = m_result.scales.noise;
         return !noise.is_contradicted() ||
@@ -262,7 +262,7 @@ private:
     void test_scale_of_prior() {
         constexpr double two_standard_deviations = 1.5 * 1.5;
         const PriorEstimate& prior = m_result.prior;
-        if (m_result.prior_was_told && !prior.exact &&
+        if (m_result.prior_was_given && !prior.exact &&
             prior.std > two_standard_deviations * prior.given.std()) {
             add({.kind = FindingKind::prior,
                  .severity = Verdict::doubtful,
@@ -292,7 +292,7 @@ private:
                          "of cutting can cause this. State what of it is uncertain."});
         }
         test_runs();
-        if (m_result.contradicted_prior && m_result.prior_was_told) {
+        if (m_result.contradicted_prior && m_result.prior_was_given) {
             add({.kind = FindingKind::prior,
                  .severity = Verdict::doubtful,
                  .value = m_result.length_prior.std(),
@@ -327,12 +327,12 @@ private:
                 finding.remedy = Trust::Remedy{"prior", likeliest};
             }
             add(std::move(finding));
-        } else if (check.beyond > 0) {
+        } else if (check.outliers > 0) {
             add({.kind = FindingKind::prior,
                  .severity = Verdict::failed,
                  .reason = fmt::format("{} lengths lie outside the prior {}: too many for single "
                                        "errors of cutting.",
-                                       check.beyond, used),
+                                       check.outliers, used),
                  .next = "Check the prior, the net and the frame."});
         }
     }
@@ -411,15 +411,15 @@ private:
     }
 
     void test_boundary() {
-        if (m_result.boundary_beyond > 0) {
+        if (m_result.boundary_not_released > 0) {
             add({.kind = FindingKind::boundary,
-                 .severity = m_result.boundary_beyond > a_few_of_boundary ? Verdict::failed
-                                                                          : Verdict::doubtful,
-                 .value = m_result.boundary_beyond,
+                 .severity = m_result.boundary_not_released > a_few_of_boundary ? Verdict::failed
+                                                                                : Verdict::doubtful,
+                 .value = m_result.boundary_not_released,
                  .remedy = Trust::Remedy{"uncertain", "adjustable:3mm supports:3mm"},
                  .reason = fmt::format("{} adjustable edges and supports contradict the survey, "
                                        "which does not show which of them are wrong.",
-                                       m_result.boundary_beyond),
+                                       m_result.boundary_not_released),
                  .next = "Check them, or state how uncertain they are."});
         }
         for (const BoundaryOutlier& outlier : m_result.boundary_outliers) {
@@ -452,9 +452,9 @@ private:
                 finding.ids[0], longer_text(outlier.deviation.x(), outlier.std.x()));
             finding.next = fmt::format("Check the turnbuckle of edge {}", finding.ids[0]);
         }
-        if (outlier.rival >= 0) {
-            finding.confounded_with = {is_support ? m_net.edge_id(outlier.rival)
-                                                  : m_net.node_id(outlier.rival)};
+        if (outlier.confounded_with >= 0) {
+            finding.confounded_with = {is_support ? m_net.edge_id(outlier.confounded_with)
+                                                  : m_net.node_id(outlier.confounded_with)};
             finding.next +=
                 fmt::format(", and {} {}: it would explain nearly as much",
                             is_support ? "edge" : "support", finding.confounded_with[0]);
@@ -613,24 +613,24 @@ private:
                                        and_more(marks)),
                  .next = "Look at those edges again."});
         }
-        if (m_result.reading_bias) {
+        if (m_result.force_bias) {
             add({.kind = FindingKind::force_scale,
                  .severity = Verdict::doubtful,
-                 .value = m_result.reading_bias->part,
-                 .std = m_result.reading_bias->std,
+                 .value = m_result.force_bias->part,
+                 .std = m_result.force_bias->std,
                  .reason = fmt::format("All force measurements are off by the same part, {:+.0f} "
                                        "%. taut used none of them.",
-                                       1e2 * m_result.reading_bias->part),
+                                       1e2 * m_result.force_bias->part),
                  .next = "Check their unit and calibration."});
             return;
         }
-        for (const ForceOutlier& outlier : m_result.reading_outliers) {
+        for (const ForceOutlier& outlier : m_result.force_outliers) {
             add({.kind = FindingKind::force_measurement,
                  .ids = {m_net.edge_id(outlier.edge)},
-                 .value = outlier.read - outlier.expected,
+                 .value = outlier.measured - outlier.expected,
                  .reason = fmt::format("The force measured in edge {} is {:.2f} kN, where {:.2f} "
                                        "kN is expected. taut left it out.",
-                                       m_net.edge_id(outlier.edge), 1e-3 * outlier.read,
+                                       m_net.edge_id(outlier.edge), 1e-3 * outlier.measured,
                                        1e-3 * outlier.expected)});
         }
     }
@@ -666,7 +666,7 @@ private:
         if (m_result.draws && m_result.drawn.tensions.empty()) {
             add({.kind = FindingKind::tensions,
                  .severity = Verdict::doubtful,
-                 .reason = fmt::format("Tensions are not reported: {}.", m_result.draws->doubt),
+                 .reason = fmt::format("Tensions are not reported: {}.", m_result.draws->reason),
                  .next = "Lengths may be used, tensions not."});
         }
     }

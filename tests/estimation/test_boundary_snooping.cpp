@@ -18,15 +18,15 @@ using namespace taut::test;
 constexpr LengthPrior prior{LengthPrior::Kind::normal, 0.002};
 constexpr double noise = 0.5e-3;
 
-/// A fit to a survey of a net whose boundary is not as told.
+/// A fit to a survey of a net whose boundary differs from the design.
 struct Fitted {
     CableNet net;
     SimulatedSurvey simulated;
     std::unique_ptr<SurveyFit> fit;
     GaussNewtonResult result;
 
-    Fitted(const CableNet& told, const CableNet& built, bool tested)
-        : net(told), simulated(simulate(built, prior, noise, 3)) {
+    Fitted(const CableNet& designed, const CableNet& built, bool tested)
+        : net(designed), simulated(simulate(built, prior, noise, 3)) {
         fit = std::make_unique<SurveyFit>(
             net, simulated.survey, PriorKnowledge(net, prior),
             SurveyFitSettings{.false_alarm_rate = tested ? default_false_alarm_rate : 0.0});
@@ -40,7 +40,7 @@ CableNet with_length(const CableNet& net, int edge, double by) {
     return CableNet(data);
 }
 
-// The score foretells what comes out if the number is free, but for what the statics bend.
+// The score predicts the estimate with the number free, apart from non-linearity.
 TEST(BoundaryScore, IsThatOfTheFreeNumber) {
     const CableNet net = hypar(6, 6);
     const int edge = net.adjustable_edges()[5];
@@ -65,11 +65,11 @@ TEST(SurveyScore, IsTheSlopeOfTheObjective) {
     const CableNet net = hypar(6, 6);
     Fitted held(net, net, false);
     const Points rate = net.nodes().colwise() - net.nodes().rowwise().mean();
-    const Observations told = held.fit->observations();
+    const Observations observed = held.fit->observations();
     const LinearisedStatics::Score score =
-        held.fit->statics().score_of_survey({rate}, held.result.iterate, told);
+        held.fit->statics().score_of_survey({rate}, held.result.iterate, observed);
     const auto objective = [&](double scale) {
-        Observations scaled = told;
+        Observations scaled = observed;
         scaled.form -= scale * rate;
         LinearisedStatics& statics = held.fit->statics();
         Iterate at = held.result.iterate;
@@ -105,10 +105,10 @@ TEST(BoundaryScore, OfASupportWithSeveralEdgesIsThatOfTheFreePlace) {
     ASSERT_EQ(edges_at(held).size(), 4U);
     CableNetData moved = net.data();
     moved.nodes(2, held) += 0.006;
-    const Fitted told(net, CableNet(moved), false);
+    const Fitted kept(net, CableNet(moved), false);
     const Fitted freed(net, CableNet(moved), true);
-    const LinearisedStatics::Score score = told.fit->statics().score_of_support(
-        held, edges_at(held), told.result.iterate, told.fit->observations());
+    const LinearisedStatics::Score score = kept.fit->statics().score_of_support(
+        held, edges_at(held), kept.result.iterate, kept.fit->observations());
     const Eigen::Vector3d estimate = score.information.ldlt().solve(score.gradient);
     const std::vector<BoundaryOutlier> found = freed.fit->boundary_snooping().outliers();
     ASSERT_EQ(found.size(), 1U);

@@ -46,7 +46,7 @@ TEST(DetectableError, IsOfARandomPlace) {
     EXPECT_TRUE(std::isinf(detectable_error(std::vector<TestedItem>{}, 11.0, 1)));
 }
 
-TEST(DetectableError, OfAnEstimateIsBeyondItsBound) {
+TEST(DetectableError, OfAnEstimateIsOutsideItsBound) {
     const double error = detectable_error(std::vector<BoundedEstimate>{{4e-3, 1e-3}});
     EXPECT_NEAR(error, 4e-3 + 0.8416212 * 1e-3, 1e-7);
 }

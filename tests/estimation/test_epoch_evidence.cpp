@@ -19,7 +19,7 @@ namespace {
 
 constexpr int size = 6;
 
-/// Of a few sums of x, so that much of x is not told at all.
+/// Of a few sums of x, so that much of x is not determined at all.
 LengthEvidence random_evidence(test::Random& random, int sums) {
     LengthEvidence evidence;
     evidence.root.resize(size, sums);
@@ -31,7 +31,7 @@ LengthEvidence random_evidence(test::Random& random, int sums) {
     return evidence;
 }
 
-/// One entry of each kind: kept, turned with play, forgotten.
+/// One entry of each kind: kept, turned with scatter, forgotten.
 EpochStep mixed_step() {
     EpochStep step;
     step.prior_from.resize(size);
@@ -106,7 +106,7 @@ TEST(EpochEvidence, HasARoot) {
               true);
 }
 
-/// Evidence without entries is that of x where their prior is so wide that it tells nothing.
+/// Evidence without entries is that of x where their prior is so wide that it has no effect.
 TEST(EpochEvidence, IsForgottenAsByAWidePrior) {
     test::Random random(8);
     const LengthEvidence evidence = random_evidence(random, 5);
@@ -125,7 +125,7 @@ TEST(EpochEvidence, IsForgottenAsByAWidePrior) {
               1e-6);
 }
 
-/// Over many pairs of surveys of the same x: as often beyond the limit as it says, and a change of
+/// Over many pairs of surveys of the same x: above the limit as often as stated, and a change of
 /// each entry by itself is found as wide as it is.
 TEST(EpochEvidence, ComesToItsLimitByChanceAlone) {
     test::Random random(7);
@@ -135,7 +135,7 @@ TEST(EpochEvidence, ComesToItsLimitByChanceAlone) {
     };
     constexpr int trials = 4000;
     constexpr double change = 1.5;
-    int beyond = 0;
+    int above = 0;
     double mean_square = 0.0;
     double squares = 0.0;
     const std::vector<Eigen::Index> entries{0, 1, 2, 3, 4, 5};
@@ -149,18 +149,18 @@ TEST(EpochEvidence, ComesToItsLimitByChanceAlone) {
         };
         const LengthEvidence first = survey_of(x);
         const Agreement same = EvidenceTest(prior, first, survey_of(x)).agreement();
-        beyond += same.ratio() > same.limit() ? 1 : 0;
+        above += same.ratio() > same.limit() ? 1 : 0;
         mean_square += same.squares / same.rank / trials;
         const EvidenceTest moved(prior, first, survey_of(x + change * normal_vector(size)));
         squares += std::pow(moved.spread(entries), 2) / trials;
     }
     EXPECT_NEAR(mean_square, 1.0, 0.05);
-    EXPECT_NEAR(beyond, 1e-3 * trials, 8);
+    EXPECT_NEAR(above, 1e-3 * trials, 8);
     EXPECT_NEAR(std::sqrt(squares), change, 0.4);
 }
 
-/// Where all of x is told, the change of one entry that explains the difference best is that of
-/// least squares, and all together are chi squared; what was let go is left out.
+/// Where all of x is determined, the change of one entry that explains the difference best is that
+/// of least squares, and all together are chi squared; what was let go is left out.
 TEST(EpochEvidence, IsTestedAsDifferencesOfLeastSquares) {
     test::Random random(6);
     const Eigen::VectorXd prior = Eigen::VectorXd::Constant(size, 2.0);

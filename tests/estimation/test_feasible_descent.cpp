@@ -47,7 +47,8 @@ struct Weak {
                       at.deviations.cwiseAbs2().cwiseQuotient(observed.variance).sum());
     }
 
-    /// The form of given lengths under the rounded prior: Newton's method on the forces alone.
+    /// The form of given lengths under the rounded tension law: Newton's method on the forces
+    /// alone.
     [[nodiscard]] Iterate balanced(LinearisedStatics& statics, Iterate at) const {
         Observations known = observed;
         known.weights.setZero();
@@ -99,7 +100,7 @@ TEST(FeasibleDescent, EndsWhereNoLengthLowersTheObjective) {
     }
 }
 
-TEST(FeasibleDescent, SaysSoWhereItsStepsDoNotDo) {
+TEST(FeasibleDescent, ReportsThatItsStepsDidNotSuffice) {
     const Weak weak(1);
     LinearisedStatics statics(weak.net);
     statics.round_corners(corner);

@@ -78,7 +78,7 @@ TEST(PosteriorOf, IsPriorTimesLikelihood) {
     }
 }
 
-TEST(PosteriorOf, IsThePriorWhereTheSurveyTellsNothing) {
+TEST(PosteriorOf, IsThePriorWithoutASurvey) {
     const LengthPosterior p = posterior_of(uniform, {});
     EXPECT_NEAR(p.mean, 0.0, 1e-12);
     EXPECT_NEAR(p.std, uniform.std(), 1e-9);
@@ -153,7 +153,7 @@ TEST(LengthPosterior, OfAnEdgeUnderAnyPressureIsThatOfASlackOne) {
         pressed.extension = z;
         for (const LengthPrior& prior : {uniform, normal, bimodal}) {
             EXPECT_EQ(posterior_of(prior, pressed).mean, posterior_of(prior, slack).mean);
-            pressed.slack_from = 0.9;  // beyond any prior
+            pressed.slack_from = 0.9;  // outside any prior
             EXPECT_TRUE(std::isfinite(posterior_of(prior, pressed).mean));
             pressed.slack_from = slack.slack_from;
         }

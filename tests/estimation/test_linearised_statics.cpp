@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Guards against normal equations that are not those of the problem: a derivative, a weight or a
-// sign that is wrong for supports, loads, common numbers or readings. The same problem is built
-// here as one dense matrix, its derivatives by differences of forces written down once more.
+// sign that is wrong for supports, loads, common parameters or force measurements. The same problem
+// is built here as one dense matrix, its derivatives by differences of forces written down once
+// more.
 
 #include "estimation/linearised_statics.hpp"
 
@@ -66,7 +67,7 @@ protected:
         m_statics.invert();
     }
 
-    // All uncertain as one vector: places of all nodes, lengths, loads of free nodes, common ones.
+    // All unknowns as one vector: places of all nodes, lengths, loads of free nodes, common ones.
     [[nodiscard]] Eigen::VectorXd together(const Iterate& it) const {
         Eigen::VectorXd x(m_size);
         x << it.form.reshaped(), it.deviations, it.loads(Eigen::all, m_net.free_nodes()).reshaped(),

@@ -6,6 +6,7 @@
 #include <functional>
 #include <random>
 
+#include "taut/identification/result.hpp"
 #include "taut/sampling/data_set.hpp"
 #include "taut/statics/equilibrium.hpp"
 #include "taut/statics/tensions.hpp"
@@ -50,6 +51,26 @@ inline CableNet stiffened(const CableNet& soft, double factor) {
     data.unstressed_lengths = lengths / (1.0 + strains / factor);
     data.axial_stiffness *= factor;
     return CableNet(data);
+}
+
+/// Part of the lengths whose intervals hold the truth (m_I).
+inline double coverage(const Identification& result, const Eigen::VectorXd& truth) {
+    double inside = 0.0;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const double x = truth(static_cast<Eigen::Index>(i));
+        inside += result.edges[i].lower <= x && x <= result.edges[i].upper ? 1.0 : 0.0;
+    }
+    return inside / static_cast<double>(result.edges.size());
+}
+
+/// Mean squared error of the lengths against the truth (m_I) [m2].
+inline double squared_error(const Identification& result, const Eigen::VectorXd& truth) {
+    double sum = 0.0;
+    for (size_t i = 0; i < result.edges.size(); ++i) {
+        const double error = result.edges[i].length_deviation - truth(static_cast<Eigen::Index>(i));
+        sum += error * error;
+    }
+    return sum / static_cast<double>(result.edges.size());
 }
 
 /// Takes a target out of a survey.

@@ -95,16 +95,10 @@ protected:
 
 TEST_F(CorrelatedNoise, ATurnedFrameChangesNoLength) {
     expect_the_same_lengths({.prior = m_prior}, 1e-7);
-}
-
-TEST_F(CorrelatedNoise, NorWhereTheFrameIsUnknown) {
-    m_survey.frame_is_unknown = m_turned.frame_is_unknown = true;
-    expect_the_same_lengths({.prior = m_prior}, 1e-7);
-}
-
-TEST_F(CorrelatedNoise, NorWhereSupportsAre) {
     expect_the_same_lengths(
         {.prior = m_prior, .uncertain = {parse_uncertain_parameter("supports:1mm")}}, 1e-7);
+    m_survey.frame_is_unknown = m_turned.frame_is_unknown = true;
+    expect_the_same_lengths({.prior = m_prior}, 1e-7);
 }
 
 TEST_F(CorrelatedNoise, ItsDiagonalAloneIsAnotherSurvey) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against intervals that leave out what was told to be unknown, and against readings of
-// forces that are not used, or believed though all else contradicts them.
+// Guards against intervals that leave out uncertain parameters, and against force measurements
+// that are not used, or used though all else contradicts them.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,6 @@
 #include "taut/identification/identify.hpp"
 #include "taut/identification/predicted_precision.hpp"
 #include "taut/sampling/model_perturbation.hpp"
-#include "taut/threads.hpp"
 
 namespace {
 
@@ -37,7 +36,7 @@ CableNet loaded_net() {
     return CableNet(std::move(data));
 }
 
-/// A built net that differs from the design in lengths and in what else is unknown.
+/// A built net that differs from the design in lengths and in uncertain parameters.
 struct Built {
     ModelPerturbation perturbation;
     SimulatedSurvey simulated;
@@ -64,7 +63,7 @@ IdentifyOptions options_with(const std::vector<UncertainParameter>& uncertain, i
     return options;
 }
 
-/// Of an unknown's estimate.
+/// The true value of an estimate.
 double truth_of(const ModelPerturbation& c, const CableNet& net,
                 const ParameterEstimate& estimate) {
     switch (estimate.parameter.kind) {
@@ -88,7 +87,7 @@ double truth_of(const ModelPerturbation& c, const CableNet& net,
 
 class UncertainParameters : public testing::TestWithParam<std::vector<const char*>> {
 protected:
-    [[nodiscard]] static std::vector<UncertainParameter> told() {
+    [[nodiscard]] static std::vector<UncertainParameter> given() {
         std::vector<UncertainParameter> result;
         for (const char* text : GetParam()) {
             result.push_back(parse_uncertain_parameter(text));
@@ -109,7 +108,7 @@ struct Count {
 
 TEST_P(UncertainParameters, AreInTheIntervalsOfLengthsAndTensions) {
     const CableNet net = loaded_net();
-    const std::vector<UncertainParameter> uncertain = told();
+    const std::vector<UncertainParameter> uncertain = given();
     Count lengths;
     Count tensions;
     std::map<UncertainParameter::Kind, Count> of_parameters;
@@ -124,10 +123,10 @@ TEST_P(UncertainParameters, AreInTheIntervalsOfLengthsAndTensions) {
             const double deviation = truth.simulated.deviations(static_cast<Eigen::Index>(i));
             lengths.add(edge.lower <= deviation && deviation <= edge.upper);
         }
-        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
-        for (const DrawnTension& told : found.drawn.tensions) {
-            const double tension = truth.tensions(told.edge);
-            tensions.add(told.tension.lower <= tension && tension <= told.tension.upper);
+        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->reason;
+        for (const DrawnTension& drawn : found.drawn.tensions) {
+            const double tension = truth.tensions(drawn.edge);
+            tensions.add(drawn.tension.lower <= tension && tension <= drawn.tension.upper);
         }
         for (const ParameterEstimate& estimate : found.uncertain) {
             // The mixture over priors may be a little wider than each of its parts.
@@ -173,9 +172,9 @@ TEST(UncertainParameter, ThatIsAsGoodAsKnownChangesNothing) {
     }
 }
 
-// Of a net without loads the form shows no level of all stiffnesses: it is told as not observed,
-// and a load cell shows it.
-TEST(UncertainParameter, IsToldWhereNothingShowsIt) {
+// Of a net without loads the form shows no level of all stiffnesses: it is reported as not
+// observed, and a load cell shows it.
+TEST(UncertainParameter, IsReportedAsNotObservedWhereNothingShowsIt) {
     const CableNet net = hypar(5, 5);
     const std::vector<UncertainParameter> stiffness{parse_uncertain_parameter("stiffness:5%")};
     const Built truth = built(net, stiffness, 4);
@@ -195,14 +194,14 @@ TEST(UncertainParameter, IsToldWhereNothingShowsIt) {
                 3.0 * by_cells.uncertain[0].std);
 }
 
-// Supports three times as far off as told leave too narrow intervals: their own estimates show it.
-TEST(UncertainParameter, ThatIsWiderThanToldShowsInItsSpread) {
+// Supports three times as far off as given leave too narrow intervals: their own estimates show it.
+TEST(UncertainParameter, ThatIsWiderThanGivenShowsInItsSpread) {
     const CableNet net = loaded_net();
-    const std::vector<UncertainParameter> told{parse_uncertain_parameter("supports:1mm")};
+    const std::vector<UncertainParameter> given{parse_uncertain_parameter("supports:1mm")};
     for (int seed = 0; seed < 5; ++seed) {
         const auto found_of = [&](const char* truth) {
             const Built built_net = built(net, {parse_uncertain_parameter(truth)}, 40 + seed);
-            return identify(net, built_net.simulated.survey, options_with(told));
+            return identify(net, built_net.simulated.survey, options_with(given));
         };
         EXPECT_NEAR(spread_ratio(found_of("supports:1mm").uncertain), 1.0, 0.4);
         // Single ones may be named in place of all.
@@ -213,14 +212,14 @@ TEST(UncertainParameter, ThatIsWiderThanToldShowsInItsSpread) {
     EXPECT_EQ(spread_ratio({}), 0.0);
 }
 
-class Readings : public testing::Test {
+class ForceMeasurements : public testing::Test {
 protected:
     [[nodiscard]] Identification found(const Forces& forces, int draws = 200) const {
         IdentifyOptions options = options_with({}, draws);
         options.forces = forces;
         return identify(m_net, m_truth.simulated.survey, options);
     }
-    [[nodiscard]] ForceMeasurement read(int edge, double part) const {
+    [[nodiscard]] ForceMeasurement measured(int edge, double part) const {
         return {
             .edge = edge, .tension = m_truth.tensions(edge), .std = part * m_truth.tensions(edge)};
     }
@@ -229,100 +228,92 @@ protected:
     const Built m_truth = built(m_net, {}, 6);
 };
 
-TEST_F(Readings, AreBelievedAsFarAsTheyAreTrue) {
+TEST_F(ForceMeasurements, AreUsedWithTheirStandardDeviation) {
     const Identification without = found({});
-    const Forces forces{.readings = {read(3, 0.001), read(30, 0.001)}, .taut = {}, .slack = {}};
+    const Forces forces{
+        .readings = {measured(3, 0.001), measured(30, 0.001)}, .taut = {}, .slack = {}};
     const Identification with = found(forces);
     ASSERT_FALSE(with.drawn.tensions.empty());
-    EXPECT_EQ(with.readings, 2);
-    EXPECT_TRUE(with.reading_outliers.empty());
-    for (const ForceMeasurement& reading : forces.readings) {
-        const DrawnEstimate& before = without.drawn.tensions[reading.edge].tension;
-        const DrawnEstimate& after = with.drawn.tensions[reading.edge].tension;
-        EXPECT_NEAR(after.mean, reading.tension, 4.0 * reading.std);
-        EXPECT_LT(after.std, 2.0 * reading.std);
-        EXPECT_GT(before.std, 10.0 * reading.std);
+    EXPECT_EQ(with.force_measurements, 2);
+    EXPECT_TRUE(with.force_outliers.empty());
+    for (const ForceMeasurement& force : forces.readings) {
+        const DrawnEstimate& before = without.drawn.tensions[force.edge].tension;
+        const DrawnEstimate& after = with.drawn.tensions[force.edge].tension;
+        EXPECT_NEAR(after.mean, force.tension, 4.0 * force.std);
+        EXPECT_LT(after.std, 2.0 * force.std);
+        EXPECT_GT(before.std, 10.0 * force.std);
     }
     EXPECT_LT(with.drawn.mean_tension.std, without.drawn.mean_tension.std);
 }
 
-TEST_F(Readings, PromiseWhatTheyThenTell) {
-    Forces forces{
-        .readings = {read(3, 0.02), read(30, 0.02), read(50, 0.02)}, .taut = {}, .slack = {}};
+TEST_F(ForceMeasurements, AddWhatIsPredicted) {
+    Forces forces{.readings = {measured(3, 0.02), measured(30, 0.02), measured(50, 0.02)},
+                  .taut = {},
+                  .slack = {}};
     const PredictedPrecision precision = predicted_precision(
         m_net, solve_equilibrium(m_net).form, m_truth.simulated.survey, prior, forces);
     const Identification then = found(forces);
     EXPECT_NEAR(precision.mean_tension_std, then.drawn.mean_tension.std,
                 0.25 * then.drawn.mean_tension.std);
     // And the next best edge holds what it promises, at the design.
-    const TensionPrecision& best = precision.readings.front();
+    const TensionPrecision& best = precision.force_candidates.front();
     forces.readings.push_back(
         {.edge = best.edge, .tension = best.tension, .std = 0.02 * best.tension});
     const PredictedPrecision next = predicted_precision(m_net, solve_equilibrium(m_net).form,
                                                         m_truth.simulated.survey, prior, forces);
-    EXPECT_NEAR(next.mean_tension_std, best.mean_std_with_reading,
-                1e-6 * best.mean_std_with_reading);
+    EXPECT_NEAR(next.mean_tension_std, best.mean_std_if_measured, 1e-6 * best.mean_std_if_measured);
     EXPECT_LT(next.mean_tension_std, precision.mean_tension_std);
 }
 
-TEST_F(Readings, ThatContradictAllElseAreLeftOutAndNamed) {
+TEST_F(ForceMeasurements, ThatContradictAllElseAreLeftOutAndNamed) {
     Forces forces;
     for (int edge = 0; edge < m_net.edge_count(); edge += 6) {
-        forces.readings.push_back(read(edge, 0.01));
+        forces.readings.push_back(measured(edge, 0.01));
     }
     const Identification sound = found(forces, 0);
-    EXPECT_TRUE(sound.reading_outliers.empty());
+    EXPECT_TRUE(sound.force_outliers.empty());
     forces.readings[4].tension *= 3.0;
     const Identification mended = found(forces, 0);
-    ASSERT_EQ(mended.reading_outliers.size(), 1U);
-    EXPECT_EQ(mended.reading_outliers[0].edge, forces.readings[4].edge);
-    EXPECT_NEAR(mended.reading_outliers[0].expected, m_truth.tensions(forces.readings[4].edge),
+    ASSERT_EQ(mended.force_outliers.size(), 1U);
+    EXPECT_EQ(mended.force_outliers[0].edge, forces.readings[4].edge);
+    EXPECT_NEAR(mended.force_outliers[0].expected, m_truth.tensions(forces.readings[4].edge),
                 0.5 * m_truth.tensions(forces.readings[4].edge));
-    EXPECT_TRUE(mended.outliers.empty());  // no sound target is blamed
+    EXPECT_TRUE(mended.outliers.empty());  // no false alarm
 }
 
 // As of cells in another unit, or with one calibration for all: none stands out by itself.
-TEST_F(Readings, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
+TEST_F(ForceMeasurements, ThatAreAllOffByTheSamePartAreLeftOutTogether) {
     for (const double factor : {0.1, 0.7, 1.3}) {
         Forces forces;
         for (int edge = 0; edge < m_net.edge_count(); edge += 4) {
-            forces.readings.push_back(read(edge, 0.02));
+            forces.readings.push_back(measured(edge, 0.02));
             forces.readings.back().tension *= factor;
             forces.readings.back().std *= factor;
         }
         const Identification result = found(forces, 100);
-        ASSERT_TRUE(result.reading_bias) << factor;
-        EXPECT_EQ(result.reading_outliers.size(), forces.readings.size());
+        ASSERT_TRUE(result.force_bias) << factor;
+        EXPECT_EQ(result.force_outliers.size(), forces.readings.size());
         EXPECT_TRUE(result.outliers.empty());
-        // Linearised, so for a small bias only: true tensions are 1 - part times those read.
+        // Linearised, so for a small bias only: true tensions are 1 - part times those measured.
         if (factor > 0.5) {
-            EXPECT_NEAR(1.0 - result.reading_bias->part, 1.0 / factor,
-                        5.0 * result.reading_bias->std);
+            EXPECT_NEAR(1.0 - result.force_bias->part, 1.0 / factor, 5.0 * result.force_bias->std);
         }
         EXPECT_NEAR(result.drawn.mean_tension.mean, m_truth.tensions.mean(),
                     4.0 * result.drawn.mean_tension.std);
     }
 }
 
-TEST_F(Readings, AreDrawnTheSameOnAnyNumberOfThreads) {
-    const Forces forces{.readings = {read(3, 0.02)}, .taut = {}, .slack = {}};
-    const auto on = [&](int threads) {
-        return with_threads(threads, [&] { return found(forces, 20).draws->tensions; });
-    };
-    EXPECT_EQ(on(1), on(4));
-}
-
-TEST_F(Readings, AreRefusedByMethodsThatDoNotUseThem) {
+TEST_F(ForceMeasurements, AreRefusedByMethodsThatDoNotUseThem) {
     IdentifyOptions options;
     options.prior = prior;
     options.method = IdentificationMethod::balance;
-    options.forces.readings = {read(3, 0.02)};
+    options.forces.readings = {measured(3, 0.02)};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
     options.forces = {};
     options.uncertain = {parse_uncertain_parameter("supports:1mm")};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
     options.method = IdentificationMethod::map;
-    options.forces.readings = {read(3, 0.02), read(3, 0.02)};
+    options.forces.readings = {measured(3, 0.02), measured(3, 0.02)};
     EXPECT_THROW((void)identify(m_net, m_truth.simulated.survey, options), std::invalid_argument);
 }
 
@@ -358,7 +349,7 @@ TEST(Seen, WhatTheSurveyContradictsIsNamedAndNotUsed) {
     for (size_t i = 0; i < with.edges.size(); ++i) {
         EXPECT_EQ(with.edges[i].length_deviation, without.edges[i].length_deviation);
     }
-    // One cable hangs by far, and is told taut.
+    // One cable hangs by far, and is marked taut.
     const int hanging = net.interior_edges()[20];
     Eigen::VectorXd lengths = with_length_deviations(net, truth.simulated.deviations);
     lengths(hanging) += 0.03;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against telling lengths that a form does not contain: slack edges, and edges whose tension
+// Guards against lengths that a form does not contain: slack edges, and edges whose tension
 // another edge can take over without any node moving.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Eigen::VectorXd singular_values(const CableNet& net, const Points& form,
     return Eigen::JacobiSVD<Eigen::MatrixXd>(B, 0).singularValues();
 }
 
-TEST(Identifiability, OfABuiltInNetIsWholeAndConditionedAsADenseDecompositionTells) {
+TEST(Identifiability, OfABuiltInNetIsWholeAndConditionedAsByADenseDecomposition) {
     const CableNet net = hypar(6, 7);
     const Equilibrium e = solve_equilibrium(net);
     const Identifiability i = identifiability(net, net.unstressed_lengths(), e.form);

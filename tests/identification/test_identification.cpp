@@ -75,50 +75,24 @@ TEST_F(OnASmallNet, TheErrorsAreAFewStandardDeviations) {
     EXPECT_LT(inside, 0.99 * edges);
 }
 
-TEST_F(OnASmallNet, TheLengthsAreFarBetterKnownThanBefore) {
-    for (const IdentifiedEdge& e : identify(training).edges) {
-        EXPECT_LT(e.std, 0.2 * m_model.prior.std()) << "edge " << e.edge;
-        EXPECT_EQ(e.status, EdgeStatus::determined);
-    }
-}
-
-TEST_F(OnASmallNet, TheIdentifiedFormIsFarCloserThanTheNominalOne) {
-    for (int k = training; k < training + 10; ++k) {
-        const Survey survey = survey_of(k);
-        const Points nominal = with_free_coordinates(m_net, m_data.nominal_form);
-        const double before = (nominal - survey.form).colwise().norm().mean();
-        const double after = (identify(k).predicted.form - survey.form).colwise().norm().mean();
-        EXPECT_LT(after, 0.1 * before) << "sample " << k;
-    }
-}
-
 TEST_F(OnASmallNet, ThePredictedFormIsInEquilibriumWithTheIdentifiedLengths) {
+    const Survey survey = survey_of(training);
     const Identification result = identify(training);
     Eigen::VectorXd lengths = m_net.unstressed_lengths();
     for (const IdentifiedEdge& e : result.edges) {
         EXPECT_EQ(e.nominal, m_net.unstressed_lengths()(e.edge));
+        EXPECT_LT(e.std, 0.2 * m_model.prior.std()) << "edge " << e.edge;
+        EXPECT_EQ(e.status, EdgeStatus::determined);
         lengths(e.edge) += e.length_deviation;
+    }
+    for (int i = 0; i < m_net.free_node_count(); ++i) {
+        const int node = survey.surveyed[i];
+        EXPECT_DOUBLE_EQ(result.residuals(i),
+                         (result.predicted.form.col(node) - survey.form.col(node)).norm());
     }
     EXPECT_TRUE(result.predicted.balanced());
     EXPECT_LT(out_of_balance_forces(m_net, lengths, result.predicted.form).cwiseAbs().maxCoeff(),
               1e-9 * tensions(m_net, lengths, result.predicted.form).mean());
-}
-
-TEST_F(OnASmallNet, ThereIsOneResultForEachInteriorEdgeInTheirOrder) {
-    const Identification result = identify(training);
-    EXPECT_EQ(result.method, "gp");
-    ASSERT_EQ(result.edges.size(), m_net.interior_edges().size());
-    for (size_t i = 0; i < result.edges.size(); ++i) {
-        EXPECT_EQ(result.edges[i].edge, m_net.interior_edges()[i]);
-    }
-}
-
-TEST_F(OnASmallNet, TheIntervalIsTheMeanAndOnePointNineSixStandardDeviationsAround) {
-    for (const IdentifiedEdge& e : identify(training).edges) {
-        EXPECT_GT(e.std, 0.0);
-        EXPECT_NEAR(e.upper - e.length_deviation, 1.96 * e.std, 1e-4 * e.std);
-        EXPECT_NEAR(e.length_deviation - e.lower, 1.96 * e.std, 1e-4 * e.std);
-    }
 }
 
 TEST_F(OnASmallNet, TheEstimatesAreThePosteriorWithTheNoiseOfEachProcess) {
@@ -143,20 +117,11 @@ TEST_F(OnASmallNet, IdentificationIsTheEstimateForOneForm) {
     for (size_t i = 0; i < result.edges.size(); ++i) {
         // The survey is nominal form plus deviation: rounded once more.
         EXPECT_NEAR(result.edges[i].length_deviation, estimates.mean(static_cast<int>(i), 0), 1e-9);
-        EXPECT_NEAR(result.edges[i].std, estimates.std(static_cast<int>(i), 0), 1e-9);
+        const IdentifiedEdge& e = result.edges[i];
+        EXPECT_NEAR(e.std, estimates.std(static_cast<int>(i), 0), 1e-9);
+        EXPECT_NEAR(e.upper - e.length_deviation, half_interval_95 * e.std, 1e-12);
+        EXPECT_NEAR(e.length_deviation - e.lower, half_interval_95 * e.std, 1e-12);
     }
-}
-
-TEST_F(OnASmallNet, TheResidualsAreTheDistancesOfPredictedAndSurveyedNodes) {
-    const Survey survey = survey_of(training);
-    const Identification result = identify(training);
-    ASSERT_EQ(result.residuals.size(), m_net.free_node_count());
-    for (int i = 0; i < m_net.free_node_count(); ++i) {
-        const int node = survey.surveyed[i];
-        EXPECT_DOUBLE_EQ(result.residuals(i),
-                         (result.predicted.form.col(node) - survey.form.col(node)).norm());
-    }
-    EXPECT_GT(result.residuals.minCoeff(), 0.0);
 }
 
 TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncertainAsThePrior) {
@@ -173,19 +138,6 @@ TEST_F(OnASmallNet, AnEdgeThatNeverDeviatedInTrainingIsNotDeterminedAndAsUncerta
             EXPECT_DOUBLE_EQ(e.std, m_data.prior.std());
         }
     }
-}
-
-TEST_F(OnASmallNet, AnEdgeWhoseLengthHasNothingToDoWithTheFormIsNotDetermined) {
-    // Deviations drawn anew: the form knows nothing of them.
-    constexpr int unrelated = 4;
-    for (int k = 0; k < m_data.size(); ++k) {
-        m_data.length_deviations(unrelated, k) =
-            draw_length_deviations(m_data.prior, 2, static_cast<std::uint64_t>(k), 1)(0);
-    }
-    m_model = train(m_net, m_data, first(training), TrainingSettings::paper());
-    const IdentifiedEdge edge = identify(training).edges[unrelated];
-    EXPECT_EQ(edge.status, EdgeStatus::not_determined);
-    EXPECT_NEAR(edge.std, m_data.prior.std(), 0.15 * m_data.prior.std());
 }
 
 TEST_F(OnASmallNet, AModelForAnotherNetIsRefusedAndBothAreNamed) {
@@ -238,13 +190,6 @@ TEST_F(WithSlackEdges, TheSlackOnesOfThePredictedFormAreMarkedAndNoOthers) {
         }
     }
     EXPECT_GT(marked, 5);
-}
-
-TEST(EdgeStatus, HasAWordForEachValue) {
-    EXPECT_EQ(to_string(EdgeStatus::determined), "determined");
-    EXPECT_EQ(to_string(EdgeStatus::weakly_determined), "weakly_determined");
-    EXPECT_EQ(to_string(EdgeStatus::not_determined), "not_determined");
-    EXPECT_EQ(to_string(EdgeStatus::slack), "slack");
 }
 
 }  // namespace

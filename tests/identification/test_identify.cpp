@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Guards against a confident answer where the survey is not what it was taken for, or the options
-// contradict each other: what a user of the library gets must be what the program tells.
+// contradict each other: what a user of the library gets must be what the program reports.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ protected:
         return train(net, data, data.converged_in(0, 80), settings);
     }
 
-    /// Half a millimetre of noise that nobody tells.
+    /// Half a millimetre of noise that is not given.
     [[nodiscard]] Survey marked_exact() const {
         Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
         survey.noise_std.setZero();
@@ -41,12 +41,12 @@ protected:
     }
 
     void expect_misuse(const Survey& survey, const IdentifyOptions& options,
-                       const std::string& told) const {
+                       const std::string& words) const {
         try {
             (void)identify(m_net, survey, options);
-            FAIL() << "not refused: " << told;
+            FAIL() << "not refused: " << words;
         } catch (const std::invalid_argument& error) {
-            EXPECT_THAT(error.what(), HasSubstr(told));
+            EXPECT_THAT(error.what(), HasSubstr(words));
         }
     }
 
@@ -58,7 +58,7 @@ TEST_F(Identify, ChoosesTheMethodThatSuitsTheSurveyAndSaysWhy) {
     Survey noisy = test::simulate(m_net, prior, 0.0005, 3).survey;
     const Identification balance = identify(m_net, exact, {.prior = prior});
     EXPECT_EQ(balance.method, "balance");
-    EXPECT_THAT(balance.method_reason, HasSubstr("no noise is told"));
+    EXPECT_THAT(balance.method_reason, HasSubstr("the survey is exact"));
     EXPECT_EQ(identify(m_net, noisy, {.prior = prior}).method, "map");
     test::hide(m_net, noisy, m_net.free_nodes()[2]);
     const Identification map = identify(m_net, noisy, {.prior = prior});
@@ -79,7 +79,7 @@ TEST_F(Identify, SaysSoWhereASurveyMarkedExactIsNot) {
           IdentifyOptions{.model = &model}, IdentifyOptions{.model = &paper}}) {
         const Identification found = identify(m_net, marked_exact(), options);
         EXPECT_EQ(found.status, IdentificationStatus::survey_not_exact) << found.method;
-        EXPECT_THAT(found.message, HasSubstr("is taken for exact"));
+        EXPECT_THAT(found.message, HasSubstr("is given as exact"));
     }
 }
 
@@ -88,7 +88,7 @@ TEST_F(Identify, RefusesAnExactSurveyThatMissesNodes) {
     test::hide(m_net, exact, m_net.free_nodes()[2]);
     expect_misuse(exact, {.prior = prior}, "expected all, or their noise");
     expect_misuse(exact, {.method = IdentificationMethod::balance, .prior = prior},
-                  "expected all for --method balance");
+                  "expected all for the method balance");
 }
 
 TEST_F(Identify, RefusesPriorsThatAreNoneByName) {
@@ -136,7 +136,7 @@ TEST_F(Identify, StopsAmidTheFitWhereAsked) {
     EXPECT_EQ(asked, 4);
 }
 
-// A target 26 mm off, told to a method that looked at no residual.
+// Gross errors are found by every method, also by those that look at no residual.
 TEST_F(Identify, FindsAGrossErrorWhateverTheMethod) {
     Survey survey = test::simulate(m_net, prior, 0.0005, 3).survey;
     const int wrong = m_net.free_nodes()[7];

@@ -57,7 +57,7 @@ TEST_F(LengthCovariances, AreThoseOfTheLinearModelOfFormAndLengths) {
     const double largest = expected.diagonal().maxCoeff();
     EXPECT_LT((found.length_covariance->covariance - expected).cwiseAbs().maxCoeff(),
               0.01 * largest);
-    // Two edges of the hidden node tell of each other: a matrix of variances alone would not do.
+    // Two edges of the hidden node are correlated: a matrix of variances alone would not do.
     const Eigen::MatrixXd scaled = expected.diagonal().cwiseSqrt().cwiseInverse().asDiagonal() *
                                    expected *
                                    expected.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
@@ -65,7 +65,7 @@ TEST_F(LengthCovariances, AreThoseOfTheLinearModelOfFormAndLengths) {
               0.3);
 }
 
-TEST_F(LengthCovariances, HaveTheVariancesThatAreToldAndTheOrderThatWasAsked) {
+TEST_F(LengthCovariances, HaveTheReportedVariancesInTheOrderAskedFor) {
     m_options.prior = LengthPrior{LengthPrior::Kind::uniform, 0.001};
     const std::vector<int>& interior = m_net.interior_edges();
     m_options.covariance_of = {interior[7], interior[2]};

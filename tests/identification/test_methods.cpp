@@ -36,36 +36,7 @@ Identification map(const CableNet& net, const Survey& survey, const LengthPrior&
     return identify_by_maximum_a_posteriori(net, survey, prior);
 }
 
-double squared_error(const Identification& result, const Eigen::VectorXd& truth) {
-    double sum = 0.0;
-    for (size_t i = 0; i < result.edges.size(); ++i) {
-        const double error = result.edges[i].length_deviation - truth(static_cast<int>(i));
-        sum += error * error;
-    }
-    return sum / static_cast<double>(result.edges.size());
-}
-
-int inside(const Identification& result, const Eigen::VectorXd& truth) {
-    int count = 0;
-    for (size_t i = 0; i < result.edges.size(); ++i) {
-        const double x = truth(static_cast<int>(i));
-        count += result.edges[i].lower <= x && x <= result.edges[i].upper ? 1 : 0;
-    }
-    return count;
-}
-
 const CableNet net_7x7 = hypar(7, 7);
-
-TEST(Methods, AreExactWithoutNoise) {
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0, seed);
-        ASSERT_TRUE(s.truth.slack_edges.empty());
-        EXPECT_LT(
-            squared_error(identify_by_force_balance(net_7x7, s.survey, uniform_3mm), s.deviations),
-            1e-20);
-        EXPECT_LT(squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations), 1e-20);
-    }
-}
 
 TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
     using Method =
@@ -76,7 +47,7 @@ TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
             for (const Method& by : {Method(map), Method(identify_by_force_balance)}) {
                 double errors = 0.0;
                 double best = 0.0;
-                int covered = 0;
+                double covered = 0.0;
                 std::string method;
                 for (std::uint64_t seed = 0; seed < surveys; ++seed) {
                     const SimulatedSurvey s = simulate(net_7x7, prior, noise, seed);
@@ -84,14 +55,13 @@ TEST(Methods, IntervalsHoldNinetyFivePercentAndErrorsAreNearTheBestPossible) {
                     EXPECT_EQ(result.status, IdentificationStatus::converged);
                     method = result.method;
                     errors += squared_error(result, s.deviations);
-                    covered += inside(result, s.deviations);
+                    covered += coverage(result, s.deviations) / surveys;
                     best += best_possible_variances(net_7x7,
                                                     with_length_deviations(net_7x7, s.deviations),
                                                     s.truth.form, s.survey, prior)
                                 .mean();
                 }
-                const double coverage = covered / double(surveys * net_7x7.interior_edge_count());
-                EXPECT_NEAR(coverage, 0.95, 0.02)
+                EXPECT_NEAR(covered, 0.95, 0.02)
                     << method << ' ' << prior.to_string() << ' ' << noise;
                 EXPECT_LT(errors, (method == "map" ? 1.05 : 1.3) * best)
                     << method << ' ' << prior.to_string() << ' ' << noise;
@@ -115,40 +85,6 @@ TEST(BestPossible, IsTheTextbookPosteriorVariance) {
     const Eigen::VectorXd found =
         best_possible_variances(net_7x7, lengths, s.truth.form, survey, uniform_3mm);
     EXPECT_LT((found - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff(), 1e-6);
-}
-
-TEST(MaximumAPosteriori, IsTheTextbookPosteriorMeanForSmallDeviations) {
-    // So small that the statics are linear: mean = C J' S (r - nominal).
-    const LengthPrior small{LengthPrior::Kind::normal, 1e-6};
-    const SimulatedSurvey s = simulate(net_7x7, small, 1e-6, 4);
-    const Equilibrium nominal = solve_equilibrium(net_7x7);
-    const Eigen::MatrixXd J = FormSensitivity(net_7x7, net_7x7.unstressed_lengths(), nominal.form)
-                                  .columns(net_7x7.interior_edges());
-    Eigen::MatrixXd precision = 1e12 * J.transpose() * J;
-    precision.diagonal().array() += 1e12;
-    const Eigen::VectorXd expected = precision.ldlt().solve(
-        1e12 * J.transpose() * free_coordinates(net_7x7, s.survey.form - nominal.form));
-    const Identification result = map(net_7x7, s.survey, small);
-    for (size_t i = 0; i < result.edges.size(); ++i) {
-        EXPECT_NEAR(result.edges[i].length_deviation, expected(static_cast<int>(i)), 3e-9);
-        EXPECT_NEAR(result.edges[i].std, std::sqrt(precision.inverse()(i, i)), 1e-8);
-    }
-}
-
-TEST(MaximumAPosteriori, ReachesTheBestPossibleWithHiddenNodes) {
-    double errors = 0.0;
-    double best = 0.0;
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
-        SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, seed);
-        for (int i = static_cast<int>(seed % 10); i < net_7x7.free_node_count(); i += 10) {
-            hide(net_7x7, s.survey, net_7x7.free_nodes()[i]);
-        }
-        errors += squared_error(map(net_7x7, s.survey, uniform_3mm), s.deviations);
-        best += best_possible_variances(net_7x7, with_length_deviations(net_7x7, s.deviations),
-                                        s.truth.form, s.survey, uniform_3mm)
-                    .mean();
-    }
-    EXPECT_LT(errors, 1.05 * best);
 }
 
 TEST(MaximumAPosteriori, FindsGrossErrorsAndLeavesThemOut) {
@@ -184,7 +120,7 @@ TEST(MaximumAPosteriori, SaysWhereTheWholeSurveyDoesNotFit) {
     EXPECT_GT(result.outliers.size(), s.survey.surveyed.size() / 4);
 }
 
-TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
+TEST(MaximumAPosteriori, LooksForNoGrossErrorsWithoutFalseAlarms) {
     SimulatedSurvey s = simulate(net_7x7, uniform_3mm, 0.0005, 1);
     s.survey.form.col(net_7x7.free_nodes()[20]).z() += 0.01;
     EXPECT_TRUE(
@@ -193,38 +129,16 @@ TEST(MaximumAPosteriori, LooksForNoGrossErrorsWhereToldSo) {
     EXPECT_EQ(map(net_7x7, s.survey, uniform_3mm).outliers.size(), 1U);
 }
 
-TEST(Methods, TellASlackEdgeByNoMoreThanItsLength) {
-    const LengthPrior wide{LengthPrior::Kind::uniform, 0.007};
-    int slack = 0;
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const SimulatedSurvey s = simulate(net_7x7, wide, 0.0, seed);
-        const Eigen::VectorXd lengths = edge_lengths(net_7x7, s.truth.form);
-        for (const Identification& result :
-             {map(net_7x7, s.survey, wide), identify_by_force_balance(net_7x7, s.survey, wide)}) {
-            for (const IdentifiedEdge& e : result.edges) {
-                const bool is_slack = std::ranges::binary_search(s.truth.slack_edges, e.edge);
-                EXPECT_EQ(e.status == EdgeStatus::slack, is_slack) << result.method << e.edge;
-                if (is_slack) {
-                    ++slack;
-                    EXPECT_NEAR(e.lower, lengths(e.edge) - e.nominal, 1e-6);
-                    EXPECT_EQ(e.upper, wide.scale);
-                }
-            }
-        }
-    }
-    EXPECT_GT(slack, 2);
-}
-
 TEST(Methods, RefuseSurveysThatMakeNoSense) {
     const Survey good = simulate(net_7x7, uniform_3mm, 0.0005, 1).survey;
     const int node = good.surveyed[5];
-    const auto expect_refused = [&](const Survey& bad, const std::string& told) {
+    const auto expect_refused = [&](const Survey& bad, const std::string& words) {
         for (const auto& method : {std::function(map), std::function(identify_by_force_balance)}) {
             try {
                 (void)method(net_7x7, bad, uniform_3mm);
-                ADD_FAILURE() << "not refused: " << told;
+                ADD_FAILURE() << "not refused: " << words;
             } catch (const std::invalid_argument& error) {
-                EXPECT_THAT(error.what(), ::testing::HasSubstr(told));
+                EXPECT_THAT(error.what(), ::testing::HasSubstr(words));
             }
         }
     };
@@ -257,7 +171,7 @@ TEST(Methods, RefuseSurveysThatMakeNoSense) {
                  std::invalid_argument);
 }
 
-TEST(Methods, TellNoNumberThatIsNotOneWhereNodesAreLoose) {
+TEST(Methods, GiveFiniteNumbersWhereNodesAreLoose) {
     // Lengths that leave whole nodes without tension.
     const CableNet net = hypar(4, 5);
     const LengthPrior wide{LengthPrior::Kind::uniform, 0.02};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 
-// Guards the way from readings of angles and distances to lengths: intervals that do not hold
+// Guards the way from observations of angles and distances to lengths: intervals that do not hold
 // because a pose, a frame or a covariance between was wrong.
 
 #include <gtest/gtest.h>
@@ -25,13 +25,9 @@ struct Tally {
     double noise_ratio = 0.0;
 
     void add(const Identification& found, const Eigen::VectorXd& truth) {
-        for (size_t i = 0; i < found.edges.size(); ++i) {
-            const IdentifiedEdge& edge = found.edges[i];
-            const double deviation = truth(static_cast<Eigen::Index>(i));
-            inside += edge.lower <= deviation && deviation <= edge.upper ? 1.0 : 0.0;
-            squares += std::pow(edge.length_deviation - deviation, 2);
-            count += 1.0;
-        }
+        inside += test::coverage(found, truth);
+        squares += test::squared_error(found, truth);
+        count += 1.0;
         noise_ratio += found.noise_ratio;
     }
     [[nodiscard]] double coverage() const { return inside / count; }
@@ -39,8 +35,8 @@ struct Tally {
 };
 
 /// As read_survey() does.
-Survey survey_of(const CableNet& net, const PolarSurvey& readings) {
-    std::vector<SurveyPoint> points = adjust_stations(readings).points;
+Survey survey_of(const CableNet& net, const PolarSurvey& observations) {
+    std::vector<SurveyPoint> points = adjust_stations(observations).points;
     const Registration frame = register_rigidly(support_control_points(net, points));
     Survey survey = match_to_nodes(net, moved(std::move(points), frame.motion));
     survey.frame_is_unknown = true;

@@ -43,7 +43,7 @@ Eigen::VectorXd vector_of(const Json& json) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
 }
 
-/// A net and survey of the reference, and what its chains tell.
+/// A net and survey of the reference, and the results of its chains.
 struct Reference {
     Json json;
     CableNet net;
@@ -107,8 +107,8 @@ TEST(PosteriorDraws, AgreeWithLongChainsOfOtherCode) {
             reference.net, reference.survey,
             {.prior = reference.prior, .prior_exact = reference.prior_exact, .draws = 2000});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
-        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->doubt;
-        // What lengths have in common, (length-trend), is told to first order.
+        ASSERT_FALSE(found.drawn.tensions.empty()) << found.draws->reason;
+        // What lengths have in common, (length-trend), is estimated to first order.
         const double of_mean = reference.prior_exact ? 0.15 : 0.25;
         const double of_end = reference.prior_exact ? 0.3 : 0.45;
         const Eigen::VectorXd mean = vector_of(reference.json.at("mean"));
@@ -176,31 +176,6 @@ TEST(PosteriorDraws, AreInEquilibrium) {
     EXPECT_TRUE((truth.array() < place.upper.array()).all()) << truth;
 }
 
-// Over 40 surveys the coverage of all tensions together varies by some 1 %: those of a survey go
-// together.
-TEST(PosteriorDraws, TellIntervalsThatHoldTheTrueTensions) {
-    const CableNet net = hypar(5, 5);
-    const LengthPrior prior{LengthPrior::Kind::uniform, 3e-3};
-    constexpr int surveys = 40;
-    int inside = 0;
-    int mean_inside = 0;
-    for (int seed = 0; seed < surveys; ++seed) {
-        const auto s = test::simulate(net, prior, 5e-4, static_cast<std::uint64_t>(seed));
-        const Identification found = identify(net, s.survey, {.prior = prior, .draws = 200});
-        ASSERT_TRUE(found.draws && found.draws->doubt.empty());
-        const Eigen::VectorXd truth =
-            tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
-        for (const DrawnTension& of_edge : found.drawn.tensions) {
-            const double tension = truth(of_edge.edge);
-            inside += of_edge.tension.lower <= tension && tension <= of_edge.tension.upper ? 1 : 0;
-        }
-        const DrawnEstimate& mean = found.drawn.mean_tension;
-        mean_inside += mean.lower <= truth.mean() && truth.mean() <= mean.upper ? 1 : 0;
-    }
-    EXPECT_NEAR(static_cast<double>(inside) / (surveys * net.edge_count()), 0.95, 0.03);
-    EXPECT_GE(mean_inside, surveys * 85 / 100);
-}
-
 // Cables that stretch by less than their lengths are known to: which of them are slack, and how
 // tight the others, the form hardly shows.
 TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
@@ -211,18 +186,14 @@ TEST(PosteriorDraws, SayWhereTheSurveyLeavesOpenWhatIsSlack) {
         const Identification found = identify(net, s.survey, {.prior = prior, .draws = 100});
         ASSERT_EQ(found.status, IdentificationStatus::converged) << found.message;
         ASSERT_TRUE(found.draws);
-        EXPECT_THAT(found.draws->doubt, testing::HasSubstr("does not show which edges are slack"));
+        EXPECT_THAT(found.draws->reason, testing::HasSubstr("does not show which edges are slack"));
         EXPECT_TRUE(found.drawn.tensions.empty());
         const Eigen::VectorXd truth =
             tensions(net, with_length_deviations(net, s.deviations), s.truth.form);
-        int inside = 0;
-        for (int i = 0; i < net.interior_edge_count(); ++i) {
-            const IdentifiedEdge& edge = found.edges[i];
+        for (const IdentifiedEdge& edge : found.edges) {
             EXPECT_FALSE(edge.status == EdgeStatus::slack && truth(edge.edge) > 0.0) << edge.edge;
-            const double deviation = s.deviations(i);
-            inside += edge.lower <= deviation && deviation <= edge.upper ? 1 : 0;
         }
-        EXPECT_GE(inside, net.interior_edge_count() * 88 / 100);
+        EXPECT_GE(test::coverage(found, s.deviations), 0.88);
     }
 }
 
@@ -234,7 +205,7 @@ TEST(PosteriorDraws, ShowTensionsOfSoundSurveys) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
         const auto s = test::simulate(net, prior, 5e-4, seed);
         const Identification found = identify(net, s.survey, {.assume_site = true, .draws = 100});
-        EXPECT_EQ(found.draws.value().doubt, "") << seed;
+        EXPECT_EQ(found.draws.value().reason, "") << seed;
     }
 }
 
@@ -265,7 +236,7 @@ TEST(PosteriorDraws, EndIntervalsAtOrderStatistics) {
     EXPECT_DOUBLE_EQ(estimate_of(Eigen::VectorXd::Constant(1, 7.0)).upper, 7.0);
 }
 
-TEST(PosteriorDraws, BelowZeroOrBeyondMemoryAreRefused) {
+TEST(PosteriorDraws, BelowZeroOrTooManyForMemoryAreRefused) {
     const Reference reference = references().front();
     EXPECT_THROW(check_draws(reference.net, -1), std::invalid_argument);
     EXPECT_THROW(check_draws(reference.net, 1'000'000'000'000), std::invalid_argument);

@@ -32,7 +32,7 @@ LengthPrior uniform_prior(double bound) {
 
 /// What an identification makes of simulated surveys.
 struct Tally {
-    int unsettled = 0;
+    int not_converged = 0;
     int sound_lost = 0;    ///< targets without a gross error that were left out
     int gross_missed = 0;  ///< targets with one that were not
     int far_off = 0;       ///< lengths more than five standard deviations from the truth
@@ -63,44 +63,39 @@ Tally tally(const CableNet& net, const LengthPrior& prior, double noise_std, int
             moved = move_targets(net, s.survey, one_of, static_cast<std::uint64_t>(seed));
         }
         const Identification result = identify_by_maximum_a_posteriori(net, s.survey, prior);
-        tally.unsettled += result.status == IdentificationStatus::converged ? 0 : 1;
+        tally.not_converged += result.status == IdentificationStatus::converged ? 0 : 1;
         const auto found =
             static_cast<int>(std::ranges::count_if(result.outliers, [&](const Outlier& outlier) {
                 return std::ranges::binary_search(moved, outlier.node);
             }));
         tally.sound_lost += static_cast<int>(result.outliers.size()) - found;
         tally.gross_missed += static_cast<int>(moved.size()) - found;
-        int inside = 0;
         for (int i = 0; i < net.interior_edge_count(); ++i) {
             const IdentifiedEdge& edge = result.edges[i];
             const double error = std::abs(edge.length_deviation - s.deviations(i));
             tally.far_off += edge.status != EdgeStatus::slack && error > 5.0 * edge.std ? 1 : 0;
-            inside += edge.lower <= s.deviations(i) && s.deviations(i) <= edge.upper ? 1 : 0;
         }
-        tally.inside += static_cast<double>(inside) / net.interior_edge_count() / surveys;
+        tally.inside += coverage(result, s.deviations) / surveys;
     }
     return tally;
 }
 
 void expect_sound(const Tally& found, double coverage_tolerance) {
-    EXPECT_EQ(found.unsettled, 0);
+    EXPECT_EQ(found.not_converged, 0);
     EXPECT_EQ(found.sound_lost, 0);
     EXPECT_EQ(found.gross_missed, 0);
     EXPECT_NEAR(found.inside, 0.95, coverage_tolerance);
 }
 
-// Deviations and noise beyond what the cables stretch: steps with the matrix of an earlier
-// linearisation soon lead nowhere.
-TEST(SteelNet, SettlesWithIntervalsThatHold) {
-    const Tally found = tally(stiffened(hilo_quarter(), 20.0), uniform_prior(0.003), 0.0005, 10, 0);
-    expect_sound(found, 0.015);
-}
-
-TEST(SteelNet, TellsSlackEdgesFromTautOnes) {
-    const Tally found =
-        tally(stiffened(hilo_quarter(), 500.0), uniform_prior(0.003), 0.0005, 10, 0);
-    expect_sound(found, 0.015);
-    EXPECT_EQ(found.far_off, 0);
+// Deviations and noise larger than what the cables stretch: steps with the matrix of an earlier
+// linearisation soon lead nowhere, and many edges are slack.
+TEST(SteelNet, ConvergesWithIntervalsThatHold) {
+    for (const double factor : {20.0, 500.0}) {
+        const Tally found =
+            tally(stiffened(hilo_quarter(), factor), uniform_prior(0.003), 0.0005, 10, 0);
+        expect_sound(found, 0.015);
+        EXPECT_TRUE(found.far_off == 0 || factor < 100.0);
+    }
 }
 
 // A roof of steel, our own and the real one: what must hold of both. Errors of one survey's lengths
@@ -128,7 +123,7 @@ TEST(SteelRoof, ShowsManyGrossErrors) {
 }
 
 // Multipliers large against what they hold: the noise is a hundredth of the deviations.
-TEST(SteelRoof, SettlesWithLittleNoise) {
+TEST(SteelRoof, ConvergesWithLittleNoise) {
     expect_sound(tally(steel_lattice(), uniform_prior(0.005), 0.00005, 20, 0), 0.012);
 }
 
@@ -139,14 +134,14 @@ TEST(HiloRoof, KeepsAllSoundTargets) {
     EXPECT_LE(found.far_off, 1);
 }
 
-TEST(HiloRoof, SettlesWithLittleNoise) {
+TEST(HiloRoof, ConvergesWithLittleNoise) {
     TAUT_NEEDS_HILO_ROOF();
     expect_sound(tally(hilo_roof(), uniform_prior(0.005), 0.00005, 2, 0), 0.01);
 }
 
-// Strands that bed in: tangents of their priors are 0 on one side of a corner and steep on the
-// other.
-TEST(TwoSlopeRoof, SettlesWithIntervalsThatHold) {
+// Strands that bed in: tangents of their tension laws are 0 on one side of a corner and steep on
+// the other.
+TEST(TwoSlopeRoof, ConvergesWithIntervalsThatHold) {
     expect_sound(tally(steel_roof(), uniform_prior(0.002), 0.0003, 6, 0), 0.02);
     expect_sound(tally(steel_roof(), uniform_prior(0.005), noise_on_site, 6, 0), 0.02);
 }
@@ -159,7 +154,7 @@ double strain_in(const CableNet& net, const SimulatedSurvey& s, int i) {
            1.0;
 }
 
-TEST(TwoSlopeRoof, IsFoundByItsExactFormAndWhereAPriorIsFlatToWhatItLeavesOpen) {
+TEST(TwoSlopeRoof, IsFoundByItsExactFormExceptWhereATensionLawIsFlat) {
     const CableNet net = steel_roof();
     const SimulatedSurvey s = simulate(net, uniform_prior(0.002), 0.0, 3);
     const Identification found =

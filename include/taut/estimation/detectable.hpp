@@ -13,7 +13,7 @@ namespace taut {
 struct DetectableErrors {
     /// Distance of a target from its node [m].
     double target = std::numeric_limits<double>::infinity();
-    /// Of one interior edge's length, beyond its deviation [m].
+    /// Error of one interior edge's length, in addition to its deviation [m].
     double length = std::numeric_limits<double>::infinity();
     /// Of one adjustable edge's length [m].
     double adjustable = std::numeric_limits<double>::infinity();
@@ -21,7 +21,7 @@ struct DetectableErrors {
     double support = std::numeric_limits<double>::infinity();
     /// Of the survey's scale, relative [-].
     double scale = std::numeric_limits<double>::infinity();
-    /// Difference of temperature of all interior edges, with 12e-6/K where the net tells no
+    /// Difference of temperature of all interior edges, with 12e-6/K where the net gives no
     /// expansion [K].
     double temperature = std::numeric_limits<double>::infinity();
 };

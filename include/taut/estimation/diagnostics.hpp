@@ -9,48 +9,49 @@
 
 namespace taut {
 
-/// Chance explains no more than so many standard deviations.
-inline constexpr double beyond_chance_std = 4.0;
-/// A mean of all length deviations that does no harm, in standard deviations of their prior: of
-/// 50,000 lengths the linearised mean is known to less than it is right.
+/// Deviations of more standard deviations than this are significant.
+inline constexpr double significant_std = 4.0;
+/// Common mean of the length deviations that does no harm, in standard deviations of their prior:
+/// with 50,000 lengths it is known better than the linearisation is accurate.
 inline constexpr double negligible_mean = 0.15;
-/// A scale of a survey that does no harm, at the node furthest out, in standard deviations of the
-/// survey: large nets show such.
+/// Scale error of a survey that does no harm, by its effect at the node furthest out, in standard
+/// deviations of the survey: large nets show smaller ones.
 inline constexpr double negligible_scale = 0.25;
 
-/// A scale that a survey shows, of what was told.
+/// An estimated standard deviation relative to the given one.
 struct TAUT_CORE_EXPORT FoundScale {
-    double ratio = 1.0;  ///< found over told; 0 where the survey does not show it
-    double std = 0.0;    ///< of the ratio, if what was told is true
+    double ratio = 1.0;  ///< estimated over given; 0 where the survey does not show it
+    double std = 0.0;    ///< of the ratio, if the given one is true
 
-    /// Beyond chance: the probability of that is below 1 in 10,000 where what was told is true.
+    /// Whether the ratio is significant: its probability is below 1 in 10,000 if the given one is
+    /// true.
     [[nodiscard]] bool is_contradicted() const;
 };
 
-/// The scales by which noise and lengths together fit what a survey shows.
+/// The scales of noise and lengths with which a survey fits.
 struct VarianceComponents {
     FoundScale noise;    ///< of the standard deviations of surveyed coordinates
     FoundScale lengths;  ///< of the standard deviation of the prior
 };
 
-/// What the lengths that a survey shows tell of their prior.
+/// Check of the prior by the lengths that a survey shows.
 struct TAUT_CORE_EXPORT PriorCheck {
-    LengthPrior checked;    ///< the prior reckoned with
+    LengthPrior checked;    ///< the prior of the fit
     int lengths = 0;        ///< that it rests on
     LengthPrior likeliest;  ///< of uniform, normal and bimodal, of any scale
     double gain = 0.0;      ///< of its log likelihood over that of the prior checked
     double mean = 0.0;      ///< that all deviations have in common [m]
     double mean_std = 0.0;  ///< of that, if it is none [m]
-    int beyond = 0;         ///< edges beyond the prior, where these were too many to be mis-cut
+    int outliers = 0;       ///< lengths outside the prior, where these are too many to be mis-cut
 
-    /// Whether the mean is none that chance would give.
+    /// Whether the mean is significant.
     [[nodiscard]] bool has_mean() const;
-    /// Whether another prior is so much likelier that the one checked is not to be relied on.
+    /// Whether another prior is so much likelier that the one checked is not reliable.
     [[nodiscard]] bool is_contradicted() const;
-    /// Whether no chance explains that.
+    /// Whether chance cannot explain it.
     [[nodiscard]] bool is_untenable() const;
-    /// Whether the likeliest prior is narrower: intervals by the one checked then hold more than
-    /// they need to.
+    /// Whether the likeliest prior is narrower: intervals by the one checked are then wider than
+    /// needed.
     [[nodiscard]] bool is_too_wide() const;
 };
 
@@ -58,15 +59,15 @@ struct TAUT_CORE_EXPORT PriorCheck {
 struct TAUT_CORE_EXPORT FrameCheck {
     double scale = 0.0;      ///< by which it is too large, relative
     double scale_std = 0.0;  ///< of that, if it is not; 0 where the survey does not show it
-    /// By which the survey lies off the frame that was told, about the middle of the net [m, rad];
-    /// 0 where the frame was unknown.
+    /// Shift of the survey against the given frame, about the middle of the net; 0 where the frame
+    /// was unknown [m].
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
     Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< about x, y and z, likewise [rad]
     double motion_statistic = 0.0;  ///< chi-squared of six degrees of freedom, if it does not
 
-    /// Beyond chance.
+    /// Whether that is significant.
     [[nodiscard]] bool is_moved() const;
-    /// Beyond chance.
+    /// Whether that is significant.
     [[nodiscard]] bool is_scaled() const;
 };
 

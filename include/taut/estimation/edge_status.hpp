@@ -9,7 +9,7 @@
 
 namespace taut {
 
-/// What a survey tells of one edge.
+/// How well a survey determines the length of an edge.
 enum class EdgeStatus {
     determined,         ///< standard deviation below half of that before the survey
     weakly_determined,  ///< half to nine tenths
@@ -26,7 +26,7 @@ inline constexpr double determined_ratio = 0.5;
 /// From this part on it is not determined; between, weakly.
 inline constexpr double not_determined_ratio = 0.9;
 
-/// By that rule, of a number that is not slack. Standard deviations are not checked.
+/// The status by that rule, for a number that is not slack. Standard deviations are not checked.
 [[nodiscard]] TAUT_CORE_EXPORT EdgeStatus status_of(double prior_std, double std);
 
 /// Half the width of the 95 % interval of a normal distribution, in standard deviations.

@@ -11,18 +11,17 @@
 
 namespace taut {
 
-/// What a survey tells of one length deviation x, whatever the prior: its likelihood. While the
-/// edge is taut this has the shape of a normal density. Where it is slack, any x beyond slack_from
-/// is as likely as any other, as likely as the survey finds an edge without tension: with z the
-/// extension of the edge in standard deviations and phi, Phi the standard normal density and
-/// distribution,
+/// Likelihood of one length deviation x by a survey, whatever the prior. While the edge is taut it
+/// has the shape of a normal density. Where it is slack, any x beyond slack_from is equally likely,
+/// as likely as the survey finds the edge without tension: with z the extension of the edge in
+/// standard deviations and phi, Phi the standard normal density and distribution,
 ///
 ///     taut:  Phi(z) N(x; mean, std^2)       slack: phi(z) / std   for x > slack_from
 ///
 /// docs/theory.md, (slack-mixture).
 struct LengthLikelihood {
     double mean = 0.0;                                     ///< [m]
-    double std = std::numeric_limits<double>::infinity();  ///< [m]; infinite: it tells nothing
+    double std = std::numeric_limits<double>::infinity();  ///< [m]; infinite: not known
     /// Length of the edge in the surveyed form less nominal unstressed length [m].
     double slack_from = std::numeric_limits<double>::infinity();
     double slack_from_std = std::numeric_limits<double>::infinity();  ///< where surely slack [m]

@@ -13,13 +13,13 @@
 
 namespace taut {
 
-/// One survey among several of the same net.
+/// One survey of several of the same net.
 struct Epoch {
     Survey survey;                   ///< not an exact one; of the net as it stood then
     std::vector<EdgeTurned> turned;  ///< since the survey before; of the first: none
 };
 
-/// A rule of surveys that one among several breaks.
+/// An error of one survey of several.
 class TAUT_CORE_EXPORT EpochError : public SurveyError {
 public:
     /// @param epoch the survey, from 0
@@ -30,26 +30,29 @@ private:
     size_t m_epoch;
 };
 
-/// More interior edges are refused: what surveys tell together is a full matrix of all lengths.
+/// More interior edges are refused: the common evidence is a full matrix of all lengths.
 inline constexpr int most_edges_of_epochs = 3000;
 
-/// Identifies lengths from all surveys at once: those of interior edges are the same in all, those
-/// of adjustable ones were changed by what was turned, with its play; frame, noise and temperature
-/// are each survey's own. By maximum a posteriori; each survey is fitted with what the others tell
-/// of the lengths, until they agree. Lengths that changed in between are found and set free, and so
-/// are adjustable ones that were not as told from the beginning.
+/// Identifies lengths from all surveys at once, by maximum a posteriori. Lengths of interior edges
+/// are the same in all surveys. Those of adjustable edges were changed by what was turned, with its
+/// standard deviation. Frame, noise and temperature are each survey's own. Each survey is fitted
+/// with the evidence of the others until they agree. Lengths that changed in between are detected
+/// and set free, and so are adjustable ones that differ from the design at the beginning.
 /// docs/theory.md, "Epochs".
 ///
 /// @param net as designed, before anything was turned
 /// @param epochs at least two, in the order of the surveys, with their noise
 /// @param options forces and draws are of the last survey; no model
-/// @param progress told of the stages "comparing surveys" and "identification"
-/// @return of the net at the last survey, turned_net(net, result.turned); `epochs` tells of each
+/// @param progress gets the stages "comparing surveys" and "identification"
+/// @return result for the net at the last survey, turned_net(net, result.turned); `epochs` has
+///   each survey
 /// @throws std::invalid_argument as identify(), check_turned(), for fewer than two epochs, more
-///   than most_edges_of_epochs, uncertain that all surveys would share one by one (supports,
-///   stiffness-each, loads in newtons), a method that is not map, and covariance_of
+///   interior edges than most_edges_of_epochs, uncertain parameters of single supports, edges or
+///   nodes (supports, stiffness-each, loads in newtons), a method that is not map, and
+///   covariance_of
 /// @throws std::runtime_error where the net as turned finds no equilibrium
-/// @throws EpochError where identify() throws SurveyError; for an exact survey, and one told twice
+/// @throws EpochError where identify() throws SurveyError; for an exact survey, and one given
+///   twice
 /// @throws Interrupted where a stop was requested
 [[nodiscard]] TAUT_CORE_EXPORT Identification identify_epochs(const CableNet& net,
                                                               std::span<const Epoch> epochs,

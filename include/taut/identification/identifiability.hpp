@@ -18,7 +18,7 @@ namespace taut {
 ///
 /// A length is determined if no solution of B x = 0 has this entry: if no state of self-stress
 /// among the interior edges alone passes through its edge. A slack edge is not determined: the form
-/// only tells that l_0 >= l.
+/// only shows that l_0 >= l.
 struct Identifiability {
     std::vector<int> determined;    ///< interior edges, ascending
     std::vector<int> undetermined;  ///< taut, but in a free self-stress; ascending

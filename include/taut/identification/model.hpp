@@ -88,7 +88,7 @@ struct LengthModel {
 
 /// Algorithm 1 of the paper on samples of a data set of the net.
 /// @param samples which to train on; their forces must balance: DataSet::converged_in()
-/// @param progress told of the stages of gp::estimate_input_scales() and gp::fit()
+/// @param progress gets the stages of gp::estimate_input_scales() and gp::fit()
 /// @throws std::invalid_argument for a data set of another net, fewer than two samples, or an index
 ///   out of range, and for `as_in_paper` with another mean function or kernel than the paper's
 /// @throws Interrupted where a stop was requested

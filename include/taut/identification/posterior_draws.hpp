@@ -12,7 +12,7 @@
 
 namespace taut {
 
-/// What differs from the net besides lengths, one draw a column; a matrix of 0 x 0: nothing.
+/// Deviations from the net besides lengths, one draw a column; a matrix of 0 x 0: none.
 struct ModelPerturbations {
     /// m x draws: logarithm of the factor of EA, or of the tension law.
     Eigen::MatrixXd stiffness;
@@ -22,7 +22,7 @@ struct ModelPerturbations {
     Eigen::MatrixXd supports;  ///< 3 n_S x draws: of their places, as CableNet::supports() [m]
     Eigen::MatrixXd loads;     ///< 3 n_I x draws: of the loads on free nodes [N]
 
-    /// Whether all is as the net tells.
+    /// Whether there are none.
     [[nodiscard]] bool empty() const {
         return stiffness.size() + thermal.size() + supports.size() + loads.size() == 0;
     }
@@ -38,10 +38,10 @@ struct PosteriorDraws {
     ModelPerturbations perturbations;  ///< of stiffness, temperature, supports and loads
     Eigen::MatrixXd forms;             ///< 3 n_I x draws, free coordinates [m]
     Eigen::MatrixXd tensions;          ///< m x draws, of all edges [N]
-    std::uint64_t seed = 1;            ///< that the draws follow from
-    std::string how;                   ///< they were made, in words
-    bool is_refitted = false;          ///< each by a fit of its own: they then tell lengths, too
-    std::string doubt;                 ///< why they are not to be relied on; empty: they are
+    std::uint64_t seed = 1;            ///< of the random numbers
+    std::string how;                   ///< method of drawing, in words
+    bool is_refitted = false;  ///< each by a fit of its own: they then determine the lengths, too
+    std::string reason;        ///< why they are not reliable; empty: they are
 
     /// How many draws.
     [[nodiscard]] int count() const { return static_cast<int>(length_deviations.cols()); }
@@ -62,14 +62,14 @@ struct DrawnEstimate {
 [[nodiscard]] TAUT_CORE_EXPORT DrawnEstimate
 estimate_of(const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// What is known of the tension of one edge.
+/// Posterior of the tension of one edge.
 struct DrawnTension {
     int edge = 0;                    ///< index in the net
     DrawnEstimate tension;           ///< [N]
     double slack_probability = 0.0;  ///< the part of the draws in which it carries nothing
 };
 
-/// What is known of the place of one free node.
+/// Posterior of the place of one free node.
 struct DrawnPlace {
     int node = 0;           ///< index of a free node
     Eigen::Vector3d mean;   ///< [m]
@@ -78,7 +78,7 @@ struct DrawnPlace {
     Eigen::Vector3d upper;  ///< its upper end [m]
 };
 
-/// What follows from draws for a result.
+/// Tensions and places that follow from draws.
 struct DrawnSummary {
     std::vector<DrawnTension> tensions;  ///< one an edge, in their order
     DrawnEstimate mean_tension;          ///< over all edges [N]

@@ -13,32 +13,31 @@
 
 namespace taut {
 
-/// What a survey can tell of one interior edge's unstressed length, before it is made.
+/// Predicted precision of one interior edge's unstressed length.
 struct EdgePrecision {
     int edge = 0;                                ///< index in the net
     double std = 0.0;                            ///< of the length deviation, after the survey [m]
     EdgeStatus status = EdgeStatus::determined;  ///< that an identification most probably gives
 };
 
-/// What a survey can tell of one edge's tension, before it is made, and what a reading of it would
-/// add.
+/// Predicted precision of one edge's tension, and the gain by measuring it.
 struct TensionPrecision {
     int edge = 0;          ///< index in the net
-    double tension = 0.0;  ///< in the form that it is reckoned at [N]
-    double std = 0.0;      ///< of the tension, after the survey and the readings told [N]
-    /// Of the mean tension, if this edge's were read besides [N].
-    double mean_std_with_reading = 0.0;
+    double tension = 0.0;  ///< in the form of the prediction [N]
+    double std = 0.0;      ///< of the tension, after the survey and the given measurements [N]
+    /// Standard deviation of the mean tension if this edge's is measured, too [N].
+    double mean_std_if_measured = 0.0;
 };
 
-/// What a survey can tell of all lengths and tensions, before it is made.
+/// Predicted precision of all lengths and tensions, before a survey is made.
 struct TAUT_CORE_EXPORT PredictedPrecision {
     double prior_std = 0.0;            ///< of each length deviation, before the survey [m]
     std::vector<EdgePrecision> edges;  ///< one an interior edge, in their order
 
-    double mean_tension = 0.0;      ///< over all edges, in the form that it is reckoned at [N]
-    double mean_tension_std = 0.0;  ///< after the survey and the readings told [N]
-    /// All taut edges of which no reading is told, those first of which one would tell most.
-    std::vector<TensionPrecision> readings;
+    double mean_tension = 0.0;      ///< over all edges, in the form of the prediction [N]
+    double mean_tension_std = 0.0;  ///< after the survey and the given measurements [N]
+    /// All taut edges without a given measurement, the one whose measurement gains most first.
+    std::vector<TensionPrecision> force_candidates;
 
     /// How many edges have a status.
     [[nodiscard]] int count(EdgeStatus status) const;
@@ -54,8 +53,8 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
 /// this form.
 /// @param form equilibrium of the nominal lengths (3 x n) [m]
 /// @param survey which nodes, and their noise; its form is not used
-/// @param forces of which edges tensions are read, and their noise; the tensions are not used
-/// @param reading_noise standard deviation of one more reading, as a part of the tension
+/// @param forces edges whose tensions are measured, and their noise; the tensions are not used
+/// @param relative_force_std standard deviation of one more measurement, as a part of the tension
 /// @throws std::invalid_argument as best_possible_variances(), check_forces(),
 /// check_uncertain_parameters(),
 ///   and where the net has no interior edge
@@ -64,6 +63,6 @@ struct TAUT_CORE_EXPORT PredictedPrecision {
 [[nodiscard]] TAUT_CORE_EXPORT PredictedPrecision predicted_precision(
     const CableNet& net, const Eigen::Ref<const Points>& form, const Survey& survey,
     const LengthPrior& prior, const Forces& forces = {},
-    const std::vector<UncertainParameter>& uncertain = {}, double reading_noise = 0.02);
+    const std::vector<UncertainParameter>& uncertain = {}, double relative_force_std = 0.02);
 
 }  // namespace taut

@@ -28,8 +28,7 @@ namespace taut {
 enum class IdentificationStatus {
     converged,
     iteration_limit,      ///< lengths and form still moved
-    survey_does_not_fit,  ///< so many targets contradict the rest that it is not they who are
-                          ///< wrong, or no positive lengths give the form
+    survey_does_not_fit,  ///< more targets contradict the rest than can have
     survey_not_exact,     ///< taken for exact, but no lengths of the prior give its form
     no_equilibrium,       ///< the identified lengths find none: there is no predicted form
 };
@@ -37,7 +36,7 @@ enum class IdentificationStatus {
 /// "converged", "iteration limit", "survey does not fit", "survey not exact", "no equilibrium".
 [[nodiscard]] TAUT_CORE_EXPORT std::string_view to_string(IdentificationStatus status);
 
-/// What is known of one interior edge's unstressed length after a survey.
+/// Posterior of one interior edge's unstressed length.
 struct IdentifiedEdge {
     int edge = 0;                                ///< index in the net
     double nominal = 0.0;                        ///< unstressed length as designed [m]
@@ -45,7 +44,7 @@ struct IdentifiedEdge {
     double std = 0.0;                            ///< standard deviation of the estimate [m]
     double lower = 0.0;                          ///< 95 % interval of the length deviation [m]
     double upper = 0.0;                          ///< its upper end [m]
-    EdgeStatus status = EdgeStatus::determined;  ///< whether the survey tells its length at all
+    EdgeStatus status = EdgeStatus::determined;  ///< whether the survey determines its length
 };
 
 /// Posterior covariances between the lengths of some interior edges.
@@ -56,16 +55,16 @@ struct LengthCovariance {
     Eigen::MatrixXd covariance;
 };
 
-/// A parameter that was taken as uncertain.
+/// An uncertain parameter of an identification.
 struct Assumption {
     UncertainParameter parameter;  ///< with its standard deviation before the survey
-    bool is_default = false;       ///< assumed, since nothing was given
+    bool is_default = false;       ///< assumed by taut, not given
     bool is_testable =
         false;  ///< whether the survey shows any number of it: else it is taken as is
 };
 
-/// How far the frame of a survey is from the net's, where it was unknown: a rotation about a point,
-/// then a translation, both small.
+/// Offset of a survey's frame from the net's, where it was unknown: a rotation about a point, then
+/// a translation, both small.
 struct TAUT_CORE_EXPORT FrameOffset {
     Eigen::Vector3d about;            ///< [m]
     Eigen::Vector3d translation;      ///< [m]
@@ -73,54 +72,54 @@ struct TAUT_CORE_EXPORT FrameOffset {
     Eigen::Vector3d rotation;         ///< about x, y and z [rad]
     Eigen::Vector3d rotation_std;     ///< [rad]
 
-    /// What it moves these places by, to first order (3 x n) [m].
+    /// Displacement of these places by it, to first order (3 x n) [m].
     [[nodiscard]] Points motion_of(const Points& places) const;
 };
 
-/// A length that was not the same in two surveys, one after the other, but for what was turned.
+/// A length that differs between two consecutive surveys, apart from the turns.
 struct LengthChange {
-    int edge = 0;            ///< index in the net; of the first survey that of an adjustable edge
-    double change = 0.0;     ///< of it, where it was set free [m]
+    int edge = 0;            ///< index in the net; of the first survey: an adjustable edge
+    double change = 0.0;     ///< when it was set free [m]
     double std = 0.0;        ///< [m]
-    double statistic = 0.0;  ///< in standard deviations, when it was found
+    double statistic = 0.0;  ///< in standard deviations, when it was detected
 };
 
-/// One survey among several, as all together tell it.
+/// One survey of several, by all together.
 struct EpochResult {
     int surveyed = 0;                                ///< free nodes
     std::vector<EdgeTurned> turned;                  ///< since the survey before
     std::vector<Outlier> outliers;                   ///< targets left out, the worst first
-    std::vector<BoundaryOutlier> boundary_outliers;  ///< not as told; the worst first
+    std::vector<BoundaryOutlier> boundary_outliers;  ///< different from the design; the worst first
     std::optional<FrameOffset> frame_offset;         ///< where its frame was unknown
     double noise_ratio = 0.0;  ///< as Identification::noise_ratio, of this survey
-    double noise_scale = 1.0;  ///< that its noise was multiplied by, where it was unknown
-    /// How far the survey moves lengths from where earlier ones have them, root mean square, over
-    /// what both let expect: about 1. 0 of the first.
+    double noise_scale = 1.0;  ///< estimated factor on its noise; 1 where not estimated
+    /// Change of the lengths against earlier surveys, root mean square, over its expectation: about
+    /// 1. 0 of the first.
     double change_ratio = 0.0;
-    double change_limit = 0.0;  ///< that chance exceeds once in a thousand times
-    /// Since the survey before; of the first survey: of adjustable edges from what the net tells.
-    /// The worst first.
+    double change_limit = 0.0;  ///< exceeded by chance once in a thousand times
+    /// Since the survey before; of the first survey: of adjustable edges from the net. The worst
+    /// first.
     std::vector<LengthChange> changes;
-    /// How far turns differ from what is told, beyond the play that is told of them, where single
-    /// ones do not stand out; 0: no further [m].
+    /// Scatter of the turns in addition to their given standard deviation, where single ones do not
+    /// stand out; 0: none [m].
     double excess_actuator_std = 0.0;
-    /// By which all strokes would have to be multiplied to fit best, and its standard deviation, 0
-    /// where nothing was turned; far from 1 where a pitch or unit was told wrong.
+    /// Factor on all strokes that fits best, and its standard deviation, 0 where nothing was
+    /// turned; far from 1 where a pitch or unit is wrong.
     double stroke_factor = 1.0;
     double stroke_factor_std = 0.0;  ///< standard deviation of the factor
     Trust trust;                     ///< of this survey alone
 };
 
-/// The outcome of an identification, by whatever method. Only where the status is `converged` may
-/// lengths and form be relied on; else `message` says what was found, and `edges` and `predicted`
-/// are what the search ended with, or empty.
+/// The outcome of an identification, by whatever method. Lengths and form are reliable only where
+/// the status is `converged`; else `message` gives the reason, and `edges` and `predicted` are
+/// where the search ended, or empty.
 struct Identification {
     std::string method;         ///< "gp", "balance", "map"
     std::string method_reason;  ///< why this method, in words
-    std::string how;            ///< what was done, in words: the method, its prior, its training
+    std::string how;            ///< method, prior and training, in words
     /// Prior of the length deviations that explains the survey best, of those assumed.
     LengthPrior length_prior;
-    PriorEstimate prior;  ///< all that were assumed, with their posterior probabilities
+    PriorEstimate prior;  ///< all priors assumed, with their posterior probabilities
     IdentificationStatus status = IdentificationStatus::converged;  ///< how it ended
     std::string message;                ///< why it did not converge, and what may help; else empty
     std::vector<IdentifiedEdge> edges;  ///< one an interior edge, in their order
@@ -129,58 +128,58 @@ struct Identification {
     /// |predicted - surveyed| at the surveyed free nodes, in the order of Survey::surveyed [m]
     Eigen::VectorXd residuals;
 
-    // Of data snooping; as here where the survey is exact or taken for it.
+    // By data snooping; as here where the survey is exact or assumed so.
     std::vector<Outlier> outliers;   ///< the worst first
-    double outlier_threshold = 0.0;  ///< that Outlier::statistic is held against; 0: no test
-    /// Root mean square of the residuals over what the stated noise lets expect; about 1 where the
-    /// noise is stated right. 0 where it was not computed.
+    double outlier_threshold = 0.0;  ///< threshold of Outlier::statistic; 0: no test
+    /// Root mean square of the residuals over its expectation by the noise given; about 1 where
+    /// that is right. 0 where not computed.
     double noise_ratio = 0.0;
 
-    /// Edges beyond the prior: their intervals are those of the survey alone; the worst first.
+    /// Length outliers: their intervals are those of the survey alone; the worst first.
     std::vector<LengthOutlier> length_outliers;
 
-    /// Adjustable edges and supports that are not as told; the worst first. Their intervals and
-    /// what else is told take them so.
+    /// Adjustable edges and supports that differ from the design; the worst first. All other
+    /// results use the values found.
     std::vector<BoundaryOutlier> boundary_outliers;
-    int boundary_beyond = 0;  ///< of the others, what contradicts the survey and was not set free
+    int boundary_not_released =
+        0;  ///< number of others that contradict the survey, and were not released
 
     DetectableErrors detectable;  ///< what the checks would have found; infinite where not computed
 
-    double noise_scale = 1.0;  ///< that the survey's noise was multiplied by, where it was unknown
-    /// Where the frame was unknown; forms and places are then told in that of the survey.
+    double noise_scale = 1.0;  ///< estimated factor on the survey's noise; 1 where not estimated
+    /// Where the frame was unknown; forms and places are then in that of the survey.
     std::optional<FrameOffset> frame_offset;
     VarianceComponents scales;  ///< of noise and lengths; as here where not computed
     PriorCheck prior_check;     ///< how lengths fit `prior`; as here where not computed
     FrameCheck frame_check;     ///< how the survey would fit better; as here where not computed
-    /// The prior told, or the default where none was, if the survey contradicts it: `prior` is then
-    /// the one that the survey shows.
+    /// The given or default prior, if the survey contradicts it: `prior` is then the one that the
+    /// survey shows.
     std::optional<PriorCheck> contradicted_prior;
-    bool prior_was_told = false;  ///< false: `prior` began as the default, or the model's
+    bool prior_was_given = false;  ///< false: `prior` was the default, or the model's
 
-    int readings = 0;                            ///< of forces, that were told
-    std::vector<ForceOutlier> reading_outliers;  ///< those left out, the worst first
-    /// Where all of them were left out, since they fit only if each is off by the same part.
-    std::optional<ForceBias> reading_bias;
-    /// Edges seen taut or slack where the survey tells otherwise: then nothing that was seen is
-    /// used.
+    int force_measurements = 0;                ///< how many were given
+    std::vector<ForceOutlier> force_outliers;  ///< left out, the worst first
+    /// Where all were left out, since they fit only if each is off by the same part.
+    std::optional<ForceBias> force_bias;
+    /// Edges marked taut though the survey contradicts it: then no marks are used.
     std::vector<int> contradicted_taut;
-    std::vector<int> contradicted_slack;  ///< of those seen slack, likewise
+    std::vector<int> contradicted_slack;  ///< edges marked slack, likewise
 
-    std::vector<Assumption> assumptions;  ///< of what is uncertain, in their order
-    /// What else was unknown, in the order in which it was told.
+    std::vector<Assumption> assumptions;  ///< of the uncertain parameters, in their order
+    /// Estimates of the uncertain parameters, in the order given.
     std::vector<ParameterEstimate> uncertain;
 
-    /// Of the posterior; empty where none were asked for, or the method gives none.
+    /// Of the posterior; empty where none were wanted, or the method gives none.
     std::optional<PosteriorDraws> draws;
     std::vector<EpochResult> epochs;  ///< of identify_epochs(), by survey; else empty
     /// Since the net was as designed, until the last survey, by edge.
     std::vector<EdgeTurned> turned;
-    Trust trust;  ///< whether all this may be acted on; identify() tells it
+    Trust trust;  ///< whether the result can be used; by identify()
 
     /// Where it was asked for, and the survey is not exact.
     std::optional<LengthCovariance> length_covariance;
 
-    DrawnSummary drawn;  ///< what follows from them; empty without, and where they are in doubt
+    DrawnSummary drawn;  ///< what follows from them; empty without, and where they are unreliable
 };
 
 /// The residuals of the targets that were not left out.

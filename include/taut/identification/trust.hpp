@@ -15,15 +15,15 @@ namespace taut {
 
 struct Identification;
 
-/// Whether a result may be acted on, from all tests of it together.
+/// Whether a result can be used, by all its tests together.
 struct TAUT_CORE_EXPORT Trust {
     /// Ascending: the worst is the largest.
     enum class Verdict {
         passed,    ///< nothing speaks against it
-        doubtful,  ///< something was found that should be looked at first
-        failed,    ///< something that was told is not true: its intervals are not to be relied on
+        doubtful,  ///< something was found that should be checked first
+        failed,    ///< an assumption is wrong: its intervals are not reliable
     };
-    /// What may help: a parameter, as its option and argument are named, and its value.
+    /// A remedy: a parameter and its value.
     struct Remedy {
         std::string parameter;  ///< "noise", "prior", "uncertain", "frame", "match"
         std::string value;      ///< as read from text, "0.71mm"; empty: to be chosen
@@ -60,7 +60,7 @@ struct TAUT_CORE_EXPORT Trust {
             tensions,              ///< they are not reported
             length_change,         ///< of an edge between two surveys [m]
             turns,                 ///< all strokes over those given
-            actuator_std,          ///< of the turns, beyond what is given [m]
+            actuator_std,          ///< of the turns, besides the one given [m]
             epoch,                 ///< change of the lengths between two surveys over the expected
             repeated_survey,       ///< difference of two surveys' errors over the expected
             other,                 ///< read from a result of an earlier version, without a kind
@@ -93,7 +93,7 @@ struct TAUT_CORE_EXPORT Trust {
 [[nodiscard]] TAUT_CORE_EXPORT std::optional<Trust::Finding::Kind> finding_kind(
     std::string_view name);
 
-/// What the tests of a result found, docs/theory.md, "Diagnostics". identify() has called it already.
+/// The findings of all tests of a result, docs/theory.md, "Diagnostics". identify() has called it.
 /// @param survey the one that was identified from; that net, survey and result go together is not
 ///   checked
 [[nodiscard]] TAUT_CORE_EXPORT Trust trust_of(const CableNet& net, const Survey& survey,

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
-#include "estimation/rival_scores.hpp"
+#include "estimation/comparable_scores.hpp"
 
 #include <algorithm>
 
 namespace taut {
 
-double rival_score(double statistic, double threshold) {
+double comparable_score(double statistic, double threshold) {
     constexpr double unit = 20.0;  // about the threshold of one degree of freedom
     return std::max(0.0, 1.0 + (statistic - threshold) / unit);
 }
