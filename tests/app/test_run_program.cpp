@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The taut authors
 // SPDX-License-Identifier: MIT
 //
-// Guards against words of another library, or of none, where a command ends by an exception that
-// nobody thought of.
+// Guards against words of another library, or none, where a command ends by an unexpected
+// exception.
 
 #include "run_program.hpp"
 
@@ -50,17 +50,17 @@ int run(void (*add_command)(CLI::App&)) {
                        static_cast<int>(arguments.size()), arguments.data());
 }
 
-TEST(RunProgram, TellsAFaultOfItsOwnWithTheCommandAndNotInWordsOfALibrary) {
+TEST(RunProgram, PrintsAnInternalErrorWithTheCommandAndNotInWordsOfALibrary) {
     for (void (*const add)(CLI::App&) :
          {add_broken<TakesANumberForAList>, add_broken<LooksForWhatIsNotThere>}) {
         EXPECT_EQ(run(add), 1);
         EXPECT_THAT(message_of_end,
-                    AllOf(HasSubstr("a fault of the program"), HasSubstr(": taut broken"),
+                    AllOf(HasSubstr("internal error"), HasSubstr(": taut broken"),
                           Not(HasSubstr("json.exception")), Not(HasSubstr("::at"))));
     }
 }
 
-TEST(RunProgram, TellsANumericalFailureInItsWords) {
+TEST(RunProgram, PrintsANumericalFailureInItsWords) {
     EXPECT_EQ(run(add_broken<FindsNoSolution>), 1);
     EXPECT_EQ(message_of_end, "no solution within 100 iterations");
 }
