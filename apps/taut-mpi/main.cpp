@@ -53,11 +53,10 @@ int run(int argc, char** argv) noexcept {
         }
         int code = 0;
         const auto run_all = [&] {
-            code = run_program(
-                {.name = "taut-mpi",
-                 .commands = {add_sample, add_train, add_compare, add_control, add_trials},
-                 .end = end},
-                argc, argv);
+            code = run_program({.name = "taut-mpi",
+                                .commands = {add_sample, add_train, add_compare, add_control},
+                                .end = end},
+                               argc, argv);
         };
         // --threads overrides this.
         taut::with_threads(mpi_process_group->fair_threads(),

@@ -192,21 +192,4 @@ void expect_error(const Outcome& outcome, int exit_code, const std::string& text
     EXPECT_THAT(outcome.err, testing::EndsWith("\n"));
 }
 
-void expect_keys(const nlohmann::json& document, const nlohmann::json& expected,
-                 const std::string& where) {
-    for (const auto& [key, value] : expected.items()) {
-        const std::string here = where + "/" + key;
-        if (!document.is_object() || !document.contains(key)) {
-            ADD_FAILURE() << here << " is missing";
-            continue;
-        }
-        const nlohmann::json& found = document[key];
-        EXPECT_TRUE(value.is_number() ? found.is_number() : found.type() == value.type())
-            << here << " is " << found.dump();
-        if (value.is_object()) {
-            expect_keys(found, value, here);
-        }
-    }
-}
-
 }  // namespace taut::test

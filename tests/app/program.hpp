@@ -91,8 +91,4 @@ private:
 /// standard output.
 void expect_error(const Outcome& outcome, int exit_code, const std::string& text);
 
-/// Every key of `expected` is in `document`, down to the leaves, with a value of the same type.
-void expect_keys(const nlohmann::json& document, const nlohmann::json& expected,
-                 const std::string& where = "");
-
 }  // namespace taut::test

@@ -133,10 +133,10 @@ TEST_F(Chain, IdentifyFindsTheLengthsOfASampleFromItsForm) {
 
 TEST_F(Chain, IdentifyAssumesWhatIsNotGivenAndSaysSo) {
     survey();
-    const auto identified = [this](const Words& uncertain) {
-        const std::string text = must_run(joined(
-            {"identify", "net.json", "survey.csv", "--prior", "uniform:2mm", "-o", "result.json"},
-            uncertain));
+    const auto assumed = [this](const Words& uncertain) {
+        const std::string text = must_run(
+            joined({"identify", "net.json", "survey.csv", "--draws", "0", "-o", "result.json"},
+                   uncertain));
         Words values;
         const json result = json::parse(read("result.json"));
         for (const json& one : result["assumptions"]) {
@@ -144,18 +144,12 @@ TEST_F(Chain, IdentifyAssumesWhatIsNotGivenAndSaysSo) {
                              one["source"].get<std::string>());
             EXPECT_THAT(text, HasSubstr(one["value"].get<std::string>()));
         }
-        return std::pair(values, result["mean_tension"]["std"].get<double>());
+        return values;
     };
-    const auto [assumed, std_on_site] = identified({});
-    EXPECT_EQ(assumed, (Words{"stiffness:5% default", "stiffness-each:2% default",
-                              "adjustable:0.5mm default", "supports:1mm default"}));
-    const auto [changed, std_softer] = identified({"--uncertain", "stiffness:20%"});
-    EXPECT_EQ(changed, (Words{"stiffness:20% given", "stiffness-each:2% default",
-                              "adjustable:0.5mm default", "supports:1mm default"}));
-    const auto [none, std_exact] = identified({"--uncertain", "none"});
-    EXPECT_TRUE(none.empty());
-    EXPECT_GT(std_on_site, 1.5 * std_exact);
-    EXPECT_GT(std_softer, 1.3 * std_on_site);
+    EXPECT_EQ(assumed({"--uncertain", "stiffness:20%"}),
+              (Words{"stiffness:20% given", "stiffness-each:2% default", "adjustable:0.5mm default",
+                     "supports:1mm default"}));
+    EXPECT_TRUE(assumed({"--uncertain", "none"}).empty());
 }
 
 TEST_F(Chain, IdentifyTakesForceMeasurementsAndUncertainParameters) {
@@ -182,25 +176,6 @@ TEST_F(Chain, IdentifyTakesForceMeasurementsAndUncertainParameters) {
     const json built = json::parse(must_run({"inspect", "built.json", "--json"}));
     EXPECT_LT(built["out_of_balance"].get<double>(),
               1e-6 * built["tensions"]["mean"].get<double>());
-}
-
-TEST_F(Chain, IdentifyChoosesTheMethodByWhatIsThere) {
-    must_run({"form", "net.json", "-o", "form.csv"});
-    const std::string form = read("form.csv");
-    write("part.csv", form.substr(0, form.rfind("\n7,") + 1));
-    const auto chosen = [&](const Words& arguments) {
-        return json::parse(must_run(joined({"identify", "net.json", "--json"}, arguments)));
-    };
-    json result = chosen({"form.csv"});
-    EXPECT_EQ(result["method"], "balance");
-    result = chosen({"form.csv", "--noise", "0.5mm"});
-    EXPECT_EQ(result["method"], "map");
-    EXPECT_DOUBLE_EQ(result["survey"]["noise"].get<double>(), 0.0005);
-    result = chosen({"part.csv", "--noise", "0.5mm"});
-    EXPECT_EQ(result["method"], "map");
-    EXPECT_GT(result["survey"]["missing"], 0);
-    result = chosen({"form.csv", "--noise", "0.5mm", "--method", "balance"});
-    EXPECT_EQ(result["method"], "balance");
 }
 
 TEST_F(Chain, ANetWithoutEquilibriumIsANumericalFailure) {

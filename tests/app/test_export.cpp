@@ -25,12 +25,9 @@ protected:
                   "--lengths", "truth.csv"});
     }
 
-    void identify(std::vector<std::string> survey, std::vector<std::string> options = {}) const {
-        survey.insert(survey.begin(), {"survey", "net.json", "built.csv", "-o", "survey.csv"});
-        must_run(survey);
-        options.insert(options.begin(),
-                       {"identify", "net.json", "survey.csv", "-o", "result.json"});
-        must_run(options);
+    void identify(const Words& survey, const Words& options = {}) const {
+        must_run(joined({"survey", "net.json", "built.csv", "-o", "survey.csv"}, survey));
+        must_run(joined({"identify", "net.json", "survey.csv", "-o", "result.json"}, options));
     }
 
     [[nodiscard]] CableNet net(const std::string& file) const {
@@ -98,11 +95,10 @@ TEST_F(Export, GivesTheNetAsAnIdentificationFoundIt) {
 TEST_F(Export, LeavesTheDrawsOfItsResultAsTheyAre) {
     identify({"--noise", "0.5mm", "--seed", "3"}, {"--draws", "20"});
     const std::string draws = read("result_draws.h5");
-    for (std::vector<std::string> words :
-         {std::vector<std::string>{"export", "result.json", "--to", "net"},
-          std::vector<std::string>{"report", "result.json"}}) {
-        words.insert(words.end(), {"-o", "result_draws.h5"});
-        expect_error(run(words), 2, "result_draws.h5: is an input of this command");
+    for (const Words& words :
+         {Words{"export", "result.json", "--to", "net"}, {"report", "result.json"}}) {
+        expect_error(run(joined(words, {"-o", "result_draws.h5"})), 2,
+                     "result_draws.h5: is an input of this command");
     }
     EXPECT_EQ(read("result_draws.h5"), draws);
 }
@@ -149,11 +145,9 @@ TEST_F(Export, RefusesWrongInputsInOneLineAndTouchesNoFile) {
     write("short.csv", "id,x,y,z\n0,0,0,0\n");
     write("old", "an earlier outcome\n");
     const Files before = files();
-    const auto refused = [&](std::vector<std::string> arguments, const std::string& named,
+    const auto refused = [&](const Words& words, const std::string& named,
                              const std::string& output = "old") {
-        arguments.insert(arguments.begin(), "export");
-        arguments.insert(arguments.end(), {"-o", output});
-        expect_error(run(arguments), 2, named);
+        expect_error(run(joined(joined({"export"}, words), {"-o", output})), 2, named);
     };
     refused({"no.json", "--to", "obj"}, "no.json");
     refused({"net.json", "--to", "dxf"}, "dxf");

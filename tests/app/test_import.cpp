@@ -40,22 +40,18 @@ TEST_F(Import, PrintsWhatItReadLeftOutAndAssumed) {
 TEST_F(Import, GivesTheSameAsJson) {
     const json document = json::parse(must_run({"import", "mesh.json", "-o", "net.json", "--loads",
                                                 "balance", "--force-unit", "kN", "--json"}));
-    expect_keys(document, json::parse(R"({
-        "format": "taut-import", "version": 1, "net": {"free_nodes": 1}, "file": "mesh.json",
-        "detected": true, "read": [], "assumed": [], "warnings": [],
-        "left_out": {"inactive_edges": 4, "edges_between_supports": 0, "isolated_nodes": 0,
-                     "all": []},
-        "loads": {"from": "balance", "sum": [], "largest_horizontal": 0.5},
-        "strains": {"min": 0.5, "max": 0.5}, "mean_tension": 0.5, "out_of_balance": 0.5})"));
+    EXPECT_EQ(document["format"], "taut-import");
+    EXPECT_EQ(document["detected"], true);
+    EXPECT_FALSE(document["assumed"].empty());
+    EXPECT_EQ(document["loads"]["from"], "balance");
     EXPECT_EQ(document["left_out"]["inactive_edges"], 4);
     EXPECT_LT(document["out_of_balance"], 1e-9 * document["mean_tension"].get<double>());
 }
 
 TEST_F(Import, TakesAStiffnessWithUnits) {
-    const auto import = [&](std::vector<std::string> options) {
-        options.insert(options.begin(),
-                       {"import", "mesh.json", "--force-unit", "kN", "--loads", "balance"});
-        must_run(options);
+    const auto import = [&](const Words& options) {
+        must_run(
+            joined({"import", "mesh.json", "--force-unit", "kN", "--loads", "balance"}, options));
     };
     import({"-o", "a.json", "--axial-stiffness", "200kN"});
     EXPECT_EQ(net("a.json").axial_stiffness()(0), 200e3);
@@ -96,9 +92,8 @@ TEST_P(RefusedImport, InOneLineAndNoFileIsTouched) {
     write("net.json", "an earlier outcome\n");
     write("list", "0 1\n77\n");
     const Files before = files();
-    std::vector<std::string> arguments{"import", "input", "-o", "net.json"};
-    arguments.insert(arguments.end(), GetParam().options.begin(), GetParam().options.end());
-    expect_error(run(arguments), 2, GetParam().named);
+    expect_error(run(joined({"import", "input", "-o", "net.json"}, GetParam().options)), 2,
+                 GetParam().named);
     EXPECT_EQ(files(), before);
 }
 
@@ -112,13 +107,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         WrongInput{"Empty", "", {}, "input: is empty"},
         WrongInput{"Words", "a net, in words\nfor people", {}, "input: "},
-        WrongInput{"Word", "net", {}, "is neither JSON"},
         WrongInput{"Hdf5", "\x89HDF\r\n", {}, "is an HDF5 file"},
         WrongInput{"NativeNet", net_to_json(hypar(2, 2)), {}, "input: "},
         WrongInput{"WrongFormat", mesh(), {"--from", "obj"}, "input:1: "},
         WrongInput{"Units", mesh(), {"--force-unit", "kN", "--axial-stiffness", "30kN"}, "15 %"},
         WrongInput{"StiffnessWord", mesh(), {"--axial-stiffness", "stiff"}, "'stiff'"},
-        WrongInput{"YoungWord", mesh(), {"--young", "steel", "--diameter", "8"}, "'steel'"},
         WrongInput{"YoungAlone", mesh(), {"--young", "205GPa"}, "expected both"},
         WrongInput{
             "DiameterUnknown", mesh(), {"--young", "205GPa", "--diameter", "size"}, "'size'"},

@@ -82,13 +82,6 @@ TEST_F(Memory, IsRefusedBeforehandWhereTheNeedIsKnown) {
     EXPECT_EQ(files(), before);
 }
 
-TEST_F(Memory, IsMeasuredTheSameEachTime) {
-    const double program = of_the_program();
-    for (int k = 0; k < 20; ++k) {
-        ASSERT_EQ(of_the_program(), program) << k;
-    }
-}
-
 TEST_F(Memory, ThatIsNamedSuffices) {
     must_run({"example", "hilo-quarter", "-o", "quarter.json"});
     const double program = of_the_program();

@@ -41,29 +41,32 @@ Words words(const std::string& command) {
     return result;
 }
 
-/// Requests of lines "name | command | text in the error"; "@identify" and others stand for a
-/// command that would succeed.
+/// Requests of lines "name | command | text in the error", under lines "# part of a name".
+/// "@identify" and others stand for commands that would succeed.
 auto requests(const std::string& table) {
     const std::map<std::string, std::string> sound{
         {"@identify", "identify net.json survey.csv --noise 1mm -o old.json"},
+        {"@no_noise", "identify net.json survey.csv -o old.json"},
         {"@sample", "sample net.json -n 5 -o old.h5"},
         {"@compare", "compare net.json -o out"},
         {"@reproduce", "reproduce --net net.json -o directory"}};
     std::vector<Request> result;
     std::istringstream stream(table);
+    std::string part;
     for (std::string line; std::getline(stream, line);) {
-        if (line.empty()) {
-            continue;
-        }
-        const size_t first = line.find(" | ");
-        const size_t last = line.rfind(" | ");
-        std::string command = line.substr(first + 2, last - first - 2);
-        for (const auto& [name, whole] : sound) {
-            if (const size_t at = command.find(name); at != std::string::npos) {
-                command.replace(at, name.size(), whole);
+        if (line.starts_with("# ")) {
+            part = line.substr(2) + "_";
+        } else if (!line.empty()) {
+            const size_t first = line.find(" | ");
+            const size_t last = line.rfind(" | ");
+            std::string command = line.substr(first + 2, last - first - 2);
+            for (const auto& [name, whole] : sound) {
+                if (const size_t at = command.find(name); at != std::string::npos) {
+                    command.replace(at, name.size(), whole);
+                }
             }
+            result.push_back({part + line.substr(0, first), command, line.substr(last + 3)});
         }
-        result.push_back({line.substr(0, first), command, line.substr(last + 3)});
     }
     return testing::ValuesIn(result);
 }
@@ -121,170 +124,114 @@ TEST_P(Refused, InOneLineAndNoFileIsTouched) {
     EXPECT_EQ(files(), before);
 }
 
-std::string name_of(const testing::TestParamInfo<Request>& request) {
-    return request.param.name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Program, Refused, requests(R"(
+INSTANTIATE_TEST_SUITE_P(Of, Refused, requests(R"(
+# program
 no_subcommand |  | subcommand
 unknown_subcommand | tension net.json | 'tension' is not a command
 unknown_option | inspect net.json --colour | --colour
 negative_threads | inspect net.json --threads -2 | --threads
 too_many_words | inspect net.json other.json | other.json
-seed_beyond_64_bits | @sample --seed 99999999999999999999 | --seed: is '99999999999999999999', expected a whole number from 0 to 2^64 - 1
-negative_seed | @sample --seed -1 | --seed
+seed_beyond_64_bits | @sample --seed 99999999999999999999 | expected a whole number from 0 to 2^64 - 1
 seed_that_is_a_word | @reproduce --seed one | --seed
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Example, Refused, requests(R"(
-unknown_net | example hilo -o old.json | 'hilo'
+# example
 too_many_columns | example hypar:5x1001 -o old.json | 5 x 1001
 no_name | example -o old.json | NAME
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Net, Refused, requests(R"(
+# net
 missing | inspect nothing.json | nothing.json
 truncated | form truncated.json -o old.csv | truncated.json:
-text | inspect text | text:
 empty | sample empty -n 5 -o old.h5 | empty:
 directory | compare directory -o out | directory
 data_set | reproduce --net data.h5 -o new | data.h5:
 not_given | inspect | NET
 form_by_unknown_solver | form net.json -o old.csv --solver guess | --solver
 form_by_unknown_cone_form | form net.json -o old.csv --solver socp --cone-form big | --cone-form
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Prior, Refused, requests(R"(
+# prior
 of_form_above_the_shortest_length | form net.json --prior uniform:9m -o old.csv | net.json: the prior uniform:9000mm
 of_form_of_no_kind | form net.json --prior gauss:5mm -o old.csv | 'gauss:5mm'
-of_form_without_interior_edge | form no_interior.json --prior uniform:1mm -o old.csv | no_interior.json: the net has no interior edge
+of_form_without_interior_edge | form no_interior.json --prior uniform:1mm -o old.csv | no_interior.json:
 of_sample | @sample --prior uniform:140mm | uniform:140mm
-of_identify | identify net.json survey.csv --prior gauss:1mm -o old.json | 'gauss:1mm'
-of_identify_lost_in_rounding | @identify --prior uniform:1e-12mm | net.json: 
-of_another_model | identify net.json survey.csv --model model.h5 --prior uniform:4mm -o old.json | uniform:5mm
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Sample, Refused, requests(R"(
+of_identify_lost_in_rounding | @identify --prior uniform:1e-12mm | net.json:
+of_another_model | @no_noise --model model.h5 --prior uniform:4mm | uniform:5mm
+# sample
 none | sample net.json -n 0 -o old.h5 | --samples
-half_a_sample | sample net.json -n 2.5 -o old.h5 | --samples
 resume_of_text | sample net.json -n 9 -o old.h5 --resume | old.h5:
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Compare, Refused, requests(R"(
+# compare
 noise_of_unknown_unit | @compare --noise 0,0.5in | --noise has the entry '0.5in'
 absurd_noise | @compare --noise 0.5m --training 9 | 0.5 m
 an_empty_entry | @compare --noise 0,,1mm | --noise has the entry ''
 one_training_sample | @compare --training 100,1 | --training has the entry '1'
 all_hidden | @compare --hidden 100% | --hidden has the entry '100%'
 no_surveys | @compare --surveys 0 | 0 surveys
-no_epochs | @compare --epochs 0 | 0
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Train, Refused, requests(R"(
+# train
 missing_data | train nothing.h5 -o old.h5 | nothing.h5
-text_for_data | train text -o old.h5 | text
 model_for_data | train model.h5 -o old.h5 | model.h5
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Identify, Refused, requests(R"(
+# identify
 missing_survey | identify net.json nothing.csv --model model.h5 -o old.json | nothing.csv
 text_for_survey | identify net.json text -o old.json | text:
 survey_in_millimetres | identify net.json survey_mm.csv --model model.h5 -o old.json | --unit mm
-hidden_nodes_without_noise | identify net.json survey_part.csv -o old.json | survey_part.csv: 
+hidden_nodes_without_noise | identify net.json survey_part.csv -o old.json | survey_part.csv:
 hidden_nodes_for_balance | identify net.json survey_part.csv --method balance --noise 1mm -o old.json | balance
 forces_of_another_net | @identify --forces forces_of_another_net.csv | forces_of_another_net.csv:2: 'cable 9'
-force_of_a_slack_edge | @identify --forces forces.csv --slack three.txt | three.txt: 
-taut_and_slack | @identify --taut all --slack three.txt | three.txt: 
+force_of_a_slack_edge | @identify --forces forces.csv --slack three.txt | three.txt:
+taut_and_slack | @identify --taut all --slack three.txt | three.txt:
 force_noise_of_nothing | @identify --forces forces.csv --force-noise 0% | --force-noise
 force_unit_without_forces | @identify --force-unit kN | --forces
 uncertain_without_width | @identify --uncertain stiffness | stiffness
 uncertain_twice | @identify --uncertain supports:1mm --uncertain supports:2mm | supports
-uncertain_of_no_group | @identify --uncertain stiffness:5%@ridge | net.json: the uncertain parameter 'stiffness:5%@ridge'
+uncertain_of_no_group | @identify --uncertain stiffness:5%@ridge | net.json:
 uncertain_to_a_model_without | @identify --model model.h5 --uncertain supports:1mm | none
-negative_noise | identify net.json survey.csv --noise=-1mm -o old.json | '-1mm'
+negative_noise | @no_noise --noise=-1mm | '-1mm'
 noise_to_be_estimated_before_a_survey | inspect net.json --survey survey.csv --noise estimate | --noise estimate
-negative_draws | identify net.json survey.csv --draws=-1 -o old.json | -1
-more_draws_than_memory | identify net.json survey.csv --draws 1000000000000 -o old.json | 1000000000000
-text_for_model | identify net.json survey.csv --model text -o old.json | text
-data_for_model | identify net.json survey.csv --model data.h5 -o old.json | data.h5
-model_of_another_net | identify net.json survey.csv --model other_model.h5 -o old.json | other_model.h5
-unknown_method | identify net.json survey.csv --method guess -o old.json | --method
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Report, Refused, requests(R"(
+negative_draws | @no_noise --draws=-1 | -1
+more_draws_than_memory | @no_noise --draws 1000000000000 | 1000000000000
+data_for_model | @no_noise --model data.h5 | data.h5
+model_of_another_net | @no_noise --model other_model.h5 | other_model.h5
+unknown_method | @no_noise --method guess | --method
+# report
 missing_result | report nothing.json -o new.html | nothing.json
 net_for_a_result | report net.json -o new.html | net.json:/format
 data_for_a_result | report data.h5 -o new.html | is an HDF5 file
-empty_result | report empty -o new.html | empty:
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Reproduce, Refused, requests(R"(
+# reproduce
 negative_samples | @reproduce --samples -10 | -10 samples
 one_left_to_train_on | @reproduce --samples 10 --validation 9 | 9 validation samples of 10
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(NoOutput, Refused, requests(R"(
+# no_output
 of_example | example hypar:2x2 | --output
-of_compare | compare net.json | --output
 of_report | report result.json | --output
 of_an_empty_name | example hypar:2x2 -o '' | is empty
 of_an_empty_directory | compare net.json -o '' | is empty
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(StandardOutput, Refused, requests(R"(
+# standard_output
 of_report | report result.json -o - | -: results go to files, not to standard output
 of_identify | identify net.json survey.csv --noise 1mm -o - | -: results go to files
 of_form | form net.json --lengths - --prior uniform:1mm | -: results go to files
 of_export | export net.json --to csv -o - | -: results go to files
 of_inspect | inspect net.json --survey survey.csv --noise 1mm --names - | -: results go to files
 of_compare | compare net.json -o - | -: results go to files
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(ImpossibleOutput, Refused, requests(R"(
+# output
 of_example_in_no_directory | example hypar:2x2 -o nowhere/net.json | nowhere/net.json
-of_form_that_is_a_directory | form net.json -o directory | directory
 of_the_lengths_of_form | form net.json -o old.csv --lengths nowhere/truth.csv | nowhere/truth.csv: cannot
 of_sample | sample net.json -n 5 -o nowhere/data.h5 | nowhere/data.h5
 of_train | train data.h5 -o nowhere/model.h5 | nowhere/model.h5
 of_identify | identify net.json survey.csv --model model.h5 -o nowhere/result.json | nowhere/result.json
 of_report | report result.json -o nowhere/report.html | nowhere/report.html
-of_import | import net.json -o nowhere/net.json | nowhere/net.json: cannot
 of_compare_that_is_a_file | compare net.json -o text | text
 of_reproduce_below_a_file | reproduce --net net.json -o text/study | text
-)"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(OverwritingAnInput, Refused, requests(R"(
+# overwriting
 by_import | import net.json -o net.json | net.json: is an input
 by_import_by_another_name | import net.json -o ./directory/../net.json | net.json: is an input
 by_import_of_edges | import nodes.csv --edges nodes_edges.csv -o nodes_edges.csv | nodes_edges.csv: is an input
 by_import_of_supports | import net.json --supports list.csv -o list.csv | list.csv: is an input
-by_export | export net.json --to compas -o net.json | net.json: is an input
 by_export_of_a_form | export net.json survey.csv --to obj -o survey.csv | survey.csv: is an input
 by_the_second_file_of_export | export net.json nodes_edges.csv --to csv -o nodes.csv | nodes_edges.csv: is an input
-by_form | form net.json -o net.json | net.json: is an input
 by_the_lengths_of_form | form net.json --lengths net.json | net.json: is an input
 by_train | train data.h5 -o data.h5 | data.h5: is an input
 by_survey | survey net.json survey.csv -o survey.csv | survey.csv: is an input
 by_identify | identify net.json survey.csv --model model.h5 -o model.h5 | model.h5: is an input
 by_identify_of_control_points | identify net.json survey.csv --control list.csv -o list.csv | list.csv: is an input
-by_report | report result.json -o result.json | 
+by_report | report result.json -o result.json | result.json
 by_reproduce | reproduce --net study/results.json --samples 10 --validation 2 -o study | results.json: is an input
 with_another_output | form net.json -o new.csv --lengths ./new.csv | new.csv: is to be written twice
 with_another_output_that_is_there | form net.json -o old.csv --lengths old.csv | old.csv: is to be written twice
 )"),
-                         name_of);
+                         [](const auto& request) { return request.param.name; });
 
 }  // namespace

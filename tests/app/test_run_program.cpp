@@ -9,7 +9,6 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <map>
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -35,10 +34,6 @@ struct TakesANumberForAList {
     void operator()() const { static_cast<void>(nlohmann::json(5)[0]); }
 };
 
-struct LooksForWhatIsNotThere {
-    void operator()() const { static_cast<void>(std::map<int, int>().at(7)); }
-};
-
 struct FindsNoSolution {
     void operator()() const { throw std::runtime_error("no solution within 100 iterations"); }
 };
@@ -51,13 +46,9 @@ int run(void (*add_command)(CLI::App&)) {
 }
 
 TEST(RunProgram, PrintsAnInternalErrorWithTheCommandAndNotInWordsOfALibrary) {
-    for (void (*const add)(CLI::App&) :
-         {add_broken<TakesANumberForAList>, add_broken<LooksForWhatIsNotThere>}) {
-        EXPECT_EQ(run(add), 1);
-        EXPECT_THAT(message_of_end,
-                    AllOf(HasSubstr("internal error"), HasSubstr(": taut broken"),
-                          Not(HasSubstr("json.exception")), Not(HasSubstr("::at"))));
-    }
+    EXPECT_EQ(run(add_broken<TakesANumberForAList>), 1);
+    EXPECT_THAT(message_of_end, AllOf(HasSubstr("internal error"), HasSubstr(": taut broken"),
+                                      Not(HasSubstr("json.exception"))));
 }
 
 TEST(RunProgram, PrintsANumericalFailureInItsWords) {

@@ -23,6 +23,17 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TAUT_HAS_SANITIZER
+#endif
+#endif
+#ifdef TAUT_HAS_SANITIZER
+constexpr bool has_sanitizer = true;
+#else
+constexpr bool has_sanitizer = false;
+#endif
+
 class Surroundings : public ProgramTest {
 protected:
     Surroundings() { must_run({"example", "hypar:3x4", "-o", "net.json"}); }
@@ -61,11 +72,9 @@ TEST_F(Surroundings, ALimitOfFileSizeIsAnError) {
 }
 
 TEST_F(Surroundings, ALimitOfMemoryIsAnErrorAndEndsAtOnce) {
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-    GTEST_SKIP() << "the address sanitizer takes more than any such limit";
-#endif
-#endif
+    if (has_sanitizer) {
+        GTEST_SKIP() << "a sanitizer has allocators and threads of its own";
+    }
     must_run({"form", "net.json", "-o", "form.csv"});
     const Files before = files();
     for (const std::string kilobytes : {"150000", "200000", "250000"}) {
@@ -78,7 +87,7 @@ TEST_F(Surroundings, ALimitOfMemoryIsAnErrorAndEndsAtOnce) {
         EXPECT_THAT(code, testing::AnyOf(0, 1)) << kilobytes;
         if (code == 1) {
             EXPECT_EQ(files(), before) << kilobytes;
-            // Threads that find none at the same time are told once.
+            // Threads that find none at the same time print one line.
             EXPECT_EQ(err.find("taut: error:"), err.rfind("taut: error:")) << err;
             EXPECT_THAT(err, HasSubstr("taut: error: not enough memory\n"));
         }
@@ -87,11 +96,9 @@ TEST_F(Surroundings, ALimitOfMemoryIsAnErrorAndEndsAtOnce) {
 
 // Memory of one allocator that goes to the free() of another ends the program.
 TEST_F(Surroundings, APreloadedAllocatorChangesNothing) {
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-    GTEST_SKIP() << "the address sanitizer is an allocator itself";
-#endif
-#endif
+    if (has_sanitizer) {
+        GTEST_SKIP() << "a sanitizer has allocators and threads of its own";
+    }
     must_run({"form", "net.json", "-o", "form.csv"});
     EXPECT_EQ(shell("LD_PRELOAD='" TAUT_OTHER_ALLOCATOR "' '" TAUT_PROGRAM
                     "' form net.json -o other.csv > /dev/null"),
@@ -102,11 +109,9 @@ TEST_F(Surroundings, APreloadedAllocatorChangesNothing) {
 // OpenBLAS would print lines of its own and raise SIGINT before main(), and control would count
 // each job as one that was not identified.
 TEST_F(Surroundings, AWantOfThreadsIsAnErrorAndNoOutcomeOfASimulatedJob) {
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-    GTEST_SKIP() << "a sanitizer has a pthread_create of its own";
-#endif
-#endif
+    if (has_sanitizer) {
+        GTEST_SKIP() << "a sanitizer has allocators and threads of its own";
+    }
     const std::string taut = "LD_PRELOAD='" TAUT_NO_THREADS "' '" TAUT_PROGRAM "' ";
     EXPECT_EQ(shell(taut + "form net.json -o form.csv --quiet > /dev/null 2> err"), 0);
     EXPECT_EQ(read("err"), "");
@@ -126,9 +131,9 @@ TEST_F(Surroundings, NamesDoNotSteerTheTerminal) {
         content.node_ids[i] = "\x1b]0;title\x07\xc2\x9b" + std::to_string(i);
     }
     write("net.json", net_to_json(CableNet(content)));
-    for (const std::vector<std::string>& words : {std::vector<std::string>{"inspect", "net.json"},
-                                                  {"form", "net.json", "--json"},
-                                                  {"form", "net.json", "-o", "form.csv"}}) {
+    for (const Words& words : {Words{"inspect", "net.json"},
+                               {"form", "net.json", "--json"},
+                               {"form", "net.json", "-o", "form.csv"}}) {
         const Outcome outcome = run(words);
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("\x1b")));

@@ -15,7 +15,6 @@ using namespace taut::test;
 using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::Not;
 
 class SurveyNoise : public BuiltNetTest {
 protected:
@@ -62,18 +61,6 @@ TEST_F(SurveyNoise, OfAFormToTheLastDigitIsNone) {
     EXPECT_EQ(result["method"], "balance");
     EXPECT_EQ(err, "");
     EXPECT_GE(coverage(result), 0.93);
-}
-
-TEST_F(SurveyNoise, HasRoundingAddedWhereThatCounts) {
-    round_form(3, 1.0, "");
-    const auto coarse = identify("survey.csv", {"--noise", "0.2mm"});
-    EXPECT_NEAR(coarse.result["noise"].get<double>(), 0.351e-3, 0.001e-3);
-    EXPECT_THAT(coarse.err, HasSubstr("0.351 mm"));
-    const auto fine = identify("survey.csv", {"--noise", "2mm"});
-    EXPECT_NEAR(fine.result["noise"].get<double>(), 2e-3, 1e-15);
-    EXPECT_THAT(
-        must_run({"identify", "net.json", "survey.csv", "--noise", "0.2mm", "--draws", "0"}),
-        AllOf(HasSubstr("0.351 mm"), Not(HasSubstr("is not used"))));
 }
 
 TEST_F(SurveyNoise, OfOffsetTargetsIsTheirsWhereTheOffsetIsGiven) {

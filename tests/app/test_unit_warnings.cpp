@@ -17,9 +17,6 @@ namespace {
 using namespace taut;
 using namespace taut::test;
 using nlohmann::json;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 class UnitWarnings : public ProgramTest {
 protected:
@@ -34,58 +31,52 @@ protected:
     }
 
     /// Succeeds with one warning, which stands in the JSON as well.
-    void expect_warning(std::vector<std::string> arguments, const std::string& text) const {
-        const Outcome outcome = run(arguments);
+    /// @param of what the line on standard error names
+    void expect_warning(const Words& command, const std::string& of) const {
+        const Outcome outcome = run(command);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_THAT(outcome.err, AllOf(StartsWith("taut: warning: "), HasSubstr(text)));
-        EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-        arguments.emplace_back("--json");
-        const json document = json::parse(run(arguments).out);
-        ASSERT_EQ(document["warnings"].size(), 1U) << arguments.front();
-        EXPECT_THAT(document["warnings"][0].get<std::string>(), HasSubstr(text));
+        json document = json::parse(run(joined(command, {"--json"})).out);
+        const json& warnings =
+            (document.contains("survey") ? document["survey"] : document)["warnings"];
+        ASSERT_EQ(warnings.size(), 1U) << command.front();
+        EXPECT_EQ(outcome.err,
+                  "taut: warning: " + of + ": " + warnings[0].get<std::string>() + "\n");
     }
 };
 
 TEST_F(UnitWarnings, NameANetInMillimetres) {
-    const std::string question = "are its coordinates in mm?";
-    expect_warning({"inspect", "mm.json"}, question);
-    expect_warning({"form", "mm.json"}, question);
-    expect_warning({"sample", "mm.json", "-n", "1", "-o", "data.h5"}, question);
+    expect_warning({"inspect", "mm.json"}, "mm.json");
+    expect_warning({"form", "mm.json"}, "mm.json");
+    expect_warning({"sample", "mm.json", "-n", "1", "-o", "data.h5"}, "mm.json");
 }
 
 TEST_F(UnitWarnings, AreErrorsWhereNoUnitMakesANet) {
-    for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"inspect", "long.json"},
-          {"form", "long.json"},
-          {"sample", "long.json", "-n", "1", "-o", "data.h5"},
-          {"export", "long.json", "--to", "obj", "-o", "net.obj"}}) {
-        expect_error(run(command), 2, "times the lengths of their edges in the median");
+    for (const Words& command : {Words{"inspect", "long.json"},
+                                 {"form", "long.json"},
+                                 {"sample", "long.json", "-n", "1", "-o", "data.h5"},
+                                 {"export", "long.json", "--to", "obj", "-o", "net.obj"}}) {
+        expect_error(run(command), 2, "long.json: ");
     }
 }
 
-TEST_F(UnitWarnings, NameWhatIsForgottenOfAnImportedNet) {
+TEST_F(UnitWarnings, NameAnImportedNetWithoutItsUnitOrLoads) {
     write("mesh.json", old_compas_mesh().dump());
-    expect_warning({"import", "mesh.json", "--loads", "balance", "-o", "a.json"},
-                   "--force-unit kN");
+    expect_warning({"import", "mesh.json", "--loads", "balance", "-o", "a.json"}, "mesh.json");
     expect_warning({"import", "mesh.json", "--force-unit", "kN", "--loads", "none", "-o", "b.json"},
-                   "--loads balance");
-    expect_warning({"inspect", "a.json"}, "--force-unit kN");
-    expect_warning({"inspect", "b.json"}, "--loads balance");
+                   "mesh.json");
+    expect_warning({"inspect", "b.json"}, "b.json");
 }
 
 TEST_F(UnitWarnings, NameANoiseInMetres) {
     must_run({"form", "net.json", "-o", "form.csv"});
     expect_warning({"survey", "net.json", "form.csv", "--noise", "0.01", "-o", "survey.csv"},
-                   "is 0.01mm meant?");
+                   "--noise");
     expect_error(run({"survey", "net.json", "form.csv", "--noise", "5", "-o", "survey.csv"}), 2,
-                 "is 5mm meant?");
-    const Outcome outcome =
-        run({"inspect", "net.json", "--survey", "form.csv", "--noise", "0.05", "--json"});
-    EXPECT_THAT(outcome.err, StartsWith("taut: warning: form.csv: noise of 50mm"));
-    EXPECT_EQ(json::parse(outcome.out)["survey"]["warnings"].size(), 1U);
+                 "5mm");
+    expect_warning({"inspect", "net.json", "--survey", "form.csv", "--noise", "0.05"}, "form.csv");
 }
 
-TEST_F(UnitWarnings, NameASurveyOfAnotherScaleAndStandInTheResult) {
+TEST_F(UnitWarnings, NameASurveyOfAnotherScale) {
     must_run({"example", "hilo-quarter", "-o", "quarter.json"});
     must_run({"form", "quarter.json", "-o", "form.csv"});
     must_run({"survey", "quarter.json", "form.csv", "--noise", "0.5mm", "-o", "survey.csv"});
@@ -99,14 +90,7 @@ TEST_F(UnitWarnings, NameASurveyOfAnotherScaleAndStandInTheResult) {
         }
         return number > 0 ? text : line;
     });
-    const auto warned = StartsWith("taut: warning: survey.csv: its 128 supports");
-    EXPECT_THAT(run({"inspect", "quarter.json", "--survey", "survey.csv"}).err, warned);
-    const Outcome outcome =
-        run({"identify", "quarter.json", "survey.csv", "--draws", "0", "-o", "result.json"});
-    EXPECT_THAT(outcome.err, warned);
-    if (outcome.exit_code == 0) {
-        EXPECT_EQ(json::parse(read("result.json"))["survey"]["warnings"].size(), 1U);
-    }
+    expect_warning({"inspect", "quarter.json", "--survey", "survey.csv"}, "survey.csv");
 }
 
 }  // namespace

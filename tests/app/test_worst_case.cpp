@@ -42,19 +42,6 @@ TEST_F(WorstCase, ComesOutWithAllSuspectsNamed) {
                 HasSubstr("30 and 41"));
 }
 
-TEST_F(WorstCase, IsNotPassedWhereATargetLiesFarFromItsNode) {
-    survey({"--noise", "0.5mm"});
-    std::string text = read("survey.csv");
-    const size_t start = text.find("\n17,") + 4;
-    text.insert(start, "1");  // 10 m and more off along x
-    write("survey.csv", text);
-    const json result = identify("survey.csv").result;
-    ASSERT_EQ(result["survey"]["unmatched"].size(), 1U);
-    EXPECT_EQ(result["trust"]["verdict"], "doubtful");
-    EXPECT_EQ(result["findings"][0]["kind"], "target_far_from_node");
-    EXPECT_EQ(result["findings"][0]["ids"], json::array({"17"}));
-}
-
 TEST_F(WorstCase, NamesSwappedTargetsThatAreFarApart) {
     survey({"--noise", "0.5mm"});
     std::string text = read("survey.csv");
