@@ -178,6 +178,31 @@ TEST_F(Chain, IdentifyTakesForceMeasurementsAndUncertainParameters) {
               1e-6 * built["tensions"]["mean"].get<double>());
 }
 
+TEST_F(Chain, IdentifyWritesTheCovariancesOfAListOfEdgesInItsOrder) {
+    survey();
+    const auto identify = [&](const std::string& edges, const Words& options) {
+        write("edges.txt", edges);
+        return run(joined(
+            {"identify", "net.json", "survey.csv", "--draws", "0", "--covariance-of", "edges.txt"},
+            options));
+    };
+    const std::string interior = m_net.edge_id(m_net.interior_edges()[1]);
+    const std::string adjustable = m_net.edge_id(m_net.adjustable_edges()[0]);
+    expect_error(identify(adjustable + "\n", {"-o", "result.json"}), 2, "which is adjustable");
+    expect_error(identify("nowhere\n", {"-o", "result.json"}), 2, "edges.txt:1");
+    expect_error(identify(interior + "\n", {}), 2, "-o or --json");
+    EXPECT_FALSE(exists("result.json"));
+    const std::string first = m_net.edge_id(m_net.interior_edges()[0]);
+    ASSERT_EQ(identify(interior + "\n" + first + "\n", {"-o", "result.json"}).exit_code, 0);
+    const json result = json::parse(read("result.json"));
+    EXPECT_EQ(result["length_covariance"]["ids"], json({interior, first}));
+    for (size_t k = 0; k < 2; ++k) {
+        const auto std = result["edges"][1 - k]["std"].get<double>();
+        EXPECT_NEAR(result["length_covariance"]["covariance"][k][k].get<double>(), std * std,
+                    1e-9 * std * std);
+    }
+}
+
 TEST_F(Chain, ANetWithoutEquilibriumIsANumericalFailure) {
     // Stiffnesses of thirty orders, and loads beside which the soft ones are nothing.
     CableNetData content = m_net.data();

@@ -13,6 +13,8 @@ namespace {
 
 using namespace taut::test;
 using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
 
 class InspectSurvey : public ProgramTest {
 protected:
@@ -51,8 +53,6 @@ TEST_F(InspectSurvey, GivesEachEdgeAndTheCounts) {
     const json predicted = survey({"targets.txt", "--noise", "0.5mm"});
     EXPECT_EQ(predicted["used"], 60);
     EXPECT_EQ(predicted["missing"], 40);
-    EXPECT_EQ(predicted["prior"], "uniform:5mm");
-    EXPECT_NEAR(predicted["prior_std"].get<double>(), 0.005 / std::sqrt(3.0), 1e-12);
     ASSERT_EQ(predicted["edges"].size(), 180U);
     std::map<std::string, int> of_status;
     double squares = 0.0;
@@ -67,12 +67,11 @@ TEST_F(InspectSurvey, GivesEachEdgeAndTheCounts) {
         EXPECT_EQ(predicted[status], of_status[status]) << status;
     }
     EXPECT_NEAR(predicted["rms_std"].get<double>(), std::sqrt(squares / 180.0), 1e-12);
-    const std::string text =
-        must_run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"});
-    EXPECT_THAT(text, testing::HasSubstr("survey targets.txt: 60 free nodes, 40 not surveyed"));
     EXPECT_THAT(
-        text, testing::HasSubstr(std::to_string(of_status["not_determined"]) + " not determined"));
-    EXPECT_THAT(text, testing::HasSubstr("worst edges"));
+        must_run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"}),
+        AllOf(HasSubstr("survey targets.txt: 60 free nodes, 40 not surveyed"),
+              HasSubstr(std::to_string(of_status["not_determined"]) + " not determined"),
+              HasSubstr("worst edges"), HasSubstr("with one more force measurement of 2 %")));
 }
 
 TEST_F(InspectSurvey, GivesTheSameForAListAndForASurvey) {
@@ -107,8 +106,6 @@ TEST_F(InspectSurvey, PredictsTheGainOfAForceMeasurement) {
     EXPECT_EQ(after["forces"].size() + 1, before["forces"].size());
     EXPECT_GT(survey({"targets.txt", "--noise", "0.5mm"})["mean_tension"]["std"],
               before["mean_tension"]["std"]);
-    EXPECT_THAT(must_run({"inspect", "net.json", "--survey", "targets.txt", "--noise", "0.5mm"}),
-                testing::HasSubstr("with one more force measurement of 2 %"));
 }
 
 TEST_F(InspectSurvey, RefusesAWrongPlanAndOptionsThatNeedOne) {

@@ -3,11 +3,12 @@
 //
 // Guards the way from a result to a list of turns: keys that others read, a list that does what the
 // plan says, options that reach the planner, and one line for each wrong input.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
-#include <sstream>
 
 #include "app/program.hpp"
 #include "taut/report/report_html.hpp"
@@ -123,42 +124,32 @@ TEST_F(PlanCommand, HasARotationOnlyWhereTheThreadIsGiven) {
     EXPECT_EQ(plan({"--thread", "up"}).exit_code, 2);
 }
 
-/// A surface near all nodes of a net as OBJ: a grid with the heights of the nearest nodes.
-std::string roof_obj(const json& net, double unit, double up) {
+/// The surface of hypar:6x6 as OBJ, in a unit [m] and moved up [m].
+std::string roof_obj(double unit, double up) {
     constexpr int cells = 14;
-    double low = 1e9;
-    double high = -1e9;
-    for (const json& node : net["nodes"]) {
-        low = std::min({low, node[0].get<double>(), node[1].get<double>()});
-        high = std::max({high, node[0].get<double>(), node[1].get<double>()});
-    }
-    std::ostringstream text;
-    text.precision(17);
-    for (int k = 0; k < (cells + 1) * (cells + 1); ++k) {
-        const double x = low + (high - low) * (k / (cells + 1)) / cells;
-        const double y = low + (high - low) * (k % (cells + 1)) / cells;
-        const auto nearest = std::ranges::min_element(net["nodes"], {}, [&](const json& node) {
-            return std::hypot(node[0].get<double>() - x, node[1].get<double>() - y);
-        });
-        text << "v " << x / unit << ' ' << y / unit << ' '
-             << ((*nearest)[2].get<double>() + up) / unit << '\n';
-    }
-    for (int i = 0; i < cells; ++i) {
-        for (int j = 0; j < cells; ++j) {
-            const int at = i * (cells + 1) + j + 1;
-            text << "f " << at << ' ' << at + cells + 1 << ' ' << at + cells + 2 << ' ' << at + 1
-                 << '\n';
+    constexpr double side = 0.924;
+    constexpr double rise = 0.231;
+    std::string text;
+    for (int i = 0; i <= cells; ++i) {
+        for (int j = 0; j <= cells; ++j) {
+            const double u = static_cast<double>(i) / cells;
+            const double v = static_cast<double>(j) / cells;
+            text += fmt::format("v {} {} {}\n", side * u / unit, side * v / unit,
+                                (rise * ((1.0 - u) * (1.0 - v) + u * v) + up) / unit);
+            if (i > 0 && j > 0) {
+                const int at = i * (cells + 1) + j + 1;
+                text += fmt::format("f {} {} {} {}\n", at - cells - 2, at - 1, at, at - cells - 1);
+            }
         }
     }
-    return text.str();
+    return text;
 }
 
 TEST_F(PlanCommand, TakesASurfaceAsTargetAndRefusesOneInAnotherUnit) {
-    const json net = json::parse(read("net.json"));
-    write("roof.obj", roof_obj(net, 1e-3, 0.0));
+    write("roof.obj", roof_obj(1e-3, 0.0));
     expect_refused({"--target", "roof.obj"}, "in mm it would fit");
     expect_refused({"--target", "built.csv", "--target-unit", "mm"}, "--target-unit");
-    write("far.obj", roof_obj(net, 1.0, 5.0));
+    write("far.obj", roof_obj(1.0, 5.0));
     expect_refused({"--target", "far.obj"}, "far.obj: node '");
     write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
     expect_refused({"--target", "cut.ply"}, "cut.ply:3: ");
