@@ -361,8 +361,7 @@ std::string advice(const Trust::Finding& finding) {
 }
 
 void print_checks(const Trust& trust, const DetectableErrors& detectable) {
-    say("Checks: {}. Smallest error this survey would show (with a probability of 80 %):\n  {}\n",
-        to_string(trust.verdict()), detectable_text(detectable));
+    say("Checks: {}.{}", to_string(trust.verdict()), trust.findings.empty() ? " " : "\n");
     constexpr int shown = 6;
     std::map<std::pair<Trust::Finding::Kind, Trust::Verdict>, int> counts;
     const std::vector<Trust::Finding>& all = trust.findings;
@@ -386,7 +385,8 @@ void print_checks(const Trust& trust, const DetectableErrors& detectable) {
                 to_string(of.first));
         }
     }
-    say("\n");
+    say("Smallest error this survey would show (with a probability of 80 %):\n  {}\n\n",
+        detectable_text(detectable));
 }
 
 /// The uncertain parameters, and how to change them.

@@ -12,9 +12,9 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-using TargetOffset = BuiltNetTest;
+using OffsetTargets = BuiltNetTest;
 
-TEST_F(TargetOffset, WidensNoIntervalsWhereItIsGivenAndIsFoundWhereItIsNot) {
+TEST_F(OffsetTargets, HaveIntervalsThatHoldWhereTheOffsetIsGivenAndAreFoundWhereItIsNot) {
     int inside = 0;
     int edges = 0;
     for (const int seed : {1, 2, 3, 4}) {
@@ -36,7 +36,7 @@ TEST_F(TargetOffset, WidensNoIntervalsWhereItIsGivenAndIsFoundWhereItIsNot) {
     EXPECT_LE(part, 0.96);
 }
 
-TEST_F(TargetOffset, IsTakenByTheKindOfTarget) {
+TEST_F(OffsetTargets, HaveTheOffsetOfTheirKind) {
     survey({"--noise", "0.5mm", "--offset", "-3mm"});
     edit("survey.csv", [](const std::string& line, int number) {
         return number == 0 ? "Name,X,Y,Z,Code" : first_fields(line, 4) + ",prism";
